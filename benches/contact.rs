@@ -6,8 +6,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use riffel::contact::{
-    CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, HalfSpaceRolling, KalkerCoefficients,
-    NonSteady, Oscillating, OscillatingCreepages, RollingContact, TractionBound, TransientRolling,
+    CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, HalfSpaceRolling, KalkerCoefficients, NonSteady,
+    Oscillating, OscillatingCreepages, RollingContact, TractionBound, TransientRolling,
 };
 use riffel::damage::stress::{EllipseStress, Traction};
 use riffel::{ElasticMaterial, HertzContact};
@@ -61,12 +61,8 @@ fn stress(traction: Traction, across: usize) -> Result<(f64, f64), Failure> {
     let contact = hertz(LOAD)?;
     let ratio = contact.semi_axis_longitudinal() / contact.semi_axis_lateral();
     let ellipse = EllipseStress::of_ratio(ratio, 0.3);
-    let side: Vec<f64> = (0..across)
-        .map(|index| 4.0 * (index as f64 + 0.5) / across as f64 - 2.0)
-        .collect();
-    let depths: Vec<f64> = (0..across / 2)
-        .map(|index| 4.0 * index as f64 / across as f64)
-        .collect();
+    let side: Vec<f64> = (0..across).map(|index| 4.0 * (index as f64 + 0.5) / across as f64 - 2.0).collect();
+    let depths: Vec<f64> = (0..across / 2).map(|index| 4.0 * index as f64 / across as f64).collect();
     let begun = Instant::now();
     let stresses = black_box(traction.field(&ellipse, [&side, &side, &depths]));
     let seconds = begun.elapsed().as_secs_f64();
@@ -142,12 +138,7 @@ fn response(across: usize) -> Result<(f64, f64), Failure> {
     let begun = Instant::now();
     let contact = HalfSpace::new(hertz, FRICTION, across)?;
     let state = contact.roll_at_tractive_ratio(0.3)?;
-    let sum = sum_of_responses(
-        &contact,
-        &state,
-        OscillatingCreepages::Longitudinal,
-        WAVELENGTHS,
-    )?;
+    let sum = sum_of_responses(&contact, &state, OscillatingCreepages::Longitudinal, WAVELENGTHS)?;
     Ok((begun.elapsed().as_secs_f64(), sum))
 }
 
@@ -155,11 +146,7 @@ fn response(across: usize) -> Result<(f64, f64), Failure> {
 fn table(across: usize) -> Result<(f64, f64), Failure> {
     let hertz = hertz(LOAD)?;
     let contact = HalfSpace::new(hertz, FRICTION, across)?;
-    let state = contact.roll_with(Creepages {
-        longitudinal: 6e-4,
-        lateral: 6e-4,
-        spin: 0.3,
-    })?;
+    let state = contact.roll_with(Creepages { longitudinal: 6e-4, lateral: 6e-4, spin: 0.3 })?;
     let begun = Instant::now();
     let sum = sum_of_responses(&contact, &state, OscillatingCreepages::All, TABLE)?;
     Ok((begun.elapsed().as_secs_f64(), sum))
@@ -201,17 +188,11 @@ fn fastsim(across: usize) -> Result<(f64, f64), Failure> {
     let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
     let ellipse = CreepEllipse::new(hertz, KalkerCoefficients::new(0.3, a / b)?);
     let law = Fastsim::new(ellipse, FRICTION, TractionBound::Parabolic, across)?;
-    let creepages = Creepages {
-        longitudinal: 8e-4,
-        lateral: 3e-4,
-        spin: 0.2,
-    };
+    let creepages = Creepages { longitudinal: 8e-4, lateral: 3e-4, spin: 0.2 };
     let begun = Instant::now();
     let mut sum = 0.0;
     for _ in 0..REPEATS {
-        sum += black_box(&law)
-            .forces(LOAD, black_box(creepages))
-            .magnitude();
+        sum += black_box(&law).forces(LOAD, black_box(creepages)).magnitude();
     }
     Ok((begun.elapsed().as_secs_f64() / REPEATS as f64, sum))
 }
@@ -237,38 +218,16 @@ fn measured(riffel: &mut Contestant) -> Result<([f64; 11], f64), Failure> {
             times.push(riffel.time(&format!("contact {name}"), *across)?.0);
         }
     }
-    let ratios: Vec<f64> = times[5]
-        .iter()
-        .zip(&times[4])
-        .map(|(waves, flat)| waves / flat)
-        .collect();
+    let ratios: Vec<f64> = times[5].iter().zip(&times[4]).map(|(waves, flat)| waves / flat).collect();
     Ok((times.map(|times| 1e3 * median(times)), median(ratios)))
 }
 
 /// The section of the report.
 pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), Failure> {
     let (times, on_waves_costs) = measured(riffel)?;
-    let [
-        steady,
-        step,
-        response,
-        table,
-        of_case,
-        on_waves,
-        one,
-        followed,
-        fastsim,
-        stress,
-        stress_partial,
-    ] = times;
-    writeln!(
-        text,
-        "\n## Rolling contact, half-space theory, one thread\n"
-    )?;
-    writeln!(
-        text,
-        "| task | Riffel | beside it | Riffel is |\n|---|---|---|---|"
-    )?;
+    let [steady, step, response, table, of_case, on_waves, one, followed, fastsim, stress, stress_partial] = times;
+    writeln!(text, "\n## Rolling contact, half-space theory, one thread\n")?;
+    writeln!(text, "| task | Riffel | beside it | Riffel is |\n|---|---|---|---|")?;
     writeln!(
         text,
         "| steady rolling, {ACROSS} × {ACROSS} elements, and {0} × {0} to extrapolate, from free rolling to full slip | \

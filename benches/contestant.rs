@@ -41,11 +41,7 @@ impl Contestant {
 
     /// A script that uses the Python package of Riffel, built from these sources as users build it, on a
     /// number of threads.
-    pub(crate) fn riffel_of_python(
-        folder: &Path,
-        script: &str,
-        threads: usize,
-    ) -> Result<Self, Failure> {
+    pub(crate) fn riffel_of_python(folder: &Path, script: &str, threads: usize) -> Result<Self, Failure> {
         let python = environment(folder, "peers-riffel", || Ok("python3".into()))?;
         install(&python, &folder.join(RIFFEL_REQUIREMENTS))?;
         run(Command::new(&python)
@@ -55,43 +51,27 @@ impl Contestant {
             // The scripts beside the interpreter, for maturin.
             .env("PATH", scripts_first(&python)?))?;
         Self::start(
-            Command::new(python)
-                .arg(folder.join("peers").join(script))
-                .env("RAYON_NUM_THREADS", threads.to_string()),
+            Command::new(python).arg(folder.join("peers").join(script)).env("RAYON_NUM_THREADS", threads.to_string()),
         )
     }
 
     /// A Python script on one thread.
     fn python(python: &Path, script: &Path) -> Result<Self, Failure> {
-        Self::start(
-            Command::new(python)
-                .arg(script)
-                .env("OMP_NUM_THREADS", "1")
-                .env("OPENBLAS_NUM_THREADS", "1"),
-        )
+        Self::start(Command::new(python).arg(script).env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))
     }
 
     /// Riffel on a number of threads: this program again.
     pub(crate) fn riffel(threads: usize) -> Result<Self, Failure> {
         Self::start(
-            Command::new(std::env::current_exe()?)
-                .arg(crate::CONTESTANT)
-                .env("RAYON_NUM_THREADS", threads.to_string()),
+            Command::new(std::env::current_exe()?).arg(crate::CONTESTANT).env("RAYON_NUM_THREADS", threads.to_string()),
         )
     }
 
     fn start(command: &mut Command) -> Result<Self, Failure> {
-        let mut process = command
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()?;
+        let mut process = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let input = process.stdin.take().ok_or("no input to the contestant")?;
         let output = process.stdout.take().ok_or("no output of the contestant")?;
-        Ok(Self {
-            process,
-            input,
-            output: BufReader::new(output),
-        })
+        Ok(Self { process, input, output: BufReader::new(output) })
     }
 
     /// Seconds for one task on an axis of so many points, and the sum of its result. The task is done
@@ -106,10 +86,7 @@ impl Contestant {
         writeln!(self.input, "{task} {points}")?;
         let mut line = String::new();
         self.output.read_line(&mut line)?;
-        let (seconds, sum) = line
-            .trim()
-            .split_once(' ')
-            .ok_or("a contestant gave no answer")?;
+        let (seconds, sum) = line.trim().split_once(' ').ok_or("a contestant gave no answer")?;
         Ok((seconds.parse()?, sum.parse()?))
     }
 }
@@ -123,11 +100,7 @@ impl Drop for Contestant {
 
 fn run(command: &mut Command) -> Result<(), Failure> {
     let status = command.status()?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("{command:?} failed").into())
-    }
+    if status.success() { Ok(()) } else { Err(format!("{command:?} failed").into()) }
 }
 
 /// The Python of a virtual environment, which is made with another Python if it is not there.
@@ -139,9 +112,7 @@ fn environment(
     let environment = folder.join("../target").join(name);
     let python = environment.join("bin/python");
     if !python.exists() {
-        run(Command::new(maker()?)
-            .args(["-m", "venv"])
-            .arg(&environment))?;
+        run(Command::new(maker()?).args(["-m", "venv"]).arg(&environment))?;
     }
     Ok(python)
 }
@@ -150,31 +121,19 @@ fn environment(
 fn scripts_first(python: &Path) -> Result<std::ffi::OsString, Failure> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let folder = python.parent().map(Path::to_owned);
-    Ok(std::env::join_paths(
-        folder.into_iter().chain(std::env::split_paths(&path)),
-    )?)
+    Ok(std::env::join_paths(folder.into_iter().chain(std::env::split_paths(&path)))?)
 }
 
 fn install(python: &Path, requirements: &Path) -> Result<(), Failure> {
     run(Command::new(python)
-        .args([
-            "-m",
-            "pip",
-            "install",
-            "--quiet",
-            "--disable-pip-version-check",
-            "-r",
-        ])
+        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"])
         .arg(requirements))
 }
 
 /// A Python of version 3.12 or later, from the search path or from pyenv.
 fn recent_python() -> Result<PathBuf, Failure> {
     let named = ["python3.13", "python3.12", "python3.14", "python3"].map(PathBuf::from);
-    let python = named
-        .into_iter()
-        .chain(iter::once_with(pyenv_pythons).flatten())
-        .find(|python| is_recent(python));
+    let python = named.into_iter().chain(iter::once_with(pyenv_pythons).flatten()).find(|python| is_recent(python));
     Ok(python.ok_or("no Python 3.12 or later")?)
 }
 
@@ -186,13 +145,8 @@ fn is_recent(python: &Path) -> bool {
 /// The Pythons of pyenv, the latest first; none without pyenv.
 fn pyenv_pythons() -> Vec<PathBuf> {
     let versions = answer(Command::new("pyenv").args(["versions", "--bare"])).unwrap_or_default();
-    let prefixes = versions
-        .lines()
-        .rev()
-        .filter_map(|version| answer(Command::new("pyenv").args(["prefix", version])));
-    prefixes
-        .map(|prefix| Path::new(&prefix).join("bin/python"))
-        .collect()
+    let prefixes = versions.lines().rev().filter_map(|version| answer(Command::new("pyenv").args(["prefix", version])));
+    prefixes.map(|prefix| Path::new(&prefix).join("bin/python")).collect()
 }
 
 /// What a command prints; nothing if it fails or is not there.
@@ -209,9 +163,7 @@ fn required_version(requirements: &Path, package: &str) -> Result<String, Failur
         let (name, version) = line.split_once("==")?;
         (name == package).then_some(version)
     });
-    Ok(version
-        .ok_or(format!("no version of {package} is required"))?
-        .to_owned())
+    Ok(version.ok_or(format!("no version of {package} is required"))?.to_owned())
 }
 
 /// Version of NumPy.

@@ -23,9 +23,7 @@ const ELEMENTS: usize = 48;
 const SPEEDS: usize = 20;
 
 fn case(name: &str, overrides: &[&str]) -> Result<CurvingCase, Failure> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../cases")
-        .join(format!("{name}.toml"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases").join(format!("{name}.toml"));
     let overrides: Vec<String> = overrides.iter().map(|one| (*one).to_owned()).collect();
     Ok(CurvingCase::read(&path, &overrides)?)
 }
@@ -43,18 +41,14 @@ pub(crate) fn task(name: &str, repeats: usize) -> Result<(f64, f64), Failure> {
 /// Both wheels of a wheelset at every shift and yaw.
 fn geometry(repeats: usize) -> Result<(f64, f64), Failure> {
     let wheelset = case("profiles", &[])?.wheelset_on_track()?;
-    let places: Vec<(f64, f64)> = YAWS
-        .iter()
-        .flat_map(|yaw| (0..SHIFTS).map(|index| (1e-4 * f64::from(index - SHIFTS / 2), *yaw)))
-        .collect();
+    let places: Vec<(f64, f64)> =
+        YAWS.iter().flat_map(|yaw| (0..SHIFTS).map(|index| (1e-4 * f64::from(index - SHIFTS / 2), *yaw))).collect();
     let begun = Instant::now();
     let mut sum = 0.0;
     for _ in 0..repeats {
         let contacts = wheelset.contacts(black_box(&places));
         let found = contacts.into_iter().flatten();
-        sum = found
-            .map(|contact| contact.rolling_radius_difference().abs())
-            .sum();
+        sum = found.map(|contact| contact.rolling_radius_difference().abs()).sum();
     }
     Ok((begun.elapsed().as_secs_f64() / repeats as f64, sum))
 }
@@ -68,26 +62,14 @@ fn contact(repeats: usize) -> Result<(f64, f64), Failure> {
     let mut sum = 0.0;
     for _ in 0..repeats {
         let load = black_box(60e3);
-        sum = wheelset
-            .under_load(
-                &place,
-                Rail::Right,
-                steel,
-                load,
-                ContactSurface::Flat,
-                ELEMENTS,
-            )?
-            .state()
-            .approach();
+        sum = wheelset.under_load(&place, Rail::Right, steel, load, ContactSurface::Flat, ELEMENTS)?.state().approach();
     }
     Ok((begun.elapsed().as_secs_f64() / repeats as f64, sum))
 }
 
 /// One equilibrium of the bogie of a case, without the search for others; "CASE+LAW" names a creep law.
 fn equilibrium(name: &str, repeats: usize) -> Result<(f64, f64), Failure> {
-    let (name, law) = name
-        .split_once('+')
-        .unwrap_or((name, "shen-hedrick-elkins"));
+    let (name, law) = name.split_once('+').unwrap_or((name, "shen-hedrick-elkins"));
     let law = format!("contact.creep_law={law}");
     let vehicle = case(name, &[&law])?.vehicle_in_curve()?;
     let begun = Instant::now();
@@ -124,21 +106,14 @@ fn traffic(speeds: usize) -> Result<(f64, f64), Failure> {
 }
 
 /// The section of the report.
-pub(crate) fn report(
-    text: &mut String,
-    one: &mut Contestant,
-    two: &mut Contestant,
-) -> Result<(), Failure> {
+pub(crate) fn report(text: &mut String, one: &mut Contestant, two: &mut Contestant) -> Result<(), Failure> {
     let milliseconds = |contestant: &mut Contestant, name: &str, repeats: usize| {
         let times = (0..ROUNDS)
             .map(|_| Ok(contestant.time(&format!("curving {name}"), repeats)?.0))
             .collect::<Result<Vec<f64>, Failure>>()?;
         Ok::<f64, Failure>(1e3 * median(times))
     };
-    let [single, double] = [
-        milliseconds(one, "geometry", 1)?,
-        milliseconds(two, "geometry", 1)?,
-    ];
+    let [single, double] = [milliseconds(one, "geometry", 1)?, milliseconds(two, "geometry", 1)?];
     let contact = milliseconds(one, "contact", 3)?;
     writeln!(text, "\n## Profiles and curves\n")?;
     writeln!(text, "| what | took | asked |\n|---|---|---|")?;
@@ -147,10 +122,7 @@ pub(crate) fn report(
         "| wheelset on its track, both rails, S1002 on 60E1, {SHIFTS} shifts 0.1 mm apart at three yaws | {single:.0} ms on one \
          thread, {double:.0} ms on two | 50 ms |"
     )?;
-    writeln!(
-        text,
-        "| exact contact of one wheel on its profiles, {ELEMENTS} elements | {contact:.1} ms | 20 ms |"
-    )?;
+    writeln!(text, "| exact contact of one wheel on its profiles, {ELEMENTS} elements | {contact:.1} ms | 20 ms |")?;
     for (name, what, asked) in [
         ("bogie", "cones with a flange (`bogie.toml`)", "5 ms"),
         ("profiles", "profiles (`profiles.toml`)", "5 ms"),
@@ -159,19 +131,13 @@ pub(crate) fn report(
     ] {
         let repeats = if name.contains('+') { 1 } else { 20 };
         let took = milliseconds(one, name, repeats)?;
-        writeln!(
-            text,
-            "| equilibrium of a bogie by steps from straight track: {what} | {took:.2} ms | {asked} |"
-        )?;
+        writeln!(text, "| equilibrium of a bogie by steps from straight track: {what} | {took:.2} ms | {asked} |")?;
     }
     let took = 1e-3 * milliseconds(two, "traffic", SPEEDS)?;
     writeln!(
         text,
         "| growth on both rails under four bogies at {SPEEDS} speeds, every wheel in its own state of `metro-curve.toml`, two threads | {took:.1} s | 1 s |"
     )?;
-    writeln!(
-        text,
-        "\nMedians of {ROUNDS} rounds, one thread unless said."
-    )?;
+    writeln!(text, "\nMedians of {ROUNDS} rounds, one thread unless said.")?;
     Ok(())
 }

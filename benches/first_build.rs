@@ -41,10 +41,7 @@ fn section_of(text: &str) -> Option<std::ops::Range<usize>> {
 
 fn report(folder: &Path) -> Result<String, Failure> {
     let root = folder.join("..");
-    let fetch = Command::new("cargo")
-        .arg("fetch")
-        .current_dir(&root)
-        .status()?;
+    let fetch = Command::new("cargo").arg("fetch").current_dir(&root).status()?;
     if !fetch.success() {
         return Err("cargo fetch failed".into());
     }
@@ -72,10 +69,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
          fetched before.\n",
         machine()
     )?;
-    writeln!(
-        text,
-        "| crates, versions apart | wall | processor |\n|---|---|---|"
-    )?;
+    writeln!(text, "| crates, versions apart | wall | processor |\n|---|---|---|")?;
     let seconds = wall.as_secs_f64();
     let processor = match (before, after) {
         (Some(before), Some(after)) => format!("{:.0} s", after - before),
@@ -121,10 +115,7 @@ fn units(page: &str) -> Result<Vec<(String, f64)>, Failure> {
         let version = unit["version"].as_str()?;
         Some((format!("{name} {version}"), unit["duration"].as_f64()?))
     };
-    units
-        .iter()
-        .map(|value| unit(value).ok_or_else(|| format!("cannot read {value}").into()))
-        .collect()
+    units.iter().map(|value| unit(value).ok_or_else(|| format!("cannot read {value}").into())).collect()
 }
 
 /// Processor time of all processes that were started and waited for, where Linux tells it.

@@ -7,16 +7,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use riffel::contact::{
-    ContactDerivative, ContactResponse, CreepForces, Creepages, MeanRolling, RollingContact,
-};
+use riffel::contact::{ContactDerivative, ContactResponse, CreepForces, Creepages, MeanRolling, RollingContact};
 use riffel::feedback::Contact;
 use riffel::growth::RowEvaluator;
 use riffel::receptance::Structure;
 use riffel::wheelset::{Motion, Wheelset};
-use riffel::{
-    Axis, Complex64, DissipationPhase, EnergyWear, GrowthMap, Loop, Place, PlaceOfWear, Rail, Ridge,
-};
+use riffel::{Axis, Complex64, DissipationPhase, EnergyWear, GrowthMap, Loop, Place, PlaceOfWear, Rail, Ridge};
 use riffel_case::Case;
 
 use crate::contestant::{Contestant, Failure, numpy_version};
@@ -41,18 +37,11 @@ pub(crate) fn task(name: &str, points: usize) -> Result<(f64, f64), Failure> {
         "twisting-discrete" => twisting(&[DISCRETE], points),
         "map" => map(|feedback, wavelength, speed| {
             let map = GrowthMap::compute(feedback, wavelength, speed, |_| ());
-            map.rows()
-                .flat_map(|(_, row)| row)
-                .map(|value| value.re)
-                .sum()
+            map.rows().flat_map(|(_, row)| row).map(|value| value.re).sum()
         }),
         "ridge" => map(|feedback, wavelength, speed| {
             let ridge = Ridge::search(feedback, wavelength, speed);
-            ridge
-                .points
-                .iter()
-                .map(|point| point.normalized_dissipation)
-                .sum()
+            ridge.points.iter().map(|point| point.normalized_dissipation).sum()
         }),
         _ => Err("no such task of the loop on all axes".into()),
     }
@@ -107,15 +96,8 @@ impl RollingContact for Round {
         MeanRolling {
             normal_force: 50e3,
             friction: 0.4,
-            creepages: Creepages {
-                longitudinal: 1e-3,
-                lateral: 5e-4,
-                spin: 0.0,
-            },
-            forces: CreepForces {
-                longitudinal: 6e3,
-                lateral: 3e3,
-            },
+            creepages: Creepages { longitudinal: 1e-3, lateral: 5e-4, spin: 0.0 },
+            forces: CreepForces { longitudinal: 6e3, lateral: 3e3 },
         }
     }
 
@@ -180,9 +162,7 @@ fn frequencies(points: usize) -> impl Iterator<Item = f64> {
 }
 
 fn path(case: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../cases")
-        .join(case)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases").join(case)
 }
 
 fn case(name: &str, overrides: &[&str]) -> Result<Case, Failure> {
@@ -276,10 +256,7 @@ pub(crate) fn report(
          once | Riffel is |\n|---|---|---|---|",
         numpy_version(folder)?
     )?;
-    for (index, name) in ["one wheel, 3 axes", "8 wheels, 3 axes"]
-        .into_iter()
-        .enumerate()
-    {
+    for (index, name) in ["one wheel, 3 axes", "8 wheels, 3 axes"].into_iter().enumerate() {
         writeln!(
             text,
             "| {name} | {:.2} | {:.2} | {} × faster |",

@@ -86,12 +86,8 @@ fn main() -> Result<(), Failure> {
 /// The tracks of the tasks.
 fn feedback(track: &str) -> Result<Loop, Failure> {
     const MOVING: &str = "track.model=moving-beam";
-    const PERIODIC: [&str; 4] = [
-        "rail.section=60E1",
-        "track.model=two-layer-periodic",
-        "track.preset=br-stiff",
-        "track.position=0.35 m",
-    ];
+    const PERIODIC: [&str; 4] =
+        ["rail.section=60E1", "track.model=two-layer-periodic", "track.preset=br-stiff", "track.position=0.35 m"];
     let (text, overrides) = match track {
         "moving" => (NOMINAL_CASE, vec![MOVING]),
         "wave-geometry" => (NOMINAL_CASE, vec!["contact.wave_geometry=true"]),
@@ -196,12 +192,7 @@ fn receptance(points: usize) -> Result<(f64, f64), Failure> {
 /// At mid-span; values of validation/reference/receptance/uic60_stiff_pad.json.
 fn uic60_on_stiff_pads() -> Result<PeriodicTrack, Failure> {
     let spacing = 0.6;
-    let section = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.393,
-        shear_modulus: 80.769e9,
-        density: 7850.0,
-    };
+    let section = ShearSection { area: 7.67e-3, shear_coefficient: 0.393, shear_modulus: 80.769e9, density: 7850.0 };
     let steel = ElasticMaterial::new(210e9, 0.3)?;
     let rail = Beam::timoshenko(steel, 3.037e-5, 60.2, section)?.with_loss_factor(0.02)?;
     let support = Support::two_layer(Layer::new(800e6, 30e3)?, 162.0, Layer::new(100e6, 60e3)?)?;
@@ -214,9 +205,7 @@ fn check_agreement(what: &str, (sum, expected): (f64, f64), tolerance: f64) -> R
     if difference <= tolerance {
         return Ok(());
     }
-    let message = format!(
-        "the {what} differ by {difference:.1e}, more than {tolerance:.0e}: {sum}, not {expected}"
-    );
+    let message = format!("the {what} differ by {difference:.1e}, more than {tolerance:.0e}: {sum}, not {expected}");
     Err(message.into())
 }
 
@@ -232,15 +221,8 @@ fn ratio(value: f64) -> String {
 }
 
 /// Median nanoseconds a point of a task.
-fn cost(
-    contestant: &mut Contestant,
-    task: &str,
-    side: usize,
-    rounds: usize,
-) -> Result<f64, Failure> {
-    let seconds = (0..rounds)
-        .map(|_| Ok(contestant.time(task, side)?.0))
-        .collect::<Result<Vec<f64>, Failure>>()?;
+fn cost(contestant: &mut Contestant, task: &str, side: usize, rounds: usize) -> Result<f64, Failure> {
+    let seconds = (0..rounds).map(|_| Ok(contestant.time(task, side)?.0)).collect::<Result<Vec<f64>, Failure>>()?;
     Ok(1e9 * median(seconds) / (side * side) as f64)
 }
 
@@ -248,11 +230,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     let mut numpy = Contestant::numpy(folder, "map_numpy.py")?;
     let (mut one, mut two) = (Contestant::riffel(1)?, Contestant::riffel(2)?);
     let mut text = String::from("# Benchmarks\n\n");
-    writeln!(
-        text,
-        "Written by `cargo xtask bench`. Machine: {}; profile `dist`.",
-        machine()
-    )?;
+    writeln!(text, "Written by `cargo xtask bench`. Machine: {}; profile `dist`.", machine())?;
     writeln!(
         text,
         "Contestants work in turn in one run, each task after a warm-up of its own; times are medians of \
@@ -273,14 +251,8 @@ fn report(folder: &Path) -> Result<String, Failure> {
     let version = numpy_version(folder)?;
     writeln!(text, "## Growth map, {SIDE} × {SIDE} points, free beam\n")?;
     writeln!(text, "| contestant | ns a point | ratio |\n|---|---|---|")?;
-    writeln!(
-        text,
-        "| NumPy {version}, formulas as printed, one thread | {written:.1} | |"
-    )?;
-    writeln!(
-        text,
-        "| NumPy {version}, tuned by hand, one thread | {tuned:.1} | |"
-    )?;
+    writeln!(text, "| NumPy {version}, formulas as printed, one thread | {written:.1} | |")?;
+    writeln!(text, "| NumPy {version}, tuned by hand, one thread | {tuned:.1} | |")?;
     writeln!(
         text,
         "| Riffel, one thread | {single:.1} | {:.1} × NumPy as printed, {:.1} × NumPy tuned |",
@@ -294,8 +266,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
         singles.push(one.time("map free", SIDE)?.0);
         doubles.push(two.time("map free", SIDE)?.0);
     }
-    let [single, double] =
-        [singles, doubles].map(|times| 1e9 * median(times) / (SIDE * SIDE) as f64);
+    let [single, double] = [singles, doubles].map(|times| 1e9 * median(times) / (SIDE * SIDE) as f64);
     writeln!(text, "| threads | ns a point | ratio |\n|---|---|---|")?;
     writeln!(text, "| one | {single:.1} | 1 |")?;
     writeln!(text, "| two | {double:.1} | {:.2} |\n", single / double)?;
@@ -311,10 +282,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     study::report(&mut text, folder, &mut one, &mut two)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
-    writeln!(
-        text,
-        "| points | row by row, no map kept | whole map in memory | ridge alone |\n|---|---|---|---|"
-    )?;
+    writeln!(text, "| points | row by row, no map kept | whole map in memory | ridge alone |\n|---|---|---|---|")?;
     for (side, rounds) in [(100, 401), (316, 201), (1000, 41), (3162, 11), (10_000, 5)] {
         let rows = cost(&mut one, "rows free", side, rounds)?;
         let map = cost(&mut one, "map free", side, rounds)?;
@@ -331,11 +299,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
 }
 
 /// The receptance of one track beside the peers.
-fn report_receptances(
-    text: &mut String,
-    folder: &Path,
-    riffel: &mut Contestant,
-) -> Result<(), Failure> {
+fn report_receptances(text: &mut String, folder: &Path, riffel: &mut Contestant) -> Result<(), Failure> {
     let mut numpy = Contestant::numpy(folder, "receptance_numpy.py")?;
     let mut rolland = Contestant::rolland(folder);
     let mut times = [const { Vec::new() }; 4];
@@ -343,11 +307,7 @@ fn report_receptances(
         let single = riffel.time("receptance uic60", FREQUENCIES)?;
         let written = numpy.time("as-written", FREQUENCIES)?;
         let tuned = numpy.time("tuned", FREQUENCIES)?;
-        check_agreement(
-            "receptances of Riffel and NumPy",
-            (written.1, single.1),
-            1e-9,
-        )?;
+        check_agreement("receptances of Riffel and NumPy", (written.1, single.1), 1e-9)?;
         check_agreement("receptances of Riffel and NumPy", (tuned.1, single.1), 1e-9)?;
         for (times, (seconds, _)) in times.iter_mut().zip([single, written, tuned]) {
             times.push(seconds);
@@ -368,18 +328,9 @@ fn report_receptances(
         format!("| {contestant} | {track} | {time:.0} | {each:.2} | {ratio} × faster |")
     };
 
-    writeln!(
-        text,
-        "## Receptance at mid-span, {FREQUENCIES} frequencies, 20–3000 Hz, one thread\n"
-    )?;
-    writeln!(
-        text,
-        "Timoshenko rail on discrete two-layer supports: UIC 60 on stiff pads, rail loss factor 0.02.\n"
-    )?;
-    writeln!(
-        text,
-        "| contestant | track | µs | µs a frequency | Riffel is |\n|---|---|---|---|---|"
-    )?;
+    writeln!(text, "## Receptance at mid-span, {FREQUENCIES} frequencies, 20–3000 Hz, one thread\n")?;
+    writeln!(text, "Timoshenko rail on discrete two-layer supports: UIC 60 on stiff pads, rail loss factor 0.02.\n")?;
+    writeln!(text, "| contestant | track | µs | µs a frequency | Riffel is |\n|---|---|---|---|---|")?;
     let each = single / FREQUENCIES as f64;
     writeln!(text, "| Riffel | infinite | {single:.0} | {each:.2} | |")?;
     let version = numpy_version(folder)?;
@@ -389,15 +340,8 @@ fn report_receptances(
     writeln!(text, "{}", row(&contestant, "infinite", tuned))?;
     let contestant = format!("rolland {}, `TSBDiscr2L`", rolland_version(folder)?);
     match rolland {
-        Ok(_) => writeln!(
-            text,
-            "{}",
-            row(&contestant, "122 supports", 1e6 * median(others))
-        )?,
-        Err(reason) => writeln!(
-            text,
-            "| {contestant} | 122 supports | not installed: {reason} | | |"
-        )?,
+        Ok(_) => writeln!(text, "{}", row(&contestant, "122 supports", 1e6 * median(others)))?,
+        Err(reason) => writeln!(text, "| {contestant} | 122 supports | not installed: {reason} | | |")?,
     }
     writeln!(
         text,
@@ -413,29 +357,13 @@ fn report_receptances(
 fn report_tracks(text: &mut String, riffel: &mut Contestant) -> Result<(), Failure> {
     let tracks = [
         ("free beam", "free", SIDE),
-        (
-            "the same, with the geometry of the wave",
-            "wave-geometry",
-            SIDE,
-        ),
-        (
-            "the same, with flow under a spread of loads beside wear",
-            "flow",
-            SIDE,
-        ),
+        ("the same, with the geometry of the wave", "wave-geometry", SIDE),
+        ("the same, with flow under a spread of loads beside wear", "flow", SIDE),
         ("moving beam, closed form", "moving", SIDE),
         ("two layers, table good to 1e-9", "two-layer", SIDE),
-        (
-            "discrete two-layer supports, Timoshenko rail of loss factor 0.02, at mid-span",
-            "periodic",
-            SIDE,
-        ),
+        ("discrete two-layer supports, Timoshenko rail of loss factor 0.02, at mid-span", "periodic", SIDE),
         ("the same, rail without loss", "periodic-lossless", SIDE),
-        (
-            "load moving on two layers",
-            "moving-two-layer",
-            MOVING_LOAD_SIDE,
-        ),
+        ("load moving on two layers", "moving-two-layer", MOVING_LOAD_SIDE),
     ];
     let mut maps = tracks.map(|_| Vec::new());
     let mut ridges = tracks.map(|_| Vec::new());
@@ -449,14 +377,8 @@ fn report_tracks(text: &mut String, riffel: &mut Contestant) -> Result<(), Failu
     }
     let [maps, ridges] = [maps, ridges].map(|times| times.map(median));
 
-    writeln!(
-        text,
-        "\n## Other tracks, {SIDE} × {SIDE} points, one thread\n"
-    )?;
-    writeln!(
-        text,
-        "| track | map, ns a point | times free beam | ridge alone, ns a point |\n|---|---|---|---|"
-    )?;
+    writeln!(text, "\n## Other tracks, {SIDE} × {SIDE} points, one thread\n")?;
+    writeln!(text, "| track | map, ns a point | times free beam | ridge alone, ns a point |\n|---|---|---|---|")?;
     for (((name, _, side), map), ridge) in tracks.iter().zip(maps).zip(ridges) {
         let points = match *side {
             SIDE => String::new(),

@@ -8,16 +8,13 @@ use std::time::Instant;
 
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::passage::{
-    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel,
-    StructuresInTime, WearOfPassages,
+    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel, StructuresInTime,
+    WearOfPassages,
 };
 use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, Support};
 use riffel::roughness::Profile;
 use riffel::wheelset::{RigidInertia, RigidMass};
-use riffel::{
-    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear,
-    RollingContact,
-};
+use riffel::{Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear, RollingContact};
 use riffel_case::Case;
 
 use crate::contestant::{Contestant, Failure, numpy_version};
@@ -52,12 +49,7 @@ fn response() -> Result<ImpulseResponse, Failure> {
     if let Some(response) = RESPONSE.get() {
         return Ok(response.clone());
     }
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.4,
-        shear_modulus: 79.6e9,
-        density: 7850.0,
-    };
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
     let rail = Beam::timoshenko(steel()?, 3.04e-5, 60.2, shear)?.with_damping(5e4)?;
     let (pad, ballast) = (Layer::new(300e6, 40e3)?, Layer::new(80e6, 80e3)?);
     let support = Support::two_layer(pad, 150.0, ballast)?;
@@ -81,11 +73,7 @@ fn model() -> Result<PassageModel, Failure> {
     let rotation = RigidInertia::new(RigidInertia::reduced_inertia(350.0, 0.46), 0.46)?;
     let contact = ContactInTime::of_one_wheel(mean, hertz.stiffness(), Arc::new(law))?;
     Ok(PassageModel {
-        structures: StructuresInTime::of_one_wheel(
-            response()?,
-            &RigidMass::new(350.0)?,
-            Some(&rotation),
-        ),
+        structures: StructuresInTime::of_one_wheel(response()?, &RigidMass::new(350.0)?, Some(&rotation)),
         contacts: vec![contact],
         contact_filter: None,
         speed: SPEED,
@@ -126,8 +114,7 @@ fn all_axes(steps: usize) -> Result<(f64, f64), Failure> {
     let model = match MODEL.get() {
         Some(model) => model,
         None => {
-            let path =
-                Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/wheelset-metro-trailer.toml");
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/wheelset-metro-trailer.toml");
             let case = Case::read(&path, &KEYS.map(str::to_owned))?.in_time(SPEED)?;
             MODEL.get_or_init(|| case)
         }
@@ -154,18 +141,9 @@ fn evolution(passages: u64) -> Result<(f64, f64), Failure> {
         place: PlaceOfWear::new(DissipationPhase::None, 0.0, 0.3),
         shortest: 2.0 * hertz()?.semi_axis_longitudinal(),
     };
-    let step = EvolutionStep {
-        largest_change: EvolutionStep::USUAL_CHANGE,
-        largest_step: STEP,
-    };
+    let step = EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: STEP };
     let begun = Instant::now();
-    let wheel = PassingWheel {
-        memory: model.memory()?,
-        model,
-        wear,
-        share: 1.0,
-        traction_share: 1.0,
-    };
+    let wheel = PassingWheel { memory: model.memory()?, model, wear, share: 1.0, traction_share: 1.0 };
     let mut rail = Evolution::new(&profile);
     let mut steps = 0;
     while rail.passages() < passages {
@@ -176,15 +154,10 @@ fn evolution(passages: u64) -> Result<(f64, f64), Failure> {
 }
 
 /// The section of the report.
-pub(crate) fn report(
-    text: &mut String,
-    folder: &Path,
-    one: &mut Contestant,
-) -> Result<(), Failure> {
+pub(crate) fn report(text: &mut String, folder: &Path, one: &mut Contestant) -> Result<(), Failure> {
     let mut numpy = Contestant::numpy(folder, "passage_numpy.py")?;
     let bays = RUN_IN + COUNTED;
-    let (mut ours, mut theirs, mut worn, mut general) =
-        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut ours, mut theirs, mut worn, mut general) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut by_riffel, mut by_numpy, mut marches) = (0.0, 0.0, 0.0);
     for _ in 0..ROUNDS {
         let (seconds, force) = one.time("passage march", bays)?;
@@ -207,14 +180,9 @@ pub(crate) fn report(
         "| {bays} sleeper bays at 30 m/s in steps of 0.5 mm | µs a step | times real time | rms of P − P₀ over the last \
          {COUNTED} bays, kN |\n|---|---|---|---|"
     )?;
-    for (name, seconds, force) in [
-        ("Riffel", ours, by_riffel),
-        (
-            &*format!("modes in NumPy {}", numpy_version(folder)?),
-            theirs,
-            by_numpy,
-        ),
-    ] {
+    for (name, seconds, force) in
+        [("Riffel", ours, by_riffel), (&*format!("modes in NumPy {}", numpy_version(folder)?), theirs, by_numpy)]
+    {
         writeln!(
             text,
             "| {name} | {:.2} | {} | {:.3} |",

@@ -8,14 +8,8 @@ use crate::{ROUNDS, SIDE, check_agreement, median};
 
 /// What a call from Python costs more.
 pub(crate) fn report(text: &mut String, folder: &Path) -> Result<(), Failure> {
-    writeln!(
-        text,
-        "\n## Growth map from Python, {SIDE} × {SIDE} points, free beam\n"
-    )?;
-    writeln!(
-        text,
-        "| threads | Rust ns a point | Python ns a point | Python costs |\n|---|---|---|---|"
-    )?;
+    writeln!(text, "\n## Growth map from Python, {SIDE} × {SIDE} points, free beam\n")?;
+    writeln!(text, "| threads | Rust ns a point | Python ns a point | Python costs |\n|---|---|---|---|")?;
     for (threads, name) in [(1, "one"), (2, "two")] {
         let mut rust = Contestant::riffel(threads)?;
         let mut python = Contestant::riffel_of_python(folder, "map_riffel.py", threads)?;
@@ -31,13 +25,7 @@ pub(crate) fn report(text: &mut String, folder: &Path) -> Result<(), Failure> {
         }
         let [rust, python, ratio] = times.map(median);
         let each = 1e9 / (SIDE * SIDE) as f64;
-        writeln!(
-            text,
-            "| {name} | {:.2} | {:.2} | {:+.1} % |",
-            each * rust,
-            each * python,
-            100.0 * (ratio - 1.0)
-        )?;
+        writeln!(text, "| {name} | {:.2} | {:.2} | {:+.1} % |", each * rust, each * python, 100.0 * (ratio - 1.0))?;
     }
     writeln!(
         text,

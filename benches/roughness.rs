@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use riffel::roughness::{
-    BandLevel, BandSettings, BandStatistics, PIT_DEPTH, Profile, Spectrum, SpikeCriterion,
-    WHEEL_RADIUS, WavelengthBand,
+    BandLevel, BandSettings, BandStatistics, PIT_DEPTH, Profile, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_rail::{Layout, RoughnessFile};
 
@@ -39,9 +38,7 @@ fn made(samples: usize) -> Vec<f64> {
 pub(crate) fn contest(task: &str, file: &str, samples: usize) -> Result<(f64, f64), Failure> {
     if task == "roughness-read" {
         let begun = Instant::now();
-        let RoughnessFile::Profile(record) =
-            RoughnessFile::read(Path::new(file), &Layout::default(), &|_| ())?
-        else {
+        let RoughnessFile::Profile(record) = RoughnessFile::read(Path::new(file), &Layout::default(), &|_| ())? else {
             return Err("the file holds no profile".into());
         };
         let seconds = begun.elapsed().as_secs_f64();
@@ -102,10 +99,7 @@ pub(crate) fn report(
             check_agreement("roughnesses", (own.1, process.1), 1e-3)?;
             row[3 + 2 * index] = own.0;
         }
-        times
-            .iter_mut()
-            .zip(row)
-            .for_each(|(times, time)| times.push(time));
+        times.iter_mut().zip(row).for_each(|(times, time)| times.push(time));
     }
     let [read, process, read_one, process_one, read_two, process_two] = times.map(median);
     let megabytes = size as f64 / 1e6;
@@ -117,26 +111,12 @@ pub(crate) fn report(
             process / processing
         )
     };
-    writeln!(
-        text,
-        "\n## Roughness of 2 km at 1 mm, one rail, {megabytes:.0} MB of text\n"
-    )?;
-    writeln!(
-        text,
-        "| contestant | read s | MB/s | | process s | |\n|---|---|---|---|---|---|"
-    )?;
-    let peers = format!(
-        "NumPy {}, SciPy {}, one thread",
-        numpy_version(folder)?,
-        scipy_version(folder)?
-    );
+    writeln!(text, "\n## Roughness of 2 km at 1 mm, one rail, {megabytes:.0} MB of text\n")?;
+    writeln!(text, "| contestant | read s | MB/s | | process s | |\n|---|---|---|---|---|---|")?;
+    let peers = format!("NumPy {}, SciPy {}, one thread", numpy_version(folder)?, scipy_version(folder)?);
     writeln!(text, "{}", row(&peers, read, process))?;
     writeln!(text, "{}", row("Riffel, one thread", read_one, process_one))?;
-    writeln!(
-        text,
-        "{}",
-        row("Riffel, two threads", read_two, process_two)
-    )?;
+    writeln!(text, "{}", row("Riffel, two threads", read_two, process_two))?;
     writeln!(
         text,
         "\nReading: `numpy.loadtxt` against sniffing, parsing and checking the chainage. Processing: spikes, four \

@@ -15,13 +15,7 @@ const SAMPLES: usize = 100_000;
 /// Rounds of the comparison of threads: each takes half a minute on one.
 const ROUNDS: usize = 3;
 /// Samples of the fit, with their rounds.
-const SIZES: [(usize, usize); 5] = [
-    (100, 11),
-    (1000, 11),
-    (10_000, 5),
-    (100_000, 3),
-    (1_000_000, 1),
-];
+const SIZES: [(usize, usize); 5] = [(100, 11), (1000, 11), (10_000, 5), (100_000, 3), (1_000_000, 1)];
 /// Samples of the comparison with a cluster, with its rounds.
 const CLUSTER: (usize, usize) = (30_000, 5);
 /// Threads of a node of the extrapolation.
@@ -64,12 +58,7 @@ pub(crate) fn contest(samples: usize) -> Result<(f64, f64), Failure> {
     let begun = Instant::now();
     let study = Study::read(&place.join("study.toml"))?;
     let folder = ResultFolder::begin(&study, &results)?;
-    study.run(
-        &folder,
-        &folder.pending(Shard::ALL)?,
-        &|| (),
-        &Stop::default(),
-    )?;
+    study.run(&folder, &folder.pending(Shard::ALL)?, &|| (), &Stop::default())?;
     let seconds = begun.elapsed().as_secs_f64();
 
     let sum = folder.output("highest_growth_rate")?.iter().sum();
@@ -95,39 +84,20 @@ pub(crate) fn report(
         doubles.push(double.0);
     }
     let [single, double] = [singles, doubles].map(median);
-    writeln!(
-        text,
-        "\n## Study: {SAMPLES} Monte-Carlo samples, ridge over 60 speeds × 241 wavelengths, free beam\n"
-    )?;
-    writeln!(
-        text,
-        "| threads | s | µs a sample and thread | efficiency |\n|---|---|---|---|"
-    )?;
+    writeln!(text, "\n## Study: {SAMPLES} Monte-Carlo samples, ridge over 60 speeds × 241 wavelengths, free beam\n")?;
+    writeln!(text, "| threads | s | µs a sample and thread | efficiency |\n|---|---|---|---|")?;
     let each = |seconds: f64, threads: f64| 1e6 * seconds * threads / SAMPLES as f64;
     writeln!(text, "| one | {single:.1} | {:.0} | |", each(single, 1.0))?;
-    writeln!(
-        text,
-        "| two | {double:.1} | {:.0} | {:.0} % |\n",
-        each(double, 2.0),
-        100.0 * single / (2.0 * double)
-    )?;
+    writeln!(text, "| two | {double:.1} | {:.0} | {:.0} % |\n", each(double, 2.0), 100.0 * single / (2.0 * double))?;
 
-    writeln!(
-        text,
-        "| samples | s on two threads | µs a sample |\n|---|---|---|"
-    )?;
+    writeln!(text, "| samples | s on two threads | µs a sample |\n|---|---|---|")?;
     let mut points = Vec::new();
     for (samples, rounds) in SIZES {
-        let seconds = (0..rounds)
-            .map(|_| Ok(two.once("study free", samples)?.0))
-            .collect::<Result<Vec<f64>, Failure>>()?;
+        let seconds =
+            (0..rounds).map(|_| Ok(two.once("study free", samples)?.0)).collect::<Result<Vec<f64>, Failure>>()?;
         let seconds = median(seconds);
         points.push((samples as f64, seconds));
-        writeln!(
-            text,
-            "| {samples} | {seconds:.2} | {:.0} |",
-            1e6 * seconds / samples as f64
-        )?;
+        writeln!(text, "| {samples} | {seconds:.2} | {:.0} |", 1e6 * seconds / samples as f64)?;
     }
     // From 10⁴ samples on; below that the files weigh more than the samples.
     let (exponent, second) = fit(&points[2..]);
@@ -176,15 +146,10 @@ fn cluster(text: &mut String, folder: &Path, two: &mut Contestant) -> Result<(),
 fn fit(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
     let logarithms = points.iter().map(|(x, y)| (x.ln(), y.ln()));
-    let (sum_x, sum_y) = logarithms
-        .clone()
-        .fold((0.0, 0.0), |(x, y), (u, v)| (x + u, y + v));
+    let (sum_x, sum_y) = logarithms.clone().fold((0.0, 0.0), |(x, y), (u, v)| (x + u, y + v));
     let (mean_x, mean_y) = (sum_x / count, sum_y / count);
     let (covariance, variance) = logarithms.fold((0.0, 0.0), |(covariance, variance), (u, v)| {
-        (
-            covariance + (u - mean_x) * (v - mean_y),
-            variance + (u - mean_x).powi(2),
-        )
+        (covariance + (u - mean_x) * (v - mean_y), variance + (u - mean_x).powi(2))
     });
     let exponent = covariance / variance;
     (exponent, (mean_y - exponent * mean_x).exp())

@@ -25,13 +25,7 @@ fn commit() -> Option<String> {
     if Path::new(&log).exists() {
         println!("cargo::rerun-if-changed={log}");
     }
-    git(&[
-        "show",
-        "--no-patch",
-        "--format=%h %cs",
-        "--abbrev=9",
-        "HEAD",
-    ])
+    git(&["show", "--no-patch", "--format=%h %cs", "--abbrev=9", "HEAD"])
 }
 
 /// What git prints, if it succeeds and prints anything.

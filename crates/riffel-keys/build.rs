@@ -41,8 +41,7 @@ fn write_struct(code: &mut String, entry: &str) -> std::fmt::Result {
         .match_indices('$')
         .map(|(at, _)| {
             let rest = &entry[at + 1..];
-            let end =
-                rest.find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_'));
+            let end = rest.find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_'));
             &rest[..end.unwrap_or(rest.len())]
         })
         .collect();

@@ -86,10 +86,7 @@ pub(crate) fn class_of_rutting() -> Row {
     let torsion = |against: bool| {
         let mut modes = modes.iter().filter(|mode| match mode.name {
             ModeName::Torsion { discs: None, .. } => !against,
-            ModeName::Torsion {
-                order,
-                discs: Some(DiscMotion::AgainstWheels),
-            } => against && order > 1,
+            ModeName::Torsion { order, discs: Some(DiscMotion::AgainstWheels) } => against && order > 1,
             _ => false,
         });
         modes.next().map_or(f64::NAN, |mode| mode.frequency)
@@ -99,8 +96,7 @@ pub(crate) fn class_of_rutting() -> Row {
         let mut branches = class.ridge.branches.iter();
         branches.find(|branch| near(branch.frequency(), natural, 0.02))
     });
-    let [first, second] =
-        branches.map(|branch| branch.map_or(f64::NAN, |branch| branch.frequency()));
+    let [first, second] = branches.map(|branch| branch.map_or(f64::NAN, |branch| branch.frequency()));
     let [from, to] = branches[1].map_or([f64::NAN; 2], wavelengths);
     Row {
         statement: "Class of rutting, driven wheelset that slides along the low rail, 25–60 km/h: growth at both its torsional modes, most at the first",
@@ -145,13 +141,9 @@ pub(crate) fn class_of_booted_sleepers() -> Row {
         statement: "Class of a trackform's own resonance, booted sleeper, 40–80 km/h: highest growth where the block holds the rail",
         source: "low rail of a metro curve, railmeasurement.com, trackform-specific corrugation; no frequency given",
         expected: "its own resonance; 30–100 mm".to_owned(),
-        got: format!(
-            "{frequency:.0} Hz beside the block on boot and pad at {block:.0} Hz, {from:.0}–{to:.0} mm"
-        ),
+        got: format!("{frequency:.0} Hz beside the block on boot and pad at {block:.0} Hz, {from:.0}–{to:.0} mm"),
         tolerance: "10 %: growth stands some per cent beside the resonance; the bands overlap, boot and pad are chosen",
-        holds: !branch.only_at_edge()
-            && near(frequency, block, 0.1)
-            && overlap([from, to], [30.0, 100.0]),
+        holds: !branch.only_at_edge() && near(frequency, block, 0.1) && overlap([from, to], [30.0, 100.0]),
     }
 }
 
@@ -183,11 +175,7 @@ fn by_damage(text: &str, settings: &[&str], published: [f64; 2]) -> (String, boo
     let damaged = Case::parse("class.toml", text, &settings).expect("a case of the repository");
     let ridge = Ridge::search(&damaged.feedback, damaged.wavelength, damaged.speed);
     let mut branches: Vec<&RidgeBranch> = ridge.branches.iter().collect();
-    branches.sort_by(|a, b| {
-        (a.frequency() - p2)
-            .abs()
-            .total_cmp(&(b.frequency() - p2).abs())
-    });
+    branches.sort_by(|a, b| (a.frequency() - p2).abs().total_cmp(&(b.frequency() - p2).abs()));
     let Some(branch) = branches.first() else {
         return (format!("P2 at {p2:.0} Hz, nothing grows"), false);
     };
@@ -198,29 +186,18 @@ fn by_damage(text: &str, settings: &[&str], published: [f64; 2]) -> (String, boo
         && near(grown, p2, 0.2)
         && overlap([from, to], published)
         && !branch.only_at_edge();
-    let others = ridge
-        .branches
-        .iter()
-        .filter(|other| !std::ptr::eq(*other, *branch));
-    let others: Vec<String> = others
-        .map(|other| format!("{:.0} Hz", other.frequency()))
-        .collect();
+    let others = ridge.branches.iter().filter(|other| !std::ptr::eq(*other, *branch));
+    let others: Vec<String> = others.map(|other| format!("{:.0} Hz", other.frequency())).collect();
     let others = match others.is_empty() {
         true => String::new(),
         false => format!("; another branch at {}", others.join(", ")),
     };
-    (
-        format!("P2 at {p2:.0} Hz; grows at {grown:.0} Hz, {from:.0}–{to:.0} mm{others}"),
-        holds,
-    )
+    (format!("P2 at {p2:.0} Hz; grows at {grown:.0} Hz, {from:.0}–{to:.0} mm{others}"), holds)
 }
 
 pub(crate) fn class_of_heavy_haul() -> Row {
-    let (got, holds) = by_damage(
-        include_str!("../cases/class-heavy-haul.toml"),
-        &["damage.laws=[\"flow\"]"],
-        [200.0, 300.0],
-    );
+    let (got, holds) =
+        by_damage(include_str!("../cases/class-heavy-haul.toml"), &["damage.laws=[\"flow\"]"], [200.0, 300.0]);
     Row {
         statement: "Class of heavy haul, axle load of 30 t, 40–80 km/h: growth by plastic flow above the shakedown limit of line contact",
         source: "P2 as quoted by Afferrante & Ciavarella (2009); wavelengths as commonly cited",
@@ -232,11 +209,8 @@ pub(crate) fn class_of_heavy_haul() -> Row {
 }
 
 pub(crate) fn class_of_light_rail() -> Row {
-    let (got, holds) = by_damage(
-        include_str!("../cases/class-light-rail.toml"),
-        &["damage.laws=[\"bending\"]"],
-        [500.0, 1500.0],
-    );
+    let (got, holds) =
+        by_damage(include_str!("../cases/class-light-rail.toml"), &["damage.laws=[\"bending\"]"], [500.0, 1500.0]);
     Row {
         statement: "Class of light rail, 47 kg/m, 80–160 km/h: growth by bending of the rail beyond yield",
         source: "P2 as quoted by Afferrante & Ciavarella (2009); wavelengths as commonly cited",

@@ -25,20 +25,15 @@ pub(crate) fn creep_curve() -> Row {
     let case = nominal(&[]);
     let law = case.law.expect("the paper's law");
     let limit = law.friction() * case.steady.normal_force;
-    let (low, high) = extent(
-        include_str!("../reference/contact/creep_curve.csv")
-            .lines()
-            .skip(1)
-            .filter_map(|line| {
-                let cells: Vec<f64> = line.split(',').map_while(|c| c.parse().ok()).collect();
-                let (load, creepage, exact) = (cells[0], cells[1], cells[2]);
-                // Beyond 0.4 % both saturate and the comparison says nothing.
-                (creepage <= 4e-3).then(|| {
-                    let creepages = Creepages::longitudinal(creepage);
-                    law.forces(load, creepages).longitudinal / (limit * exact) - 1.0
-                })
-            }),
-    );
+    let (low, high) = extent(include_str!("../reference/contact/creep_curve.csv").lines().skip(1).filter_map(|line| {
+        let cells: Vec<f64> = line.split(',').map_while(|c| c.parse().ok()).collect();
+        let (load, creepage, exact) = (cells[0], cells[1], cells[2]);
+        // Beyond 0.4 % both saturate and the comparison says nothing.
+        (creepage <= 4e-3).then(|| {
+            let creepages = Creepages::longitudinal(creepage);
+            law.forces(load, creepages).longitudinal / (limit * exact) - 1.0
+        })
+    }));
     Row {
         statement: "The creep law (5) is 1.5–3 % low against the exact theory at the paper's ellipse",
         source: "CONTACT (Kalker's half-space theory), `creep_curve.csv`",
@@ -77,10 +72,7 @@ pub(crate) fn creepage_of_four_per_mille() -> Row {
 
 /// The comma-separated numbers of a table, without its head; cells that are no numbers end a row.
 fn rows(table: &str) -> impl Iterator<Item = Vec<f64>> {
-    table
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').map_while(|c| c.parse().ok()).collect())
+    table.lines().skip(1).map(|line| line.split(',').map_while(|c| c.parse().ok()).collect())
 }
 
 pub(crate) fn exact_hertz_ellipse() -> Row {
@@ -88,32 +80,18 @@ pub(crate) fn exact_hertz_ellipse() -> Row {
     let mut got = Vec::new();
     let mut worst = [0.0_f64; 2];
     for cells in rows(table) {
-        let Some(contact) = ElasticMaterial::new(207e9, 0.3)
-            .and_then(|steel| HertzContact::exact(steel, 0.46, 0.23, cells[0]))
-            .ok()
+        let Some(contact) =
+            ElasticMaterial::new(207e9, 0.3).and_then(|steel| HertzContact::exact(steel, 0.46, 0.23, cells[0])).ok()
         else {
             continue;
         };
-        let (a, b) = (
-            contact.semi_axis_longitudinal(),
-            contact.semi_axis_lateral(),
-        );
+        let (a, b) = (contact.semi_axis_longitudinal(), contact.semi_axis_lateral());
         let (pressure, approach) = (contact.peak_pressure(), contact.approach());
-        for (value, exact) in [
-            (a, 1e-3 * cells[3]),
-            (b, 1e-3 * cells[4]),
-            (pressure, 1e6 * cells[5]),
-        ] {
+        for (value, exact) in [(a, 1e-3 * cells[3]), (b, 1e-3 * cells[4]), (pressure, 1e6 * cells[5])] {
             worst[0] = worst[0].max((value / exact - 1.0).abs());
         }
         worst[1] = worst[1].max((approach / (1e-6 * cells[7]) - 1.0).abs());
-        got.push(format!(
-            "{:.5} mm, {:.5} mm, {:.3} MPa, {:.3} µm",
-            1e3 * a,
-            1e3 * b,
-            1e-6 * pressure,
-            1e6 * approach
-        ));
+        got.push(format!("{:.5} mm, {:.5} mm, {:.3} MPa, {:.3} µm", 1e3 * a, 1e3 * b, 1e-6 * pressure, 1e6 * approach));
     }
     Row {
         statement: "Exact Hertz contact at 45 and 50 kN: a, b, p₀, δ",
@@ -128,35 +106,27 @@ pub(crate) fn exact_hertz_ellipse() -> Row {
 }
 
 fn kalker(poisson_ratio: f64, axis_ratio: f64) -> [f64; 4] {
-    KalkerCoefficients::new(poisson_ratio, axis_ratio).map_or(
-        [f64::NAN; 4],
-        |KalkerCoefficients { c11, c22, c23, c33 }| [c11, c22, c23, c33],
-    )
+    KalkerCoefficients::new(poisson_ratio, axis_ratio)
+        .map_or([f64::NAN; 4], |KalkerCoefficients { c11, c22, c23, c33 }| [c11, c22, c23, c33])
 }
 
 /// Largest of the distances; not a number if one is not.
 fn worst(distances: impl Iterator<Item = f64>) -> f64 {
-    distances.fold(0.0, |worst, distance| {
-        if distance.abs() > worst || distance.is_nan() {
-            distance.abs()
-        } else {
-            worst
-        }
-    })
+    distances.fold(
+        0.0,
+        |worst, distance| {
+            if distance.abs() > worst || distance.is_nan() { distance.abs() } else { worst }
+        },
+    )
 }
 
 pub(crate) fn kalker_coefficients_linear_theory() -> Row {
     let distance = worst([-4, -2, -1, 0, 1, 2, 4].into_iter().flat_map(|quarter| {
         let axis_ratio = 10_f64.powf(f64::from(quarter) / 4.0);
-        [0.0, 0.125, 0.2, 0.25, 0.3, 0.375, 0.5]
-            .into_iter()
-            .flat_map(move |poisson_ratio| {
-                let exact = linear_theory::coefficients(poisson_ratio, axis_ratio, 24);
-                kalker(poisson_ratio, axis_ratio)
-                    .into_iter()
-                    .zip(exact)
-                    .map(|(value, exact)| value / exact - 1.0)
-            })
+        [0.0, 0.125, 0.2, 0.25, 0.3, 0.375, 0.5].into_iter().flat_map(move |poisson_ratio| {
+            let exact = linear_theory::coefficients(poisson_ratio, axis_ratio, 24);
+            kalker(poisson_ratio, axis_ratio).into_iter().zip(exact).map(|(value, exact)| value / exact - 1.0)
+        })
     }));
     Row {
         statement: "Kalker's coefficients are those of his linear theory, 0.1 ≤ a/b ≤ 10",
@@ -186,12 +156,7 @@ pub(crate) fn kalker_coefficients_printed() -> Row {
         statement: "Kalker's coefficients against his printed table, C₁₁, C₂₂, C₂₃",
         source: "Kalker (1990), table E.3, as in CONTACT",
         expected: "0 %".to_owned(),
-        got: format!(
-            "at most {:.2} %, {:.2} %, {:.2} %",
-            100.0 * c11,
-            100.0 * c22,
-            100.0 * c23
-        ),
+        got: format!("at most {:.2} %, {:.2} %, {:.2} %", 100.0 * c11, 100.0 * c22, 100.0 * c23),
         tolerance: "1.3 %: error of the printed table, largest at a/b = 0.1 and 10",
         holds: c11 < 0.013 && c22 < 0.013 && c23 < 0.013,
     }
@@ -205,9 +170,7 @@ pub(crate) fn kalker_coefficients_contact() -> Row {
             rows(table)
                 // C₃₃ of CONTACT is taken apart where the ellipse is longer than 3.4 times its width.
                 .filter(|cells| case < 3 || (case == 4) == (cells[1] > 3.4))
-                .map(|cells| {
-                    kalker(cells[0], cells[1])[coefficient] / cells[2 + coefficient] - 1.0
-                }),
+                .map(|cells| kalker(cells[0], cells[1])[coefficient] / cells[2 + coefficient] - 1.0),
         )
     });
     Row {

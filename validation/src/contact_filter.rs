@@ -36,10 +36,7 @@ struct Curve {
 fn curves() -> Vec<Curve> {
     let mut curves: Vec<Curve> = Vec::new();
     for line in TABLE.lines().skip(1) {
-        let cells: Vec<f64> = line
-            .split(',')
-            .map(|cell| cell.parse().expect("a number"))
-            .collect();
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().expect("a number")).collect();
         let (load, diameter) = (1e3 * cells[0], 1e-3 * cells[1]);
         // Nominal to exact wavelength, a whole power of 10^{1/10} of a millimetre.
         let band = (10.0 * cells[2].log10()).round();
@@ -66,13 +63,10 @@ fn curves() -> Vec<Curve> {
 impl Curve {
     /// The wavelength \[m\] at which the table passes a level \[dB\], on the logarithmic scale.
     fn wavelength_at(&self, level: f64) -> f64 {
-        self.levels
-            .windows(2)
-            .find(|pair| pair[0].1 >= level && level > pair[1].1)
-            .map_or(f64::NAN, |pair| {
-                let share = (pair[0].1 - level) / (pair[0].1 - pair[1].1);
-                pair[0].0 * (pair[1].0 / pair[0].0).powf(share)
-            })
+        self.levels.windows(2).find(|pair| pair[0].1 >= level && level > pair[1].1).map_or(f64::NAN, |pair| {
+            let share = (pair[0].1 - level) / (pair[0].1 - pair[1].1);
+            pair[0].0 * (pair[1].0 / pair[0].0).powf(share)
+        })
     }
 }
 
@@ -83,38 +77,27 @@ fn decibel(square: Result<f64, riffel::Error>) -> f64 {
 fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         // Not a number in one of them must not get lost.
-        if value.is_nan() {
-            (value, value)
-        } else {
-            (low.min(value), high.max(value))
-        }
+        if value.is_nan() { (value, value) } else { (low.min(value), high.max(value)) }
     })
 }
 
 pub(crate) fn contact_filter_of_the_solver() -> Row {
     let contact = hertz(0.46, 50e3);
-    let (a, b) = (
-        contact.semi_axis_longitudinal(),
-        contact.semi_axis_lateral(),
-    );
+    let (a, b) = (contact.semi_axis_longitudinal(), contact.semi_axis_lateral());
     let filter = ContactFilter::of(&contact);
     let amplitude = 1e-6;
     let gap = |x: f64, y: f64| x * x / 0.92 + y * y / (2.0 * TRANSVERSE_RADIUS);
     let grid = ContactGrid::over(64, 64, 1.5 * a, 1.5 * b).expect("a grid");
     let mut solver = NormalContact::new([contact.material(); 2], grid, gap).expect("a gap");
     let mut worst: f64 = 0.0;
-    let cases = [1.4, 2.0, 3.0, 4.0, 6.0, 8.0]
-        .into_iter()
-        .flat_map(|ratio| [0.0, 1.0].map(|askew| (ratio, askew)));
+    let cases = [1.4, 2.0, 3.0, 4.0, 6.0, 8.0].into_iter().flat_map(|ratio| [0.0, 1.0].map(|askew| (ratio, askew)));
     for (ratio, askew) in cases {
         let along = 2.0 * PI / (ratio * a);
         let across = askew * along;
         // Half the difference of crest and trough: even orders of the amplitude cancel.
         let [crest, trough] = [amplitude, -amplitude].map(|height| {
             let wave = |x: f64, y: f64| height * (along * x + across * y).cos();
-            solver
-                .set_gap(|x, y| gap(x, y) - wave(x, y))
-                .expect("a gap");
+            solver.set_gap(|x, y| gap(x, y) - wave(x, y)).expect("a gap");
             solver.under_load(50e3).expect("a contact").approach()
         });
         let lift = 0.5 * (trough - crest) / amplitude;
@@ -137,11 +120,7 @@ pub(crate) fn contact_filter_scales_with_the_patch() -> Row {
     let mut widest: f64 = 0.0;
     let mut at_half = String::new();
     for level in [-1.0, -2.0, -3.0, -6.0, -9.0, -12.0, -16.0] {
-        let (low, high) = extent(
-            curves
-                .iter()
-                .map(|curve| curve.wavelength_at(level) / curve.a),
-        );
+        let (low, high) = extent(curves.iter().map(|curve| curve.wavelength_at(level) / curve.a));
         let spread = (high - low) / (high + low);
         widest = if spread <= widest { widest } else { spread };
         if level == -3.0 {
@@ -162,12 +141,8 @@ pub(crate) fn contact_filter_scales_with_the_patch() -> Row {
 
 pub(crate) fn contact_filter_rises_with_the_load() -> Row {
     let curves = curves();
-    let of = |load: f64| {
-        curves
-            .iter()
-            .find(|curve| (curve.load, curve.diameter) == (load, 0.92))
-            .expect("25, 50 or 100 kN")
-    };
+    let of =
+        |load: f64| curves.iter().find(|curve| (curve.load, curve.diameter) == (load, 0.92)).expect("25, 50 or 100 kN");
     // Twice the load makes a larger by 2^{1/3}, and a band is 10^{1/10}: 0.1 % apart.
     let shift = |high: f64, low: f64| (10.0 * (of(high).a / of(low).a).log10()).round() as usize;
     let mut worst = (0.0, 0.0);
@@ -189,11 +164,7 @@ pub(crate) fn contact_filter_rises_with_the_load() -> Row {
         statement: "Contact filter: twice the load moves it by one band, a ∝ P^{1/3}; 920 mm, 25, 50 and 100 kN",
         source: SOURCE,
         expected: format!("0 dB apart, {compared} pairs of levels down to −17 dB"),
-        got: format!(
-            "at most {:.1} dB apart, at {:.1} mm",
-            worst.0,
-            1e3 * worst.1
-        ),
+        got: format!("at most {:.1} dB apart, at {:.1} mm", worst.0, 1e3 * worst.1),
         tolerance: "0.8 dB: the table's own scatter, for Hertz makes the three rows one. At 40 mm and 50 kN it has \
                     −1.3 dB where the other two loads have −1.8",
         // The differences are of numbers with one digit after the point.
@@ -301,11 +272,7 @@ pub(crate) fn contact_filter_approximation() -> Row {
     let apart = apart
         .iter()
         .map(|(wavelength, load, error)| {
-            format!(
-                "{error:.2} dB at {:.0} mm and {:.0} kN",
-                1e3 * wavelength,
-                1e-3 * load
-            )
+            format!("{error:.2} dB at {:.0} mm and {:.0} kN", 1e3 * wavelength, 1e-3 * load)
         })
         .collect::<Vec<_>>()
         .join(", ");
@@ -332,9 +299,7 @@ mod tests {
         let of = |load: f64| {
             curves
                 .iter()
-                .find(|curve| {
-                    (curve.load, curve.diameter) == (load, if load == 50e3 { 0.36 } else { 0.92 })
-                })
+                .find(|curve| (curve.load, curve.diameter) == (load, if load == 50e3 { 0.36 } else { 0.92 }))
                 .unwrap()
         };
         let (small, large) = (of(50e3), of(100e3));

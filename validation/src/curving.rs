@@ -41,13 +41,7 @@ fn compare(file: &str, error: &mut WorstError) {
                     }
                 }
                 Value::Object(_) => {
-                    compare_table(
-                        expected,
-                        &got[key],
-                        std::slice::from_ref(expected),
-                        load,
-                        error,
-                    );
+                    compare_table(expected, &got[key], std::slice::from_ref(expected), load, error);
                 }
                 _ => compare_number(expected, &got[key], expected.as_f64(), load, error),
             }
@@ -67,18 +61,9 @@ fn compare_table(expected: &Value, got: &Value, all: &[Value], load: f64, error:
     }
 }
 
-fn compare_number(
-    expected: &Value,
-    got: &Value,
-    size: Option<f64>,
-    load: f64,
-    error: &mut WorstError,
-) {
+fn compare_number(expected: &Value, got: &Value, size: Option<f64>, load: f64, error: &mut WorstError) {
     let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
-    let size = size
-        .map(f64::abs)
-        .filter(|size| *size > 0.0)
-        .unwrap_or(load);
+    let size = size.map(f64::abs).filter(|size| *size > 0.0).unwrap_or(load);
     error.compare_beside(size, number(got).into(), number(expected).into());
 }
 
@@ -139,13 +124,7 @@ pub(crate) fn curving_on_flanges() -> Row {
 #[serde(tag = "kind")]
 enum ClosedForm {
     #[serde(rename = "free")]
-    Free {
-        wheel_radius_m: f64,
-        contact_spacing_m: f64,
-        conicity: f64,
-        radius_m: f64,
-        expect: Value,
-    },
+    Free { wheel_radius_m: f64, contact_spacing_m: f64, conicity: f64, radius_m: f64, expect: Value },
     #[serde(rename = "single wheelset, linear")]
     Single(SingleWheelset),
 }
@@ -172,15 +151,8 @@ pub(crate) fn closed_forms_of_curving() -> Row {
     let mut error = WorstError::default();
     for case in cases {
         let (got, expect) = match case {
-            ClosedForm::Free {
-                wheel_radius_m,
-                contact_spacing_m,
-                conicity,
-                radius_m,
-                expect,
-            } => {
-                let shift =
-                    free_curving_shift(wheel_radius_m, contact_spacing_m, conicity, radius_m);
+            ClosedForm::Free { wheel_radius_m, contact_spacing_m, conicity, radius_m, expect } => {
+                let shift = free_curving_shift(wheel_radius_m, contact_spacing_m, conicity, radius_m);
                 (vec![("lateral_shift_m", shift)], expect)
             }
             ClosedForm::Single(single) => {
@@ -201,14 +173,8 @@ pub(crate) fn closed_forms_of_curving() -> Row {
                 let values = vec![
                     ("lateral_shift_m", state.lateral_shift),
                     ("yaw_rad", state.yaw),
-                    (
-                        "longitudinal_creepage_right",
-                        state.longitudinal_creepage_right,
-                    ),
-                    (
-                        "longitudinal_creepage_left",
-                        -state.longitudinal_creepage_right,
-                    ),
+                    ("longitudinal_creepage_right", state.longitudinal_creepage_right),
+                    ("longitudinal_creepage_left", -state.longitudinal_creepage_right),
                     ("lateral_creepage", state.lateral_creepage),
                     ("longitudinal_force_right_n", state.longitudinal_force_right),
                     ("lateral_force_sum_n", state.lateral_force_sum),
@@ -219,16 +185,8 @@ pub(crate) fn closed_forms_of_curving() -> Row {
         for (key, value) in got {
             let expected = expect[key].as_f64().expect("a number");
             // A longitudinal creepage is the difference of two, each of the size s/R.
-            let size = if key.starts_with("longitudinal") {
-                None
-            } else {
-                Some(expected.abs())
-            };
-            let size = size.unwrap_or_else(|| {
-                expected
-                    .abs()
-                    .max(1e-3 * if key.ends_with("_n") { 1e7 } else { 1.0 })
-            });
+            let size = if key.starts_with("longitudinal") { None } else { Some(expected.abs()) };
+            let size = size.unwrap_or_else(|| expected.abs().max(1e-3 * if key.ends_with("_n") { 1e7 } else { 1.0 }));
             error.compare_beside(size, value.into(), expected.into());
         }
     }

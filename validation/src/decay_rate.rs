@@ -101,12 +101,8 @@ pub static MEASUREMENT: LazyLock<Measurement> = LazyLock::new(|| {
 
 /// The fit under the assumptions of the book.
 pub static FIT: LazyLock<Fit> = LazyLock::new(|| {
-    let wide = Search {
-        changes: &[],
-        directions: &STIFFNESS_AND_LOSS,
-    };
-    wide.best_from(wide.best_of_grid(), STEPS_PER_OCTAVE / 2)
-        .fit()
+    let wide = Search { changes: &[], directions: &STIFFNESS_AND_LOSS };
+    wide.best_from(wide.best_of_grid(), STEPS_PER_OCTAVE / 2).fit()
 });
 
 /// Value below which the given share of sorted values lies, linear between two of them.
@@ -119,11 +115,7 @@ fn quantile(sorted: &[f64], share: f64) -> f64 {
 /// Root mean square over the bands of 10 lg(decay rate/median) \[dB\].
 fn distance(decay_rates: &[f64]) -> f64 {
     let bands = &MEASUREMENT.bands;
-    let squares: f64 = bands
-        .iter()
-        .zip(decay_rates)
-        .map(|(band, &rate)| band.level(rate).powi(2))
-        .sum();
+    let squares: f64 = bands.iter().zip(decay_rates).map(|(band, &rate)| band.level(rate).powi(2)).sum();
     (squares / bands.len() as f64).sqrt()
 }
 
@@ -162,11 +154,7 @@ impl Search {
         let structure = track.expect("a vertical track").structure;
         let rates = DecayRate::of_track(&*structure.expect("a track on supports"));
         let decay_rates: Vec<f64> = rates.iter().map(|rate| rate.decay_rate).collect();
-        Trial {
-            pad,
-            residual: distance(&decay_rates),
-            decay_rates,
-        }
+        Trial { pad, residual: distance(&decay_rates), decay_rates }
     }
 
     /// The best of 25 pads an octave apart, 75–1200 MN/m and 0.125–2.
@@ -263,32 +251,14 @@ pub fn table_by_band() -> String {
 ///
 /// Cost: some 350 tracks, ten seconds on one processor.
 pub fn table_by_assumption() -> String {
-    let pads_fitted = |changes| Search {
-        changes,
-        directions: &STIFFNESS_AND_LOSS,
-    };
+    let pads_fitted = |changes| Search { changes, directions: &STIFFNESS_AND_LOSS };
     let variants = [
-        (
-            "rail loss factor 0.01",
-            pads_fitted(&["rail.loss_factor=0.01"]),
-        ),
-        (
-            "rail loss factor 0.001",
-            pads_fitted(&["rail.loss_factor=0.001"]),
-        ),
+        ("rail loss factor 0.01", pads_fitted(&["rail.loss_factor=0.01"])),
+        ("rail loss factor 0.001", pads_fitted(&["rail.loss_factor=0.001"])),
         ("rail 54E1", pads_fitted(&["rail.section=54E1"])),
-        (
-            "spacing 0.63 m",
-            pads_fitted(&["track.support_spacing=0.63 m"]),
-        ),
-        (
-            "sleeper 177.5 kg (B90)",
-            pads_fitted(&["track.sleeper.mass=177.5 kg"]),
-        ),
-        (
-            "ballast 100 MN/m",
-            pads_fitted(&["track.ballast.stiffness=100 MN/m"]),
-        ),
+        ("spacing 0.63 m", pads_fitted(&["track.support_spacing=0.63 m"])),
+        ("sleeper 177.5 kg (B90)", pads_fitted(&["track.sleeper.mass=177.5 kg"])),
+        ("ballast 100 MN/m", pads_fitted(&["track.ballast.stiffness=100 MN/m"])),
         (
             "ballast 40 MN/m, viscous 47 kNs/m",
             pads_fitted(&[
@@ -297,13 +267,7 @@ pub fn table_by_assumption() -> String {
                 "track.ballast.loss_factor=0",
             ]),
         ),
-        (
-            "pad loss factor held at 0.25",
-            Search {
-                changes: &[],
-                directions: &STIFFNESS_ONLY,
-            },
-        ),
+        ("pad loss factor held at 0.25", Search { changes: &[], directions: &STIFFNESS_ONLY }),
     ];
     let fits = thread::scope(|scope| {
         let running: Vec<_> = variants
@@ -320,9 +284,7 @@ pub fn table_by_assumption() -> String {
             })
             .collect();
         let finished = running.into_iter().map(|thread| thread.join());
-        finished
-            .collect::<Result<Vec<_>, _>>()
-            .expect("threads that do not panic")
+        finished.collect::<Result<Vec<_>, _>>().expect("threads that do not panic")
     });
     let mut text = String::from(
         "| assumption | pad MN/m | pad loss factor | residual dB rms | 100 Hz | 1000 Hz | 1250 Hz | 2000 Hz |\n\
@@ -332,9 +294,8 @@ pub fn table_by_assumption() -> String {
     for (words, fit) in std::iter::once(book).chain(fits) {
         let levels = [100.0, 1000.0, 1250.0, 2000.0].map(|frequency| {
             let mut bands = MEASUREMENT.bands.iter().zip(&fit.decay_rates);
-            let (band, &rate) = bands
-                .find(|(band, _)| band.nominal_frequency == frequency)
-                .expect("a band of EN 15461");
+            let (band, &rate) =
+                bands.find(|(band, _)| band.nominal_frequency == frequency).expect("a band of EN 15461");
             format!("{:+.1}", band.level(rate))
         });
         text.push_str(&format!(
@@ -351,20 +312,13 @@ pub fn table_by_assumption() -> String {
 impl Fit {
     fn pad(&self) -> Pad {
         let steps = |ratio: f64| (ratio.log2() * f64::from(STEPS_PER_OCTAVE)).round() as i32;
-        (
-            steps(self.pad_stiffness / PRESET_STIFFNESS),
-            steps(self.pad_loss_factor / PRESET_LOSS_FACTOR),
-        )
+        (steps(self.pad_stiffness / PRESET_STIFFNESS), steps(self.pad_loss_factor / PRESET_LOSS_FACTOR))
     }
 }
 
 /// Median over the measured curves of their own distance from the median curve \[dB\].
 fn typical_distance() -> f64 {
-    let mut distances: Vec<f64> = MEASUREMENT
-        .curves
-        .iter()
-        .map(|curve| distance(curve))
-        .collect();
+    let mut distances: Vec<f64> = MEASUREMENT.curves.iter().map(|curve| distance(curve)).collect();
     distances.sort_by(f64::total_cmp);
     quantile(&distances, 0.5)
 }
@@ -459,10 +413,7 @@ mod tests {
     /// The fit is a minimum: no pad within 5 % or 20 %, in any direction, comes nearer.
     #[test]
     fn no_neighbour_fits_better() {
-        let search = Search {
-            changes: &[],
-            directions: &STIFFNESS_AND_LOSS,
-        };
+        let search = Search { changes: &[], directions: &STIFFNESS_AND_LOSS };
         let (i, j) = FIT.pad();
         assert_eq!(search.trial((i, j)).residual, FIT.residual);
         for step in [5, 17] {

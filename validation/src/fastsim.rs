@@ -1,8 +1,6 @@
 //! FASTSIM against CONTACT's: what is the theory's, what is the grid's.
 
-use riffel::contact::{
-    CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
-};
+use riffel::contact::{CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound};
 use riffel::{ElasticMaterial, HertzContact};
 
 use crate::Row;
@@ -22,14 +20,10 @@ const BOX_OVER_ELLIPSE: f64 = 1.1;
 /// Creepage and Q/μP of the cases from `first` on, thirty to a series.
 fn series(first: usize) -> impl Iterator<Item = [f64; 2]> {
     let number = |cell: &str| cell.parse::<f64>().expect("a number");
-    TRACTION_CURVE
-        .lines()
-        .skip(first)
-        .take(30)
-        .map(move |line| {
-            let cells: Vec<&str> = line.split(',').collect();
-            [number(cells[1]), -number(cells[2])]
-        })
+    TRACTION_CURVE.lines().skip(first).take(30).map(move |line| {
+        let cells: Vec<&str> = line.split(',').collect();
+        [number(cells[1]), -number(cells[2])]
+    })
 }
 
 /// The ellipse of twice the width: its transverse radius, of which it falls out, by bisection.
@@ -79,10 +73,8 @@ pub(crate) fn fastsim_against_the_exact_theory() -> Row {
             [tractive_ratio(&law, creepage), printed, exact]
         })
         .collect();
-    let distance =
-        |of: usize, from: usize| extent(rows.iter().map(|row| row[of] / row[from] - 1.0));
-    let (law_to_print, law_to_exact, print_to_exact) =
-        (distance(0, 1), distance(0, 2), distance(1, 2));
+    let distance = |of: usize, from: usize| extent(rows.iter().map(|row| row[of] / row[from] - 1.0));
+    let (law_to_print, law_to_exact, print_to_exact) = (distance(0, 1), distance(0, 2), distance(1, 2));
     let within = |(low, high): (f64, f64), limit: f64| low > -limit && high < limit;
     Row {
         statement: "FASTSIM against the exact theory: creep curve of a locomotive, a/b = 0.5",
@@ -107,12 +99,11 @@ pub(crate) fn fastsim_against_the_exact_theory() -> Row {
 /// traction at its end, as if the material had entered a whole cell before.
 fn on_first_order_cells(ellipse: CreepEllipse, creepage: f64) -> f64 {
     let spacing = CELLS.map(|cells| 2.0 * BOX_OVER_ELLIPSE / f64::from(cells));
-    let middle =
-        |index: u32, axis: usize| (f64::from(index) + 0.5) * spacing[axis] - BOX_OVER_ELLIPSE;
+    let middle = |index: u32, axis: usize| (f64::from(index) + 0.5) * spacing[axis] - BOX_OVER_ELLIPSE;
     // Growth over a cell, over the bound in the middle, 2μP/πab; L₁ = 8a/(3C₁₁G).
     let area = std::f64::consts::PI * ellipse.semi_axis_longitudinal * ellipse.semi_axis_lateral;
-    let growth = 3.0 / 8.0 * ellipse.c11 * ellipse.shear_modulus * creepage * spacing[0]
-        / (2.0 * FRICTION * LOAD / area);
+    let growth =
+        3.0 / 8.0 * ellipse.c11 * ellipse.shear_modulus * creepage * spacing[0] / (2.0 * FRICTION * LOAD / area);
     let mut sum = 0.0;
     for across in 0..CELLS[1] {
         let mut traction: f64 = 0.0;
@@ -129,10 +120,7 @@ fn on_first_order_cells(ellipse: CreepEllipse, creepage: f64) -> f64 {
 
 pub(crate) fn fastsim_on_first_order_cells() -> Row {
     // C₁₁ as CONTACT interpolates the printed table; ours is 0.2 % larger.
-    let ellipse = CreepEllipse {
-        c11: 3.733_5,
-        ..creep_ellipse(locomotive())
-    };
+    let ellipse = CreepEllipse { c11: 3.733_5, ..creep_ellipse(locomotive()) };
     let law = fastsim(ellipse);
     let linear = |creepage: f64| {
         let force = ellipse.linear_forces(Creepages::longitudinal(creepage));
@@ -155,8 +143,7 @@ pub(crate) fn fastsim_on_first_order_cells() -> Row {
     Row {
         statement: "FASTSIM against CONTACT's FASTSIM, same curve",
         source: "CONTACT, `contact/traction_curve.csv`, cases 61–90, on 48 × 44 elements",
-        expected: "30 tractive ratios, within 1 % on the same cells; Kalker's slope at no creepage"
-            .to_owned(),
+        expected: "30 tractive ratios, within 1 % on the same cells; Kalker's slope at no creepage".to_owned(),
         got: format!(
             "{:+.2} … {:+.2} % on the same cells, {} as it is; at ξ = 10⁻⁵ {:+.2} % of Kalker's linear theory, CONTACT's {:+.1} %",
             100.0 * cells.0,
@@ -195,30 +182,19 @@ pub(crate) fn fastsim_with_spin() -> Row {
         c23: std::f64::consts::PI * a * (a / b).sqrt() / (4.0 * FLEXIBILITIES[2] * modulus),
     };
     // As in CONTACT, where the same creepages drive a force of the opposite sign.
-    let creepages = Creepages {
-        longitudinal: 0.0,
-        lateral: -6.25e-4,
-        spin: 0.625,
-    };
+    let creepages = Creepages { longitudinal: 0.0, lateral: -6.25e-4, spin: 0.625 };
     let speed = 30.0;
     let got = [TractionBound::Parabolic, TractionBound::Elliptic].map(|bound| {
         let law = Fastsim::new(ellipse, 0.3, bound, DIVISIONS).expect("a law");
         let energy = law.distribution(82e3, creepages).energy_per_metre();
-        [
-            law.forces(82e3, creepages).lateral / (0.3 * 82e3),
-            speed * energy,
-        ]
+        [law.forces(82e3, creepages).lateral / (0.3 * 82e3), speed * energy]
     });
     // |F_y|/μP and power, each on both grids.
-    let expected = [
-        [[0.6098, 0.6338], [506.1, 557.1]].map(extrapolated),
-        [[0.6008, 0.5948], [688.3, 730.9]].map(extrapolated),
-    ];
+    let expected =
+        [[[0.6098, 0.6338], [506.1, 557.1]].map(extrapolated), [[0.6008, 0.5948], [688.3, 730.9]].map(extrapolated)];
     let words = |values: [[f64; 2]; 2]| {
         let [[parabolic, power], [elliptic, more_power]] = values;
-        format!(
-            "{parabolic:.4} and {power:.0} W (parabolic bound), {elliptic:.4} and {more_power:.0} W (elliptic)"
-        )
+        format!("{parabolic:.4} and {power:.0} W (parabolic bound), {elliptic:.4} and {more_power:.0} W (elliptic)")
     };
     let close = |bound: usize, quantity: usize, limit: f64| {
         (got[bound][quantity] / expected[bound][quantity] - 1.0).abs() < limit

@@ -2,9 +2,7 @@
 
 use std::f64::consts::LN_10;
 
-use riffel::forecast::{
-    Forecast, MeanGrowth, MeasuredChange, SpeedDistribution, TrafficGrowth, WearFit, WearVerdict,
-};
+use riffel::forecast::{Forecast, MeanGrowth, MeasuredChange, SpeedDistribution, TrafficGrowth, WearFit, WearVerdict};
 use riffel::roughness::Spectrum;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{TRAFFIC, Variant};
@@ -64,19 +62,14 @@ pub(crate) fn mean_over_speeds() -> Row {
         sum / weight
     });
     let fine: Vec<f64> = fine.collect();
-    let largest = fine
-        .iter()
-        .fold(0f64, |largest, rate| largest.max(rate.abs()));
+    let largest = fine.iter().fold(0f64, |largest, rate| largest.max(rate.abs()));
     let pairs = found.rates.iter().zip(&fine);
     let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest;
     Row {
         statement: "Growth in the mean over 30 ± 5 m/s, 20–80 mm, is that of a sum over 10 000 speeds",
         source: "the normal distribution",
         expected: "the same".to_owned(),
-        got: format!(
-            "within {worst:.0e} of the largest, from {} speeds",
-            found.speeds
-        ),
+        got: format!("within {worst:.0e} of the largest, from {} speeds", found.speeds),
         tolerance: "2e-4: the step of both sums at the tails cut off at four deviations",
         holds: worst < 2e-4,
     }
@@ -91,8 +84,7 @@ pub(crate) fn wear_coefficient_is_found() -> Row {
         let forecast = Forecast::new(spectrum, growth.clone()).expect("bands of the map");
         let then = forecast.spectrum(factor * passages).expect("finite levels");
         let error = |index: i32| 0.5 * (2.4 * record as f64 + 5.3 * f64::from(index)).sin();
-        then.map(|band| band.level + error(band.band.index()))
-            .expect("finite levels")
+        then.map(|band| band.level + error(band.band.index())).expect("finite levels")
     });
     let later: Vec<Spectrum> = later.collect();
     let change = MeasuredChange::paired(earlier, later, passages).expect("pairs");
@@ -121,10 +113,7 @@ pub(crate) fn fading_mark_is_not_fitted() -> Row {
                     wear coefficient is claimed",
         source: "16 spectra of Müller-BBM, 2014–2015; traffic and track of the examples",
         expected: "none; −6.5 dB at 20 mm, difference of the energy means".to_owned(),
-        got: format!(
-            "interval of the factor {low:.2} to {high:.2}; {:.1} dB at 20 mm",
-            mark.measured
-        ),
+        got: format!("interval of the factor {low:.2} to {high:.2}; {:.1} dB at 20 mm", mark.measured),
         tolerance: "an interval that holds zero; half of the last digit",
         holds: !fit.verdict.is_fit() && (mark.measured + 6.5).abs() <= 0.05,
     }

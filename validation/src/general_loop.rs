@@ -49,13 +49,10 @@ fn compare(file: &str, wanted: impl Fn(&str) -> bool) -> WorstError {
         }
         let case = Case::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
         for point in reference.points {
-            let state = case
-                .point(point.wavelength_m, point.speed_m_per_s)
-                .expect("a point");
+            let state = case.point(point.wavelength_m, point.speed_m_per_s).expect("a point");
             let got = serde_json::to_value(Point::new(&case, &state)).expect("a document");
             // Growth is proportional to the real part of the energy at the rail, which may vanish beside the whole.
-            let whole = case.feedback.growth_rate_per_dissipation().abs()
-                / case.steady.full_slip_energy_per_metre();
+            let whole = case.feedback.growth_rate_per_dissipation().abs() / case.steady.full_slip_energy_per_metre();
             let energies = point.diagnostics.dissipation_at_rail_point_j_per_m.iter();
             let energy = energies.map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
             let normal = |of: &Value| {
@@ -88,10 +85,7 @@ fn compare(file: &str, wanted: impl Fn(&str) -> bool) -> WorstError {
                 compare_all(got, expected);
             }
             let mut expected = point.expect;
-            expected
-                .as_object_mut()
-                .expect("a table")
-                .remove("contacts");
+            expected.as_object_mut().expect("a table").remove("contacts");
             compare_all(&got, &expected);
         }
     }

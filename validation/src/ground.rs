@@ -41,11 +41,7 @@ pub(crate) fn lines(case: &Case, speed: f64) -> Vec<RidgePoint> {
 
 /// Smallest and largest of some values.
 pub(crate) fn extent(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
-    values
-        .into_iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        })
+    values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
 /// The loop at a frequency \[Hz\] and speed \[m/s\].
@@ -70,11 +66,7 @@ impl WorstError {
     pub(crate) fn compare_beside(&mut self, size: f64, got: Complex64, expected: Complex64) {
         let error = (got - expected).norm() / size;
         // NaN must not pass for small.
-        self.worst = if error <= self.worst {
-            self.worst
-        } else {
-            error
-        };
+        self.worst = if error <= self.worst { self.worst } else { error };
         self.compared += 1;
     }
 

@@ -27,10 +27,7 @@ pub(crate) fn largest_normal_force() -> Row {
 }
 
 pub(crate) fn phase_near_300_hz() -> Row {
-    let phase = at_frequency(&nominal(&[]), 300.0, SPEED)
-        .normal_force()
-        .arg()
-        .to_degrees();
+    let phase = at_frequency(&nominal(&[]), 300.0, SPEED).normal_force().arg().to_degrees();
     Row {
         statement: "The phase of P₁ is about 135° near 300 Hz",
         source: "section 3, Fig. 3",
@@ -43,12 +40,7 @@ pub(crate) fn phase_near_300_hz() -> Row {
 
 pub(crate) fn phase_at_high_frequency() -> Row {
     let case = nominal(&[]);
-    let phase = |frequency| {
-        at_frequency(&case, frequency, SPEED)
-            .normal_force()
-            .arg()
-            .to_degrees()
-    };
+    let phase = |frequency| at_frequency(&case, frequency, SPEED).normal_force().arg().to_degrees();
     let (at_10_khz, at_1_mhz) = (phase(1e4), phase(1e6));
     Row {
         statement: "The phase of P₁ falls to 0°, the contact spring alone, at very high frequency",
@@ -61,12 +53,7 @@ pub(crate) fn phase_at_high_frequency() -> Row {
 }
 
 fn frequencies(case: &riffel_case::Case, from: f64, to: f64) -> (f64, f64) {
-    extent(
-        ridge(case, from, to)
-            .points
-            .iter()
-            .map(|point| point.frequency),
-    )
+    extent(ridge(case, from, to).points.iter().map(|point| point.frequency))
 }
 
 pub(crate) fn ridge_low_traction() -> Row {
@@ -114,8 +101,7 @@ pub(crate) fn growth_highest_at_highest_speed() -> Row {
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map_or(f64::NAN, |(speed, _)| speed)
     };
-    let speeds =
-        [nominal(&[]), nominal(&["contact.tractive_ratio=0.95"])].map(|case| dimensional(&case));
+    let speeds = [nominal(&[]), nominal(&["contact.tractive_ratio=0.95"])].map(|case| dimensional(&case));
     Row {
         statement: "W₁ itself is most negative at the highest speed (while the line stays in the window: at 43 m/s it leaves by 80 mm)",
         source: "section 4, Fig. 4",
@@ -145,10 +131,7 @@ fn line_on_track(overrides: &[&str], band: (f64, f64), from: u32, to: u32) -> Li
         .collect();
     Line {
         frequency: extent(points.iter().map(|point| point.frequency)),
-        values: points
-            .iter()
-            .map(|point| point.normalized_dissipation)
-            .collect(),
+        values: points.iter().map(|point| point.normalized_dissipation).collect(),
         unbroken: points.len() == (to - from + 1) as usize,
     }
 }
@@ -212,11 +195,7 @@ pub(crate) fn extra_line_high_traction() -> Row {
         expected: "182–186 Hz, Ŵ₁ = −0.32 at 8 m/s".to_owned(),
         got: format!("{low:.1}–{high:.1} Hz, Ŵ₁ = {at_8:.2}; main line {deepest_main:.2}"),
         tolerance: "0.5 Hz and 0.01: the printed digits",
-        holds: extra.unbroken
-            && low > 181.5
-            && high < 186.5
-            && (at_8 + 0.32).abs() < 0.01
-            && at_8 < deepest_main,
+        holds: extra.unbroken && low > 181.5 && high < 186.5 && (at_8 + 0.32).abs() < 0.01 && at_8 < deepest_main,
     }
 }
 
@@ -259,20 +238,13 @@ pub(crate) fn inertia_bounds() -> Row {
         expected: "−0.0707, −0.0231 (nominal), −0.0035".to_owned(),
         got: values.map(|value| format!("{value:.4}")).join(", "),
         tolerance: "the printed digits",
-        holds: values
-            .iter()
-            .zip(expected)
-            .all(|(got, want)| (got - want).abs() < 5e-5),
+        holds: values.iter().zip(expected).all(|(got, want)| (got - want).abs() < 5e-5),
     }
 }
 
 pub(crate) fn limits_bound_all_speeds() -> Row {
     let minima = |overrides: &[&str]| -> Vec<f64> {
-        ridge(&nominal(overrides), 12.0, 40.0)
-            .points
-            .iter()
-            .map(|point| point.normalized_dissipation)
-            .collect()
+        ridge(&nominal(overrides), 12.0, 40.0).points.iter().map(|point| point.normalized_dissipation).collect()
     };
     let free = minima(&[CONSTANT_FORCE]);
     let even = minima(&[CONSTANT_CREEPAGE]);
@@ -287,12 +259,7 @@ pub(crate) fn limits_bound_all_speeds() -> Row {
         statement: "… at every speed of 12–40 m/s, half to twice the nominal inertia (at 10 m/s half of it grows 2 % faster than the limit)",
         source: "section 4, Fig. 7",
         expected: "between the limits".to_owned(),
-        got: if inside {
-            "between the limits"
-        } else {
-            "outside"
-        }
-        .to_owned(),
+        got: if inside { "between the limits" } else { "outside" }.to_owned(),
         tolerance: "none",
         holds: inside,
     }
@@ -317,15 +284,10 @@ pub(crate) fn growth_with_tractive_ratio() -> Row {
     Row {
         statement: "Growth rises with the tractive ratio, 30 m/s",
         source: "section 4, Fig. 8 left",
-        expected: expected
-            .map(|(ratio, value)| format!("{value:.4} at {ratio}"))
-            .join(", "),
+        expected: expected.map(|(ratio, value)| format!("{value:.4} at {ratio}")).join(", "),
         got: got.map(|value| format!("{value:.4}")).join(", "),
         tolerance: "the printed digits",
-        holds: got
-            .iter()
-            .zip(expected)
-            .all(|(got, (_, want))| (got - want).abs() < 5e-5)
+        holds: got.iter().zip(expected).all(|(got, (_, want))| (got - want).abs() < 5e-5)
             && got.windows(2).all(|pair| pair[1] < pair[0]),
     }
 }
@@ -362,11 +324,7 @@ pub(crate) fn growth_falls_with_inertia() -> Row {
 }
 
 pub(crate) fn reduced_inertia() -> Row {
-    let inertia = nominal(&[])
-        .file
-        .wheel
-        .inertia
-        .map_or(f64::NAN, |inertia| inertia.si());
+    let inertia = nominal(&[]).file.wheel.inertia.map_or(f64::NAN, |inertia| inertia.si());
     Row {
         statement: "Nominal inertia 0.75 m_w R²/2",
         source: "section 4, Fig. 6 right",
@@ -393,13 +351,8 @@ pub(crate) fn lead_is_not_constant_frequency() -> Row {
 
 pub(crate) fn growth_without_resonance() -> Row {
     let case = nominal(&[]);
-    let modulus = |frequency: f64| {
-        at_frequency(&case, frequency, 30.0)
-            .normal_receptance()
-            .norm()
-    };
-    let falling =
-        (1..400).all(|step| modulus(10.0 * f64::from(step + 1)) < modulus(10.0 * f64::from(step)));
+    let modulus = |frequency: f64| at_frequency(&case, frequency, 30.0).normal_receptance().norm();
+    let falling = (1..400).all(|step| modulus(10.0 * f64::from(step + 1)) < modulus(10.0 * f64::from(step)));
     let value = ridge_at(&case, 30.0).normalized_dissipation;
     Row {
         statement: "Corrugation grows on a rail that has no resonance",

@@ -15,9 +15,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 pub(crate) fn coefficients(poisson_ratio: f64, axis_ratio: f64, degrees: usize) -> [f64; 4] {
     // Unit area ab: forces in units of G, moments in units of G√(ab).
     let (a, b) = (axis_ratio.sqrt(), 1.0 / axis_ratio.sqrt());
-    let stiffness: Vec<_> = (0..degrees)
-        .map(|degree| compliance(degree, poisson_ratio, a, b))
-        .collect();
+    let stiffness: Vec<_> = (0..degrees).map(|degree| compliance(degree, poisson_ratio, a, b)).collect();
     let traction = |degree: usize, component: usize, displacement: &[f64]| {
         let count = displacement.len();
         let mut right = vec![0.0; 2 * count];
@@ -27,35 +25,20 @@ pub(crate) fn coefficients(poisson_ratio: f64, axis_ratio: f64, degrees: usize) 
         solve(stiffness[degree].clone(), right)
     };
 
-    let unknowns: Vec<(usize, Vec<f64>)> = (0..2 * degrees)
-        .map(|i| (i / 2, traction(i / 2, i % 2, &zonal(i / 2, FRAC_PI_2))))
-        .collect();
-    let edge: Vec<(f64, usize)> = (0..2 * degrees)
-        .map(|i| {
-            (
-                ((i / 2) as f64 + 0.5) * PI / degrees as f64 - FRAC_PI_2,
-                i % 2,
-            )
-        })
-        .collect();
+    let unknowns: Vec<(usize, Vec<f64>)> =
+        (0..2 * degrees).map(|i| (i / 2, traction(i / 2, i % 2, &zonal(i / 2, FRAC_PI_2)))).collect();
+    let edge: Vec<(f64, usize)> =
+        (0..2 * degrees).map(|i| (((i / 2) as f64 + 0.5) * PI / degrees as f64 - FRAC_PI_2, i % 2)).collect();
     let matrix: Vec<Vec<f64>> = edge
         .iter()
         .map(|&(angle, component)| {
-            unknowns
-                .iter()
-                .map(|(degree, field)| at_edge(*degree, field, angle, component))
-                .collect()
+            unknowns.iter().map(|(degree, field)| at_edge(*degree, field, angle, component)).collect()
         })
         .collect();
 
-    let scaled = |factor: f64, field: Vec<f64>| -> Vec<f64> {
-        field.into_iter().map(|u| factor * u).collect()
-    };
-    let product: Vec<f64> = zonal(2, FRAC_PI_4)
-        .iter()
-        .zip(zonal(2, -FRAC_PI_4))
-        .map(|(plus, minus)| (plus - minus) / 3.0)
-        .collect();
+    let scaled = |factor: f64, field: Vec<f64>| -> Vec<f64> { field.into_iter().map(|u| factor * u).collect() };
+    let product: Vec<f64> =
+        zonal(2, FRAC_PI_4).iter().zip(zonal(2, -FRAC_PI_4)).map(|(plus, minus)| (plus - minus) / 3.0).collect();
     // The displacements of ξ, η and φ, each by degree, component and harmonics.
     let creepages = [
         vec![(1, 0, scaled(a, zonal(1, 0.0)))],
@@ -67,17 +50,12 @@ pub(crate) fn coefficients(poisson_ratio: f64, axis_ratio: f64, degrees: usize) 
         ],
     ];
     let [longitudinal, lateral, spin] = creepages.map(|fields| {
-        let mut parts: Vec<(usize, Vec<f64>)> = fields
-            .iter()
-            .map(|(degree, component, field)| (*degree, traction(*degree, *component, field)))
-            .collect();
+        let mut parts: Vec<(usize, Vec<f64>)> =
+            fields.iter().map(|(degree, component, field)| (*degree, traction(*degree, *component, field))).collect();
         let right = edge
             .iter()
             .map(|&(angle, component)| {
-                -parts
-                    .iter()
-                    .map(|(degree, field)| at_edge(*degree, field, angle, component))
-                    .sum::<f64>()
+                -parts.iter().map(|(degree, field)| at_edge(*degree, field, angle, component)).sum::<f64>()
             })
             .collect();
         let amplitudes = solve(matrix.clone(), right);
@@ -97,18 +75,9 @@ pub(crate) fn coefficients(poisson_ratio: f64, axis_ratio: f64, degrees: usize) 
                 .map(|(_, field)| 0.5 * dot(&weights, &field[offset..]))
                 .sum()
         };
-        [
-            moment(0, 0, 0.0),
-            moment(0, 1, 0.0),
-            a * moment(1, 1, 0.0) - b * moment(1, 0, FRAC_PI_2),
-        ]
+        [moment(0, 0, 0.0), moment(0, 1, 0.0), a * moment(1, 1, 0.0) - b * moment(1, 0, FRAC_PI_2)]
     });
-    [
-        -longitudinal[0],
-        -lateral[1],
-        0.5 * (lateral[2] - spin[1]),
-        -spin[2],
-    ]
+    [-longitudinal[0], -lateral[1], 0.5 * (lateral[2] - spin[1]), -spin[2]]
 }
 
 /// Real harmonics of one degree on the equator; their sign off it is of no consequence.
@@ -117,8 +86,7 @@ fn harmonics(degree: usize, angle: f64) -> Vec<f64> {
     let ratio = |k: usize| -> f64 { (1..=k / 2).map(|i| 1.0 - 0.5 / i as f64).product() };
     let mut values = Vec::new();
     for order in (degree % 2..=degree).step_by(2) {
-        let square =
-            (2 * degree + 1) as f64 / (4.0 * PI) * ratio(degree + order) * ratio(degree - order);
+        let square = (2 * degree + 1) as f64 / (4.0 * PI) * ratio(degree + order) * ratio(degree - order);
         if order == 0 {
             values.push(square.sqrt());
         } else {
@@ -133,10 +101,7 @@ fn harmonics(degree: usize, angle: f64) -> Vec<f64> {
 /// The Legendre polynomial of the coordinate in a direction of the disc, in harmonics.
 fn zonal(degree: usize, angle: f64) -> Vec<f64> {
     let factor = 4.0 * PI / (2 * degree + 1) as f64;
-    harmonics(degree, angle)
-        .into_iter()
-        .map(|value| factor * value)
-        .collect()
+    harmonics(degree, angle).into_iter().map(|value| factor * value).collect()
 }
 
 fn at_edge(degree: usize, field: &[f64], angle: f64, component: usize) -> f64 {
@@ -163,8 +128,8 @@ fn compliance(degree: usize, poisson_ratio: f64, a: f64, b: f64) -> Vec<Vec<f64>
         for (i, row) in matrix.iter_mut().enumerate() {
             for (j, cell) in row.iter_mut().enumerate() {
                 let (to, from) = (i / count, j / count);
-                let kernel = f64::from(u8::from(to == from))
-                    - poisson_ratio * wave[to] * wave[from] / (number * number);
+                let kernel =
+                    f64::from(u8::from(to == from)) - poisson_ratio * wave[to] * wave[from] / (number * number);
                 *cell += factor * kernel * values[i % count] * values[j % count];
             }
         }

@@ -13,15 +13,9 @@ macro_rules! reference {
     };
 }
 
-const HEAVY: [&str; 2] = [
-    reference!("right_fz50_yaw0.csv"),
-    reference!("left_fz50_yaw3.csv"),
-];
+const HEAVY: [&str; 2] = [reference!("right_fz50_yaw0.csv"), reference!("left_fz50_yaw3.csv")];
 const LIGHT: &str = reference!("right_light_yaw0.csv");
-const SHIPPED: [&str; 2] = [
-    reference!("mbench_a22_right.csv"),
-    reference!("mbench_a22_left.csv"),
-];
+const SHIPPED: [&str; 2] = [reference!("mbench_a22_right.csv"), reference!("mbench_a22_left.csv")];
 /// Contact angle beyond which the rail turns by a tenth of a radian and more over the patch.
 const FLANGE: f64 = 0.2;
 
@@ -59,10 +53,7 @@ fn for_each(tables: &[&str], mut visit: impl FnMut(&Case<'_>)) {
         let mut lines = table.lines().filter(|line| !line.starts_with('#'));
         let head: Vec<&str> = lines.next().expect("a head").split(',').collect();
         for line in lines {
-            visit(&Case {
-                head: &head,
-                cells: line.split(',').collect(),
-            });
+            visit(&Case { head: &head, cells: line.split(',').collect() });
         }
     }
 }
@@ -72,18 +63,9 @@ fn under_load(case: &Case<'_>) -> LoadedContact {
     // G = 82 GPa.
     let steel = ElasticMaterial::new(2.0 * 82e9 * 1.28, 0.28).expect("steel");
     let wheelset = measured();
-    let contact = wheelset
-        .contact(1e-3 * case.number("y_ws_mm"), case.number("yaw_rad"))
-        .expect("a contact");
+    let contact = wheelset.contact(1e-3 * case.number("y_ws_mm"), case.number("yaw_rad")).expect("a contact");
     wheelset
-        .under_load(
-            &contact,
-            case.rail(),
-            steel,
-            case.number("fn_n"),
-            ContactSurface::Flat,
-            48,
-        )
+        .under_load(&contact, case.rail(), steel, case.number("fn_n"), ContactSurface::Flat, 48)
         .expect("a contact under load")
 }
 
@@ -106,30 +88,15 @@ impl Errors {
         let (gap, state) = (loaded.gap(), loaded.state());
         let worse = |worst: &mut f64, error: f64| *worst = worst.max(error.abs());
         let relative = |got: f64, name: &str| got / case.number(name) - 1.0;
-        worse(
-            &mut self.place,
-            1e3 * gap.on_track()[1] - case.number("y_cp_tr_mm"),
-        );
+        worse(&mut self.place, 1e3 * gap.on_track()[1] - case.number("y_cp_tr_mm"));
         let angle = -case.rail().sign() * case.number("delta_cp_tr_rad");
         worse(&mut self.angle, gap.contact_angle() - angle);
-        worse(
-            &mut self.approach,
-            relative(1e3 * state.approach(), "approach_mm"),
-        );
-        worse(
-            &mut self.peak,
-            relative(1e-6 * state.peak_pressure(), "pmax_mpa"),
-        );
-        worse(
-            &mut self.area,
-            relative(1e6 * state.contact_area(), "patch_area_mm2"),
-        );
+        worse(&mut self.approach, relative(1e3 * state.approach(), "approach_mm"));
+        worse(&mut self.peak, relative(1e-6 * state.peak_pressure(), "pmax_mpa"));
+        worse(&mut self.area, relative(1e6 * state.contact_area(), "patch_area_mm2"));
         let [length, width] = loaded.size();
         let grid = state.grid();
-        for (size, step, name) in [
-            (length, grid.dx(), "patch_length_mm"),
-            (width, grid.dy(), "patch_width_mm"),
-        ] {
+        for (size, step, name) in [(length, grid.dx(), "patch_length_mm"), (width, grid.dy(), "patch_width_mm")] {
             let expected = case.number(name);
             if expected.is_finite() {
                 let off = (1e3 * size - expected).abs() - 1e3 * step - case.number("ds_mm");
@@ -159,11 +126,7 @@ pub(crate) fn contact_under_load_on_the_tread() -> Row {
             1e2 * errors.approach,
             1e2 * errors.peak,
             1e2 * errors.area,
-            if errors.size <= 1e-9 {
-                "to an element"
-            } else {
-                "beyond an element"
-            },
+            if errors.size <= 1e-9 { "to an element" } else { "beyond an element" },
         ),
         tolerance: "0.03 mm, 2e-4 rad, 0.4 %, 0.5 %, 5 %, an element of each grid: printed digits; grids of 0.2 and 0.3 mm (0.05 at 30 N, 9 elements across the narrowest patch), whose staircase is the error of the area; and roll of the shipped cases, taken from both rails here and prescribed there",
         holds: errors.cases >= 50
@@ -213,11 +176,8 @@ pub(crate) fn rolling_on_the_patch_of_profiles() -> Row {
             spin: -1e3 * case.number("cphi_1_per_mm"),
         };
         let friction = case.number("in_mu");
-        let (forces, _) = under_load(case)
-            .roll(creepages, |_, _| friction)
-            .expect("steady rolling");
-        let off =
-            (forces.longitudinal - case.number("fx_n")).hypot(forces.lateral - case.number("fs_n"));
+        let (forces, _) = under_load(case).roll(creepages, |_, _| friction).expect("steady rolling");
+        let off = (forces.longitudinal - case.number("fx_n")).hypot(forces.lateral - case.number("fs_n"));
         worst = worst.max(off / (friction * case.number("fn_n")));
         cases += 1;
     });
@@ -236,9 +196,7 @@ pub(crate) fn first_touch_under_thirty_newtons() -> Row {
     let (mut ours, mut theirs, mut cases) = (0.0_f64, 0.0_f64, 0);
     let wheelset = measured();
     for_each(&[LIGHT], |case| {
-        let contact = wheelset
-            .contact(1e-3 * case.number("y_ws_mm"), case.number("yaw_rad"))
-            .expect("a contact");
+        let contact = wheelset.contact(1e-3 * case.number("y_ws_mm"), case.number("yaw_rad")).expect("a contact");
         let place = case.number("y_cp_wheel_mm");
         ours = ours.max((1e3 * contact.contacts[1].x_wheel - place).abs());
         theirs = theirs.max((case.number("rigid_y_wheel_mm") - place).abs());

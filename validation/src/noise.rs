@@ -105,13 +105,8 @@ impl Section {
             let question = NoiseQuestion {
                 wheel_modes: wheel_modes.map(str::to_owned),
                 wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
-                radiator: TrackRadiator {
-                    decay_rate: Some(rates.collect()),
-                    ..TrackRadiator::default()
-                },
-                transfer: Some(
-                    ["cnossos-monobloc-hard-pads", "cnossos-wheel-920"].map(str::to_owned),
-                ),
+                radiator: TrackRadiator { decay_rate: Some(rates.collect()), ..TrackRadiator::default() },
+                transfer: Some(["cnossos-monobloc-hard-pads", "cnossos-wheel-920"].map(str::to_owned)),
                 distance: 2.5,
                 surroundings: Surroundings::OnPlate,
                 ..NoiseQuestion::of_a_coach(SPEED, roughness, "iso-3095-2013".to_owned())
@@ -125,8 +120,7 @@ impl Section {
             levels,
             a_weighted: a_weighted.expect("a level"),
         };
-        let of_model =
-            |frequencies, level: Levels| computed(frequencies, level.total_db, level.total_dba);
+        let of_model = |frequencies, level: Levels| computed(frequencies, level.total_db, level.total_dba);
         let ringing = answer(Some(WHEEL));
         Self {
             ringing: of_model(ringing.frequency_hz, ringing.level),
@@ -141,10 +135,7 @@ impl Section {
     /// Measured levels of a band.
     fn levels(&self, band: FrequencyBand) -> Vec<f64> {
         let bands = self.measured.iter().flat_map(|passage| &passage.bands);
-        bands
-            .filter(|(other, _)| *other == band)
-            .map(|(_, level)| *level)
-            .collect()
+        bands.filter(|(other, _)| *other == band).map(|(_, level)| *level).collect()
     }
 
     /// Computed less measured A-weighted level of a band, with the standard deviation that trains, roughness spectra and
@@ -152,24 +143,15 @@ impl Section {
     fn difference(&self, computed: &Computed, band: FrequencyBand) -> (f64, f64) {
         let mut frequencies = computed.frequencies.iter();
         let place = frequencies.position(|centre| *centre == band.nominal());
-        let computed = place
-            .and_then(|place| computed.levels[place])
-            .expect("a level");
+        let computed = place.and_then(|place| computed.levels[place]).expect("a level");
         let levels = self.levels(band);
         let wave = ThirdOctave::containing(SPEED / band.centre()).expect("a wavelength");
-        let roughness: Vec<f64> = self
-            .roughness
-            .iter()
-            .filter_map(|one| one.level(wave))
-            .collect();
+        let roughness: Vec<f64> = self.roughness.iter().filter_map(|one| one.level(wave)).collect();
         let decay = self.decay.iter().find(|(other, _)| *other == band);
         let (_, rates) = decay.expect("decay rates");
         let decay: Vec<f64> = rates.iter().map(|rate| 10.0 * rate.log10()).collect();
-        let deviation = [&levels, &roughness, &decay]
-            .map(|values| deviation(values).powi(2))
-            .iter()
-            .sum::<f64>()
-            .sqrt();
+        let deviation =
+            [&levels, &roughness, &decay].map(|values| deviation(values).powi(2)).iter().sum::<f64>().sqrt();
         let computed = computed + a_weighting(band.centre());
         (computed - mean(&levels), deviation)
     }
@@ -195,9 +177,7 @@ fn roughness(section: &str) -> Vec<Spectrum> {
         }
     }
     let spectra = spectra.into_iter();
-    spectra
-        .map(|(_, levels)| Spectrum::new(levels).expect("a spectrum"))
-        .collect()
+    spectra.map(|(_, levels)| Spectrum::new(levels).expect("a spectrum")).collect()
 }
 
 /// Vertical decay rates as the section was when trains were measured: B5 without dampers, the others with.
@@ -220,8 +200,7 @@ fn decay(section: &str) -> Vec<(FrequencyBand, Vec<f64>)> {
 }
 
 fn measured(section: &str) -> Vec<Passage> {
-    let trains =
-        rows(PASS_BYS).filter(|row| row("section") == section && row("train_type") == "IC");
+    let trains = rows(PASS_BYS).filter(|row| row("section") == section && row("train_type") == "IC");
     trains
         .map(|row| {
             let bands = FrequencyBand::all();
@@ -236,10 +215,7 @@ fn measured(section: &str) -> Vec<Passage> {
 }
 
 pub(crate) fn pass_by_level_of_the_site() -> Row {
-    total_of(
-        "Pass-by level from roughness, receptances, decay rates and radiation, nothing fitted",
-        &B5.computed,
-    )
+    total_of("Pass-by level from roughness, receptances, decay rates and radiation, nothing fitted", &B5.computed)
 }
 
 pub(crate) fn directive_level_of_the_site() -> Row {
@@ -268,17 +244,9 @@ const OF_THE_RAIL: std::ops::RangeInclusive<i32> = 25..=32;
 
 pub(crate) fn pass_by_bands_of_the_rail() -> Row {
     let bands = FrequencyBand::all().filter(|band| OF_THE_RAIL.contains(&band.index()));
-    let found: Vec<(f64, f64)> = bands
-        .map(|band| B5.difference(&B5.computed, band))
-        .collect();
-    let differences: Vec<String> = found
-        .iter()
-        .map(|(difference, _)| format!("{difference:+.1}"))
-        .collect();
-    let squares: Vec<f64> = found
-        .iter()
-        .map(|(difference, _)| difference.powi(2))
-        .collect();
+    let found: Vec<(f64, f64)> = bands.map(|band| B5.difference(&B5.computed, band)).collect();
+    let differences: Vec<String> = found.iter().map(|(difference, _)| format!("{difference:+.1}")).collect();
+    let squares: Vec<f64> = found.iter().map(|(difference, _)| difference.powi(2)).collect();
     let spreads: Vec<f64> = found.iter().map(|(_, spread)| spread.powi(2)).collect();
     let (rms, spread) = (mean(&squares).sqrt(), mean(&spreads).sqrt());
     Row {
@@ -293,22 +261,16 @@ pub(crate) fn pass_by_bands_of_the_rail() -> Row {
 
 pub(crate) fn wheel_between_rigid_and_ringing() -> Row {
     let above = FrequencyBand::all().filter(|band| band.index() > *OF_THE_RAIL.end());
-    let found: Vec<[f64; 2]> = above
-        .map(|band| [&B5.computed, &B5.ringing].map(|levels| B5.difference(levels, band).0))
-        .collect();
-    let words: Vec<String> = found
-        .iter()
-        .map(|[rigid, ringing]| format!("{rigid:+.1} to {ringing:+.1}"))
-        .collect();
+    let found: Vec<[f64; 2]> =
+        above.map(|band| [&B5.computed, &B5.ringing].map(|levels| B5.difference(levels, band).0)).collect();
+    let words: Vec<String> = found.iter().map(|[rigid, ringing]| format!("{rigid:+.1} to {ringing:+.1}")).collect();
     Row {
         statement: "Bands 2–5 kHz, computed less measured: a rigid wheel is too quiet, a plain one of 920 mm that rings too loud",
         source: SOURCE,
         expected: "0 dB within".to_owned(),
         got: format!("{} dB", words.join(", ")),
         tolerance: "the signs",
-        holds: found
-            .iter()
-            .all(|[rigid, ringing]| *rigid < 0.0 && *ringing > 0.0),
+        holds: found.iter().all(|[rigid, ringing]| *rigid < 0.0 && *ringing > 0.0),
     }
 }
 

@@ -60,17 +60,9 @@ pub static READINGS: LazyLock<Vec<Reading>> = LazyLock::new(|| {
     let reading = |(contact, assignment): (&'static str, &str), tractive_ratio: f64| {
         let ratio = format!("contact.tractive_ratio={tractive_ratio}");
         let case = nominal(&[assignment, &ratio]);
-        Reading {
-            contact,
-            tractive_ratio,
-            ridge: ridge(&case, 5.0, 60.0),
-            at_speed: ridge_at(&case, SPEED),
-        }
+        Reading { contact, tractive_ratio, ridge: ridge(&case, 5.0, 60.0), at_speed: ridge_at(&case, SPEED) }
     };
-    CONTACTS
-        .iter()
-        .flat_map(|&contact| TRACTIVE_RATIOS.map(|ratio| reading(contact, ratio)))
-        .collect()
+    CONTACTS.iter().flat_map(|&contact| TRACTIVE_RATIOS.map(|ratio| reading(contact, ratio))).collect()
 });
 
 /// The comparison as a Markdown table.
@@ -107,10 +99,7 @@ pub(crate) fn lag_is_nearest_to_the_exact_contact() -> Row {
         .zip(exact.iter().cycle())
         .map(|(reading, exact)| {
             let growth = |reading: &Reading| reading.at_speed.normalized_dissipation;
-            [
-                reading.frequency() / exact.frequency() - 1.0,
-                growth(reading) / growth(exact) - 1.0,
-            ]
+            [reading.frequency() / exact.frequency() - 1.0, growth(reading) / growth(exact) - 1.0]
         })
         .collect();
     let of = |contact: usize, quantity: usize| {
@@ -134,8 +123,6 @@ pub(crate) fn lag_is_nearest_to_the_exact_contact() -> Row {
         ),
         tolerance: "15 % of the frequency for `lag`, at least 20 % and 40 % for `none` and `lead`: the distance of a \
                     quasi-static contact at 3–13 semi-axes",
-        holds: of(0, 0).0.abs().max(of(0, 0).1.abs()) < 0.15
-            && of(1, 0).0 > 0.2
-            && of(2, 0).0 > 0.4,
+        holds: of(0, 0).0.abs().max(of(0, 0).1.abs()) < 0.15 && of(1, 0).0 > 0.2 && of(2, 0).0 > 0.4,
     }
 }

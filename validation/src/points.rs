@@ -81,14 +81,12 @@ impl Parameters {
 fn computed(case: &Case, wavelength: f64, speed: f64) -> BTreeMap<&'static str, Complex64> {
     let state = case.feedback.at(wavelength, speed);
     let quantities = PointQuantity::ALL.into_iter();
-    quantities
-        .filter_map(|quantity| Some((quantity.key(), quantity.number(case, &state)?)))
-        .collect()
+    quantities.filter_map(|quantity| Some((quantity.key(), quantity.number(case, &state)?))).collect()
 }
 
 pub(crate) fn reference_points() -> Row {
-    let reference: Reference = serde_json::from_str(include_str!("../reference/points.json"))
-        .expect("the reference file is valid JSON");
+    let reference: Reference =
+        serde_json::from_str(include_str!("../reference/points.json")).expect("the reference file is valid JSON");
     let mut error = WorstError::default();
     let points = reference.points.len();
     for point in reference.points {
@@ -96,10 +94,7 @@ pub(crate) fn reference_points() -> Row {
         let computed = computed(&case, point.wavelength_m, point.speed_m_per_s);
         for (name, value) in point.expect {
             let expected = Complex64::from(value);
-            let got = computed
-                .get(name.as_str())
-                .copied()
-                .unwrap_or(Complex64::from(f64::NAN));
+            let got = computed.get(name.as_str()).copied().unwrap_or(Complex64::from(f64::NAN));
             error.compare(got, expected);
         }
     }

@@ -1,8 +1,6 @@
 //! Profiles, contact of wheelsets on their track, equivalent conicity, and curving on them.
 
-use riffel::profile::{
-    EquivalentConicity, Profile, RadiusDifference, Track, Wheels, WheelsetOnTrack,
-};
+use riffel::profile::{EquivalentConicity, Profile, RadiusDifference, Track, Wheels, WheelsetOnTrack};
 use riffel_answers::curve::CurveAnswer;
 use riffel_case::CurvingCase;
 use serde::Deserialize;
@@ -19,24 +17,12 @@ macro_rules! reference {
 
 /// Table, description.
 const NOMINAL: [(&str, &str); 2] = [
-    (
-        reference!("s1002_60e1_1in40.csv"),
-        reference!("s1002_60e1_1in40.json"),
-    ),
-    (
-        reference!("s1002_60e1_1in20.csv"),
-        reference!("s1002_60e1_1in20.json"),
-    ),
+    (reference!("s1002_60e1_1in40.csv"), reference!("s1002_60e1_1in40.json")),
+    (reference!("s1002_60e1_1in20.csv"), reference!("s1002_60e1_1in20.json")),
 ];
 const MEASURED: [(&str, &str); 2] = [
-    (
-        reference!("mbench_yaw0.csv"),
-        reference!("mbench_yaw0.json"),
-    ),
-    (
-        reference!("mbench_yaw12.csv"),
-        reference!("mbench_yaw12.json"),
-    ),
+    (reference!("mbench_yaw0.csv"), reference!("mbench_yaw0.json")),
+    (reference!("mbench_yaw12.csv"), reference!("mbench_yaw12.json")),
 ];
 const ON_PROFILES: &str = include_str!("../reference/curving/profiles.json");
 
@@ -52,17 +38,11 @@ pub(crate) fn measured() -> WheelsetOnTrack {
     let profile = |text: &str| {
         let rows = text.lines().filter_map(|line| {
             let (x, height) = line.split_once(',')?;
-            Some([
-                1e-3 * x.parse::<f64>().ok()?,
-                1e-3 * height.parse::<f64>().ok()?,
-            ])
+            Some([1e-3 * x.parse::<f64>().ok()?, 1e-3 * height.parse::<f64>().ok()?])
         });
         Profile::through(&rows.collect::<Vec<_>>()).expect("a profile")
     };
-    let (wheel, rail) = (
-        profile(reference!("mbench_s1002.csv")),
-        profile(reference!("mbench_uic60.csv")),
-    );
+    let (wheel, rail) = (profile(reference!("mbench_s1002.csv")), profile(reference!("mbench_uic60.csv")));
     WheelsetOnTrack {
         wheels: Wheels::new([&wheel, &wheel], [0.46; 2], 1.36, -0.07).expect("wheels"),
         track: Track::new([&rail, &rail], 1.435, 0.014, 0.0).expect("a track"),
@@ -84,81 +64,34 @@ impl Errors {
         let mut lines = table.lines();
         let head: Vec<&str> = lines.next().expect("a head").split(',').collect();
         for line in lines {
-            let cells: Vec<f64> = line
-                .split(',')
-                .map(|cell| cell.parse().unwrap_or(f64::NAN))
-                .collect();
-            let expected = |name: &str| {
-                cells[head
-                    .iter()
-                    .position(|head| *head == name)
-                    .expect("a column")]
-            };
-            let contact = wheelset
-                .contact(1e-3 * expected("lateral_shift_mm"), expected("yaw_rad"))
-                .expect("contact");
-            let worse = |worst: &mut f64, got: f64, expected: f64| {
-                *worst = worst.max((got - expected).abs())
-            };
-            worse(
-                &mut self.height,
-                1e3 * contact.centre_z,
-                expected("centre_z_mm"),
-            );
+            let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
+            let expected = |name: &str| cells[head.iter().position(|head| *head == name).expect("a column")];
+            let contact = wheelset.contact(1e-3 * expected("lateral_shift_mm"), expected("yaw_rad")).expect("contact");
+            let worse = |worst: &mut f64, got: f64, expected: f64| *worst = worst.max((got - expected).abs());
+            worse(&mut self.height, 1e3 * contact.centre_z, expected("centre_z_mm"));
             worse(&mut self.roll, contact.roll, expected("roll_rad"));
             for (side, on) in ["left", "right"].into_iter().zip(&contact.contacts) {
                 self.contacts += 1;
                 let expected = |name: &str| expected(&format!("{side}_{name}"));
                 worse(&mut self.position, 1e3 * on.x_wheel, expected("y_wheel_mm"));
-                worse(
-                    &mut self.position,
-                    1e3 * on.on_track[0],
-                    expected("x_track_mm"),
-                );
-                worse(
-                    &mut self.position,
-                    1e3 * on.on_track[1],
-                    expected("y_track_mm"),
-                );
-                worse(
-                    &mut self.position,
-                    1e3 * on.on_track[2],
-                    expected("z_track_mm"),
-                );
-                worse(
-                    &mut self.position,
-                    1e3 * on.rolling_radius,
-                    expected("rolling_radius_mm"),
-                );
-                worse(
-                    &mut self.angle,
-                    on.contact_angle,
-                    expected("contact_angle_rad"),
-                );
+                worse(&mut self.position, 1e3 * on.on_track[0], expected("x_track_mm"));
+                worse(&mut self.position, 1e3 * on.on_track[1], expected("y_track_mm"));
+                worse(&mut self.position, 1e3 * on.on_track[2], expected("z_track_mm"));
+                worse(&mut self.position, 1e3 * on.rolling_radius, expected("rolling_radius_mm"));
+                worse(&mut self.angle, on.contact_angle, expected("contact_angle_rad"));
             }
         }
     }
 
     /// Positions \[mm\] and angles \[rad\] have limits of the caller's.
-    fn row(
-        &self,
-        statement: &'static str,
-        tolerance: &'static str,
-        least: usize,
-        [position, angle]: [f64; 2],
-    ) -> Row {
-        let holds = self.height <= 1e-4
-            && self.roll <= 2e-7
-            && self.position <= position
-            && self.angle <= angle;
+    fn row(&self, statement: &'static str, tolerance: &'static str, least: usize, [position, angle]: [f64; 2]) -> Row {
+        let holds = self.height <= 1e-4 && self.roll <= 2e-7 && self.position <= position && self.angle <= angle;
         let relation = if holds { "≤" } else { "above" };
         Row {
             statement,
             source: "`profiles/*.csv`, written apart from Riffel in Python, held against CONTACT to 5e-5 mm",
             expected: format!("{} contacts", self.contacts),
-            got: format!(
-                "errors {relation} 1e-4 mm of height, 2e-7 rad of roll, {position} mm, {angle:e} rad"
-            ),
+            got: format!("errors {relation} 1e-4 mm of height, 2e-7 rad of roll, {position} mm, {angle:e} rad"),
             tolerance,
             holds: holds && self.contacts >= least,
         }
@@ -194,8 +127,7 @@ pub(crate) fn wheelset_on_measured_rails() -> Row {
 
 pub(crate) fn conicity_of_a_cubic() -> Row {
     const LIMIT: f64 = 1e-6;
-    let cases: Vec<Value> =
-        serde_json::from_str(reference!("conicity-duffing.json")).expect("valid JSON");
+    let cases: Vec<Value> = serde_json::from_str(reference!("conicity-duffing.json")).expect("valid JSON");
     let mut error = WorstError::default();
     for case in &cases {
         let number = |key: &str| case[key].as_f64().expect("a number");
@@ -231,25 +163,17 @@ pub(crate) fn conicity_of_a_cubic() -> Row {
 pub(crate) fn equivalent_conicity() -> Row {
     const LIMIT: f64 = 1e-4;
     let mut error = WorstError::default();
-    let tables = NOMINAL
-        .iter()
-        .map(|(_, description)| (nominal(description), *description, 1.0));
+    let tables = NOMINAL.iter().map(|(_, description)| (nominal(description), *description, 1.0));
     for (wheelset, description, size) in tables.chain([(measured().into(), MEASURED[0].1, 5.0)]) {
         let description: Value = serde_json::from_str(description).expect("valid JSON");
         let table = RadiusDifference::rolling(&wheelset, 0.46, 0.010, 1e-4).expect("a table");
-        let conicities = description["equivalent_conicity"]
-            .as_object()
-            .expect("conicities");
+        let conicities = description["equivalent_conicity"].as_object().expect("conicities");
         for (amplitude, expected) in conicities {
             let amplitude: f64 = amplitude.parse().expect("a number");
-            let found = table
-                .equivalent_conicity(1e-3 * amplitude, 1.5)
-                .expect("a motion");
-            for (key, got) in [
-                ("klingel", found.klingel),
-                ("harmonic", found.harmonic),
-                ("regression", found.regression),
-            ] {
+            let found = table.equivalent_conicity(1e-3 * amplitude, 1.5).expect("a motion");
+            for (key, got) in
+                [("klingel", found.klingel), ("harmonic", found.harmonic), ("regression", found.regression)]
+            {
                 let expected = expected[key].as_f64().expect("a number");
                 error.compare_beside(size, got.into(), expected.into());
             }
@@ -280,36 +204,24 @@ pub(crate) fn curving_on_profiles() -> Row {
         let case = CurvingCase::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
         let answer = CurveAnswer::new(&case).expect("an equilibrium");
         let expect = &reference.expect;
-        let number = |table: &str, index: usize, key: &str| {
-            expect[table][index][key].as_f64().expect("a number")
-        };
+        let number = |table: &str, index: usize, key: &str| expect[table][index][key].as_f64().expect("a number");
         // Where Δr jumps there may be several; the reference stands between the jumps.
         let distance = |state: &riffel::curving::VehicleState| {
             (0..2)
                 .map(|index| {
-                    (state.wheelsets[index].lateral_shift
-                        - number("wheelsets", index, "lateral_shift_m"))
-                    .abs()
+                    (state.wheelsets[index].lateral_shift - number("wheelsets", index, "lateral_shift_m")).abs()
                 })
                 .fold(0.0, f64::max)
         };
         let states = std::iter::once(&answer.state).chain(&answer.others);
-        let state = states
-            .min_by(|one, other| distance(one).total_cmp(&distance(other)))
-            .expect("a state");
+        let state = states.min_by(|one, other| distance(one).total_cmp(&distance(other))).expect("a state");
         let largest = |table: &str, key: &str, count: usize| {
-            (0..count)
-                .map(|index| number(table, index, key).abs())
-                .fold(0.0, f64::max)
+            (0..count).map(|index| number(table, index, key).abs()).fold(0.0, f64::max)
         };
         for (index, wheelset) in state.wheelsets.iter().enumerate() {
             let key = "lateral_shift_m";
             let size = largest("wheelsets", key, 2);
-            error.compare_beside(
-                size,
-                wheelset.lateral_shift.into(),
-                number("wheelsets", index, key).into(),
-            );
+            error.compare_beside(size, wheelset.lateral_shift.into(), number("wheelsets", index, key).into());
         }
         for (index, wheel) in state.wheels.iter().enumerate() {
             for (key, got) in [

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use riffel::receptance::{
-    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection,
-    Support,
+    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support,
 };
 use riffel::{Complex64, ElasticMaterial, Receptance};
 use serde::Deserialize;
@@ -63,12 +62,7 @@ fn two_layer(pad: Layer, sleeper: f64, ballast: Layer) -> Support {
 
 impl Parameters {
     fn euler(&self) -> Beam {
-        euler(
-            self.youngs_modulus_pa,
-            self.second_moment_m4,
-            self.mass_per_length_kg_per_m,
-        )
-        .into()
+        euler(self.youngs_modulus_pa, self.second_moment_m4, self.mass_per_length_kg_per_m).into()
     }
 
     fn timoshenko(&self) -> Beam {
@@ -78,23 +72,15 @@ impl Parameters {
             shear_modulus: self.shear_modulus_pa,
             density: self.rotary_inertia_density_kg_per_m3,
         };
-        Beam::timoshenko(
-            steel(self.youngs_modulus_pa),
-            self.second_moment_m4,
-            self.mass_per_length_kg_per_m,
-            shear,
-        )
-        .expect("a rail")
+        Beam::timoshenko(steel(self.youngs_modulus_pa), self.second_moment_m4, self.mass_per_length_kg_per_m, shear)
+            .expect("a rail")
     }
 
     fn support(&self) -> Support {
         two_layer(
             layer(self.pad_stiffness_n_per_m, self.pad_damping_ns_per_m),
             self.sleeper_mass_kg,
-            layer(
-                self.ballast_stiffness_n_per_m,
-                self.ballast_damping_ns_per_m,
-            ),
+            layer(self.ballast_stiffness_n_per_m, self.ballast_damping_ns_per_m),
         )
     }
 
@@ -105,10 +91,8 @@ impl Parameters {
 
     /// The share of the bay is 0 over a support and ½ in mid-span.
     fn discrete(&self, share_of_bay: f64) -> PeriodicTrack {
-        let rail = self
-            .timoshenko()
-            .with_loss_factor(self.rail_loss_factor_in_periodic_columns)
-            .expect("a loss factor");
+        let rail =
+            self.timoshenko().with_loss_factor(self.rail_loss_factor_in_periodic_columns).expect("a loss factor");
         PeriodicTrack::new(rail, self.support(), self.support_spacing_m)
             .expect("a track")
             .at(share_of_bay * self.support_spacing_m)
@@ -116,20 +100,13 @@ impl Parameters {
 }
 
 /// A column of the three files, of which the real part is the one of the given index.
-fn reference_column(
-    statement: &'static str,
-    column: usize,
-    track: impl Fn(&Parameters) -> Box<dyn Receptance>,
-) -> Row {
+fn reference_column(statement: &'static str, column: usize, track: impl Fn(&Parameters) -> Box<dyn Receptance>) -> Row {
     let mut error = WorstError::default();
     for (parameters, table) in FILES {
         let parameters: Parameters = serde_json::from_str(parameters).expect("valid JSON");
         let track = track(&parameters);
         for line in table.lines().skip(1) {
-            let cells: Vec<f64> = line
-                .split(',')
-                .map(|cell| cell.parse().expect("a number"))
-                .collect();
+            let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().expect("a number")).collect();
             let expected = Complex64::new(cells[column], cells[column + 1]);
             error.compare(track.receptance(TAU * cells[0], 0.0), expected);
         }
@@ -153,9 +130,7 @@ pub(crate) fn two_layer_receptance() -> Row {
 }
 
 pub(crate) fn timoshenko_receptance() -> Row {
-    reference_column("The same, Timoshenko rail", 3, |parameters| {
-        Box::new(parameters.even(parameters.timoshenko()))
-    })
+    reference_column("The same, Timoshenko rail", 3, |parameters| Box::new(parameters.even(parameters.timoshenko())))
 }
 
 pub(crate) fn periodic_receptance_over_support() -> Row {
@@ -167,9 +142,7 @@ pub(crate) fn periodic_receptance_over_support() -> Row {
 }
 
 pub(crate) fn periodic_receptance_mid_span() -> Row {
-    reference_column("The same, in mid-span", 7, |parameters| {
-        Box::new(parameters.discrete(0.5))
-    })
+    reference_column("The same, in mid-span", 7, |parameters| Box::new(parameters.discrete(0.5)))
 }
 
 /// A resonance: frequency \[Hz\] and modulus of the mobility ωH \[m/(s N)\].
@@ -186,10 +159,7 @@ fn peaks_and_dip(track: &dyn Receptance, from: f64, to: f64) -> Option<[Resonanc
         })
         .collect();
     let turning = |sign: f64| {
-        curve
-            .windows(3)
-            .filter(move |w| sign * w[1].1 > sign * w[0].1 && sign * w[1].1 >= sign * w[2].1)
-            .map(|w| w[1])
+        curve.windows(3).filter(move |w| sign * w[1].1 > sign * w[0].1 && sign * w[1].1 >= sign * w[2].1).map(|w| w[1])
     };
     let mut peaks = turning(1.0);
     Some([peaks.next()?, turning(-1.0).next()?, peaks.next()?])
@@ -209,18 +179,12 @@ pub(crate) fn two_layer_peaks() -> Row {
         expected: "89.6 Hz 8.05e-6, 198.9 Hz 2.117e-6, 403.7 Hz 1.461e-5 m/(s N)".to_owned(),
         got: got.map(|(f, y)| format!("{f:.1} Hz {y:.3e}")).join(", "),
         tolerance: "frequency 0.5 %: the reference is sampled every 2 Hz; height 0.2 %: its printed digits",
-        holds: expected
-            .iter()
-            .zip(got)
-            .all(|(e, g)| close(g.0, e.0, 5e-3) && close(g.1, e.1, 2e-3)),
+        holds: expected.iter().zip(got).all(|(e, g)| close(g.0, e.0, 5e-3) && close(g.1, e.1, 2e-3)),
     }
 }
 
 pub(crate) fn one_layer_peak() -> Row {
-    let track = ContinuousTrack::new(
-        Beam::from(euler(210e9, 3.0383e-5, 60.2)),
-        Support::one_layer(layer(300e6, 30e3)),
-    );
+    let track = ContinuousTrack::new(Beam::from(euler(210e9, 3.0383e-5, 60.2)), Support::one_layer(layer(300e6, 30e3)));
     let expected = (356.0, 2.122e-5);
     let got = peak(&track, 100.0, 1000.0);
     Row {
@@ -261,29 +225,15 @@ fn near(got: Resonance, expected: Resonance, height: f64) -> bool {
 }
 
 pub(crate) fn pinned_pinned_antiresonance() -> Row {
-    let shear = ShearSection {
-        area: 76.70e-4,
-        shear_coefficient: 0.4,
-        shear_modulus: 81e9,
-        density: 7850.0,
-    };
+    let shear = ShearSection { area: 76.70e-4, shear_coefficient: 0.4, shear_modulus: 81e9, density: 7850.0 };
     let rail = Beam::timoshenko(steel(210e9), 3.0383e-5, 60.2, shear)
         .and_then(|beam| beam.with_loss_factor(0.02))
         .expect("a rail");
-    let hysteretic = |stiffness, loss_factor| {
-        layer(stiffness, 0.0)
-            .with_loss_factor(loss_factor)
-            .expect("a loss factor")
-    };
+    let hysteretic =
+        |stiffness, loss_factor| layer(stiffness, 0.0).with_loss_factor(loss_factor).expect("a loss factor");
     let support = two_layer(hysteretic(300e6, 0.25), 162.0, hysteretic(50e6, 1.0));
     let track = PeriodicTrack::new(rail, support, 0.6).expect("a track");
-    let expected = [
-        (95.5, 4.99e-6),
-        (244.6, 1.68e-6),
-        (501.0, 1.34e-5),
-        (1101.5, 6.65e-7),
-        (1266.0, 6.70e-6),
-    ];
+    let expected = [(95.5, 4.99e-6), (244.6, 1.68e-6), (501.0, 1.34e-5), (1101.5, 6.65e-7), (1266.0, 6.70e-6)];
     let got = [
         peak(&track, 50.0, 180.0),
         dip(&track, 150.0, 400.0),
@@ -303,10 +253,7 @@ pub(crate) fn pinned_pinned_antiresonance() -> Row {
         got: print(&got),
         tolerance: "frequency 0.5 %: the reference is sampled every 2 Hz; height 5 %: read off at those \
                     samples, where a sharp antiresonance falls between two",
-        holds: expected
-            .iter()
-            .zip(got)
-            .all(|(&expected, got)| near(got, expected, 0.05)),
+        holds: expected.iter().zip(got).all(|(&expected, got)| near(got, expected, 0.05)),
     }
 }
 
@@ -314,8 +261,7 @@ pub(crate) fn pinned_pinned_overstated_by_euler() -> Row {
     let (low, high) = extent(FILES.iter().map(|(parameters, _)| {
         let p: Parameters = serde_json::from_str(parameters).expect("valid JSON");
         p.euler().pinned_pinned_frequency(p.support_spacing_m, 1)
-            / p.timoshenko()
-                .pinned_pinned_frequency(p.support_spacing_m, 1)
+            / p.timoshenko().pinned_pinned_frequency(p.support_spacing_m, 1)
     }));
     Row {
         statement: "An Euler–Bernoulli rail overstates the pinned-pinned frequency by 20–35 %",

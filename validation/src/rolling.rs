@@ -4,8 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use riffel::contact::{
-    ContactDerivative, ContactResponse, Creepages, HalfSpace, HalfSpaceRolling,
-    OscillatingCreepages,
+    ContactDerivative, ContactResponse, Creepages, HalfSpace, HalfSpaceRolling, OscillatingCreepages,
 };
 use riffel::{Complex64, ElasticMaterial, HertzContact};
 
@@ -13,8 +12,7 @@ use crate::Row;
 
 const CREEP_CURVE: &str = include_str!("../reference/contact/creep_curve.csv");
 const FREQUENCY_RESPONSE: &str = include_str!("../reference/contact/frequency_response.csv");
-const FREQUENCY_RESPONSE_LATERAL: &str =
-    include_str!("../reference/contact/frequency_response_lateral.csv");
+const FREQUENCY_RESPONSE_LATERAL: &str = include_str!("../reference/contact/frequency_response_lateral.csv");
 const CREEP_FORCES_VECTOR: &str = include_str!("../reference/contact/creep_forces_vector.csv");
 const RESPONSE_LIMITS: &str = include_str!("../reference/contact/response_limits.csv");
 const RAIL_DISSIPATION: &str = include_str!("../reference/contact/rail_fixed_dissipation.csv");
@@ -84,9 +82,7 @@ impl Responses {
         let ratios = [&[f64::INFINITY], wavelengths].concat();
         let places: Vec<f64> = ratios.iter().map(|ratio| ratio * semi_axis).collect();
         let responses = contact.responses(state, &places, creepages, || ());
-        let mut responses = responses
-            .into_iter()
-            .map(|response| response.expect("a response"));
+        let mut responses = responses.into_iter().map(|response| response.expect("a response"));
         Self {
             tractive_ratio: contact.steady(state).tractive_ratio(),
             slow: responses.next().expect("the slow response"),
@@ -105,9 +101,7 @@ impl Responses {
 static ALONG: LazyLock<[Responses; 2]> = LazyLock::new(|| {
     let contact = contact(50e3, HalfSpace::DEFAULT_ELEMENTS);
     [0.1, 0.6].map(|ratio| {
-        let state = contact
-            .roll_at_tractive_ratio(ratio)
-            .expect("a steady state");
+        let state = contact.roll_at_tractive_ratio(ratio).expect("a steady state");
         let creepages = OscillatingCreepages::Longitudinal;
         Responses::new(&contact, &state, &WAVELENGTHS, creepages)
     })
@@ -135,15 +129,9 @@ fn compare(input: &str) -> (f64, f64, f64, usize) {
     let mut compared = 0;
     type Value = fn(&ContactResponse) -> Complex64;
     let values: [(usize, Value); 2] = if input == "xi" {
-        [
-            (4, |response| response.by_longitudinal.force[0]),
-            (8, |response| response.by_longitudinal.energy),
-        ]
+        [(4, |response| response.by_longitudinal.force[0]), (8, |response| response.by_longitudinal.energy)]
     } else {
-        [
-            (4, |response| response.by_load.force[0]),
-            (8, |response| response.by_load.energy),
-        ]
+        [(4, |response| response.by_load.force[0]), (8, |response| response.by_load.energy)]
     };
     for row in FREQUENCY_RESPONSE.lines().skip(1).map(cells) {
         if row[0] != input {
@@ -176,15 +164,9 @@ fn response_row(
         statement,
         source: "CONTACT stepped through time, `contact/frequency_response.csv`",
         expected: format!("{compared} complex responses of creep force and dissipation"),
-        got: format!(
-            "within {:.1} % and {phase:.3} rad; {absolute:.3} where small",
-            100.0 * modulus
-        ),
+        got: format!("within {:.1} % and {phase:.3} rad; {absolute:.3} where small", 100.0 * modulus),
         tolerance,
-        holds: modulus <= modulus_limit
-            && phase <= phase_limit
-            && absolute <= 0.01
-            && compared >= 32,
+        holds: modulus <= modulus_limit && phase <= phase_limit && absolute <= 0.01 && compared >= 32,
     }
 }
 
@@ -216,9 +198,7 @@ pub(crate) fn dissipation_at_the_rail() -> Row {
         compared += 1;
         if row[0] == "xi" {
             let at_rail = |response: &ContactResponse| response.by_longitudinal.at_rail(0.0);
-            let got = normalized(responses, ratio, at_rail, |slow| {
-                slow.by_longitudinal.energy
-            });
+            let got = normalized(responses, ratio, at_rail, |slow| slow.by_longitudinal.energy);
             by_creepage = by_creepage.max((got - expected).norm());
         } else {
             let at_rail = |response: &ContactResponse| response.by_load.at_rail(0.0);
@@ -242,15 +222,10 @@ pub(crate) fn half_space_creep_forces() -> Row {
     let (mut of_force, mut of_energy): (f64, f64) = (0.0, 0.0);
     let mut compared = 0;
     for row in CREEP_FORCES_VECTOR.lines().skip(1).map(cells) {
-        let creepages = Creepages {
-            longitudinal: number(row[10]),
-            lateral: number(row[11]),
-            spin: number(row[12]),
-        };
+        let creepages = Creepages { longitudinal: number(row[10]), lateral: number(row[11]), spin: number(row[12]) };
         let state = contact.roll_with(creepages).expect("a steady state");
         let force = state.forces();
-        let error = (force.longitudinal / 20e3 - number(row[13]))
-            .hypot(force.lateral / 20e3 - number(row[14]));
+        let error = (force.longitudinal / 20e3 - number(row[13])).hypot(force.lateral / 20e3 - number(row[14]));
         of_force = of_force.max(error / number(row[15]));
         let energy = creepages.longitudinal * force.longitudinal
             + creepages.lateral * force.lateral
@@ -261,14 +236,8 @@ pub(crate) fn half_space_creep_forces() -> Row {
     Row {
         statement: "Creep forces of the exact theory with lateral creepage and spin, 60 elements across",
         source: "CONTACT, `contact/creep_forces_vector.csv`",
-        expected: format!(
-            "{compared} forces along and across the rail, and their energy per metre"
-        ),
-        got: format!(
-            "forces within {:.1} %, energy within {:.1} %",
-            100.0 * of_force,
-            100.0 * of_energy
-        ),
+        expected: format!("{compared} forces along and across the rail, and their energy per metre"),
+        got: format!("forces within {:.1} %, energy within {:.1} %", 100.0 * of_force, 100.0 * of_energy),
         tolerance: "1 % and 1.5 %: up to 1 % of the reference's own extrapolation, and 0.2 % of this one",
         holds: of_force <= 0.01 && of_energy <= 0.015 && compared >= 22,
     }
@@ -280,11 +249,7 @@ pub(crate) fn frequency_response_across_the_rail() -> Row {
     let rows = FREQUENCY_RESPONSE_LATERAL.lines().skip(1).map(cells);
     let rows: Vec<Vec<&str>> = rows.filter(|row| row[1] != "P").collect();
     // One steady state throughout.
-    let creepages = Creepages {
-        lateral: number(rows[0][2]),
-        spin: number(rows[0][3]),
-        ..Creepages::default()
-    };
+    let creepages = Creepages { lateral: number(rows[0][2]), spin: number(rows[0][3]), ..Creepages::default() };
     let state = contact.roll_with(creepages).expect("a steady state");
     let wavelengths: BTreeSet<&str> = rows.iter().map(|row| row[5]).collect();
     let wavelengths: Vec<f64> = wavelengths.into_iter().map(number).collect();
@@ -293,10 +258,7 @@ pub(crate) fn frequency_response_across_the_rail() -> Row {
     let mut worst: f64 = 0.0;
     let mut compared = 0;
     for row in rows {
-        assert_eq!(
-            [number(row[2]), number(row[3])],
-            [creepages.lateral, creepages.spin]
-        );
+        assert_eq!([number(row[2]), number(row[3])], [creepages.lateral, creepages.spin]);
         let by = |response: &ContactResponse| -> ContactDerivative {
             match row[1] {
                 "xi" => response.by_longitudinal,
@@ -304,11 +266,9 @@ pub(crate) fn frequency_response_across_the_rail() -> Row {
             }
         };
         let (got, slow) = (by(responses.at(number(row[5]))), by(&responses.slow));
-        for (column, got) in [
-            (6, got.force[0] / slow.force[0]),
-            (12, got.force[1] / slow.force[1]),
-            (18, got.energy / slow.energy),
-        ] {
+        for (column, got) in
+            [(6, got.force[0] / slow.force[0]), (12, got.force[1] / slow.force[1]), (18, got.energy / slow.energy)]
+        {
             if row[column].is_empty() {
                 continue;
             }
@@ -338,21 +298,15 @@ pub(crate) fn frequency_response_at_the_default() -> Row {
     let mut compared = 0;
     for rows in rows.chunk_by(|a, b| a[..3] == b[..3]) {
         let [longitudinal, lateral, spin] = [0, 1, 2].map(|column| number(rows[0][column]));
-        let creepages = Creepages {
-            longitudinal,
-            lateral,
-            spin,
-        };
+        let creepages = Creepages { longitudinal, lateral, spin };
         let state = contact.roll_with(creepages).expect("a steady state");
         let oscillating = match lateral == 0.0 {
             true => OscillatingCreepages::Longitudinal,
             false => OscillatingCreepages::All,
         };
         let waves: Vec<&[Vec<&str>]> = rows.chunk_by(|a, b| a[3] == b[3]).collect();
-        let wavelengths: Vec<f64> = waves
-            .iter()
-            .map(|rows| number(rows[0][3]) * hertz.semi_axis_longitudinal())
-            .collect();
+        let wavelengths: Vec<f64> =
+            waves.iter().map(|rows| number(rows[0][3]) * hertz.semi_axis_longitudinal()).collect();
         let responses = contact.responses(&state, &wavelengths, oscillating, || ());
         for (wave, response) in waves.iter().zip(responses) {
             let response = response.expect("a response");
@@ -368,11 +322,7 @@ pub(crate) fn frequency_response_at_the_default() -> Row {
             }
         }
     }
-    let Misses {
-        of_scale,
-        of_modulus,
-        at_rail_by_load,
-    } = worst;
+    let Misses { of_scale, of_modulus, at_rail_by_load } = worst;
     Row {
         statement: "Frequency response of rolling contact, 60 elements across, τ = 0.07 to 0.97 along the rail, 0.2 and 0.8 \
                     with lateral creepage and spin, wavelengths of 2–20 a, against the limit of grids of 96 to 144",
@@ -386,10 +336,7 @@ pub(crate) fn frequency_response_at_the_default() -> Row {
             100.0 * at_rail_by_load
         ),
         tolerance: "2 %; energy at the rail by load, which passes zero, 10 % of the modulus",
-        holds: of_scale <= 0.02
-            && of_modulus <= 0.02
-            && at_rail_by_load <= 0.1
-            && compared == rows.len(),
+        holds: of_scale <= 0.02 && of_modulus <= 0.02 && at_rail_by_load <= 0.1 && compared == rows.len(),
     }
 }
 
@@ -407,13 +354,11 @@ struct Misses {
 impl Misses {
     /// Take in a derivative, of which a row of the reference has the limit and another one the quasi-static value.
     fn take(&mut self, by: &ContactDerivative, row: &[&str], slow: &[&str]) {
-        let values = |row: &[&str]| {
-            [5, 7, 9, 11].map(|column| Complex64::new(number(row[column]), number(row[column + 1])))
-        };
+        let values =
+            |row: &[&str]| [5, 7, 9, 11].map(|column| Complex64::new(number(row[column]), number(row[column + 1])));
         let (limit, slow) = (values(row), values(slow));
         let got = [by.force[0], by.force[1], by.energy, by.at_rail(0.0)];
-        let size =
-            |values: &[Complex64]| values.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
+        let size = |values: &[Complex64]| values.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
         let outputs: [std::ops::Range<usize>; 3] = [0..2, 2..3, 3..4];
         for (output, range) in outputs.into_iter().enumerate() {
             let (limit, slow) = (&limit[range.clone()], size(&slow[range.clone()]));

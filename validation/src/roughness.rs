@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
-    Course, CoursePoint, Evidence, Expectation, GrowthDensity, Instrument, Mechanism,
-    MechanismKind, TimeUnit, TrafficSpeeds, dominant_levels, rank,
+    Course, CoursePoint, Evidence, Expectation, GrowthDensity, Instrument, Mechanism, MechanismKind, TimeUnit,
+    TrafficSpeeds, dominant_levels, rank,
 };
 use riffel::roughness::{
-    BandPass, ColouredNoise, Irregularity, Profile, Recipe, Spectrum, SpikeCriterion, ThirdOctave,
-    WHEEL_RADIUS, WavelengthBand, moving_peak_to_peak, moving_rms,
+    BandPass, ColouredNoise, Irregularity, Profile, Recipe, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS,
+    WavelengthBand, moving_peak_to_peak, moving_rms,
 };
 
 use crate::Row;
@@ -20,12 +20,7 @@ const PASS_BYS: &str = include_str!("../reference/sbb-track-noise/passby_levels.
 const SPACING: f64 = 1e-3;
 
 fn recipe(length: f64) -> Recipe {
-    Recipe {
-        length,
-        spacing: SPACING,
-        seed: 15610,
-        ..Recipe::default()
-    }
+    Recipe { length, spacing: SPACING, seed: 15610, ..Recipe::default() }
 }
 
 fn profile(heights: Vec<f64>) -> Profile {
@@ -43,9 +38,7 @@ fn spectrum(heights: Vec<f64>, longest: f64) -> Spectrum {
 
 /// Wavelengths of 20 to 400 mm in the middles of their bands, and between.
 fn wavelengths() -> impl Iterator<Item = f64> {
-    (-68..=-16)
-        .step_by(4)
-        .map(|quarter| 10f64.powf(f64::from(quarter) / 40.0))
+    (-68..=-16).step_by(4).map(|quarter| 10f64.powf(f64::from(quarter) / 40.0))
 }
 
 pub(crate) fn sinusoid_level() -> Row {
@@ -68,13 +61,10 @@ pub(crate) fn sinusoid_level() -> Row {
 pub(crate) fn sinusoid_leakage() -> Row {
     let highest = wavelengths()
         .flat_map(|wavelength| {
-            let own = ThirdOctave::containing(wavelength)
-                .expect("a wavelength")
-                .index();
+            let own = ThirdOctave::containing(wavelength).expect("a wavelength").index();
             let spectrum = spectrum(wave(50_000, 3e-6, wavelength), 0.4);
             let far = spectrum.levels().to_vec().into_iter();
-            far.filter(move |level| (level.band.index() - own).abs() >= 2)
-                .map(|level| level.level)
+            far.filter(move |level| (level.band.index() - own).abs() >= 2).map(|level| level.level)
         })
         .fold(f64::NEG_INFINITY, f64::max);
     Row {
@@ -88,16 +78,8 @@ pub(crate) fn sinusoid_leakage() -> Row {
 }
 
 fn noise(slope: f64) -> f64 {
-    let noise = ColouredNoise {
-        level: 0.0,
-        wavelength: 0.1,
-        slope,
-        longest: 3.0,
-    };
-    let made = Recipe {
-        noise: Some(noise),
-        ..recipe(1000.0)
-    };
+    let noise = ColouredNoise { level: 0.0, wavelength: 0.1, slope, longest: 3.0 };
+    let made = Recipe { noise: Some(noise), ..recipe(1000.0) };
     let heights = made.heights().expect("a recipe");
     let spectrum = spectrum(heights, 0.4);
     let bands = spectrum.levels().iter();
@@ -130,42 +112,24 @@ pub(crate) fn coloured_noise_spectrum() -> Row {
 pub(crate) fn spikes_and_pits() -> Row {
     let at = |first: f64, height: f64, width: f64| {
         let place = move |k: u32| first + 2.0 * f64::from(k);
-        (0..20).map(move |k| Irregularity {
-            at: place(k),
-            height,
-            width,
-        })
+        (0..20).map(move |k| Irregularity { at: place(k), height, width })
     };
-    let dirty = Recipe {
-        spikes: at(1.0, 80e-6, 4e-3).collect(),
-        pits: at(2.0, 120e-6, 8e-3).collect(),
-        ..recipe(45.0)
-    };
+    let dirty =
+        Recipe { spikes: at(1.0, 80e-6, 4e-3).collect(), pits: at(2.0, 120e-6, 8e-3).collect(), ..recipe(45.0) };
     let heights = dirty.heights().expect("a recipe");
     let clean = wave(heights.len(), 3e-6, 0.1);
-    let heights = heights
-        .iter()
-        .zip(&clean)
-        .map(|(dirt, wave)| dirt + wave)
-        .collect();
+    let heights = heights.iter().zip(&clean).map(|(dirt, wave)| dirt + wave).collect();
     let mut profile = profile(heights);
     let spikes = profile.remove_spikes(SpikeCriterion::EN_15610).len();
-    let pits = profile
-        .roll_over(WHEEL_RADIUS, riffel::roughness::PIT_DEPTH)
-        .len();
+    let pits = profile.roll_over(WHEEL_RADIUS, riffel::roughness::PIT_DEPTH).len();
     let left = profile.heights().iter().zip(&clean);
-    let left = left
-        .map(|(found, clean)| (found - clean).abs())
-        .fold(0.0, f64::max);
+    let left = left.map(|(found, clean)| (found - clean).abs()).fold(0.0, f64::max);
     // The wheel sags into a pit of 8 mm by w²/8R.
     let sag = 8e-3f64.powi(2) / (8.0 * WHEEL_RADIUS);
     Row {
         statement: "20 spikes of 80 µm and 4 mm go, 20 pits of 120 µm and 8 mm are bridged by the wheel",
         source: "EN 15610:2009, spikes and curvature",
-        expected: format!(
-            "20, 20, {:.1} µm left: the sag w²/8R of the wheel",
-            1e6 * sag
-        ),
+        expected: format!("20, 20, {:.1} µm left: the sag w²/8R of the wheel", 1e6 * sag),
         got: format!("{spikes}, {pits}, {:.1} µm left", 1e6 * left),
         tolerance: "0.8 µm: the rise of the wave of 3 µm and 100 mm over half a pit",
         holds: spikes == 20 && pits == 20 && (left - sag).abs() < 0.8e-6,
@@ -180,8 +144,7 @@ pub(crate) fn sinusoids_are_left_alone() -> Row {
         let mut profile = profile(heights.clone());
         let spikes = profile.remove_spikes(SpikeCriterion::EN_15610);
         let pits = profile.roll_over(WHEEL_RADIUS, riffel::roughness::PIT_DEPTH);
-        untouched +=
-            usize::from(spikes.is_empty() && pits.is_empty() && profile.heights() == heights);
+        untouched += usize::from(spikes.is_empty() && pits.is_empty() && profile.heights() == heights);
     }
     Row {
         statement: "Sinusoids of 3 µm at 20 mm to 100 µm at 500 mm are left alone by both",
@@ -195,20 +158,12 @@ pub(crate) fn sinusoids_are_left_alone() -> Row {
 
 pub(crate) fn moving_statistics() -> Row {
     let made = Recipe {
-        noise: Some(ColouredNoise {
-            level: 10.0,
-            wavelength: 0.1,
-            slope: 20.0,
-            longest: 3.0,
-        }),
+        noise: Some(ColouredNoise { level: 10.0, wavelength: 0.1, slope: 20.0, longest: 3.0 }),
         ..recipe(20.0)
     };
     let heights = made.heights().expect("a recipe");
     let window = 1000;
-    let (rms, peaks) = (
-        moving_rms(&heights, window),
-        moving_peak_to_peak(&heights, window),
-    );
+    let (rms, peaks) = (moving_rms(&heights, window), moving_peak_to_peak(&heights, window));
     let (mut worst, mut same) = (0f64, 0);
     // Every seventh window: the double loop is slow.
     for (index, values) in heights.windows(window).enumerate().step_by(7) {
@@ -247,9 +202,7 @@ pub(crate) fn band_pass_error() -> Row {
     });
     for (index, (wavelength, amplitude)) in waves.chain([(0.043, 15e-6)]).enumerate() {
         let phase = 2.4 * index as f64;
-        let own = bands
-            .iter()
-            .position(|band| band.from() <= wavelength && wavelength < band.to());
+        let own = bands.iter().position(|band| band.from() <= wavelength && wavelength < band.to());
         for (sample, height) in heights.iter_mut().enumerate() {
             let value = amplitude * (TAU * sample as f64 * SPACING / wavelength + phase).sin();
             *height += value;
@@ -269,10 +222,7 @@ pub(crate) fn band_pass_error() -> Row {
             (squares.sum::<f64>() / inside.len() as f64).sqrt()
         })
         .collect();
-    let words: Vec<String> = errors
-        .iter()
-        .map(|error| format!("{:.2}", 1e6 * error))
-        .collect();
+    let words: Vec<String> = errors.iter().map(|error| format!("{:.2}", 1e6 * error)).collect();
     Row {
         statement: "RMS error of the band-passes 10–30, 30–100, 100–300 mm on a rough, corrugated rail made of \
                     sinusoids",
@@ -280,10 +230,7 @@ pub(crate) fn band_pass_error() -> Row {
         expected: "≤ 1, 1, 2 µm".to_owned(),
         got: format!("{} µm", words.join(", ")),
         tolerance: "the bound; what is left are the slopes of the filter at the edges of the bands",
-        holds: errors
-            .iter()
-            .zip([1e-6, 1e-6, 2e-6])
-            .all(|(error, bound)| *error <= bound),
+        holds: errors.iter().zip([1e-6, 1e-6, 2e-6]).all(|(error, bound)| *error <= bound),
     }
 }
 
@@ -309,8 +256,7 @@ pub(crate) fn campaigns() -> Vec<Vec<Spectrum>> {
     (1..=4)
         .map(|campaign| {
             let own = spectra.iter().filter(|spectrum| spectrum.1 == campaign);
-            own.map(|spectrum| Spectrum::new(spectrum.2.clone()).expect("a spectrum"))
-                .collect()
+            own.map(|spectrum| Spectrum::new(spectrum.2.clone()).expect("a spectrum")).collect()
         })
         .collect()
 }
@@ -319,35 +265,23 @@ pub(crate) fn grinding_mark_fades() -> Row {
     let band = ThirdOctave::new(-17);
     let level = |mean: fn(&[Spectrum]) -> Option<Spectrum>| -> Vec<f64> {
         let means = campaigns();
-        let levels = means
-            .iter()
-            .filter_map(|spectra| mean(spectra)?.level(band));
+        let levels = means.iter().filter_map(|spectra| mean(spectra)?.level(band));
         levels.collect()
     };
     let words = |levels: &[f64]| -> String {
         let words: Vec<String> = levels.iter().map(|level| format!("{level:.1}")).collect();
         words.join(", ")
     };
-    let (arithmetic, energy) = (
-        level(Spectrum::arithmetic_mean),
-        level(Spectrum::energy_mean),
-    );
+    let (arithmetic, energy) = (level(Spectrum::arithmetic_mean), level(Spectrum::energy_mean));
     let expected = [-4.2, -8.4, -9.4, -10.7];
     let same = arithmetic.len() == 4
-        && arithmetic
-            .iter()
-            .zip(expected)
-            .all(|(level, expected)| (level - expected).abs() <= 0.05);
+        && arithmetic.iter().zip(expected).all(|(level, expected)| (level - expected).abs() <= 0.05);
     Row {
         statement: "Niederwangen: the mean level at 20 mm falls over four campaigns, so it is a fading grinding \
                     mark and not growing corrugation",
         source: "32 spectra of Müller-BBM, 2014–2015, `sbb-track-noise/rail_roughness.csv`",
         expected: format!("{} dB, mean of levels", words(&expected)),
-        got: format!(
-            "{} dB; mean of energies {} dB",
-            words(&arithmetic),
-            words(&energy)
-        ),
+        got: format!("{} dB; mean of energies {} dB", words(&arithmetic), words(&energy)),
         tolerance: "half of the last digit",
         holds: same && arithmetic.windows(2).all(|pair| pair[1] < pair[0]),
     }
@@ -365,30 +299,23 @@ pub(crate) fn grinding_mark_is_diagnosed() -> Row {
         .max_by(|a, b| a.prominence.total_cmp(&b.prominence))
         .expect("a band that stands out");
     // Days from the first campaign.
-    let points = means
-        .iter()
-        .zip([0.0, 214.0, 365.0, 579.0])
-        .map(|(spectra, days)| {
-            let levels: Vec<f64> = spectra.iter().filter_map(|one| one.level(band)).collect();
-            let count = levels.len() as f64;
-            let mean = levels.iter().sum::<f64>() / count;
-            let squares: f64 = levels.iter().map(|level| (level - mean).powi(2)).sum();
-            CoursePoint {
-                label: String::new(),
-                time: days / 365.25,
-                level: mean,
-                scatter: Some((squares / (count - 1.0) / count).sqrt()),
-            }
-        });
+    let points = means.iter().zip([0.0, 214.0, 365.0, 579.0]).map(|(spectra, days)| {
+        let levels: Vec<f64> = spectra.iter().filter_map(|one| one.level(band)).collect();
+        let count = levels.len() as f64;
+        let mean = levels.iter().sum::<f64>() / count;
+        let squares: f64 = levels.iter().map(|level| (level - mean).powi(2)).sum();
+        CoursePoint {
+            label: String::new(),
+            time: days / 365.25,
+            level: mean,
+            scatter: Some((squares / (count - 1.0) / count).sqrt()),
+        }
+    });
     let course = Course::new(points.collect(), TimeUnit::Year).expect("four campaigns");
     let speeds = TrafficSpeeds::new([(136.0 / 3.6, 1.0)]).expect("a speed");
     let (mut mechanisms, _) = case.mechanisms();
-    let growth = GrowthDensity::new(
-        &case.feedback,
-        peak.wavelength.min(case.wavelength.min()),
-        case.wavelength.max(),
-        &speeds,
-    );
+    let growth =
+        GrowthDensity::new(&case.feedback, peak.wavelength.min(case.wavelength.min()), case.wavelength.max(), &speeds);
     mechanisms.push(Mechanism::growth_ridge(growth));
     let filter = ContactFilter::of(&case.hertz);
     let candidates = rank(

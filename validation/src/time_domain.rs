@@ -42,23 +42,13 @@ struct ExpectedHarmonic {
 
 impl ExpectedHarmonic {
     fn values(&self) -> [Complex64; 4] {
-        [
-            self.normal_force_n,
-            self.tangential_force_n,
-            self.creepage,
-            self.dissipation_j_per_m,
-        ]
-        .map(|[re, im]| Complex64::new(re, im))
+        [self.normal_force_n, self.tangential_force_n, self.creepage, self.dissipation_j_per_m]
+            .map(|[re, im]| Complex64::new(re, im))
     }
 }
 
 fn values(harmonic: &Harmonic) -> [Complex64; 4] {
-    [
-        harmonic.normal_force,
-        harmonic.tangential_force,
-        harmonic.creepage,
-        harmonic.dissipation,
-    ]
+    [harmonic.normal_force, harmonic.tangential_force, harmonic.creepage, harmonic.dissipation]
 }
 
 /// Errors of harmonics over the first, of extremes over the first harmonic of the force, and of the share without contact.
@@ -73,14 +63,8 @@ fn errors_against_harmonic_balance() -> [WorstError; 3] {
         let case = Case::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
         for point in reference.points {
             let model = case.in_time(point.speed_m_per_s).expect("a model");
-            let profile = Sinusoid {
-                amplitude: point.amplitude_m,
-                wavelength: point.wavelength_m,
-            };
-            let settled = model
-                .settle(profile, STEPS)
-                .expect("a settled state")
-                .swap_remove(0);
+            let profile = Sinusoid { amplitude: point.amplitude_m, wavelength: point.wavelength_m };
+            let settled = model.settle(profile, STEPS).expect("a settled state").swap_remove(0);
             let expected = &point.expect;
             let first = expected.harmonics[1].values();
             for (harmonic, expected) in settled.harmonics.iter().zip(&expected.harmonics) {
@@ -93,11 +77,7 @@ fn errors_against_harmonic_balance() -> [WorstError; 3] {
             let size = first[0].norm();
             errors[1].compare_beside(size, least.into(), expected.minimum_normal_force_n.into());
             errors[1].compare_beside(size, largest.into(), expected.maximum_normal_force_n.into());
-            errors[2].compare_beside(
-                1.0,
-                settled.contact_loss.into(),
-                expected.contact_loss_fraction.into(),
-            );
+            errors[2].compare_beside(1.0, settled.contact_loss.into(), expected.contact_loss_fraction.into());
         }
     }
     errors
@@ -123,11 +103,7 @@ pub(crate) fn loss_of_contact() -> Row {
         statement: "Largest and least normal force there, and the share of time without contact",
         source: "`time-domain/harmonic_balance.json`, 512 harmonics",
         expected: format!("{} forces and {} shares", extremes.compared, share.compared),
-        got: format!(
-            "forces: {}; shares: {}",
-            extremes.describe(LIMIT),
-            share.describe(LIMIT)
-        ),
+        got: format!("forces: {}; shares: {}", extremes.describe(LIMIT), share.describe(LIMIT)),
         tolerance: "1e-3 of the first harmonic of the force, and of a wave: steps of 0.004 of a wave, linear between",
         holds: extremes.within(LIMIT) && share.within(LIMIT) && share.compared == 18,
     }
@@ -140,43 +116,16 @@ pub(crate) fn small_amplitudes() -> Row {
     let amplitude = "corrugation.amplitude=1e-7";
     for (case, wavelength, speed) in [
         (nominal(&[amplitude]), 0.055, 30.0),
-        (
-            nominal(&[amplitude, "contact.tractive_ratio=0.6"]),
-            0.03,
-            20.0,
-        ),
-        (
-            nominal(&[amplitude, "contact.creep_law=shen-hedrick-elkins"]),
-            0.04,
-            33.0,
-        ),
+        (nominal(&[amplitude, "contact.tractive_ratio=0.6"]), 0.03, 20.0),
+        (nominal(&[amplitude, "contact.creep_law=shen-hedrick-elkins"]), 0.04, 33.0),
         (on_track(&[amplitude]), 0.05, 25.0),
-        (
-            on_track(&[
-                amplitude,
-                "contact.creep_law=polach",
-                "rail.beam=euler-bernoulli",
-            ]),
-            0.08,
-            15.0,
-        ),
+        (on_track(&[amplitude, "contact.creep_law=polach", "rail.beam=euler-bernoulli"]), 0.08, 15.0),
     ] {
         let linear = case.feedback.at(wavelength, speed);
-        let profile = Sinusoid {
-            amplitude: AMPLITUDE,
-            wavelength,
-        };
+        let profile = Sinusoid { amplitude: AMPLITUDE, wavelength };
         let model = case.in_time(speed).expect("a model");
-        let settled = model
-            .settle(profile, STEPS)
-            .expect("a settled state")
-            .swap_remove(0);
-        let linear = [
-            linear.normal_force(),
-            linear.tangential_force(),
-            linear.creepage(),
-            linear.dissipation / speed,
-        ];
+        let settled = model.settle(profile, STEPS).expect("a settled state").swap_remove(0);
+        let linear = [linear.normal_force(), linear.tangential_force(), linear.creepage(), linear.dissipation / speed];
         for (got, linear) in values(&settled.harmonics[1]).into_iter().zip(linear) {
             error.compare(got, linear);
         }

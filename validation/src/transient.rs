@@ -2,9 +2,7 @@
 
 use std::f64::consts::PI;
 
-use riffel::contact::{
-    Carter2d, CreepLaw, Creepages, HalfSpace, KalkerCoefficients, LineContact, TransientRolling,
-};
+use riffel::contact::{Carter2d, CreepLaw, Creepages, HalfSpace, KalkerCoefficients, LineContact, TransientRolling};
 use riffel::{Complex64, ElasticMaterial, HertzContact};
 
 use crate::Row;
@@ -39,9 +37,7 @@ pub(crate) fn shift_of_cattaneo() -> Row {
             step.expect("a shift").forces.longitudinal / (friction * load) / ratio
         })
         .collect();
-    let worst = ratios
-        .iter()
-        .fold(0.0, |worst: f64, r| worst.max((r - 1.0).abs()));
+    let worst = ratios.iter().fold(0.0, |worst: f64, r| worst.max((r - 1.0).abs()));
     Row {
         statement: "Tangential force of a shifted contact, Q/μP = 0.25, 0.5 and 7/8",
         source: "Cattaneo (1938), Mindlin (1949): δ = 3μP(2 − ν)/(8Ga)·[1 − (1 − Q/μP)^(2/3)]",
@@ -60,12 +56,7 @@ pub(crate) fn stiffness_of_mindlin() -> Row {
     let single = |across: usize| {
         let mut rolling = TransientRolling::new(contact, friction, across).expect("a grid");
         let shift = cattaneo_shift(contact, friction, 1e-3);
-        rolling
-            .shift(load, shift)
-            .expect("a shift")
-            .forces
-            .longitudinal
-            / shift
+        rolling.shift(load, shift).expect("a shift").forces.longitudinal / shift
     };
     let [coarse, fine] = [24, 48].map(single);
     let error = (2.0 * fine - coarse) / expected - 1.0;
@@ -95,18 +86,13 @@ pub(crate) fn from_cattaneo_to_carter() -> Row {
     let mut creepage = 0.002;
     let steps: Vec<f64> = (0..112)
         .map(|_| {
-            let step = rolling
-                .roll_at_force(load, force, creepage)
-                .expect("a step");
+            let step = rolling.roll_at_force(load, force, creepage).expect("a step");
             creepage = step.creepages.longitudinal;
             creepage
         })
         .collect();
     // CONTACT's steps of 0.25 mm are two of these.
-    let creepages: Vec<f64> = steps
-        .chunks(2)
-        .map(|pair| 0.5 * (pair[0] + pair[1]))
-        .collect();
+    let creepages: Vec<f64> = steps.chunks(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
     let mut worst: f64 = 0.0;
     let mut compared = 0;
     for line in CATTANEO_TO_CARTER.lines().skip(1) {
@@ -117,11 +103,7 @@ pub(crate) fn from_cattaneo_to_carter() -> Row {
         compared += 1;
     }
     let steady = creepages[55];
-    let (peak_step, peak) = creepages
-        .iter()
-        .enumerate()
-        .max_by(|a, b| a.1.total_cmp(b.1))
-        .expect("steps");
+    let (peak_step, peak) = creepages.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).expect("steps");
     let peak_place = (peak_step as f64 + 0.5) * 2.0 * rolling.step_length() / radius;
     let (overshoot, first) = (peak / steady - 1.0, creepages[0] / steady);
     let settled = (creepages[27] / steady - 1.0).abs();
@@ -129,9 +111,7 @@ pub(crate) fn from_cattaneo_to_carter() -> Row {
         statement: "From Cattaneo's shift to Carter's rolling at a constant force, Q/μP = 0.657: creepage over the distance \
                     rolled",
         source: "CONTACT, example catt_to_cart, `contact/cattaneo_to_carter.csv`; Kalker (1990), figure 5.25",
-        expected: format!(
-            "{compared} creepages; peak at a, 10 % over the steady creepage, settled at 2a"
-        ),
+        expected: format!("{compared} creepages; peak at a, 10 % over the steady creepage, settled at 2a"),
         got: format!(
             "within {:.1} %; starts at {first:.3} of the steady creepage, peak at {peak_place:.2} a, {:.0} % over it, \
              {:.1} % off at 2a",
@@ -150,11 +130,7 @@ pub(crate) fn from_cattaneo_to_carter() -> Row {
 
 /// First harmonics of force, dissipation per metre and dissipation per metre at the rail, over a wave that
 /// follows three others. `input` gives load and creepage by the oscillation, from −1 to 1.
-fn followed(
-    rolling: &mut TransientRolling,
-    per_wave: usize,
-    input: impl Fn(f64) -> (f64, f64),
-) -> [Complex64; 3] {
+fn followed(rolling: &mut TransientRolling, per_wave: usize, input: impl Fn(f64) -> (f64, f64)) -> [Complex64; 3] {
     let dx = rolling.step_length();
     let wavenumber = 2.0 * PI / (per_wave as f64 * dx);
     let begin = 3 * per_wave;
@@ -167,9 +143,7 @@ fn followed(
         let (middle, end) = (step as f64 * dx, (step as f64 + 0.5) * dx);
         let creepage = input((wavenumber * middle).cos()).1;
         let load = input((wavenumber * end).cos()).0;
-        let done = rolling
-            .roll(load, Creepages::longitudinal(creepage))
-            .expect("a step");
+        let done = rolling.roll(load, Creepages::longitudinal(creepage)).expect("a step");
         for (column, energy) in done.dissipation_along.iter().enumerate() {
             at_rail[step + column] += energy / dx;
         }
@@ -205,41 +179,17 @@ pub(crate) fn frequency_response_by_time() -> Row {
             (load, creepage * (1.0 + share_of_creepage * wave))
         });
         let response = contact.response(&state, wavelength).expect("a response");
-        let at_rail = [
-            response.by_load.at_rail(0.0),
-            response.by_longitudinal.at_rail(0.0),
-        ];
+        let at_rail = [response.by_load.at_rail(0.0), response.by_longitudinal.at_rail(0.0)];
         let (size, direct, slow) = if share_of_load > 0.0 {
-            let direct = [
-                response.by_load.force[0],
-                response.by_load.energy,
-                at_rail[0],
-            ];
-            (
-                share_of_load * load,
-                direct,
-                [slow.by_load.force[0], slow.by_load.energy],
-            )
+            let direct = [response.by_load.force[0], response.by_load.energy, at_rail[0]];
+            (share_of_load * load, direct, [slow.by_load.force[0], slow.by_load.energy])
         } else {
-            let direct = [
-                response.by_longitudinal.force[0],
-                response.by_longitudinal.energy,
-                at_rail[1],
-            ];
-            (
-                share_of_creepage * creepage,
-                direct,
-                [slow.by_longitudinal.force[0], slow.by_longitudinal.energy],
-            )
+            let direct = [response.by_longitudinal.force[0], response.by_longitudinal.energy, at_rail[1]];
+            (share_of_creepage * creepage, direct, [slow.by_longitudinal.force[0], slow.by_longitudinal.energy])
         };
-        let error = |index: usize, value: Complex64, slow: Complex64| {
-            (direct[index] - value / size).norm() / slow.norm()
-        };
-        [
-            error(0, force, slow[0]),
-            error(1, dissipation, slow[1]),
-            error(2, rail, slow[1]),
-        ]
+        let error =
+            |index: usize, value: Complex64, slow: Complex64| (direct[index] - value / size).norm() / slow.norm();
+        [error(0, force, slow[0]), error(1, dissipation, slow[1]), error(2, rail, slow[1])]
     };
     let by_creepage = compare(0.0, 0.02);
     let by_load = compare(0.1, 0.0);
@@ -295,11 +245,7 @@ pub(crate) fn slopes_of_the_half_space() -> Row {
     let kalker = KalkerCoefficients::new(0.25, 1.0).expect("a table");
     let small = 1e-7;
     let forces = |longitudinal: f64, lateral: f64, spin: f64| {
-        let creepages = Creepages {
-            longitudinal,
-            lateral,
-            spin,
-        };
+        let creepages = Creepages { longitudinal, lateral, spin };
         let state = half_space.roll_with(creepages).expect("a steady state");
         let unit = contact.material().shear_modulus() * radius * radius * small;
         let forces = state.forces();
@@ -314,9 +260,7 @@ pub(crate) fn slopes_of_the_half_space() -> Row {
         statement: "Forces by small creepage, lateral creepage and spin are Kalker's C₁₁, C₂₂ and C₂₃; a circle, ν = 0.25",
         source: "Kalker's linear theory, solved apart",
         expected: "ratio 1".into(),
-        got: errors
-            .map(|error| format!("{:+.2} %", 100.0 * error))
-            .join(", "),
+        got: errors.map(|error| format!("{:+.2} %", 100.0 * error)).join(", "),
         tolerance: "1 %, 80 elements: traction is infinite at the rear edge, which elements draw as stairs",
         holds: errors.iter().all(|error| error.abs() <= 0.01),
     }

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use riffel::receptance::{
-    Bar, Beam, ContactPoint, EulerBernoulliBeam, Layer, SpatialRail, SpatialTrack, Structure,
-    Support, Supports, Twist, TwistSection,
+    Bar, Beam, ContactPoint, EulerBernoulliBeam, Layer, SpatialRail, SpatialTrack, Structure, Support, Supports, Twist,
+    TwistSection,
 };
 use riffel::{Complex64, Direction, ElasticMaterial, Error, Place, Rail};
 use serde::Deserialize;
@@ -81,15 +81,10 @@ impl Parameters {
             vertical: bending(self.second_moment)?,
             lateral: Some(bending(self.lateral_second_moment)?),
             twist: Some(Twist::new(steel, section)?.with_loss_factor(self.loss_factor)?),
-            longitudinal: Some(
-                Bar::new(steel, self.area, self.mass_per_length)?
-                    .with_loss_factor(self.loss_factor)?,
-            ),
+            longitudinal: Some(Bar::new(steel, self.area, self.mass_per_length)?.with_loss_factor(self.loss_factor)?),
         };
         let support = |of: fn(&Stiffness) -> f64| -> Result<Option<Support>, Error> {
-            let layer = |stiffness: &Stiffness| {
-                Layer::new(of(stiffness), 0.0)?.with_loss_factor(stiffness.loss_factor)
-            };
+            let layer = |stiffness: &Stiffness| Layer::new(of(stiffness), 0.0)?.with_loss_factor(stiffness.loss_factor);
             let (pad, ballast) = (layer(&self.pad)?, layer(&self.ballast)?);
             Support::two_layer(pad, self.sleeper_mass, ballast).map(Some)
         };
@@ -98,10 +93,7 @@ impl Parameters {
             lateral: support(|layer| layer.lateral_stiffness)?,
             longitudinal: support(|layer| layer.longitudinal_stiffness)?,
         };
-        let contact = ContactPoint {
-            height: self.head_height,
-            lateral_offset: self.lateral_offset,
-        };
+        let contact = ContactPoint { height: self.head_height, lateral_offset: self.lateral_offset };
         let track = SpatialTrack::continuous(rail, supports.per_metre(self.support_spacing)?);
         Ok(track.with_contact(Rail::Right, contact))
     }
@@ -116,11 +108,7 @@ fn row(statement: &'static str, distance: f64, matrix: impl Fn(&Point) -> Matrix
         let expected = matrix(point);
         for (row, at) in Direction::ALL.into_iter().enumerate() {
             for (column, from) in Direction::ALL.into_iter().enumerate() {
-                let place = |along, direction| Place {
-                    along,
-                    rail: Rail::Right,
-                    direction,
-                };
+                let place = |along, direction| Place { along, rail: Rail::Right, direction };
                 let (at, from) = (place(distance, at), place(0.0, from));
                 let got = track.cross_receptance(TAU * point.frequency_hz, 0.0, at, from);
                 let (re, im) = expected[row][column];
@@ -151,7 +139,5 @@ pub(crate) fn twisting_rail() -> Row {
 }
 
 pub(crate) fn twisting_rail_farther_on() -> Row {
-    row("The same, 2.5 m farther on", 2.5, |point| {
-        point.cross_receptance_2_5_m_m_per_n
-    })
+    row("The same, 2.5 m farther on", 2.5, |point| point.cross_receptance_2_5_m_m_per_n)
 }

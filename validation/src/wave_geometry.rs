@@ -1,8 +1,6 @@
 //! The geometry of a wave against transient rolling over the true gap, and its filter.
 
-use riffel::contact::{
-    ContactFilter, Creepages, CurvatureFilter, HalfSpace, HalfSpaceRolling, OscillatingCreepages,
-};
+use riffel::contact::{ContactFilter, Creepages, CurvatureFilter, HalfSpace, HalfSpaceRolling, OscillatingCreepages};
 use riffel::{Complex64, ElasticMaterial, HertzContact};
 use serde::Deserialize;
 
@@ -50,30 +48,20 @@ struct Phi {
 }
 
 fn rows<T: for<'a> Deserialize<'a>>(file: &'static str) -> Vec<T> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_reader(file.as_bytes());
-    reader
-        .deserialize()
-        .collect::<Result<_, _>>()
-        .expect("numbers")
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(file.as_bytes());
+    reader.deserialize().collect::<Result<_, _>>().expect("numbers")
 }
 
 /// The state of the references: at a tractive ratio along or across the rail, or 3 % of slip.
 fn state(contact: &HalfSpace, axis: &str, ratio: f64) -> HalfSpaceRolling {
     const FULL_SLIP: f64 = 0.03;
     let across = |creepage: f64| {
-        let lateral = Creepages {
-            lateral: creepage,
-            ..Creepages::default()
-        };
+        let lateral = Creepages { lateral: creepage, ..Creepages::default() };
         contact.roll_with(lateral).expect("a steady state")
     };
     match (axis, ratio) {
         ("x", 1.0) => contact.roll(FULL_SLIP).expect("a steady state"),
-        ("x", _) => contact
-            .roll_at_tractive_ratio(ratio)
-            .expect("a steady state"),
+        ("x", _) => contact.roll_at_tractive_ratio(ratio).expect("a steady state"),
         (_, 1.0) => across(FULL_SLIP),
         _ => {
             let (mut low, mut high) = (0.0, FULL_SLIP);
@@ -94,9 +82,7 @@ pub(crate) fn wave_under_the_half_space() -> Row {
     let contact = HalfSpace::new(hertz, 0.4, ELEMENTS).expect("a grid");
     let rows: Vec<Transient> = rows(TRANSIENT);
     let (mut worst, mut compared): (f64, usize) = (0.0, 0);
-    for states in rows
-        .chunk_by(|one, other| one.axis == other.axis && one.tractive_ratio == other.tractive_ratio)
-    {
+    for states in rows.chunk_by(|one, other| one.axis == other.axis && one.tractive_ratio == other.tractive_ratio) {
         let axis = states[0].axis.as_str();
         let state = state(&contact, axis, states[0].tractive_ratio);
         let steady = contact.steady(&state);
@@ -112,10 +98,7 @@ pub(crate) fn wave_under_the_half_space() -> Row {
                 by.at_rail(0.0) / energy - Complex64::new(row.energy_re, row.energy_im),
                 by.force[part] / force - Complex64::new(row.force_re, row.force_im),
             ];
-            worst = errors
-                .iter()
-                .map(|error| error.norm())
-                .fold(worst, f64::max);
+            worst = errors.iter().map(|error| error.norm()).fold(worst, f64::max);
             compared += 2;
         }
     }
@@ -151,8 +134,7 @@ pub(crate) fn waves_in_the_loop_of_the_paper() -> Row {
         let plain = plain.at(row.wavelength_m, row.speed_m_per_s);
         let wave = with.contacts[0].wave.expect("a geometry");
         let per_metre = case.steady.energy_per_metre() * case.feedback.amplitude();
-        let [whole, load] =
-            [&with, &plain].map(|state| state.contacts[0].energy_at_rail / per_metre);
+        let [whole, load] = [&with, &plain].map(|state| state.contacts[0].energy_at_rail / per_metre);
         // The loop is linear in the oscillation of the load, which a filter reduces.
         let filter = ContactFilter::of(&case.hertz);
         let wavenumber = std::f64::consts::TAU / row.wavelength_m;

@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use riffel::wheelset::{
-    Axle, ContactGeometry, Disc, FlexibleWheelset, ModeName, Segment, Wheelset,
-};
+use riffel::wheelset::{Axle, ContactGeometry, Disc, FlexibleWheelset, ModeName, Segment, Wheelset};
 use riffel::{Complex64, ElasticMaterial};
 use serde::Deserialize;
 
@@ -68,10 +66,8 @@ struct Point {
 impl Parameters {
     fn wheelset(&self) -> FlexibleWheelset {
         let steel = ElasticMaterial::new(self.youngs_modulus, self.poisson_ratio).expect("a steel");
-        let segments = self.segments.iter().map(|segment| Segment {
-            length: segment.length,
-            diameter: segment.diameter,
-        });
+        let segments =
+            self.segments.iter().map(|segment| Segment { length: segment.length, diameter: segment.diameter });
         let axle = Axle::new(steel, self.density, segments.collect())
             .and_then(|axle| axle.with_shear_coefficient(self.shear_coefficient))
             .and_then(|axle| axle.with_loss_factor(self.loss_factor))
@@ -83,10 +79,7 @@ impl Parameters {
             diametral_inertia: disc.diametral_inertia,
             coupled: None,
         });
-        let contacts = ContactGeometry {
-            contact_spacing: self.contact_spacing,
-            rolling_radius: self.rolling_radius,
-        };
+        let contacts = ContactGeometry { contact_spacing: self.contact_spacing, rolling_radius: self.rolling_radius };
         FlexibleWheelset::new(axle, discs.collect(), contacts).expect("a wheelset")
     }
 }
@@ -103,9 +96,7 @@ pub(crate) fn flexible_wheelset_receptance() -> Row {
         let wheelset = reference.parameters.wheelset();
         for point in reference.points {
             let got = wheelset.receptances(TAU * point.frequency_hz);
-            let expected = point
-                .receptance_m_per_n
-                .map(|row| row.map(|[re, im]| Complex64::new(re, im)));
+            let expected = point.receptance_m_per_n.map(|row| row.map(|[re, im]| Complex64::new(re, im)));
             for i in 0..6 {
                 for j in 0..6 {
                     let size = (expected[i][i] * expected[j][j]).norm().sqrt();
@@ -138,18 +129,9 @@ pub(crate) fn flexible_wheelset_natural_frequencies() -> Row {
                 error.compare((mode.angular_frequency / TAU).into(), expected.into());
             }
         };
-        compare(
-            |name| matches!(name, ModeName::Bending { .. }),
-            &expected.bending,
-        );
-        compare(
-            |name| matches!(name, ModeName::Torsion { .. }),
-            &expected.torsion,
-        );
-        compare(
-            |name| matches!(name, ModeName::Stretch { .. }),
-            &expected.stretch,
-        );
+        compare(|name| matches!(name, ModeName::Bending { .. }), &expected.bending);
+        compare(|name| matches!(name, ModeName::Torsion { .. }), &expected.torsion);
+        compare(|name| matches!(name, ModeName::Stretch { .. }), &expected.stretch);
     }
     Row {
         statement: "Their lowest natural frequencies, five of bending, two of torsion, one of stretch",

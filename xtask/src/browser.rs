@@ -38,10 +38,7 @@ pub(crate) struct Browser {
 
 /// Chromium, and the environment of the tests.
 pub(crate) fn prepare() -> Result<Browser, String> {
-    Ok(Browser {
-        chromium: chromium()?,
-        python: environment::prepare(&folder().join("venv"), REQUIREMENTS)?,
-    })
+    Ok(Browser { chromium: chromium()?, python: environment::prepare(&folder().join("venv"), REQUIREMENTS)? })
 }
 
 /// How much is looked at.
@@ -94,18 +91,10 @@ fn chromium() -> Result<PathBuf, String> {
 
 /// Install a package of Debian, where this user may; none where not.
 fn install(package: &str) -> Option<()> {
-    let install = [
-        "install",
-        "--yes",
-        "--quiet",
-        "--no-install-recommends",
-        package,
-    ];
+    let install = ["install", "--yes", "--quiet", "--no-install-recommends", package];
     for arguments in [&["update", "--quiet"][..], &install] {
         let mut manager = Command::new("apt-get");
-        manager
-            .args(arguments)
-            .env("DEBIAN_FRONTEND", "noninteractive");
+        manager.args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
         run_unseen(&mut manager).ok()?;
     }
     Some(())
@@ -115,8 +104,5 @@ fn install(package: &str) -> Option<()> {
 fn on_path(names: &[&str]) -> Option<PathBuf> {
     let path = env::var_os("PATH")?;
     let folders: Vec<PathBuf> = env::split_paths(&path).collect();
-    names
-        .iter()
-        .flat_map(|name| folders.iter().map(move |folder| folder.join(name)))
-        .find(|file| file.is_file())
+    names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name))).find(|file| file.is_file())
 }

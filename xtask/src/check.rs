@@ -7,15 +7,7 @@ use crate::step::{cargo, run, run_beside};
 use crate::{Outcome, browser, dependencies, python};
 
 const FORMAT: [&str; 3] = ["fmt", "--all", "--check"];
-const LINTS: [&str; 7] = [
-    "clippy",
-    "--workspace",
-    "--all-targets",
-    "--quiet",
-    "--",
-    "--deny",
-    "warnings",
-];
+const LINTS: [&str; 7] = ["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"];
 const TESTS: [&str; 3] = ["test", "--workspace", "--quiet"];
 /// The test binaries that take seconds, besides those of the libraries.
 const QUICK: [&str; 13] = [

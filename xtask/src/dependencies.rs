@@ -17,19 +17,9 @@ pub(crate) use licences::third_party_licences;
 ///
 /// `selection` says of what and for which system, as arguments of `cargo tree`.
 fn built_of(selection: &[&str]) -> Result<Vec<Package>, String> {
-    let tree = [
-        "tree",
-        "--locked",
-        "--edges",
-        "normal,build",
-        "--prefix",
-        "none",
-    ];
+    let tree = ["tree", "--locked", "--edges", "normal,build", "--prefix", "none"];
     let lines = ["--format", "{p}"];
-    let tree = output(
-        Path::new(env!("CARGO")),
-        &[&tree[..], &lines, selection].concat(),
-    )?;
+    let tree = output(Path::new(env!("CARGO")), &[&tree[..], &lines, selection].concat())?;
     let tree = String::from_utf8_lossy(&tree);
     // "name v1.2.3 (proc-macro)"
     let built: BTreeSet<_> = tree
@@ -59,13 +49,7 @@ pub(crate) fn check() -> Outcome {
     let deny = |arguments: &[&str]| cargo(&[&["deny"], arguments].concat());
     let installed = deny(&["--version"]).output();
     if installed.is_ok_and(|output| output.status.success()) {
-        return run(&mut deny(&[
-            "--offline",
-            "check",
-            "licenses",
-            "bans",
-            "sources",
-        ]));
+        return run(&mut deny(&["--offline", "check", "licenses", "bans", "sources"]));
     }
     println!("# deny.toml is not checked: `cargo install --locked cargo-deny` installs what does");
     Ok(())

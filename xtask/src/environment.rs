@@ -23,25 +23,20 @@ pub(crate) fn prepare(environment: &Path, requirements: &str) -> Result<PathBuf,
     }
     let python = interpreter()?;
     let make = ["-m", "venv", "--clear"];
-    run_unseen(command(python, &make).arg(environment)).map_err(|_| {
-        format!("{python} has no module venv; install it (Debian: apt install python3-venv)")
-    })?;
+    run_unseen(command(python, &make).arg(environment))
+        .map_err(|_| format!("{python} has no module venv; install it (Debian: apt install python3-venv)"))?;
     let mut install = command(&own, &["-m", "pip", "install", "--quiet"]);
     // Python compiles a module when it is first imported, which of most packages few are.
     install.args(["--no-compile", "--disable-pip-version-check"]);
     install.args(["--requirement", requirements]);
     run_unseen(&mut install)?;
-    fs::write(&installed, wanted)
-        .map_err(|error| format!("cannot write {}: {error}", installed.display()))?;
+    fs::write(&installed, wanted).map_err(|error| format!("cannot write {}: {error}", installed.display()))?;
     Ok(own)
 }
 
 /// A Python that is new enough.
 fn interpreter() -> Result<&'static str, String> {
-    let check = format!(
-        "import sys; sys.exit(sys.version_info < ({},))",
-        OLDEST.replace('.', ", ")
-    );
+    let check = format!("import sys; sys.exit(sys.version_info < ({},))", OLDEST.replace('.', ", "));
     let new_enough = |name: &&&str| {
         let outcome = Command::new(name).args(["-c", &check]).output();
         outcome.is_ok_and(|outcome| outcome.status.success())

@@ -32,15 +32,7 @@ pub(crate) fn capture(records: &Path) -> Outcome {
     let records = records.canonicalize().map_err(failed)?;
     let recorder = std::env::current_exe().map_err(failed)?;
     build_program()?;
-    let tests = [
-        "test",
-        "--quiet",
-        "--package",
-        "riffel-cli",
-        "--test",
-        "program",
-        "--no-fail-fast",
-    ];
+    let tests = ["test", "--quiet", "--package", "riffel-cli", "--test", "program", "--no-fail-fast"];
     let mut tests = cargo(&tests);
     run(tests.env(RECORDS, records).env(RECORDER, recorder))
 }
@@ -54,24 +46,17 @@ pub(crate) fn record() -> Option<ExitCode> {
         // It is ended from outside, and prints nothing but its address.
         return Some(in_its_place(&run.program));
     }
-    let (status, printed) = run
-        .output()
-        .unwrap_or_else(|error| panic!("{}: {error}", run.program.display()));
+    let (status, printed) = run.output().unwrap_or_else(|error| panic!("{}: {error}", run.program.display()));
     let text = run.text(status, &printed);
     keep(&records.join(test.replace("::", "-")), &text).expect("a place for the record");
-    Some(ExitCode::from(
-        u8::try_from(status.unwrap_or(255)).unwrap_or(255),
-    ))
+    Some(ExitCode::from(u8::try_from(status.unwrap_or(255)).unwrap_or(255)))
 }
 
 /// Go on as the program.
 #[cfg(unix)]
 fn in_its_place(program: &Path) -> ExitCode {
     use std::os::unix::process::CommandExt;
-    let error = Command::new(program)
-        .args(std::env::args_os().skip(1))
-        .env_remove(RECORDS)
-        .exec();
+    let error = Command::new(program).args(std::env::args_os().skip(1)).env_remove(RECORDS).exec();
     panic!("{}: {error}", program.display())
 }
 
@@ -135,10 +120,8 @@ impl Run {
                 continue;
             }
             let bytes = fs::read(self.folder.join(&path)).unwrap_or_default();
-            let is_text = bytes.len() <= LARGEST
-                && path
-                    .extension()
-                    .is_some_and(|kind| TEXTS.iter().any(|text| kind == *text));
+            let is_text =
+                bytes.len() <= LARGEST && path.extension().is_some_and(|kind| TEXTS.iter().any(|text| kind == *text));
             let content = match is_text {
                 true => String::from_utf8_lossy(&bytes).into_owned(),
                 false => checksum(&bytes),
@@ -180,13 +163,7 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, (u64, SystemTime)> {
             if state.is_dir() {
                 open.push(entry.path());
             } else if let Ok(name) = entry.path().strip_prefix(folder) {
-                found.insert(
-                    name.to_owned(),
-                    (
-                        state.len(),
-                        state.modified().unwrap_or(SystemTime::UNIX_EPOCH),
-                    ),
-                );
+                found.insert(name.to_owned(), (state.len(), state.modified().unwrap_or(SystemTime::UNIX_EPOCH)));
             }
         }
     }
@@ -195,8 +172,8 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, (u64, SystemTime)> {
 
 /// Size and checksum (Fowler, Noll, Vo) of a file that is no text.
 fn checksum(bytes: &[u8]) -> String {
-    let sum = bytes.iter().fold(0xcbf2_9ce4_8422_2325_u64, |sum, byte| {
-        (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
+    let sum = bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3));
     format!("{} bytes {sum:016x}", bytes.len())
 }

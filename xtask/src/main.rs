@@ -119,29 +119,16 @@ fn generate() -> Outcome {
     build_program()?;
     let program = root().join("target/debug/riffel");
     let program = program.to_string_lossy();
-    run(&mut cargo(&[
-        "run",
-        "--quiet",
-        "--package",
-        "riffel-book",
-        "--",
-        &program,
-    ]))
+    run(&mut cargo(&["run", "--quiet", "--package", "riffel-book", "--", &program]))
 }
 
 /// What a program prints.
 pub(crate) fn output(program: &Path, arguments: &[&str]) -> Result<Vec<u8>, String> {
     let line = format!("{} {}", program.display(), arguments.join(" "));
-    let output = Command::new(program)
-        .args(arguments)
-        .current_dir(root())
-        .output();
+    let output = Command::new(program).args(arguments).current_dir(root()).output();
     let output = output.map_err(|error| format!("cannot run {line}: {error}"))?;
     match output.status.success() {
         true => Ok(output.stdout),
-        false => Err(format!(
-            "{line} failed: {}",
-            String::from_utf8_lossy(&output.stderr)
-        )),
+        false => Err(format!("{line} failed: {}", String::from_utf8_lossy(&output.stderr))),
     }
 }

@@ -31,8 +31,7 @@ const HANDED_OUT: &str = "page";
 const TESTED: &str = "page-tests";
 
 /// What one has to install where nothing that is needed is to be had.
-const ADVICE: &str =
-    "a WebAssembly module needs Rust's library for it: `rustup target add wasm32-unknown-unknown`";
+const ADVICE: &str = "a WebAssembly module needs Rust's library for it: `rustup target add wasm32-unknown-unknown`";
 
 /// A compiler that makes modules.
 enum Toolchain {
@@ -45,11 +44,8 @@ enum Toolchain {
 /// Build the module and put it where the next build of the program finds it.
 pub(crate) fn install() -> Outcome {
     let module = build(HANDED_OUT)?;
-    fs::copy(&module, root().join(INSIDE))
-        .map_err(|error| format!("cannot write {INSIDE}: {error}"))?;
-    println!(
-        "# a program that is built now holds the page: cargo run --release -- page -o riffel.html"
-    );
+    fs::copy(&module, root().join(INSIDE)).map_err(|error| format!("cannot write {INSIDE}: {error}"))?;
+    println!("# a program that is built now holds the page: cargo run --release -- page -o riffel.html");
     Ok(())
 }
 
@@ -69,15 +65,7 @@ pub(crate) fn build_if_possible() -> Result<Option<PathBuf>, String> {
 fn build(profile: &str) -> Result<PathBuf, String> {
     let toolchain = toolchain()?;
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args([
-        "build",
-        "--quiet",
-        "--locked",
-        "--profile",
-        profile,
-        "--target",
-        TARGET,
-    ]);
+    cargo.args(["build", "--quiet", "--locked", "--profile", profile, "--target", TARGET]);
     cargo.args(["--package", "riffel-wasm", "--target-dir", FOLDER]);
     cargo.env("CARGO_ENCODED_RUSTFLAGS", compiler::flags()?);
     if let Toolchain::Debian(folder) = &toolchain {
@@ -90,14 +78,9 @@ fn build(profile: &str) -> Result<PathBuf, String> {
             .env("LD_LIBRARY_PATH", libraries(folder)?);
     }
     run_beside(&mut cargo)?;
-    let module = root()
-        .join(FOLDER)
-        .join(TARGET)
-        .join(profile)
-        .join("riffel_wasm.wasm");
+    let module = root().join(FOLDER).join(TARGET).join(profile).join("riffel_wasm.wasm");
     let packed = root().join(FOLDER).join("riffel.wasm.gz");
-    pack(&module, &packed)
-        .map_err(|error| format!("cannot write {}: {error}", packed.display()))?;
+    pack(&module, &packed).map_err(|error| format!("cannot write {}: {error}", packed.display()))?;
     Ok(packed)
 }
 
@@ -107,11 +90,7 @@ fn pack(from: &Path, to: &Path) -> std::io::Result<()> {
     let mut encoder = GzEncoder::new(File::create(to)?, Compression::best());
     encoder.write_all(&bytes)?;
     let packed = encoder.finish()?.metadata()?.len();
-    println!(
-        "# {}: {} bytes, {packed} compressed",
-        to.display(),
-        bytes.len()
-    );
+    println!("# {}: {} bytes, {packed} compressed", to.display(), bytes.len());
     Ok(())
 }
 
@@ -132,16 +111,13 @@ fn toolchain() -> Result<Toolchain, String> {
 
 /// Unpack the packages of Debian that build modules into a folder.
 fn debian(folder: &Path) -> Outcome {
-    let mut packages = ["rustc-web", "rust-web-src", "libstd-rust-web-dev"]
-        .map(str::to_owned)
-        .to_vec();
+    let mut packages = ["rustc-web", "rust-web-src", "libstd-rust-web-dev"].map(str::to_owned).to_vec();
     if depends_on("rustc-web").is_err() {
         run_unseen(Command::new("apt-get").args(["update", "--quiet"]))
             .map_err(|_| "Debian's list of packages is not to be had".to_owned())?;
     }
     let dependence = |package: &str, begin: &str| {
-        named(&depends_on(package)?, begin)
-            .ok_or_else(|| format!("Debian's {package} depends on no {begin}"))
+        named(&depends_on(package)?, begin).ok_or_else(|| format!("Debian's {package} depends on no {begin}"))
     };
     let library = dependence("libstd-rust-web-dev", "libstd-rust-web-")?;
     let llvm = dependence(&library, "libllvm")?;
@@ -151,14 +127,9 @@ fn debian(folder: &Path) -> Outcome {
     fs::create_dir_all(&downloads).map_err(|error| error.to_string())?;
     println!("# {} from Debian ...", packages.join(" "));
     let mut download = Command::new("apt-get");
-    download
-        .args(["download", "--quiet"])
-        .args(&packages)
-        .current_dir(&downloads);
+    download.args(["download", "--quiet"]).args(&packages).current_dir(&downloads);
     // Not in the root of the workspace, where other commands run.
-    let downloaded = download
-        .output()
-        .is_ok_and(|output| output.status.success());
+    let downloaded = download.output().is_ok_and(|output| output.status.success());
     if !downloaded {
         return Err("Debian's packages cannot be downloaded".to_owned());
     }
@@ -182,9 +153,7 @@ fn depends_on(package: &str) -> Result<String, String> {
 
 /// The first package of a list whose name begins so.
 fn named(list: &str, begin: &str) -> Option<String> {
-    let packages = list
-        .lines()
-        .filter_map(|line| line.trim().strip_prefix("Depends: "));
+    let packages = list.lines().filter_map(|line| line.trim().strip_prefix("Depends: "));
     let mut found = packages.filter(|package| package.starts_with(begin));
     found.next().map(str::to_owned)
 }
@@ -196,13 +165,8 @@ fn linker(folder: &Path) -> Result<PathBuf, String> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.starts_with("wasm-ld-")
     };
-    let mut linkers = programs
-        .flatten()
-        .map(|entry| entry.path())
-        .filter(is_linker);
-    linkers
-        .next()
-        .ok_or_else(|| "Debian's package lld has no wasm-ld".to_owned())
+    let mut linkers = programs.flatten().map(|entry| entry.path()).filter(is_linker);
+    linkers.next().ok_or_else(|| "Debian's package lld has no wasm-ld".to_owned())
 }
 
 /// The folder of the libraries among unpacked packages.

@@ -36,10 +36,7 @@ pub(crate) fn test(python: &Path) -> Outcome {
     let mut install = environment::command(python, &["-m", "pip", "install", "--quiet"]);
     install.args(["--no-index", "--no-deps", "--force-reinstall"]);
     run_beside(install.arg(wheel(&wheels)?))?;
-    run_beside(&mut environment::command(
-        python,
-        &["-m", "pytest", "--quiet"],
-    ))?;
+    run_beside(&mut environment::command(python, &["-m", "pytest", "--quiet"]))?;
     run_beside(&mut environment::command(python, &["-m", "mypy"]))
 }
 
@@ -49,8 +46,7 @@ fn folder() -> PathBuf {
 
 /// The wheel that was built.
 fn wheel(folder: &Path) -> Result<PathBuf, String> {
-    let entries = fs::read_dir(folder)
-        .map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
+    let entries = fs::read_dir(folder).map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
     entries
         .filter_map(|entry| Some(entry.ok()?.path()))
         .find(|path| path.extension().is_some_and(|extension| extension == "whl"))

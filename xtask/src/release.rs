@@ -19,20 +19,10 @@ const FOLDER: &str = "target/release-files";
 const LICENCES_OF_WHEEL: &str = "crates/riffel-python/python/riffel/THIRD-PARTY-LICENSES";
 
 /// Files of the project that stand beside the program.
-const FILES: [&str; 5] = [
-    "README.md",
-    "CHANGELOG.md",
-    "CITATION.cff",
-    "LICENSE-APACHE",
-    "LICENSE-MIT",
-];
+const FILES: [&str; 5] = ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-APACHE", "LICENSE-MIT"];
 
-const COMPLETIONS: [(&str, &str); 4] = [
-    ("bash", "riffel.bash"),
-    ("zsh", "_riffel"),
-    ("fish", "riffel.fish"),
-    ("powershell", "_riffel.ps1"),
-];
+const COMPLETIONS: [(&str, &str); 4] =
+    [("bash", "riffel.bash"), ("zsh", "_riffel"), ("fish", "riffel.fish"), ("powershell", "_riffel.ps1")];
 
 /// Build everything from the sources as they are, for the system that this runs on.
 pub(crate) fn build() -> Outcome {
@@ -55,18 +45,8 @@ fn python_package(variables: &[(&str, &str)]) -> Outcome {
     let python = python::prepare()?;
     let licences = root().join(LICENCES_OF_WHEEL);
     let text = dependencies::third_party_licences("riffel-python", &host()?)?;
-    fs::write(&licences, text)
-        .map_err(|error| format!("cannot write {LICENCES_OF_WHEEL}: {error}"))?;
-    let wheel = [
-        "-m",
-        "maturin",
-        "build",
-        "--locked",
-        "--profile",
-        "dist",
-        "--out",
-        FOLDER,
-    ];
+    fs::write(&licences, text).map_err(|error| format!("cannot write {LICENCES_OF_WHEEL}: {error}"))?;
+    let wheel = ["-m", "maturin", "build", "--locked", "--profile", "dist", "--out", FOLDER];
     let mut wheel = environment::command(&python, &wheel);
     let built = run(wheel.envs(variables.iter().copied()));
     let _ = fs::remove_file(&licences);
@@ -116,8 +96,8 @@ fn pack(parent: &Path, name: &str, to: &Path, time: u64) -> std::io::Result<()> 
     for path in paths {
         let inside = path.strip_prefix(parent).map_err(std::io::Error::other)?;
         let bytes = fs::read(&path)?;
-        let is_program = path.file_stem().is_some_and(|stem| stem == "riffel")
-            && path.parent() == Some(&parent.join(name));
+        let is_program =
+            path.file_stem().is_some_and(|stem| stem == "riffel") && path.parent() == Some(&parent.join(name));
         let mut header = Header::new_gnu();
         header.set_entry_type(EntryType::Regular);
         header.set_mode(if is_program { 0o755 } else { 0o644 });
@@ -154,9 +134,7 @@ fn copy_files(from: &Path, to: &Path) -> std::io::Result<()> {
 fn time_of_commit() -> Result<u64, String> {
     let text = output(Path::new("git"), &["log", "-1", "--format=%ct"])?;
     let text = String::from_utf8_lossy(&text);
-    text.trim()
-        .parse()
-        .map_err(|_| format!("git says that the commit is of {text}"))
+    text.trim().parse().map_err(|_| format!("git says that the commit is of {text}"))
 }
 
 #[cfg(test)]
@@ -189,11 +167,8 @@ mod tests {
             assert_eq!(header.mtime().unwrap(), 1_000_000_000);
             (path, header.mode().unwrap())
         });
-        let expected = [
-            ("riffel-1/README.md", 0o644),
-            ("riffel-1/completions/riffel.bash", 0o644),
-            ("riffel-1/riffel", 0o755),
-        ];
+        let expected =
+            [("riffel-1/README.md", 0o644), ("riffel-1/completions/riffel.bash", 0o644), ("riffel-1/riffel", 0o755)];
         let expected = expected.map(|(path, mode)| (path.to_owned(), mode));
         assert_eq!(entries.collect::<Vec<_>>(), expected);
     }

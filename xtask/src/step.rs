@@ -51,8 +51,7 @@ fn end(command: &mut Command, line: &str) -> (Outcome, String) {
     match command.current_dir(root()).output() {
         Err(error) => (Err(format!("cannot run {line}: {error}")), String::new()),
         Ok(output) => {
-            let [out, err] =
-                [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
+            let [out, err] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
             let outcome = match output.status.success() {
                 true => Ok(()),
                 false => Err(format!("{line} failed")),
@@ -69,9 +68,7 @@ fn line(command: &Command) -> String {
         true => "cargo".into(),
         false => program.to_string_lossy(),
     };
-    let arguments = command
-        .get_args()
-        .map(|argument| argument.to_string_lossy());
+    let arguments = command.get_args().map(|argument| argument.to_string_lossy());
     let words: Vec<_> = std::iter::once(program).chain(arguments).collect();
     words.join(" ")
 }

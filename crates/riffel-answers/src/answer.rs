@@ -40,10 +40,7 @@ pub trait Answer: Serialize {
     /// The files beside the document, in the order in which they are named.
     fn files(&self) -> Vec<ResultFile<'_>> {
         let tables = self.tables().into_iter().map(ResultFile::Table);
-        [ResultFile::Lines(Self::NAME, self.figure())]
-            .into_iter()
-            .chain(tables)
-            .collect()
+        [ResultFile::Lines(Self::NAME, self.figure())].into_iter().chain(tables).collect()
     }
 
     /// What the reader should know.

@@ -18,11 +18,7 @@ pub struct Banded {
 impl Banded {
     /// What is in proportion to a wear coefficient.
     pub fn by_wear(median: f64, spread: WearSpread) -> Self {
-        Self {
-            median,
-            band_50: spread.band_50(median),
-            band_80: spread.band_80(median),
-        }
+        Self { median, band_50: spread.band_50(median), band_80: spread.band_80(median) }
     }
 
     /// Bands in a unit of which the present one has so many.
@@ -64,9 +60,7 @@ mod tests {
     #[test]
     fn bounds_are_in_order() {
         for median in [-3.0, 2.0] {
-            let Banded {
-                band_50, band_80, ..
-            } = Banded::by_wear(median, WearSpread::UNMEASURED);
+            let Banded { band_50, band_80, .. } = Banded::by_wear(median, WearSpread::UNMEASURED);
             let places = [band_80[0], band_50[0], median, band_50[1], band_80[1]];
             assert!(places.is_sorted(), "{places:?}");
         }

@@ -1,8 +1,6 @@
 //! What a calibration tells of each value, and of values together.
 
-use riffel_calibrate::{
-    Chains, Correlation, Direction, Identifiability, Marginal, Parameter, Plan, Summary,
-};
+use riffel_calibrate::{Chains, Correlation, Direction, Identifiability, Marginal, Parameter, Plan, Summary};
 use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
@@ -23,8 +21,7 @@ pub fn directions(told: &Identifiability) -> Table {
         true => say!(told_by_data),
         false => say!(told_by_prior),
     };
-    let numbers =
-        |value: &dyn Fn(&Direction) -> f64| directions.iter().map(value).collect::<Vec<f64>>();
+    let numbers = |value: &dyn Fn(&Direction) -> f64| directions.iter().map(value).collect::<Vec<f64>>();
     let words = directions.iter().map(|it| Message::verbatim(it.words()));
     let spreads = directions.iter().map(|it| {
         let spread = (!it.powers.is_empty()).then(|| 100.0 * it.spread.exp_m1());
@@ -32,33 +29,21 @@ pub fn directions(told: &Identifiability) -> Table {
     });
     let mut columns = vec![
         Column::words("direction", say!(values_together), words.collect()),
-        Column::words(
-            "told_by",
-            say!(told_by),
-            directions.iter().map(by).collect(),
-        ),
+        Column::words("told_by", say!(told_by), directions.iter().map(by).collect()),
         Column::fixed("spread_percent", say!(spread_percent), spreads, 1),
         Column::in_file("information", numbers(&|it| it.information).into_iter()),
     ];
     for (place, name) in told.names.iter().enumerate() {
-        columns.push(Column::in_file(
-            name,
-            numbers(&|it| it.parts[place]).into_iter(),
-        ));
+        columns.push(Column::in_file(name, numbers(&|it| it.parts[place]).into_iter()));
     }
-    Table {
-        name: "identifiability",
-        columns,
-    }
+    Table { name: "identifiability", columns }
 }
 
 /// Correlations of all pairs, for a file.
 pub fn correlations(told: &Identifiability) -> Table {
     let names = |place: usize| {
         let pairs = told.correlations.iter();
-        pairs
-            .map(|pair| Message::verbatim(&pair.names[place]))
-            .collect()
+        pairs.map(|pair| Message::verbatim(&pair.names[place])).collect()
     };
     let values = told.correlations.iter().map(|pair| pair.correlation);
     Table {
@@ -85,18 +70,8 @@ pub fn close_pairs(told: &Identifiability) -> Vec<Message> {
         let [one, other] = &pair.names;
         let correlation = fixed(pair.correlation, 2);
         match pair.correlation < 0.0 {
-            true => say!(
-                told_as_a_product,
-                one = one,
-                other = other,
-                correlation = correlation
-            ),
-            false => say!(
-                told_as_a_ratio,
-                one = one,
-                other = other,
-                correlation = correlation
-            ),
+            true => say!(told_as_a_product, one = one, other = other, correlation = correlation),
+            false => say!(told_as_a_ratio, one = one, other = other, correlation = correlation),
         }
     });
     pairs.collect()
@@ -131,13 +106,7 @@ impl LogEvidence {
 pub fn log_evidence(chains: &Chains) -> Option<Message> {
     let LogEvidence { value, range, runs } = LogEvidence::of(chains)?;
     let [low, high] = range.map(|it| fixed(it, 2));
-    Some(say!(
-        log_evidence,
-        value = fixed(value, 2),
-        low = low,
-        high = high,
-        runs = runs
-    ))
+    Some(say!(log_evidence, value = fixed(value, 2), low = low, high = high, runs = runs))
 }
 
 /// Name and unit of a value.
@@ -177,9 +146,7 @@ impl Densities {
         // Density of the prior: shares over the distances of its quantiles.
         let ends = (0..=400).map(|part| (0.5 + f64::from(part)) / 401.0);
         let ends: Vec<f64> = ends.map(|share| prior.quantile(share)).collect();
-        let before = ends
-            .windows(2)
-            .map(|pair| (0.5 * (pair[0] + pair[1]), 1.0 / 401.0 / (pair[1] - pair[0])));
+        let before = ends.windows(2).map(|pair| (0.5 * (pair[0] + pair[1]), 1.0 / 401.0 / (pair[1] - pair[0])));
         let before = before.filter(|(x, _)| (from..=to).contains(x));
         let (x_before, before) = before.map(|(x, density)| (x, density / highest)).unzip();
         Self {
@@ -201,12 +168,7 @@ fn marginal(parameter: &Parameter, values: &[f64], found: &Marginal) -> LinePane
         y_label: "density, relative".to_owned(),
         x_range: Some((densities.from, densities.to)),
         series: vec![
-            Series {
-                label: "after".to_owned(),
-                x: densities.x,
-                y: densities.after,
-                ..Series::default()
-            },
+            Series { label: "after".to_owned(), x: densities.x, y: densities.after, ..Series::default() },
             Series {
                 label: "before".to_owned(),
                 x: densities.x_before,
@@ -222,11 +184,7 @@ fn marginal(parameter: &Parameter, values: &[f64], found: &Marginal) -> LinePane
 /// Draws of two values together.
 fn pair(plan: &Plan, chains: &Chains, pair: &Correlation) -> Option<LinePanel> {
     let parameters = plan.posterior.parameters();
-    let place = |name: &String| {
-        parameters
-            .iter()
-            .position(|parameter| parameter.name == *name)
-    };
+    let place = |name: &String| parameters.iter().position(|parameter| parameter.name == *name);
     let (one, other) = (place(&pair.names[0])?, place(&pair.names[1])?);
     let [x, y] = [one, other].map(|place| {
         let values = chains.values(plan, place);
@@ -237,41 +195,27 @@ fn pair(plan: &Plan, chains: &Chains, pair: &Correlation) -> Option<LinePanel> {
         subtitle: format!("r = {:.2}", pair.correlation),
         x_label: axis(&parameters[one]),
         y_label: axis(&parameters[other]),
-        series: vec![Series {
-            x,
-            y,
-            style: LineStyle::Markers,
-            ..Series::default()
-        }],
+        series: vec![Series { x, y, style: LineStyle::Markers, ..Series::default() }],
         ..LinePanel::default()
     })
 }
 
 /// Marginal distributions after and before the data, and pairs: those that the data do not part, or else the closest.
-pub fn figure(
-    plan: &Plan,
-    chains: &Chains,
-    summary: &Summary,
-    told: &Identifiability,
-) -> LineFigure {
+pub fn figure(plan: &Plan, chains: &Chains, summary: &Summary, told: &Identifiability) -> LineFigure {
     let pairs = closest_first(told);
     let parameters = plan.posterior.parameters();
     let marginals = parameters.iter().zip(&summary.marginals).enumerate();
-    let panels = marginals
-        .map(|(place, (parameter, found))| marginal(parameter, &chains.values(plan, place), found));
+    let panels = marginals.map(|(place, (parameter, found))| marginal(parameter, &chains.values(plan, place), found));
     let shown = pairs.iter().take(PAIRS);
     let shown = shown.filter_map(|correlation| pair(plan, chains, correlation));
     let together = close_pairs(told);
-    let mut caption = "Distributions after and before the data, over their highest; below the closest pairs of values.".to_owned();
+    let mut caption =
+        "Distributions after and before the data, over their highest; below the closest pairs of values.".to_owned();
     for sentence in &together {
         caption += &format!(" {}.", sentence.text(riffel_keys::Language::English));
     }
     LineFigure {
-        title: plan
-            .file
-            .title
-            .clone()
-            .unwrap_or_else(|| "Calibration".to_owned()),
+        title: plan.file.title.clone().unwrap_or_else(|| "Calibration".to_owned()),
         caption,
         panels: panels.chain(shown).collect(),
         ..LineFigure::default()

@@ -1,9 +1,7 @@
 //! What a calibration says, as one document.
 
 use riffel_calibrate::file::SamplerFile;
-use riffel_calibrate::{
-    Chains, Identifiability, Marginal, Outlying, Plan, Predicted, Summary, TOLD,
-};
+use riffel_calibrate::{Chains, Identifiability, Marginal, Outlying, Plan, Predicted, Summary, TOLD};
 use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 
@@ -49,12 +47,7 @@ pub(crate) struct Sampler {
 
 impl From<&SamplerFile> for Sampler {
     fn from(file: &SamplerFile) -> Self {
-        Self {
-            chains: file.chains,
-            warmup: file.left_out(),
-            draws: file.draws,
-            seed: file.seed,
-        }
+        Self { chains: file.chains, warmup: file.left_out(), draws: file.draws, seed: file.seed }
     }
 }
 
@@ -148,9 +141,7 @@ fn conclusion(parameters: &[Value]) -> Message {
     let values = || parameters.iter().filter(|value| !value.is_size);
     let count = values().count();
     let told = values().filter(|value| value.is_told);
-    let best = told
-        .clone()
-        .max_by(|a, b| a.contraction.total_cmp(&b.contraction));
+    let best = told.clone().max_by(|a, b| a.contraction.total_cmp(&b.contraction));
     let Some(best) = best else {
         return say!(calibration_tells_nothing, count = count);
     };
@@ -230,10 +221,7 @@ mod tests {
         let [pad, mass, size] = [("pad", 0.9), ("mass", 0.05), ("size", 0.99)];
         let of = |(name, contraction): (&str, f64)| value(name, contraction, name == "size");
         let some = conclusion(&[of(pad), of(mass), of(size)]);
-        assert!(
-            some.contains("1 of 2") && some.contains("most of all pad"),
-            "{some}"
-        );
+        assert!(some.contains("1 of 2") && some.contains("most of all pad"), "{some}");
         assert!(some.ends_with("mass") && !some.contains("size"), "{some}");
         assert!(conclusion(&[of(pad), of(size)]).contains("all 1"));
         assert!(conclusion(&[of(mass), of(size)]).contains("none of the 1"));
@@ -241,12 +229,7 @@ mod tests {
 
     #[test]
     fn numbers_have_four_digits() {
-        for (number, text) in [
-            (0.35, "0.3500"),
-            (99_999.0, "99999"),
-            (3e8, "3.000e8"),
-            (2.5e-9, "2.500e-9"),
-        ] {
+        for (number, text) in [(0.35, "0.3500"), (99_999.0, "99999"), (3e8, "3.000e8"), (2.5e-9, "2.500e-9")] {
             assert_eq!(four_digits(number), text);
         }
     }

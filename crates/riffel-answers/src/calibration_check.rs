@@ -22,11 +22,7 @@ pub struct CalibrationCheck {
 impl CalibrationCheck {
     /// Of a plan with this title.
     pub fn new(title: Option<String>, simulated: Simulated) -> Self {
-        Self {
-            riffel_version: env!("CARGO_PKG_VERSION"),
-            title,
-            simulated,
-        }
+        Self { riffel_version: env!("CARGO_PKG_VERSION"), title, simulated }
     }
 
     /// A sentence on each value whose ranks are uneven.
@@ -71,25 +67,15 @@ impl Answer for CalibrationCheck {
         let values = &self.simulated.values;
         // Ranks of the ln likelihood are no interval of anything.
         let inside = |place: usize| {
-            let share = |value: &Ranked| {
-                (value.of != Checked::LogLikelihood).then_some(100.0 * value.inside[place])
-            };
-            values
-                .iter()
-                .map(share)
-                .collect::<Vec<Option<f64>>>()
-                .into_iter()
+            let share = |value: &Ranked| (value.of != Checked::LogLikelihood).then_some(100.0 * value.inside[place]);
+            values.iter().map(share).collect::<Vec<Option<f64>>>().into_iter()
         };
         let probability = values.iter().map(|value| Some(value.probability));
         let simulations = values.iter().map(|value| Some(value.ranks.len() as f64));
         vec![Table {
             name: Self::NAME,
             columns: vec![
-                Column::words(
-                    "value",
-                    say!(checked_value),
-                    values.iter().map(name).collect(),
-                ),
+                Column::words("value", say!(checked_value), values.iter().map(name).collect()),
                 Column::fixed("simulations", say!(simulations), simulations, 0),
                 Column::fixed("inside_50_percent", say!(inside_50_percent), inside(0), 0),
                 Column::fixed("inside_80_percent", say!(inside_80_percent), inside(1), 0),
@@ -129,12 +115,7 @@ impl Answer for CalibrationCheck {
                 (share, below / value.ranks.len() as f64 - share)
             });
             let (x, y) = ranks.unzip();
-            Series {
-                label: text(name(value)),
-                x,
-                y,
-                ..Series::default()
-            }
+            Series { label: text(name(value)), x, y, ..Series::default() }
         });
         let bands = [band(1.0, "band of 99.9 %"), band(-1.0, "")];
         LineFigure {

@@ -5,9 +5,7 @@ use riffel_keys::{Language, Message, Words, say};
 /// Words with a capital first letter.
 pub fn capital(words: &str) -> String {
     let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A message as a sentence of its own.

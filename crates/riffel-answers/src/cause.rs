@@ -60,9 +60,7 @@ impl Cause {
             }
         }
         let [low, high] = [slowest / wavelength, fastest / wavelength];
-        let others = resonances
-            .iter()
-            .filter(|other| Some(**other) != found && (low..=high).contains(&other.1));
+        let others = resonances.iter().filter(|other| Some(**other) != found && (low..=high).contains(&other.1));
         let others = others.map(|&(kind, frequency)| at(kind, frequency));
         let others = others.reduce(|one, other| say!(both, one = one, other = other));
         let millimetres = significant(1e3 * wavelength, 2);
@@ -75,12 +73,7 @@ impl Cause {
                 high = high,
                 others = others
             )),
-            None => evidence_for.push(say!(
-                others_out_of_reach,
-                wavelength = millimetres,
-                low = low,
-                high = high
-            )),
+            None => evidence_for.push(say!(others_out_of_reach, wavelength = millimetres, low = low, high = high)),
         }
         if evidence_against.is_empty() {
             evidence_against.push(say!(nothing_against));
@@ -114,33 +107,19 @@ impl Cause {
 
 /// A mechanism with its frequency: "rail on pad (216 Hz)".
 fn at(kind: MechanismKind, frequency: f64) -> Message {
-    say!(
-        mechanism_at,
-        mechanism = mechanism_name(kind),
-        frequency = fixed(frequency, 0)
-    )
+    say!(mechanism_at, mechanism = mechanism_name(kind), frequency = fixed(frequency, 0))
 }
 
 fn sentence(wavelength: f64, speed: f64, found: Option<(MechanismKind, f64)>) -> Message {
     let frequency = speed / wavelength;
-    let [millimetres, speed, hertz]: [Value; 3] = [
-        significant(1e3 * wavelength, 2),
-        shown_speed(speed, 0),
-        fixed(frequency, 0),
-    ];
+    let [millimetres, speed, hertz]: [Value; 3] =
+        [significant(1e3 * wavelength, 2), shown_speed(speed, 0), fixed(frequency, 0)];
     match found {
         // At less than half a percent, or where both are written alike, it is the resonance.
         Some((kind, resonance))
-            if (frequency / resonance - 1.0).abs() < 5e-3
-                || frequency.round() == resonance.round() =>
+            if (frequency / resonance - 1.0).abs() < 5e-3 || frequency.round() == resonance.round() =>
         {
-            say!(
-                cause_at,
-                wavelength = millimetres,
-                speed = speed,
-                frequency = hertz,
-                mechanism = mechanism_name(kind)
-            )
+            say!(cause_at, wavelength = millimetres, speed = speed, frequency = hertz, mechanism = mechanism_name(kind))
         }
         Some((kind, resonance)) => say!(
             cause_near,
@@ -168,9 +147,7 @@ fn frequency_kept(case: &Case, speeds: [f64; 2]) -> Option<(bool, Message)> {
     const TOO_NEAR: f64 = 1.1;
     let crest = |speed: f64| {
         let rate = |wavelength: f64| case.feedback.at(wavelength, speed).growth_rate;
-        over_the_window(case, false, speed, rate)
-            .1
-            .filter(|it| !it.at_edge)
+        over_the_window(case, false, speed, rate).1.filter(|it| !it.at_edge)
     };
     let [slowest, fastest] = speeds;
     if fastest < TOO_NEAR * slowest {
@@ -193,13 +170,7 @@ fn frequency_kept(case: &Case, speeds: [f64; 2]) -> Option<(bool, Message)> {
                 low = low,
                 high = high
             ),
-            false => say!(
-                frequency_is_not_kept,
-                slow = slow,
-                fast = fast,
-                low = low,
-                high = high
-            ),
+            false => say!(frequency_is_not_kept, slow = slow, fast = fast, low = low, high = high),
         },
     ))
 }

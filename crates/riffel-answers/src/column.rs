@@ -4,10 +4,7 @@
 /// of lower-case letters, digits and underscores, each once. What a name has of other characters becomes an
 /// underscore; umlauts are spelt out. A name of which nothing is left, or that is there already, is told by its
 /// number.
-pub(crate) fn names<'a>(
-    subjects: impl IntoIterator<Item = &'a str>,
-    quantity: &str,
-) -> Vec<String> {
+pub(crate) fn names<'a>(subjects: impl IntoIterator<Item = &'a str>, quantity: &str) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for (index, subject) in subjects.into_iter().enumerate() {
         let subject = plain(subject);

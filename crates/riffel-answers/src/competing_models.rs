@@ -1,8 +1,6 @@
 //! Which model of a plan predicts best what was left out.
 
-use riffel_calibrate::{
-    CalibrationError, Chains, Comparison, Held, ModelScore, Plan, Sampler, Score,
-};
+use riffel_calibrate::{CalibrationError, Chains, Comparison, Held, ModelScore, Plan, Sampler, Score};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
@@ -59,13 +57,8 @@ impl CompetingModels {
     /// Each model with its score.
     fn by_model(&self) -> Table {
         let models = &self.comparison.models;
-        let number = |of: &dyn Fn(&ModelScore) -> Option<f64>| {
-            models
-                .iter()
-                .map(of)
-                .collect::<Vec<Option<f64>>>()
-                .into_iter()
-        };
+        let number =
+            |of: &dyn Fn(&ModelScore) -> Option<f64>| models.iter().map(of).collect::<Vec<Option<f64>>>().into_iter();
         let share = |place: usize| {
             number(&move |model| {
                 let counts = Comparison::coverage(model);
@@ -75,29 +68,10 @@ impl CompetingModels {
         Table {
             name: "models",
             columns: vec![
-                Column::words(
-                    "model",
-                    say!(model_column),
-                    models.iter().map(name).collect(),
-                ),
-                Column::fixed(
-                    "log_density",
-                    say!(log_density),
-                    number(&|model| Some(model.log_density)),
-                    2,
-                ),
-                Column::fixed(
-                    "behind",
-                    say!(behind_the_best),
-                    number(&|it| Some(it.behind)),
-                    2,
-                ),
-                Column::fixed(
-                    "standard_error",
-                    say!(error_of_behind),
-                    number(&|it| Some(it.error)),
-                    2,
-                ),
+                Column::words("model", say!(model_column), models.iter().map(name).collect()),
+                Column::fixed("log_density", say!(log_density), number(&|model| Some(model.log_density)), 2),
+                Column::fixed("behind", say!(behind_the_best), number(&|it| Some(it.behind)), 2),
+                Column::fixed("standard_error", say!(error_of_behind), number(&|it| Some(it.error)), 2),
                 Column::words(
                     "verdict",
                     say!(verdict_on_model),
@@ -122,47 +96,14 @@ impl CompetingModels {
         Table {
             name: "left_out",
             columns: vec![
-                Column::words(
-                    "model",
-                    say!(model_column),
-                    rows().map(|(model, _)| name(model)).collect(),
-                ),
-                Column::words(
-                    "left_out",
-                    say!(left_out_column),
-                    rows().map(|(_, score)| left_out(score)).collect(),
-                ),
-                Column::fixed(
-                    "log_density",
-                    say!(log_density),
-                    of_score(&|it| Some(it.log_density)),
-                    2,
-                ),
-                Column::fixed(
-                    "standard_error_of_draws",
-                    say!(error_of_behind),
-                    of_score(&|it| Some(it.error)),
-                    2,
-                ),
+                Column::words("model", say!(model_column), rows().map(|(model, _)| name(model)).collect()),
+                Column::words("left_out", say!(left_out_column), rows().map(|(_, score)| left_out(score)).collect()),
+                Column::fixed("log_density", say!(log_density), of_score(&|it| Some(it.log_density)), 2),
+                Column::fixed("standard_error_of_draws", say!(error_of_behind), of_score(&|it| Some(it.error)), 2),
                 Column::fixed("k_hat", say!(shape_of_weights), of_score(&|it| it.shape), 2),
-                Column::fixed(
-                    "data",
-                    say!(data_left_out),
-                    of_score(&|it| Some(it.count as f64)),
-                    0,
-                ),
-                Column::fixed(
-                    "inside_50",
-                    say!(inside_50),
-                    of_score(&|it| Some(it.inside_50 as f64)),
-                    0,
-                ),
-                Column::fixed(
-                    "inside_90",
-                    say!(inside_90),
-                    of_score(&|it| Some(it.inside_90 as f64)),
-                    0,
-                ),
+                Column::fixed("data", say!(data_left_out), of_score(&|it| Some(it.count as f64)), 0),
+                Column::fixed("inside_50", say!(inside_50), of_score(&|it| Some(it.inside_50 as f64)), 0),
+                Column::fixed("inside_90", say!(inside_90), of_score(&|it| Some(it.inside_90 as f64)), 0),
             ],
         }
     }
@@ -191,8 +132,7 @@ pub fn what_is_compared(plan: &Plan) -> Result<Vec<Message>, CaseError> {
     let models = [None].into_iter().chain(others).map(titled);
     let held = plan.left_out_of_data()?.into_iter();
     let held = held.map(|(data, held)| held_out(&data, held));
-    let list =
-        |messages: Vec<Message>| Value::List(messages.into_iter().map(Value::from).collect());
+    let list = |messages: Vec<Message>| Value::List(messages.into_iter().map(Value::from).collect());
     Ok(vec![
         say!(all_models_see, models = list(models.collect())),
         say!(left_out_to_compare, held = list(held.collect())),
@@ -219,11 +159,7 @@ fn remarks(comparison: &Comparison) -> Vec<Message> {
     }
     for model in &comparison.models {
         if model.doubts > 0 {
-            remarks.push(say!(
-                models_on_doubtful_chains,
-                model = name(model),
-                doubts = model.doubts
-            ));
+            remarks.push(say!(models_on_doubtful_chains, model = name(model), doubts = model.doubts));
         }
     }
     remarks
@@ -249,20 +185,12 @@ impl Answer for CompetingModels {
         let sentence = |model: &ModelScore| {
             let (behind, error) = (fixed(model.behind, 1), fixed(model.error, 1));
             match model.is_worse {
-                true => say!(
-                    model_predicts_worse,
-                    model = name(model),
-                    best = name(best),
-                    behind = behind,
-                    error = error
-                ),
-                false => say!(
-                    model_not_told_apart,
-                    model = name(model),
-                    best = name(best),
-                    behind = behind,
-                    error = error
-                ),
+                true => {
+                    say!(model_predicts_worse, model = name(model), best = name(best), behind = behind, error = error)
+                }
+                false => {
+                    say!(model_not_told_apart, model = name(model), best = name(best), behind = behind, error = error)
+                }
             }
         };
         others.map(sentence).collect()
@@ -272,23 +200,17 @@ impl Answer for CompetingModels {
         let text = |message: Message| message.text(riffel_keys::Language::English);
         let series = self.comparison.models.iter().map(|model| Series {
             label: text(name(model)),
-            x: (1..=model.scores.len())
-                .map(|number| number as f64)
-                .collect(),
+            x: (1..=model.scores.len()).map(|number| number as f64).collect(),
             y: model.scores.iter().map(|score| score.log_density).collect(),
             style: LineStyle::Markers,
             ..Series::default()
         });
         let groups = self.comparison.models[0].scores.iter().enumerate();
-        let groups =
-            groups.map(|(place, score)| format!("{} {}", place + 1, text(left_out(score))));
+        let groups = groups.map(|(place, score)| format!("{} {}", place + 1, text(left_out(score))));
         let groups: Vec<String> = groups.collect();
         LineFigure {
             title: self.title.clone().unwrap_or_else(|| "Models".to_owned()),
-            caption: format!(
-                "ln of the density that each model gives to what was left out: {}.",
-                groups.join("; ")
-            ),
+            caption: format!("ln of the density that each model gives to what was left out: {}.", groups.join("; ")),
             panels: vec![LinePanel {
                 x_label: "left out, by its number".to_owned(),
                 y_label: "ln density".to_owned(),

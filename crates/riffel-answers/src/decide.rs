@@ -54,28 +54,13 @@ impl DecideAnswer {
         let per_year = worth.iter().map(|it| Some(it.per_year));
         let mut columns = vec![
             Column::words("title", what, titles.collect()),
-            Column::fixed(
-                "worth_per_year",
-                say!(worth_per_year, currency = currency),
-                per_year,
-                0,
-            ),
+            Column::fixed("worth_per_year", say!(worth_per_year, currency = currency), per_year, 0),
         ];
         if worth.iter().any(|it| it.price.is_some()) {
             let price = worth.iter().map(|it| it.price);
             let net = worth.iter().map(|it| it.net);
-            columns.push(Column::fixed(
-                "price",
-                say!(price_in, currency = currency),
-                price,
-                0,
-            ));
-            columns.push(Column::fixed(
-                "net",
-                say!(net_worth_in, currency = currency),
-                net,
-                0,
-            ));
+            columns.push(Column::fixed("price", say!(price_in, currency = currency), price, 0));
+            columns.push(Column::fixed("net", say!(net_worth_in, currency = currency), net, 0));
         }
         Table { name, columns }
     }
@@ -106,29 +91,15 @@ fn sentences(decision: &Decision) -> Vec<Message> {
             share = fixed(100.0 * action.probability_cheapest, 0)
         ));
     }
-    let breaking = decision
-        .actions
-        .iter()
-        .filter(|it| !it.breaks.holds())
-        .count();
+    let breaking = decision.actions.iter().filter(|it| !it.breaks.holds()).count();
     if breaking == decision.actions.len() {
         sentences.push(say!(all_actions_break));
     } else if breaking > 0 {
         sentences.push(say!(actions_break, count = breaking));
     }
-    sentences.push(say!(
-        worth_of_knowing_all,
-        worth = fixed(decision.evpi_per_year, 0),
-        currency = currency
-    ));
-    let pays = decision
-        .measurements
-        .iter()
-        .filter(|it| it.net.is_some_and(|net| net > 0.0));
-    match (
-        pays.collect::<Vec<&Worth>>().first(),
-        decision.measurements.is_empty(),
-    ) {
+    sentences.push(say!(worth_of_knowing_all, worth = fixed(decision.evpi_per_year, 0), currency = currency));
+    let pays = decision.measurements.iter().filter(|it| it.net.is_some_and(|net| net > 0.0));
+    match (pays.collect::<Vec<&Worth>>().first(), decision.measurements.is_empty()) {
         (Some(first), _) => sentences.push(say!(measure_first, measurement = &first.title)),
         (None, false) => sentences.push(say!(no_measurement_pays)),
         (None, true) => {}
@@ -160,31 +131,22 @@ impl Answer for DecideAnswer {
         let decision = &self.decision;
         let currency = &*decision.currency;
         let actions = &decision.actions;
-        let numbers =
-            |name: &str, head: Message, shown: usize, value: &dyn Fn(usize) -> Option<f64>| {
-                Column::fixed(name, head, (0..actions.len()).map(value), shown)
-            };
-        let mut columns = vec![Column::words(
-            "action",
-            say!(action_column),
-            names(&self.decision),
-        )];
+        let numbers = |name: &str, head: Message, shown: usize, value: &dyn Fn(usize) -> Option<f64>| {
+            Column::fixed(name, head, (0..actions.len()).map(value), shown)
+        };
+        let mut columns = vec![Column::words("action", say!(action_column), names(&self.decision))];
         for (place, name, head) in [
             (2, "months_q50", say!(months_to_limit_median)),
             (0, "months_q05", say!(five_per_cent)),
             (4, "months_q95", say!(ninety_five_per_cent)),
         ] {
-            columns.push(numbers(name, head, 1, &|row| {
-                actions[row].months_to_limit.quantiles[place]
-            }));
+            columns.push(numbers(name, head, 1, &|row| actions[row].months_to_limit.quantiles[place]));
         }
         columns.push(numbers("never_percent", say!(never_percent), 1, &|row| {
             percent(actions[row].months_to_limit.probability_never)
         }));
         let head = say!(mean_cost_per_year, currency = currency);
-        columns.push(numbers("mean_cost_per_year", head, 0, &|row| {
-            Some(actions[row].mean_cost_per_year)
-        }));
+        columns.push(numbers("mean_cost_per_year", head, 0, &|row| Some(actions[row].mean_cost_per_year)));
         for (place, name, head) in [
             (0, "saving_q05", Some(say!(saving_from))),
             (1, "saving_q25", None),
@@ -198,60 +160,29 @@ impl Answer for DecideAnswer {
                 None => Column::in_file(name, values),
             });
         }
-        columns.push(numbers("longer_percent", say!(longer_percent), 0, &|row| {
-            percent(actions[row].probability_longer)
+        columns
+            .push(numbers("longer_percent", say!(longer_percent), 0, &|row| percent(actions[row].probability_longer)));
+        columns.push(numbers("cheapest_percent", say!(cheapest_percent), 0, &|row| {
+            percent(actions[row].probability_cheapest)
         }));
-        columns.push(numbers(
-            "cheapest_percent",
-            say!(cheapest_percent),
-            0,
-            &|row| percent(actions[row].probability_cheapest),
-        ));
         for (name, head, of) in [
-            (
-                "over_budget_percent",
-                say!(over_budget_percent),
-                (|it| it.budget) as fn(&Breaks) -> Option<f64>,
-            ),
-            ("too_loud_percent", say!(too_loud_percent), |it| {
-                it.noise_limit
-            }),
-            (
-                "without_possession_percent",
-                say!(without_possession_percent),
-                |it| it.possession_hours,
-            ),
+            ("over_budget_percent", say!(over_budget_percent), (|it| it.budget) as fn(&Breaks) -> Option<f64>),
+            ("too_loud_percent", say!(too_loud_percent), |it| it.noise_limit),
+            ("without_possession_percent", say!(without_possession_percent), |it| it.possession_hours),
         ] {
             if actions.iter().any(|action| of(&action.breaks).is_some()) {
-                columns.push(numbers(name, head, 0, &|row| {
-                    of(&actions[row].breaks).and_then(percent)
-                }));
+                columns.push(numbers(name, head, 0, &|row| of(&actions[row].breaks).and_then(percent)));
             }
         }
-        columns.push(numbers("rank", say!(rank_of_action), 0, &|row| {
-            Some(actions[row].rank as f64)
-        }));
+        columns.push(numbers("rank", say!(rank_of_action), 0, &|row| Some(actions[row].rank as f64)));
         let head = say!(regret_per_year, currency = currency);
-        columns.push(numbers("expected_regret_per_year", head, 0, &|row| {
-            Some(actions[row].expected_regret_per_year)
-        }));
+        columns.push(numbers("expected_regret_per_year", head, 0, &|row| Some(actions[row].expected_regret_per_year)));
         let mut tables = vec![
-            Table {
-                name: "actions",
-                columns,
-            },
-            self.worth(
-                "worth_of_values",
-                say!(value_known),
-                &decision.evppi_per_year,
-            ),
+            Table { name: "actions", columns },
+            self.worth("worth_of_values", say!(value_known), &decision.evppi_per_year),
         ];
         if !decision.measurements.is_empty() {
-            tables.push(self.worth(
-                "worth_of_measurements",
-                say!(measurement_first),
-                &decision.measurements,
-            ));
+            tables.push(self.worth("worth_of_measurements", say!(measurement_first), &decision.measurements));
         }
         tables
     }
@@ -270,16 +201,15 @@ impl Answer for DecideAnswer {
         };
         let names = names(&self.decision);
         let actions = || decision.actions.iter().zip(&names);
-        let panel =
-            |subtitle: &str, x_label: String, series: Vec<Series>, marks: Vec<Mark>| LinePanel {
-                subtitle: subtitle.to_owned(),
-                x_label,
-                y_label: "share of the draws below [%]".to_owned(),
-                y_range: Some((0.0, 100.0)),
-                series,
-                marks,
-                ..LinePanel::default()
-            };
+        let panel = |subtitle: &str, x_label: String, series: Vec<Series>, marks: Vec<Mark>| LinePanel {
+            subtitle: subtitle.to_owned(),
+            x_label,
+            y_label: "share of the draws below [%]".to_owned(),
+            y_range: Some((0.0, 100.0)),
+            series,
+            marks,
+            ..LinePanel::default()
+        };
         let months = actions().map(|(action, name)| line(name, &action.curves[0]));
         let costs = actions().map(|(action, name)| line(name, &action.curves[1]));
         let best = actions().min_by_key(|(action, _)| action.rank);
@@ -295,12 +225,7 @@ impl Answer for DecideAnswer {
                 decision.draws, decision.rise_db, decision.evpi_per_year, decision.currency
             ),
             panels: vec![
-                panel(
-                    "interval",
-                    "months to the limit".to_owned(),
-                    months.collect(),
-                    Vec::new(),
-                ),
+                panel("interval", "months to the limit".to_owned(), months.collect(), Vec::new()),
                 panel(
                     "cost",
                     format!("cost of a year [{}]", decision.currency),

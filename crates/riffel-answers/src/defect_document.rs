@@ -29,9 +29,6 @@ impl DefectDocument {
     }
 
     pub(crate) fn all(rail: &str, defects: &[RailDefect]) -> Vec<Self> {
-        defects
-            .iter()
-            .map(|defect| Self::new(rail, defect))
-            .collect()
+        defects.iter().map(|defect| Self::new(rail, defect)).collect()
     }
 }

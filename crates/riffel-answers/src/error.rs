@@ -44,9 +44,7 @@ pub enum AnswerError {
     },
 
     /// A forecast was asked for without a spectrum to begin with.
-    #[error(
-        "a forecast needs a spectrum: one that was measured, or that of a rail that will be ground"
-    )]
+    #[error("a forecast needs a spectrum: one that was measured, or that of a rail that will be ground")]
     NoSpectrum,
 
     /// No rail has a band in the window of wavelengths of the case.
@@ -58,9 +56,7 @@ pub enum AnswerError {
     NoPassagesPerDay,
 
     /// Growth over the bay was asked of a track without one.
-    #[error(
-        "--bay needs discrete supports, but track.model = \"{model}\" is the same everywhere along the rail"
-    )]
+    #[error("--bay needs discrete supports, but track.model = \"{model}\" is the same everywhere along the rail")]
     #[diagnostic(help("choose track.model = \"one-layer-periodic\" or \"two-layer-periodic\""))]
     NoBay {
         /// The model of the track.

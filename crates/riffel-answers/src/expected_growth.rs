@@ -34,9 +34,7 @@ impl ExpectedRates {
         });
         let growth = growth.collect::<Result<Vec<_>, AnswerError>>()?;
         let of_band = |band: usize| {
-            let samples = growth
-                .iter()
-                .filter_map(|growth| Some(growth.of_bands[band]?.median));
+            let samples = growth.iter().filter_map(|growth| Some(growth.of_bands[band]?.median));
             Banded::of_samples(samples.collect())
         };
         Ok(Self {
@@ -54,20 +52,14 @@ impl ExpectedRates {
     /// # Errors
     /// [`AnswerError::Case`] as of [`Traffic::on`]; [`AnswerError::NoPassagesPerDay`] for a traffic that does not say how much of it
     /// there is.
-    pub fn new(
-        case: &Case,
-        traffic: Option<&Traffic>,
-        bands: &[[f64; 2]],
-    ) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, traffic: Option<&Traffic>, bands: &[[f64; 2]]) -> Result<Self, AnswerError> {
         let traffic = match traffic {
             Some(traffic) => traffic,
             None => &UsualTraffic::of(case).traffic()?,
         };
         let case = &case.sharing_parts();
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
-        let passages = on
-            .passages_in(DAYS_PER_YEAR)
-            .ok_or(AnswerError::NoPassagesPerDay)?;
+        let passages = on.passages_in(DAYS_PER_YEAR).ok_or(AnswerError::NoPassagesPerDay)?;
         let spread = wear_spread(case);
         let rate = |[from, to]: &[f64; 2]| {
             let lines = on.growth.wavelengths().into_iter().zip(on.growth.rates());
@@ -78,19 +70,13 @@ impl ExpectedRates {
             let median = 1e-6 * passages * per_million(rate);
             match spread {
                 Some(spread) => Banded::by_wear(median, spread),
-                None => Banded {
-                    median,
-                    band_50: [median; 2],
-                    band_80: [median; 2],
-                },
+                None => Banded { median, band_50: [median; 2], band_80: [median; 2] },
             }
         };
         let told = |rate: &f64| rates_without_time(&on, [*rate].into_iter()).is_none();
         let rates: Vec<Option<f64>> = bands.iter().map(rate).collect();
         Ok(Self {
-            of_bands: (rates.iter())
-                .map(|rate| rate.filter(told).map(banded))
-                .collect(),
+            of_bands: (rates.iter()).map(|rate| rate.filter(told).map(banded)).collect(),
             without_rate: rates_without_time(&on, rates.into_iter().flatten()),
         })
     }

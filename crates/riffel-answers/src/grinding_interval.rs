@@ -29,8 +29,7 @@ impl GrindingInterval {
         }
         let per_month = growth.passages_per_day? * DAYS_PER_MONTH;
         // As of the fastest: bands that the contact does not average out, or all where it averages out all.
-        let is_told =
-            |band: &[[f64; 2]]| band.iter().any(|[line, _]| *line >= case.shortest_told());
+        let is_told = |band: &[[f64; 2]]| band.iter().any(|[line, _]| *line >= case.shortest_told());
         let bands = || growth.curve.chunks(LINES_PER_BAND);
         let any = bands().any(is_told);
         let bands = bands().filter(|band| !any || is_told(band));
@@ -40,10 +39,7 @@ impl GrindingInterval {
         let passages = growing_bands(&rates, &missed).filter_map(|band| band.passages_to(risen));
         let months = passages.min_by(f64::total_cmp).map(|it| it / per_month);
         let banded = |months| Some(Banded::by_wear(months, wear_spread(case)?));
-        Some(Self {
-            months: months.filter(|months| *months <= USUAL_HORIZON),
-            months_banded: months.and_then(banded),
-        })
+        Some(Self { months: months.filter(|months| *months <= USUAL_HORIZON), months_banded: months.and_then(banded) })
     }
 
     /// Months that this is longer than another; what is longer than the longest counts as that.
@@ -83,8 +79,7 @@ mod tests {
         let mut growth = LineGrowth::new(&case, None).unwrap();
         growth.passages_per_day = Some(1000.0 / DAYS_PER_MONTH);
         let interval = |growth: &mut LineGrowth, rates: [f64; 2]| {
-            let lines = (0..2 * LINES_PER_BAND)
-                .map(|k| [0.1 + 0.001 * k as f64, rates[k / LINES_PER_BAND]]);
+            let lines = (0..2 * LINES_PER_BAND).map(|k| [0.1 + 0.001 * k as f64, rates[k / LINES_PER_BAND]]);
             growth.curve = lines.collect();
             GrindingInterval::new(&case, growth).unwrap()
         };

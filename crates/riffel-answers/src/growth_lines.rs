@@ -29,10 +29,7 @@ pub(crate) fn panels<'a>(
     for line in lines {
         let rates = line.rates.iter();
         let largest = rates.fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
-        for (series, label, scale) in [
-            (&mut absolute, line.label, 1e6),
-            (&mut relative, "", largest.recip()),
-        ] {
+        for (series, label, scale) in [(&mut absolute, line.label, 1e6), (&mut relative, "", largest.recip())] {
             series.push(Series {
                 label: label.to_owned(),
                 x: millimetres.clone(),

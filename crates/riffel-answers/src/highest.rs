@@ -40,16 +40,9 @@ impl Highest {
     /// Of a course of growth under a traffic of a mean speed \[m/s\], from a shortest wavelength \[m\] on where it has longer ones; none
     /// where nothing grows.
     pub(crate) fn beyond(course: &GrowthCourse, shortest: f64, speed: f64) -> Option<Self> {
-        let from = course
-            .wavelengths
-            .partition_point(|&wavelength| wavelength < shortest);
-        let from = if from < course.wavelengths.len() {
-            from
-        } else {
-            0
-        };
-        let [wavelengths, rates] =
-            [&course.wavelengths, &course.rates].map(|values| values[from..].to_vec());
+        let from = course.wavelengths.partition_point(|&wavelength| wavelength < shortest);
+        let from = if from < course.wavelengths.len() { from } else { 0 };
+        let [wavelengths, rates] = [&course.wavelengths, &course.rates].map(|values| values[from..].to_vec());
         Self::of(&GrowthCourse::of_values(wavelengths, rates), speed)
     }
 
@@ -120,9 +113,7 @@ pub(crate) fn over_the_window(
 pub(crate) fn wavelengths_of<'a>(courses: impl Iterator<Item = &'a GrowthCourse>) -> Vec<f64> {
     /// Wavelengths whose ratio is nearer to one are the same.
     const SAME: f64 = 1e-7;
-    let mut all: Vec<f64> = courses
-        .flat_map(|course| course.wavelengths.iter().copied())
-        .collect();
+    let mut all: Vec<f64> = courses.flat_map(|course| course.wavelengths.iter().copied()).collect();
     all.sort_by(f64::total_cmp);
     all.dedup_by(|later, earlier| *later < *earlier * (1.0 + SAME));
     all

@@ -5,8 +5,8 @@ use std::f64::consts::LN_2;
 use riffel::MeanWear;
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
 use riffel_case::traffic::{
-    DAYS_PER_MONTH, LineKind, Traffic, TrafficOnCase, UsualTraffic, bands_of, is_faster_than_known,
-    reported_growth, traffic_at_speeds,
+    DAYS_PER_MONTH, LineKind, Traffic, TrafficOnCase, UsualTraffic, bands_of, is_faster_than_known, reported_growth,
+    traffic_at_speeds,
 };
 use riffel_case::{Case, Variant};
 use riffel_keys::{CaseError, Message, fixed, number, range, say, significant, significant_digits};
@@ -89,19 +89,13 @@ impl LineGrowth {
             growth.cause = Cause::of(case, fastest.wavelength_m, growth.speeds_m_per_s);
             let cause = growth.cause.iter().map(|cause| cause.sentence().clone());
             growth.remarks.extend(cause);
-            growth
-                .remarks
-                .extend(fastest.doubts(case, growth.passages_per_day));
+            growth.remarks.extend(fastest.doubts(case, growth.passages_per_day));
         }
         Ok(growth)
     }
 
     /// The numbers of growth under a traffic on what a variant makes of a case.
-    pub(crate) fn under(
-        case: &Case,
-        traffic: &Traffic,
-        variant: &Variant,
-    ) -> Result<Self, CaseError> {
+    pub(crate) fn under(case: &Case, traffic: &Traffic, variant: &Variant) -> Result<Self, CaseError> {
         let case = &case.sharing_parts();
         let on = traffic.on(case, &bands_of(case), variant, &|_| ())?;
         let speeds = traffic.speeds().iter().map(span);
@@ -119,9 +113,7 @@ impl LineGrowth {
             cause: None,
             remarks: Vec::new(),
             mean_wear: on.growth.mean_wear(),
-            curve: lines
-                .map(|(wavelength, rate)| [wavelength, *rate])
-                .collect(),
+            curve: lines.map(|(wavelength, rate)| [wavelength, *rate]).collect(),
         })
     }
 
@@ -139,11 +131,7 @@ impl LineGrowth {
         let millimetres = |wavelength: f64| significant(1e3 * wavelength, 2);
         let traffic = self.whose();
         if let Some(frequency) = self.unstable_frequency_hz {
-            return say!(
-                oscillates_under,
-                frequency = fixed(frequency, 0),
-                traffic = traffic
-            );
+            return say!(oscillates_under, frequency = fixed(frequency, 0), traffic = traffic);
         }
         let Some(fastest) = &self.fastest else {
             return say!(
@@ -153,42 +141,21 @@ impl LineGrowth {
                 longest = millimetres(case.wavelength.max())
             );
         };
-        let ends = range(fastest.wavelengths_m, |end| {
-            significant_digits(1e3 * end, 2)
-        });
+        let ends = range(fastest.wavelengths_m, |end| significant_digits(1e3 * end, 2));
         let range = say!(one_wavelength, wavelength = number(ends));
         let wavelength = millimetres(fastest.wavelength_m);
         if fastest.faster_than_known {
-            return say!(
-                grows_fastest_without_rate,
-                traffic = traffic,
-                range = range,
-                wavelength = wavelength
-            );
+            return say!(grows_fastest_without_rate, traffic = traffic, range = range, wavelength = wavelength);
         }
         let time = fastest.time();
         match fastest.doubling_passages_banded {
-            Some(_) => say!(
-                grows_fastest_under_within,
-                traffic = traffic,
-                range = range,
-                wavelength = wavelength,
-                time = time
-            ),
-            None if case.has_other_damage() => say!(
-                grows_fastest_by_damage,
-                traffic = traffic,
-                range = range,
-                wavelength = wavelength,
-                time = time
-            ),
-            None => say!(
-                grows_fastest_under,
-                traffic = traffic,
-                range = range,
-                wavelength = wavelength,
-                time = time
-            ),
+            Some(_) => {
+                say!(grows_fastest_under_within, traffic = traffic, range = range, wavelength = wavelength, time = time)
+            }
+            None if case.has_other_damage() => {
+                say!(grows_fastest_by_damage, traffic = traffic, range = range, wavelength = wavelength, time = time)
+            }
+            None => say!(grows_fastest_under, traffic = traffic, range = range, wavelength = wavelength, time = time),
         }
     }
 }
@@ -204,9 +171,8 @@ impl FastestGrowth {
         let passages = LN_2 / rate;
         let faster_than_known = per_day.is_some_and(|per_day| is_faster_than_known(rate, per_day));
         let oscillates = on.unstable.is_some();
-        let months = per_day
-            .filter(|_| !faster_than_known && !oscillates)
-            .map(|per_day| passages / per_day / DAYS_PER_MONTH);
+        let months =
+            per_day.filter(|_| !faster_than_known && !oscillates).map(|per_day| passages / per_day / DAYS_PER_MONTH);
         let banded = |value: f64| Some(Banded::by_wear(value, spread?));
         Some(Self {
             wavelength_m: wavelength,
@@ -240,9 +206,8 @@ impl FastestGrowth {
                 }
             )
         });
-        let reported = per_day.and_then(|per_day| {
-            reported_growth(self.wavelength_m, self.growth_rate_per_passage, per_day)
-        });
+        let reported =
+            per_day.and_then(|per_day| reported_growth(self.wavelength_m, self.growth_rate_per_passage, per_day));
         edge.into_iter().chain(reported)
     }
 
@@ -271,10 +236,7 @@ impl FastestGrowth {
             };
         };
         let other_months = other.doubling_months.unwrap_or(months);
-        time_in_words(
-            [months, other_months],
-            [self, other].map(|growth| growth.doubling_months_banded),
-        )
+        time_in_words([months, other_months], [self, other].map(|growth| growth.doubling_months_banded))
     }
 }
 

@@ -14,11 +14,7 @@ pub fn mode_in_words(name: &ModeName) -> Message {
             RigidMotion::Roll => say!(rigid_body_roll),
             RigidMotion::Yaw => say!(rigid_body_yaw),
         },
-        ModeName::Bending {
-            symmetric,
-            order,
-            plane,
-        } => {
+        ModeName::Bending { symmetric, order, plane } => {
             let bending = match symmetric {
                 true => say!(symmetric_bending, ordinal = ordinal(order)),
                 false => say!(antisymmetric_bending, ordinal = ordinal(order)),
@@ -55,34 +51,17 @@ mod tests {
         let mut names = Vec::new();
         for order in (1..=24).chain([31, 42]) {
             for symmetric in [true, false] {
-                for plane in [
-                    BendingPlane::Both,
-                    BendingPlane::Vertical,
-                    BendingPlane::Horizontal,
-                ] {
-                    names.push(ModeName::Bending {
-                        symmetric,
-                        order,
-                        plane,
-                    });
+                for plane in [BendingPlane::Both, BendingPlane::Vertical, BendingPlane::Horizontal] {
+                    names.push(ModeName::Bending { symmetric, order, plane });
                 }
             }
-            for discs in [
-                None,
-                Some(DiscMotion::AgainstWheels),
-                Some(DiscMotion::AgainstEachOther),
-            ] {
+            for discs in [None, Some(DiscMotion::AgainstWheels), Some(DiscMotion::AgainstEachOther)] {
                 names.push(ModeName::Torsion { order, discs });
             }
             names.extend([ModeName::Stretch { order }, ModeName::Elastic { order }]);
         }
-        let motions = [
-            RigidMotion::Longitudinal,
-            RigidMotion::Lateral,
-            RigidMotion::Bounce,
-            RigidMotion::Roll,
-            RigidMotion::Yaw,
-        ];
+        let motions =
+            [RigidMotion::Longitudinal, RigidMotion::Lateral, RigidMotion::Bounce, RigidMotion::Roll, RigidMotion::Yaw];
         names.extend(motions.map(ModeName::RigidBody));
         for name in names {
             let words = mode_in_words(&name);

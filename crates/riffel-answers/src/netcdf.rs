@@ -32,17 +32,12 @@ impl Grid<'_> {
     /// # Errors
     /// [`AnswerError::Grid`].
     pub fn write(&self, path: &Path) -> Result<(), AnswerError> {
-        let Self {
-            title,
-            axes,
-            variables,
-        } = self;
+        let Self { title, axes, variables } = self;
         let wrong = |error: &dyn std::fmt::Debug| AnswerError::Grid(format!("{error:?}"));
         let define = || -> Result<DataSet, InvalidDataSet> {
             let mut data_set = DataSet::new();
             data_set.add_global_attr_string("title", title)?;
-            data_set
-                .add_global_attr_string("source", concat!("riffel ", env!("CARGO_PKG_VERSION")))?;
+            data_set.add_global_attr_string("source", concat!("riffel ", env!("CARGO_PKG_VERSION")))?;
             data_set.add_global_attr_string("Conventions", "CF-1.8")?;
             for (name, points) in axes {
                 data_set.add_fixed_dim(name, *points)?;

@@ -44,11 +44,7 @@ impl PosteriorDraws {
         if doubts > 0 {
             remarks.push(say!(forecast_on_doubtful_chains, doubts = doubts));
         }
-        Ok(Self {
-            drawn: plan.drawn(chains, DRAWS)?,
-            traffic: plan.traffic.clone(),
-            remarks,
-        })
+        Ok(Self { drawn: plan.drawn(chains, DRAWS)?, traffic: plan.traffic.clone(), remarks })
     }
 
     /// Steps of progress that an answer over them takes.
@@ -99,9 +95,7 @@ impl PosteriorDraws {
             draws: self.drawn.len(),
             unstable_samples: unstable.len(),
             unstable_frequency_hz: Banded::of_samples(unstable),
-            numbers: numbers
-                .map(|(name, samples)| NumberOverPosterior::new(name, samples))
-                .collect(),
+            numbers: numbers.map(|(name, samples)| NumberOverPosterior::new(name, samples)).collect(),
         })
     }
 }
@@ -120,10 +114,7 @@ pub struct OverPosterior {
     numbers: Vec<NumberOverPosterior>,
 }
 
-fn those_that_vary<S: Serializer>(
-    numbers: &[NumberOverPosterior],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+fn those_that_vary<S: Serializer>(numbers: &[NumberOverPosterior], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(numbers.iter().filter(|number| number.varies()))
 }
 
@@ -183,40 +174,27 @@ impl NumberOverPosterior {
 
 impl OverPosterior {
     /// A number of what has a title or else a place in a list; none where no draw has it.
-    pub fn number_of(
-        &self,
-        list: &str,
-        title: &str,
-        place: usize,
-        name: &str,
-    ) -> Option<&NumberOverPosterior> {
-        self.number(&format!("{list}[{title}].{name}"))
-            .or_else(|| self.number(&format!("{list}[{place}].{name}")))
+    pub fn number_of(&self, list: &str, title: &str, place: usize, name: &str) -> Option<&NumberOverPosterior> {
+        self.number(&format!("{list}[{title}].{name}")).or_else(|| self.number(&format!("{list}[{place}].{name}")))
     }
 
     /// A number by its name; none where no draw has it.
     pub fn number(&self, name: &str) -> Option<&NumberOverPosterior> {
-        let place = self
-            .numbers
-            .binary_search_by(|it| it.name.as_str().cmp(name));
+        let place = self.numbers.binary_search_by(|it| it.name.as_str().cmp(name));
         Some(&self.numbers[place.ok()?])
     }
 
     /// Its file: `posterior.csv`.
     pub fn table(&self) -> Table {
         let numbers = || self.numbers.iter().filter(|number| number.varies());
-        let column = |name: &str, of: fn(&NumberOverPosterior) -> f64| {
-            Column::in_file(name, numbers().map(of))
-        };
+        let column = |name: &str, of: fn(&NumberOverPosterior) -> f64| Column::in_file(name, numbers().map(of));
         Table {
             name: "posterior",
             columns: vec![
                 Column {
                     name: "number".to_owned(),
                     head: None,
-                    values: Values::Words(
-                        numbers().map(|it| Message::verbatim(&it.name)).collect(),
-                    ),
+                    values: Values::Words(numbers().map(|it| Message::verbatim(&it.name)).collect()),
                 },
                 column("draws", |it| it.draws as f64),
                 column("q05", |it| it.band_90[0]),
@@ -284,16 +262,10 @@ mod tests {
     fn ramp() -> PosteriorDraws {
         let case = Case::parse("nominal", NOMINAL_CASE, &[]).unwrap();
         let drawn = |step: u32| Drawn {
-            case: case
-                .edit(|keys| keys.wear.coefficient = Quantity::new(1e-10 * f64::from(step)))
-                .unwrap(),
+            case: case.edit(|keys| keys.wear.coefficient = Quantity::new(1e-10 * f64::from(step))).unwrap(),
             traffic: None,
         };
-        PosteriorDraws {
-            drawn: (1..=101).map(drawn).collect(),
-            traffic: None,
-            remarks: Vec::new(),
-        }
+        PosteriorDraws { drawn: (1..=101).map(drawn).collect(), traffic: None, remarks: Vec::new() }
     }
 
     /// Quantiles of a ramp, what has a title under it wherever it stands, shares, and nothing of what all draws have alike.
@@ -301,10 +273,8 @@ mod tests {
     fn numbers_of_documents_are_those_of_the_draws() {
         let over = ramp().over(&|_| (), |drawn| {
             let step = 1e10 * drawn.case.file.wear.coefficient.si();
-            let mut variants = vec![
-                json!({"title": "soft", "change": -step}),
-                json!({"title": "hard", "change": step}),
-            ];
+            let mut variants =
+                vec![json!({"title": "soft", "change": -step}), json!({"title": "hard", "change": step})];
             if step > 51.5 {
                 variants.reverse();
             }
@@ -315,9 +285,7 @@ mod tests {
             }))
         });
         let over = over.unwrap();
-        let near = |found: f64, expected: f64| {
-            assert!((found - expected).abs() < 1e-9, "{found} {expected}")
-        };
+        let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-9, "{found} {expected}");
         let soft = over.number_of("variants", "soft", 0, "change").unwrap();
         near(soft.median, -51.0);
         near(soft.band_50[0], -76.0);
@@ -328,15 +296,7 @@ mod tests {
         let shown = serde_json::to_value(&over).unwrap();
         let names = shown["numbers"].as_array().unwrap().iter();
         let names: Vec<&str> = names.map(|it| it["name"].as_str().unwrap()).collect();
-        assert_eq!(
-            names,
-            [
-                "grows",
-                "list[1]",
-                "variants[hard].change",
-                "variants[soft].change"
-            ]
-        );
+        assert_eq!(names, ["grows", "list[1]", "variants[hard].change", "variants[soft].change"]);
         assert_eq!(over.table().rows(), 4);
     }
 

@@ -17,15 +17,8 @@ pub(crate) fn polach(file: &CaseFile) -> String {
     let Some(polach) = &file.contact.polach else {
         return String::new();
     };
-    let reduction = format!(
-        "k_A = {}, k_S = {}",
-        polach.adhesion_reduction, polach.slip_reduction
-    );
-    match (
-        polach.limit_friction_ratio,
-        polach.friction_decay,
-        polach.speed,
-    ) {
+    let reduction = format!("k_A = {}, k_S = {}", polach.adhesion_reduction, polach.slip_reduction);
+    match (polach.limit_friction_ratio, polach.friction_decay, polach.speed) {
         (Some(ratio), Some(decay), Some(speed)) => {
             format!(" (A = {ratio}, B = {decay}, V = {speed}, {reduction})")
         }
@@ -52,10 +45,7 @@ fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
     let file = &case.file;
     let steady = case.steady;
     let rotation = match file.wheel.rotation() {
-        Rotation::Inertia => format!(
-            "I_w = {:.2} kg m²",
-            si(file.wheel.inertia.map(|inertia| inertia.si()))
-        ),
+        Rotation::Inertia => format!("I_w = {:.2} kg m²", si(file.wheel.inertia.map(|inertia| inertia.si()))),
         Rotation::ConstantTangentialForce => say!(constant_tangential_force).text(language),
         Rotation::ConstantCreepage => say!(constant_creepage).text(language),
     };
@@ -67,9 +57,7 @@ fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
         (None, mass) => format!("m_w = {:.0} kg, {rotation}", si(mass.map(|mass| mass.si()))),
     };
     let phase = match file.contact.dissipation_phase {
-        _ if file.contact.response == ContactDynamics::NonSteady => {
-            say!(non_steady_contact).text(language)
-        }
+        _ if file.contact.response == ContactDynamics::NonSteady => say!(non_steady_contact).text(language),
         DissipationPhase::Lag => say!(phase_lag).text(language),
         DissipationPhase::Lead => say!(phase_lead).text(language),
         DissipationPhase::None => say!(phase_none).text(language),
@@ -84,9 +72,7 @@ fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
         ContactDynamics::SpringDashpot => say!(spring_and_dashpot).text(language),
         _ => String::new(),
     };
-    let amplitude = amplitude.map_or(String::new(), |amplitude| {
-        format!("Δ = {:.1} µm; ", 1e6 * amplitude)
-    });
+    let amplitude = amplitude.map_or(String::new(), |amplitude| format!("Δ = {:.1} µm; ", 1e6 * amplitude));
     let words = format!(
         "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, {}; {amplitude}{law}{dynamics}{phase}.",
         say!(track).text(language),
@@ -106,11 +92,7 @@ fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
 
 /// The mean creepage: along the rail, or as a vector with its spin.
 pub(crate) fn creepage(creepages: Creepages) -> String {
-    let Creepages {
-        longitudinal,
-        lateral,
-        spin,
-    } = creepages;
+    let Creepages { longitudinal, lateral, spin } = creepages;
     // With the minus of the axes beside them.
     let written = |value: f64| format!("{value:.3}").replace('-', "−");
     let [longitudinal, lateral_percent] = [longitudinal, lateral].map(|it| written(100.0 * it));

@@ -156,11 +156,7 @@ impl NeighboursDocument {
         let lowest = places.iter().min_by(by_amplitude).copied();
         let (highest, lowest) = (highest.unwrap_or_default(), lowest.unwrap_or_default());
         Self {
-            wavelengths_m: growth
-                .wavenumbers
-                .iter()
-                .map(|k| std::f64::consts::TAU / k)
-                .collect(),
+            wavelengths_m: growth.wavenumbers.iter().map(|k| std::f64::consts::TAU / k).collect(),
             growth_rate_alone: growth.alone().re,
             growth_rate_of_pattern: growth.leading.re,
             drift_of_pattern_rad: -growth.leading.im,
@@ -177,9 +173,7 @@ impl PointAnswer {
     /// # Errors
     /// [`CaseError`] as of [`Case::point`].
     pub fn new(case: &Case, request: PointRequest) -> Result<Self, CaseError> {
-        let PointRequest {
-            wavelength, speed, ..
-        } = request;
+        let PointRequest { wavelength, speed, .. } = request;
         let state = case.point(wavelength, speed)?;
         let sensitivity = match request.sensitivity {
             true => Some(case.sensitivities(wavelength, speed)?),

@@ -35,21 +35,10 @@ impl RailDamage {
     ///
     /// # Errors
     /// [`AnswerError`] for a wave that the case does not know, and as of [`ForecastAnswer::new`].
-    pub fn new(
-        case: &Case,
-        traffic: Option<&Traffic>,
-        wave: [f64; 2],
-    ) -> Result<Self, AnswerError> {
-        let question = ShakedownQuestion {
-            wave: Some(wave),
-            ..ShakedownQuestion::default()
-        };
-        let mut damage = Self {
-            shakedown: question.answer(case)?,
-            months: None,
-            cracks: Vec::new(),
-            findings: Vec::new(),
-        };
+    pub fn new(case: &Case, traffic: Option<&Traffic>, wave: [f64; 2]) -> Result<Self, AnswerError> {
+        let question = ShakedownQuestion { wave: Some(wave), ..ShakedownQuestion::default() };
+        let mut damage =
+            Self { shakedown: question.answer(case)?, months: None, cracks: Vec::new(), findings: Vec::new() };
         if case.has_other_damage() {
             let forecast = after_grinding(case, traffic)?;
             damage.cracks = forecast.cracks();
@@ -68,11 +57,8 @@ fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<ForecastAnsw
     };
     let (table, limit) = level_limit(LIMIT)?;
     let ground = GroundRail::below(&table.edition, &limit, BELOW_LIMIT);
-    let ground = ground.map_err(|rule| AnswerError::Argument {
-        argument: "--ground",
-        value: BELOW_LIMIT.to_owned(),
-        rule,
-    })?;
+    let ground =
+        ground.map_err(|rule| AnswerError::Argument { argument: "--ground", value: BELOW_LIMIT.to_owned(), rule })?;
     let request = ForecastRequest {
         traffic,
         survey: None,

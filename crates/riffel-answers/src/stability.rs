@@ -60,9 +60,6 @@ impl From<Stability> for StabilityDocument {
 
 impl From<(f64, Stability)> for StabilityAtSpeed {
     fn from((speed_m_per_s, stability): (f64, Stability)) -> Self {
-        Self {
-            speed_m_per_s,
-            stability: stability.into(),
-        }
+        Self { speed_m_per_s, stability: stability.into() }
     }
 }

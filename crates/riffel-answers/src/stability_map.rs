@@ -71,11 +71,7 @@ impl StabilityMap {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for fewer than two frictions; [`AnswerError::Case`] for one that the case refuses.
-    pub fn new(
-        case: &Case,
-        friction: &[f64],
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, friction: &[f64], progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
         let mut friction = friction.to_vec();
         friction.sort_by(f64::total_cmp);
         friction.dedup();
@@ -87,9 +83,8 @@ impl StabilityMap {
             });
         }
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
-        let speeds: Vec<f64> = (0..SPEEDS)
-            .map(|step| slowest + (fastest - slowest) * step as f64 / (SPEEDS - 1) as f64)
-            .collect();
+        let speeds: Vec<f64> =
+            (0..SPEEDS).map(|step| slowest + (fastest - slowest) * step as f64 / (SPEEDS - 1) as f64).collect();
         let rows = friction.par_iter().map(|&friction| {
             let edit = || case.edit(|keys| keys.contact.friction = Quantity::new(friction));
             let own = match edit() {
@@ -106,11 +101,8 @@ impl StabilityMap {
             Ok::<_, AnswerError>((row, own.is_none().then_some(friction)))
         });
         let rows = rows.collect::<Result<Vec<_>, _>>()?;
-        let without: Vec<String> = rows
-            .iter()
-            .filter_map(|row| row.1)
-            .map(|friction| format!("{friction:.3}"))
-            .collect();
+        let without: Vec<String> =
+            rows.iter().filter_map(|row| row.1).map(|friction| format!("{friction:.3}")).collect();
         let points: Vec<StabilityPoint> = rows.into_iter().flat_map(|row| row.0).collect();
         let mut remarks = Vec::new();
         if case.feedback.is_along_one_axis() {
@@ -154,18 +146,13 @@ impl StabilityPoint {
 impl StabilityBranch {
     /// The points that oscillate, parted where their frequencies are apart.
     fn of(points: &[StabilityPoint]) -> Vec<Self> {
-        let growing = points
-            .iter()
-            .filter_map(|point| Some((point.frequency_hz?, point)));
+        let growing = points.iter().filter_map(|point| Some((point.frequency_hz?, point)));
         let mut growing: Vec<(f64, &StabilityPoint)> = growing.collect();
         growing.sort_by(|one, other| one.0.total_cmp(&other.0));
         let parts = growing.chunk_by(|one, other| other.0 <= APART * one.0);
         let mut branches: Vec<Self> = parts.map(Self::of_part).collect();
         branches.sort_by(|one, other| {
-            other
-                .growth_rate_per_s
-                .partial_cmp(&one.growth_rate_per_s)
-                .unwrap_or(std::cmp::Ordering::Equal)
+            other.growth_rate_per_s.partial_cmp(&one.growth_rate_per_s).unwrap_or(std::cmp::Ordering::Equal)
         });
         branches
     }
@@ -177,8 +164,7 @@ impl StabilityBranch {
         let fastest = part.iter().map(|(_, point)| *point);
         let fastest = fastest.fold(part[0].1, |best, point| {
             let same = (rate(point) - rate(best)).abs() <= SAME * rate(best);
-            if same && point.speed_m_per_s > best.speed_m_per_s || !same && rate(point) > rate(best)
-            {
+            if same && point.speed_m_per_s > best.speed_m_per_s || !same && rate(point) > rate(best) {
                 point
             } else {
                 best
@@ -196,9 +182,7 @@ impl StabilityBranch {
     }
 
     fn holds(&self, frequency: Option<f64>) -> bool {
-        frequency.is_some_and(|frequency| {
-            (self.frequency_min_hz..=self.frequency_max_hz).contains(&frequency)
-        })
+        frequency.is_some_and(|frequency| (self.frequency_min_hz..=self.frequency_max_hz).contains(&frequency))
     }
 
     /// Its frequencies: "412 Hz" or "398–430 Hz".
@@ -215,19 +199,14 @@ impl Answer for StabilityMap {
     const NAME: &'static str = "stability";
 
     fn introduction(&self) -> Vec<Message> {
-        self.title
-            .clone()
-            .map(Message::verbatim)
-            .into_iter()
-            .collect()
+        self.title.clone().map(Message::verbatim).into_iter().collect()
     }
 
     fn tables(&self) -> Vec<Table> {
         let branches = || self.branches.iter();
-        let column =
-            |name: &str, head: Message, of: fn(&StabilityBranch) -> Option<f64>, shown: usize| {
-                Column::fixed(name, head, branches().map(of), shown)
-            };
+        let column = |name: &str, head: Message, of: fn(&StabilityBranch) -> Option<f64>, shown: usize| {
+            Column::fixed(name, head, branches().map(of), shown)
+        };
         let points = || self.points.iter();
         let in_file = |name: &str, of: fn(&StabilityPoint) -> Option<f64>| Column {
             head: None,
@@ -237,42 +216,12 @@ impl Answer for StabilityMap {
             Table {
                 name: "branches",
                 columns: vec![
-                    column(
-                        "frequency_min_hz",
-                        say!(branch_from),
-                        |it| Some(it.frequency_min_hz),
-                        0,
-                    ),
-                    column(
-                        "frequency_max_hz",
-                        say!(branch_to),
-                        |it| Some(it.frequency_max_hz),
-                        0,
-                    ),
-                    column(
-                        "friction_min",
-                        say!(least_friction),
-                        |it| Some(it.friction_min),
-                        3,
-                    ),
-                    column(
-                        "growth_rate_per_s",
-                        say!(fastest_growth_in_time),
-                        |it| it.growth_rate_per_s,
-                        1,
-                    ),
-                    column(
-                        "speed_km_per_h",
-                        say!(at_speed_column),
-                        |it| Some(3.6 * it.speed_m_per_s),
-                        0,
-                    ),
-                    column(
-                        "at_friction",
-                        say!(at_friction_column),
-                        |it| Some(it.at_friction),
-                        3,
-                    ),
+                    column("frequency_min_hz", say!(branch_from), |it| Some(it.frequency_min_hz), 0),
+                    column("frequency_max_hz", say!(branch_to), |it| Some(it.frequency_max_hz), 0),
+                    column("friction_min", say!(least_friction), |it| Some(it.friction_min), 3),
+                    column("growth_rate_per_s", say!(fastest_growth_in_time), |it| it.growth_rate_per_s, 1),
+                    column("speed_km_per_h", say!(at_speed_column), |it| Some(3.6 * it.speed_m_per_s), 0),
+                    column("at_friction", say!(at_friction_column), |it| Some(it.at_friction), 3),
                 ],
             },
             Table {
@@ -300,19 +249,9 @@ impl Answer for StabilityMap {
         let [slowest, fastest] = [slowest, fastest].map(|speed| shown_speed(speed, 0));
         let highest = fixed(self.friction[self.friction.len() - 1], 3);
         vec![if least.is_infinite() {
-            say!(
-                stable_everywhere,
-                slowest = slowest,
-                fastest = fastest,
-                highest = highest
-            )
+            say!(stable_everywhere, slowest = slowest, fastest = fastest, highest = highest)
         } else if least <= lowest {
-            say!(
-                unstable_from_the_least,
-                least = fixed(least, 3),
-                slowest = slowest,
-                fastest = fastest
-            )
+            say!(unstable_from_the_least, least = fixed(least, 3), slowest = slowest, fastest = fastest)
         } else {
             let stable = self.friction.iter().copied().filter(|it| *it < least);
             say!(
@@ -326,27 +265,15 @@ impl Answer for StabilityMap {
     }
 
     fn figure(&self) -> LineFigure {
-        let x: Vec<f64> = self
-            .speeds_m_per_s
-            .iter()
-            .map(|speed| 3.6 * speed)
-            .collect();
+        let x: Vec<f64> = self.speeds_m_per_s.iter().map(|speed| 3.6 * speed).collect();
         let line = |label: String, values: &[f64], level: f64, style: LineStyle, color: Rgb| {
             let (x, y) = contour(&x, &self.friction, values, level);
-            Series {
-                label,
-                x,
-                y,
-                style,
-                color: Some(color),
-            }
+            Series { label, x, y, style, color: Some(color) }
         };
         let mut series = Vec::new();
         for (branch, color) in self.branches.iter().zip(OKABE_ITO.iter().cycle().skip(1)) {
             let own = |point: &StabilityPoint| branch.holds(point.frequency_hz);
-            let values = |of: &dyn Fn(&StabilityPoint) -> f64| {
-                self.points.iter().map(of).collect::<Vec<f64>>()
-            };
+            let values = |of: &dyn Fn(&StabilityPoint) -> f64| self.points.iter().map(of).collect::<Vec<f64>>();
             let inside = values(&|point| if own(point) { 1.0 } else { -1.0 });
             series.push(line(branch.name(), &inside, 0.0, LineStyle::Solid, *color));
             let growth = values(&|point| match own(point) {
@@ -408,21 +335,11 @@ mod tests {
             growth_rate_per_s: None,
             ..point(0.0, 0.1, 0.0)
         };
-        let found = StabilityBranch::of(&[
-            point(412.0, 0.3, 2.0),
-            stable,
-            point(400.0, 0.4, 5.0),
-            point(900.0, 0.5, 7.0),
-        ]);
+        let found =
+            StabilityBranch::of(&[point(412.0, 0.3, 2.0), stable, point(400.0, 0.4, 5.0), point(900.0, 0.5, 7.0)]);
         assert_eq!(found.len(), 2, "{found:?}");
-        assert_eq!(
-            (found[0].name(), found[0].friction_min),
-            ("900 Hz".to_owned(), 0.5)
-        );
-        assert_eq!(
-            (found[1].name(), found[1].friction_min, found[1].at_friction),
-            ("400–412 Hz".to_owned(), 0.3, 0.4)
-        );
+        assert_eq!((found[0].name(), found[0].friction_min), ("900 Hz".to_owned(), 0.5));
+        assert_eq!((found[1].name(), found[1].friction_min, found[1].at_friction), ("400–412 Hz".to_owned(), 0.3, 0.4));
         assert!(StabilityBranch::of(&[stable]).is_empty());
     }
 }

@@ -58,25 +58,18 @@ impl Values {
     fn in_file(&self, row: usize) -> String {
         match self {
             Self::Words(words) => words[row].to_string(),
-            Self::Exact(values) => values[row].map_or_else(String::new, |value| {
-                ryu::Buffer::new().format(value).to_owned()
-            }),
-            Self::Plain(values) => values[row].map_or_else(String::new, |value| value.to_string()),
-            Self::Fixed { values, file, .. } => {
-                values[row].map_or_else(String::new, |value| format!("{value:.file$}"))
+            Self::Exact(values) => {
+                values[row].map_or_else(String::new, |value| ryu::Buffer::new().format(value).to_owned())
             }
+            Self::Plain(values) => values[row].map_or_else(String::new, |value| value.to_string()),
+            Self::Fixed { values, file, .. } => values[row].map_or_else(String::new, |value| format!("{value:.file$}")),
         }
     }
 
     fn shown(&self, row: usize, language: Language) -> String {
         let number = match self {
             Self::Words(words) => return words[row].text(language),
-            Self::Fixed {
-                values,
-                shown,
-                signed,
-                ..
-            } => {
+            Self::Fixed { values, shown, signed, .. } => {
                 let Some(value) = values[row] else {
                     return String::new();
                 };
@@ -97,39 +90,23 @@ impl Values {
 impl Column {
     /// Words that a reader sees.
     pub fn words(name: &str, head: Message, words: Vec<Message>) -> Self {
-        Self {
-            name: name.to_owned(),
-            head: Some(head),
-            values: Values::Words(words),
-        }
+        Self { name: name.to_owned(), head: Some(head), values: Values::Words(words) }
     }
 
     /// Numbers for files alone, as they are.
     pub fn in_file(name: &str, values: impl Iterator<Item = f64>) -> Self {
-        Self {
-            name: name.to_owned(),
-            head: None,
-            values: Values::Plain(values.map(Some).collect()),
-        }
+        Self { name: name.to_owned(), head: None, values: Values::Plain(values.map(Some).collect()) }
     }
 
     /// Words for files alone.
     pub fn names<T: ToString>(name: &str, names: impl Iterator<Item = T>) -> Self {
         let names = names.map(|name| Message::verbatim(name.to_string()));
-        Self {
-            name: name.to_owned(),
-            head: None,
-            values: Values::Words(names.collect()),
-        }
+        Self { name: name.to_owned(), head: None, values: Values::Words(names.collect()) }
     }
 
     /// Numbers for files alone, as documents have them.
     pub fn exact<T: Into<Option<f64>>>(name: &str, values: impl Iterator<Item = T>) -> Self {
-        Self {
-            name: name.to_owned(),
-            head: None,
-            values: Values::Exact(values.map(Into::into).collect()),
-        }
+        Self { name: name.to_owned(), head: None, values: Values::Exact(values.map(Into::into).collect()) }
     }
 
     /// Words for readers only, which a file has as numbers.
@@ -139,41 +116,18 @@ impl Column {
 
     /// Numbers for files alone, as they are; none where there is nothing.
     pub fn optional(name: &str, values: Vec<Option<f64>>) -> Self {
-        Self {
-            name: name.to_owned(),
-            head: None,
-            values: Values::Plain(values),
-        }
+        Self { name: name.to_owned(), head: None, values: Values::Plain(values) }
     }
 
     /// Numbers to so many digits before a reader, to a millionth in a file; none where there is nothing.
-    pub fn fixed(
-        name: &str,
-        head: Message,
-        values: impl Iterator<Item = Option<f64>>,
-        shown: usize,
-    ) -> Self {
-        let values = Values::Fixed {
-            values: values.collect(),
-            file: 6,
-            shown,
-            signed: false,
-        };
-        Self {
-            name: name.to_owned(),
-            head: Some(head),
-            values,
-        }
+    pub fn fixed(name: &str, head: Message, values: impl Iterator<Item = Option<f64>>, shown: usize) -> Self {
+        let values = Values::Fixed { values: values.collect(), file: 6, shown, signed: false };
+        Self { name: name.to_owned(), head: Some(head), values }
     }
 
     /// Decibels: to a tenth before a reader, to a thousandth in a file.
     pub fn decibels(name: String, head: Option<Message>, values: Vec<Option<f64>>) -> Self {
-        let values = Values::Fixed {
-            values,
-            file: 3,
-            shown: 1,
-            signed: false,
-        };
+        let values = Values::Fixed { values, file: 3, shown: 1, signed: false };
         Self { name, head, values }
     }
 }
@@ -182,10 +136,7 @@ impl Table {
     /// Number of rows.
     pub fn rows(&self) -> usize {
         let columns = self.columns.iter();
-        columns
-            .map(|column| column.values.count())
-            .max()
-            .unwrap_or(0)
+        columns.map(|column| column.values.count()).max().unwrap_or(0)
     }
 
     /// Whether a reader sees a column of it.
@@ -196,15 +147,12 @@ impl Table {
     /// Heads and rows for a reader.
     pub fn shown(&self, language: Language) -> (Vec<String>, Vec<Vec<String>>) {
         let columns = self.columns.iter();
-        let columns: Vec<(&Message, &Values)> = columns
-            .filter_map(|column| Some((column.head.as_ref()?, &column.values)))
-            .collect();
+        let columns: Vec<(&Message, &Values)> =
+            columns.filter_map(|column| Some((column.head.as_ref()?, &column.values))).collect();
         let heads = columns.iter().map(|(head, _)| head.text(language));
         let row = |row| {
             let cells = columns.iter();
-            cells
-                .map(|(_, values)| values.shown(row, language))
-                .collect()
+            cells.map(|(_, values)| values.shown(row, language)).collect()
         };
         (heads.collect(), (0..self.rows()).map(row).collect())
     }

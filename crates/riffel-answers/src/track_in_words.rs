@@ -7,10 +7,7 @@ use riffel_keys::{Language, say};
 
 /// A value in a unit of the given size, or "?" where the case has none.
 fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize) -> String {
-    quantity.map_or_else(
-        || "?".to_owned(),
-        |quantity| format!("{:.decimals$}", quantity.si() / unit),
-    )
+    quantity.map_or_else(|| "?".to_owned(), |quantity| format!("{:.decimals$}", quantity.si() / unit))
 }
 
 /// The rail, if the model has one: "rail 56.0 kg/m, I = 2350 cm⁴; ".
@@ -54,11 +51,8 @@ pub(crate) fn track(case: &Case, language: Language) -> String {
         BeamModel::EulerBernoulli => "Euler",
         BeamModel::Timoshenko => "Timoshenko",
     };
-    let moving = if track.model == TrackModel::MovingBeam {
-        say!(under_moving_load).text(language)
-    } else {
-        String::new()
-    };
+    let moving =
+        if track.model == TrackModel::MovingBeam { say!(under_moving_load).text(language) } else { String::new() };
     if let (TrackModel::Measured, Some(measurement)) = (track.model, &track.measurement) {
         let file = &measurement.file;
         return say!(receptance_from_file, file = file).text(language);
@@ -68,21 +62,15 @@ pub(crate) fn track(case: &Case, language: Language) -> String {
     }
     let pad = layer(track.pad.as_ref());
     let mut words = say!(rail_on_pads, beam = beam, moving = moving, pad = pad).text(language);
-    if matches!(
-        case.track.support,
-        Some(riffel::receptance::Support::TwoLayer { .. })
-    ) {
+    if matches!(case.track.support, Some(riffel::receptance::Support::TwoLayer { .. })) {
         let mass = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
         let (mass, ballast) = (value(mass, 1.0, 0), layer(track.ballast.as_ref()));
         words += &say!(sleepers_and_ballast, mass = mass, ballast = ballast).text(language);
     }
     let spacing = value(track.support_spacing, 1.0, 2);
     words += &say!(spacing, spacing = spacing).text(language);
-    words += &if track.model.is_periodic() {
-        say!(discrete).text(language)
-    } else {
-        say!(spread_evenly).text(language)
-    };
+    words +=
+        &if track.model.is_periodic() { say!(discrete).text(language) } else { say!(spread_evenly).text(language) };
     if let Some(name) = &track.preset {
         words += &say!(from_preset, name = name).text(language);
     }

@@ -71,11 +71,7 @@ pub fn unlikely_wear(case: &Case, wear: MeanWear) -> Option<Message> {
 
 /// Whose growth a rate without traffic is: wheels of one kind alone, over the width that their wear comes off.
 pub fn for_whom(case: &Case) -> Message {
-    let contact = case
-        .feedback
-        .contacts()
-        .iter()
-        .find(|it| it.rail == case.feedback.rail());
+    let contact = case.feedback.contacts().iter().find(|it| it.rail == case.feedback.rail());
     let width = contact.map_or(f64::NAN, |it| 1e3 * it.wear.width());
     match case.file.wear.band_width {
         None => say!(rate_of_wheels_on_one_line, width = fixed(width, 1)),

@@ -55,21 +55,17 @@ impl WheelsetAnswer {
     /// [`CaseError`] for a case without a wheelset, and for frequencies at which a measured one is not known.
     pub fn new(case: &Case, frequencies: Vec<f64>) -> Result<Self, CaseError> {
         let wheelset = case.wheelset.clone().ok_or_else(|| {
-            let message =
-                "`wheelset` is missing: a lone wheel has no axle; give [wheelset] with its model";
+            let message = "`wheelset` is missing: a lone wheel has no axle; give [wheelset] with its model";
             case.refuse("wheelset", message)
         })?;
         let ends = frequencies.iter();
-        let ends = ends.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], &frequency| {
-            [low.min(frequency), high.max(frequency)]
-        });
+        let ends = ends
+            .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], &frequency| [low.min(frequency), high.max(frequency)]);
         case.check_wheelset_frequencies(ends[0], ends[1])?;
         let modes = case.wheelset_modes(&wheelset, HIGHEST)?;
         let receptances = frequencies.iter();
         Ok(Self {
-            receptances: receptances
-                .map(|frequency| wheelset.receptances(TAU * frequency))
-                .collect(),
+            receptances: receptances.map(|frequency| wheelset.receptances(TAU * frequency)).collect(),
             wheelset,
             modes,
             frequencies,
@@ -82,10 +78,7 @@ impl WheelsetAnswer {
         let receptances = self.receptances.iter();
         WheelsetDocument {
             natural_frequencies: modes
-                .map(|mode| NaturalFrequency {
-                    frequency_hz: mode.frequency,
-                    name: mode_in_words(&mode.name),
-                })
+                .map(|mode| NaturalFrequency { frequency_hz: mode.frequency, name: mode_in_words(&mode.name) })
                 .collect(),
             frequency_hz: self.frequencies.clone(),
             receptance_m_per_n: receptances
@@ -140,11 +133,7 @@ impl WheelsetAnswer {
         let series = entries.into_iter().map(|(label, row, column)| Series {
             label: label.to_owned(),
             x: self.frequencies.clone(),
-            y: self
-                .receptances
-                .iter()
-                .map(|matrix| matrix[row][column].norm())
-                .collect(),
+            y: self.receptances.iter().map(|matrix| matrix[row][column].norm()).collect(),
             style: match row == column {
                 true => LineStyle::Solid,
                 false => LineStyle::Dashed,
@@ -153,10 +142,7 @@ impl WheelsetAnswer {
         });
         LineFigure {
             title: "Wheelset at its contacts".to_owned(),
-            caption: format!(
-                "Displacement per force at the right contact, exp(+iωt). {}",
-                parameters(case)
-            ),
+            caption: format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(case)),
             panels: vec![LinePanel {
                 x_label: "frequency f [Hz]".to_owned(),
                 y_label: "|H| [m/N]".to_owned(),
@@ -175,9 +161,7 @@ impl WheelsetAnswer {
             return None;
         };
         let half = 0.5 * flexible.axle().length();
-        let places: Vec<f64> = (0..ALONG)
-            .map(|index| half * (2.0 * index as f64 / (ALONG - 1) as f64 - 1.0))
-            .collect();
+        let places: Vec<f64> = (0..ALONG).map(|index| half * (2.0 * index as f64 / (ALONG - 1) as f64 - 1.0)).collect();
         let panel = |subtitle: &str, wanted: fn(&ModeName) -> bool, torsion: bool| {
             let modes = self.modes.iter().filter(|mode| wanted(&mode.name));
             let series = modes.take(DRAWN).filter_map(|mode| {
@@ -190,9 +174,7 @@ impl WheelsetAnswer {
                     }
                 };
                 let values: Vec<f64> = places.iter().map(motion).collect();
-                let largest = values
-                    .iter()
-                    .fold(0.0, |most: f64, value| most.max(value.abs()));
+                let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
                 Some(Series {
                     label: format!("{:.1} Hz {}", mode.frequency, mode.name),
                     x: places.clone(),
@@ -211,18 +193,13 @@ impl WheelsetAnswer {
             }
         };
         let bends = |name: &ModeName| {
-            matches!(
-                name,
-                ModeName::Bending {
-                    plane: BendingPlane::Both | BendingPlane::Vertical,
-                    ..
-                }
-            )
+            matches!(name, ModeName::Bending { plane: BendingPlane::Both | BendingPlane::Vertical, .. })
         };
         Some(LineFigure {
             title: "Mode shapes of the wheelset".to_owned(),
-            caption: "Displacement of the axle in bending, its angle in torsion; without loss and damping, not rotating."
-                .to_owned(),
+            caption:
+                "Displacement of the axle in bending, its angle in torsion; without loss and damping, not rotating."
+                    .to_owned(),
             panels: vec![
                 panel("bending", bends, false),
                 panel("torsion", |name| matches!(name, ModeName::Torsion { .. }), true),

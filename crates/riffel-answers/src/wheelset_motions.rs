@@ -74,9 +74,7 @@ impl WheelsetMotions {
         };
         let (axle, contacts) = (flexible.axle(), flexible.contacts());
         let half = 0.5 * axle.length();
-        let places: Vec<f64> = (0..ALONG)
-            .map(|index| half * (2.0 * index as f64 / (ALONG - 1) as f64 - 1.0))
-            .collect();
+        let places: Vec<f64> = (0..ALONG).map(|index| half * (2.0 * index as f64 / (ALONG - 1) as f64 - 1.0)).collect();
         let radius = contacts.rolling_radius;
         let modes = case.wheelset_modes(&wheelset, HIGHEST)?;
         let modes = modes.iter().filter_map(|mode| {
@@ -84,33 +82,19 @@ impl WheelsetMotions {
             let motions: Vec<_> = places.iter().map(|&place| shape.motion_at(place)).collect();
             let largest = motions.iter().fold(0.0, |most: f64, motion| {
                 let moves = motion.displacement.iter().map(|part| part.abs());
-                moves
-                    .fold(most, f64::max)
-                    .max(radius * motion.rotation[1].abs())
+                moves.fold(most, f64::max).max(radius * motion.rotation[1].abs())
             });
             Some(ModeMotion {
                 frequency_hz: mode.frequency,
                 name: mode_in_words(&mode.name),
-                displacement: motions
-                    .iter()
-                    .map(|motion| motion.displacement.map(|part| part / largest))
-                    .collect(),
-                twist: motions
-                    .iter()
-                    .map(|motion| radius * motion.rotation[1] / largest)
-                    .collect(),
+                displacement: motions.iter().map(|motion| motion.displacement.map(|part| part / largest)).collect(),
+                twist: motions.iter().map(|motion| radius * motion.rotation[1] / largest).collect(),
             })
         });
         // The disc nearest to a contact is its wheel.
         let nearest = |place: f64| {
-            let distances = flexible
-                .discs()
-                .iter()
-                .map(|disc| (disc.position - place).abs());
-            distances
-                .enumerate()
-                .min_by(|a, b| a.1.total_cmp(&b.1))
-                .map(|(index, _)| index)
+            let distances = flexible.discs().iter().map(|disc| (disc.position - place).abs());
+            distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
         };
         let wheels = [-0.5, 0.5].map(|side| nearest(side * contacts.contact_spacing));
         Ok(Self {

@@ -51,13 +51,7 @@ pub enum Values {
 
 impl Array {
     /// The coordinate of a dimension, or one more of it: numbers in one chunk.
-    pub fn axis(
-        name: &str,
-        dimension: &'static str,
-        length: u64,
-        unit: &str,
-        description: &str,
-    ) -> Self {
+    pub fn axis(name: &str, dimension: &'static str, length: u64, unit: &str, description: &str) -> Self {
         Self {
             name: name.to_owned(),
             data_type: DataType::Float64,
@@ -160,9 +154,7 @@ impl Array {
         let length = (rows as usize * self.width()).min(self.length());
         if self.data_type == DataType::Bool {
             let truths = bytes.get(..length).ok_or(cut)?.iter();
-            return Ok(Values::Numbers(
-                truths.map(|truth| f64::from(*truth)).collect(),
-            ));
+            return Ok(Values::Numbers(truths.map(|truth| f64::from(*truth)).collect()));
         }
         if self.data_type != DataType::String {
             let (numbers, []) = bytes.as_chunks::<8>() else {
@@ -211,10 +203,7 @@ mod tests {
     /// Bytes by the specification; the CRC-32C of 32 bytes of zero is that of RFC 3720, B.4.
     #[test]
     fn chunks_are_laid_out_as_specified() {
-        let two_rows = Array {
-            rows_per_chunk: 2,
-            ..array(DataType::Float64)
-        };
+        let two_rows = Array { rows_per_chunk: 2, ..array(DataType::Float64) };
         let bytes = two_rows.encode(&Values::Numbers(vec![0.0; 4]));
         assert_eq!(bytes[..32], [0; 32]);
         assert_eq!(bytes[32..], [0xaa, 0x36, 0x91, 0x8a]);

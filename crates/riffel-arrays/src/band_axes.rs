@@ -12,9 +12,7 @@ pub fn band_axes(bands: &[[f64; 2]]) -> [(Array, Values); 3] {
     let centre = "centre of the band in the logarithm of wavelength";
     [
         axis("band", centre, |[from, to]| (from * to).sqrt()),
-        axis("band_from", "shortest wavelength of the band", |band| {
-            band[0]
-        }),
+        axis("band_from", "shortest wavelength of the band", |band| band[0]),
         axis("band_to", "longest wavelength of the band", |band| band[1]),
     ]
 }

@@ -8,9 +8,7 @@ use crate::Array;
 /// file instead of one for each array.
 pub fn group<'a>(attributes: Value, arrays: impl IntoIterator<Item = &'a Array>) -> Value {
     let arrays = arrays.into_iter();
-    let metadata: Map<String, Value> = arrays
-        .map(|array| (array.name.clone(), array.metadata()))
-        .collect();
+    let metadata: Map<String, Value> = arrays.map(|array| (array.name.clone(), array.metadata())).collect();
     json!({
         "zarr_format": 3,
         "node_type": "group",

@@ -29,10 +29,7 @@ impl Together {
             _ => {}
         }
         let mut builder = tempfile::Builder::new();
-        Ok(Self {
-            folder: folder.to_owned(),
-            made: builder.prefix(&name).rand_bytes(0).tempdir_in(folder)?,
-        })
+        Ok(Self { folder: folder.to_owned(), made: builder.prefix(&name).rand_bytes(0).tempdir_in(folder)? })
     }
 
     /// Write one of them.

@@ -12,9 +12,7 @@ pub const PREFIX: &str = ".riffel-";
 /// Whether a name is that of a file or folder in the making: the prefix and six letters or digits.
 pub fn is_half_written(name: &str) -> bool {
     let rest = name.strip_prefix(PREFIX);
-    rest.is_some_and(|rest| {
-        rest.len() == 6 && rest.bytes().all(|byte| byte.is_ascii_alphanumeric())
-    })
+    rest.is_some_and(|rest| rest.len() == 6 && rest.bytes().all(|byte| byte.is_ascii_alphanumeric()))
 }
 
 /// The path of a file or folder below a folder of results, whose name has `/` between its parts. The folder itself may be a link:
@@ -28,9 +26,7 @@ pub fn place(folder: &Path, name: &str) -> io::Result<PathBuf> {
         path.push(part);
         let refuse = |what: &str| {
             let path = path.display();
-            Err(io::Error::other(format!(
-                "{path} is {what}; only a regular file is replaced by another"
-            )))
+            Err(io::Error::other(format!("{path} is {what}; only a regular file is replaced by another")))
         };
         if !matches!(part, Component::Normal(_)) {
             return refuse("outside the folder of results");
@@ -165,11 +161,7 @@ mod tests {
         let whole = there.path().join("whole");
         fs::write(&whole, "x").unwrap();
         for name in ["folder/a", "folder/b/c", "file", "dangling", "../victim/a"] {
-            for written in [
-                write(&results, name, b"x"),
-                write_new(&results, name, b"x"),
-                put(&whole, &results, name),
-            ] {
+            for written in [write(&results, name, b"x"), write_new(&results, name, b"x"), put(&whole, &results, name)] {
                 let told = written.unwrap_err().to_string();
                 let what = ["is a link", "is outside the folder"];
                 assert!(what.iter().any(|what| told.contains(what)), "{told}");

@@ -79,11 +79,7 @@ struct Proposal {
 }
 
 /// The place of a draw of the prior that the case takes; why not.
-fn prior_draw(
-    posterior: &Posterior,
-    density: &Potential<'_>,
-    random: &mut Xoshiro256PlusPlus,
-) -> Option<Place> {
+fn prior_draw(posterior: &Posterior, density: &Potential<'_>, random: &mut Xoshiro256PlusPlus) -> Option<Place> {
     (0..MOST_TRIALS).find_map(|_| {
         let values = posterior.drawn_from_priors(random);
         Place::of(density, &posterior.place(&values))
@@ -94,11 +90,7 @@ impl Chain {
     /// A chain at the highest of the tops that it finds from its own draws of the prior, or a little beside; none where the
     /// case takes no draw of the prior.
     pub(crate) fn begin(posterior: &Posterior, seed: u64, index: u64, warmup: u64) -> Option<Self> {
-        let scale: Vec<f64> = posterior
-            .parameters()
-            .iter()
-            .map(|it| it.prior.variance().sqrt())
-            .collect();
+        let scale: Vec<f64> = posterior.parameters().iter().map(|it| it.prior.variance().sqrt()).collect();
         let potential = |at: &[f64]| posterior.at(at).map(|it| (it.log_density, it.gradient));
         let tops = (0..STARTS).filter_map(|start| {
             let mut random = random(seed, index, u64::MAX - start);
@@ -108,9 +100,8 @@ impl Chain {
         let top = tops.max_by(|one, other| one.log_density.total_cmp(&other.log_density))?;
         let covariance = covariance(&potential, &top, &scale);
         let size = scale.len();
-        let spread = covariance
-            .cholesky()
-            .unwrap_or_else(|| Matrix::of(size, |i, j| if i == j { scale[i] } else { 0.0 }));
+        let spread =
+            covariance.cholesky().unwrap_or_else(|| Matrix::of(size, |i, j| if i == j { scale[i] } else { 0.0 }));
         let mut chain = Self {
             seed,
             index,
@@ -129,9 +120,7 @@ impl Chain {
         // Beside the top, where the density reaches: a chain shows where it came from.
         let mut random = random(seed, index, u64::MAX - STARTS);
         for _ in 0..MOST_TRIALS {
-            let at: Vec<f64> = (0..size)
-                .map(|_| 2.0 * uniform(&mut random) - 1.0)
-                .collect();
+            let at: Vec<f64> = (0..size).map(|_| 2.0 * uniform(&mut random) - 1.0).collect();
             if let Some(log_density) = posterior.log_density(&chain.in_z(&at)) {
                 (chain.at, chain.log_density) = (at, log_density);
                 break;
@@ -177,12 +166,7 @@ impl Chain {
             self.adapt(&place);
         }
         self.done += 1;
-        Draw {
-            place,
-            log_density: self.log_density,
-            statistics,
-            step,
-        }
+        Draw { place, log_density: self.log_density, statistics, step }
     }
 
     /// Go to the place of the next draw.
@@ -192,8 +176,7 @@ impl Chain {
         let emulator = self.emulator.as_ref().filter(|_| !misled);
         if let Some(emulator) = emulator
             && !self.done.is_multiple_of(ALONG_THE_MODEL)
-            && let Some(Proposal { statistics, kept }) =
-                self.propose(posterior, emulator, step, random)
+            && let Some(Proposal { statistics, kept }) = self.propose(posterior, emulator, step, random)
         {
             self.window.proposed += 1.0;
             self.window.refused += 1.0;
@@ -245,10 +228,7 @@ impl Chain {
             let gain = log_density - self.log_density;
             uniform(random).ln() < gain - (end.log_density - start.log_density)
         });
-        Some(Proposal {
-            statistics,
-            kept: kept.map(|log_density| (end.at, log_density)),
-        })
+        Some(Proposal { statistics, kept: kept.map(|log_density| (end.at, log_density)) })
     }
 
     /// Take a draw of the warm-up into the window, and at the end of that its covariance.
@@ -265,11 +245,7 @@ impl Chain {
             return;
         }
         let size = place.len();
-        let Moments {
-            count,
-            mean,
-            scatter,
-        } = &self.window.moments;
+        let Moments { count, mean, scatter } = &self.window.moments;
         let share = count / (count + PRIOR_DRAWS);
         let before = self.spread.product(&self.spread.transposed());
         let after = Matrix::of(size, |i, j| {
@@ -294,13 +270,7 @@ impl Chain {
 
     /// The numbers of its state.
     pub(crate) fn numbers(&self) -> Vec<f64> {
-        let Step {
-            log,
-            log_mean,
-            bias,
-            count,
-            centre,
-        } = self.step;
+        let Step { log, log_mean, bias, count, centre } = self.step;
         let mut numbers = vec![self.done as f64, log, log_mean, bias, count, centre];
         numbers.extend([self.log_density, f64::from(u8::from(self.emulates))]);
         for part in [
@@ -314,22 +284,13 @@ impl Chain {
         ] {
             numbers.extend(part);
         }
-        let Window {
-            moments,
-            proposed,
-            kept,
-            refused,
-        } = &self.window;
+        let Window { moments, proposed, kept, refused } = &self.window;
         numbers.extend([moments.count, *proposed, *kept, *refused]);
         numbers
     }
 
     /// The chain of [`numbers`](Self::numbers) in a space of some dimensions; none where they are not as many.
-    pub(crate) fn of_numbers(
-        numbers: &[f64],
-        size: usize,
-        (seed, index, warmup): (u64, u64, u64),
-    ) -> Option<Self> {
+    pub(crate) fn of_numbers(numbers: &[f64], size: usize, (seed, index, warmup): (u64, u64, u64)) -> Option<Self> {
         let mut rest = numbers;
         let mut take = |count: usize| -> Option<Vec<f64>> {
             let (part, behind) = rest.split_at_checked(count)?;
@@ -343,13 +304,7 @@ impl Chain {
             index,
             warmup,
             done: head[0] as u64,
-            step: Step {
-                log: head[1],
-                log_mean: head[2],
-                bias: head[3],
-                count: head[4],
-                centre: head[5],
-            },
+            step: Step { log: head[1], log_mean: head[2], bias: head[3], count: head[4], centre: head[5] },
             log_density: head[6],
             emulates: head[7] != 0.0,
             emulator: None,
@@ -358,11 +313,7 @@ impl Chain {
             spread: square(take(size * size)?),
             made_for: (take(size)?, square(take(size * size)?)),
             window: Window {
-                moments: Moments {
-                    mean: take(size)?,
-                    scatter: square(take(size * size)?),
-                    count: take(1)?[0],
-                },
+                moments: Moments { mean: take(size)?, scatter: square(take(size * size)?), count: take(1)?[0] },
                 proposed: take(1)?[0],
                 kept: take(1)?[0],
                 refused: take(1)?[0],
@@ -380,22 +331,12 @@ fn ends_window(number: u64, first: u64, last: u64) -> bool {
         length *= 2;
         end += length;
     }
-    if end + 2 * length > last {
-        number == last
-    } else {
-        number == end
-    }
+    if end + 2 * length > last { number == last } else { number == end }
 }
 
 impl Step {
     fn new(length: f64) -> Self {
-        Self {
-            log: length.ln(),
-            log_mean: length.ln(),
-            bias: 0.0,
-            count: 0.0,
-            centre: (2.0 * length).ln(),
-        }
+        Self { log: length.ln(), log_mean: length.ln(), bias: 0.0, count: 0.0, centre: (2.0 * length).ln() }
     }
 
     fn adapt(&mut self, acceptance: f64) {
@@ -413,12 +354,7 @@ impl Step {
 
 impl Window {
     fn new(size: usize) -> Self {
-        Self {
-            moments: Moments::new(size),
-            proposed: 0.0,
-            kept: 0.0,
-            refused: 0.0,
-        }
+        Self { moments: Moments::new(size), proposed: 0.0, kept: 0.0, refused: 0.0 }
     }
 }
 

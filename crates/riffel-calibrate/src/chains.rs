@@ -14,8 +14,6 @@ impl Chains {
     pub(crate) fn evenly(&self, most: usize) -> Vec<&Draw> {
         let all: Vec<&Draw> = self.draws.iter().flatten().collect();
         let count = all.len().min(most);
-        (0..count)
-            .map(|index| all[index * all.len() / count])
-            .collect()
+        (0..count).map(|index| all[index * all.len() / count]).collect()
     }
 }

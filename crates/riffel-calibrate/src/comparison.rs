@@ -19,8 +19,7 @@ const LEAST_NATS: f64 = 4.0;
 const LEAST_ERRORS: f64 = 2.0;
 
 /// Draws the chains of a folder, for the model of a title; none where it was stopped.
-pub type Sampler<'a> =
-    dyn Fn(&Folder<'_>, &str) -> Result<Option<Chains>, CalibrationError> + Sync + 'a;
+pub type Sampler<'a> = dyn Fn(&Folder<'_>, &str) -> Result<Option<Chains>, CalibrationError> + Sync + 'a;
 
 /// Models of the same data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -65,9 +64,7 @@ impl Comparison {
         let groups = plan.groups()?;
         let mut models = Vec::new();
         for (number, model) in std::iter::once(plan).chain(&plan.models).enumerate() {
-            let title = number
-                .checked_sub(1)
-                .map(|it| &*plan.file.compare[it].title);
+            let title = number.checked_sub(1).map(|it| &*plan.file.compare[it].title);
             let draw = |plan: &Plan, name: String| {
                 let folder = Folder::begin(plan, &folder.join(name), restart)?;
                 sample(&folder, title.unwrap_or_default())
@@ -110,9 +107,7 @@ impl Comparison {
 
     /// With differences and verdicts.
     fn judged(mut models: Vec<ModelScore>) -> Self {
-        let best = models
-            .iter()
-            .max_by(|one, other| one.log_density.total_cmp(&other.log_density));
+        let best = models.iter().max_by(|one, other| one.log_density.total_cmp(&other.log_density));
         let best = best.cloned();
         for model in &mut models {
             let Some(best) = best.as_ref().filter(|best| best.title != model.title) else {
@@ -121,15 +116,12 @@ impl Comparison {
             let pairs = || best.scores.iter().zip(&model.scores);
             let count = model.scores.len() as f64;
             let behind = best.log_density - model.log_density;
-            let beside = pairs()
-                .map(|(best, own)| (best.log_density - own.log_density - behind / count).powi(2));
+            let beside = pairs().map(|(best, own)| (best.log_density - own.log_density - behind / count).powi(2));
             let between = match count > 1.0 {
                 true => beside.sum::<f64>() * count / (count - 1.0),
                 false => 0.0,
             };
-            let of_draws: f64 = pairs()
-                .map(|(best, own)| best.error.powi(2) + own.error.powi(2))
-                .sum();
+            let of_draws: f64 = pairs().map(|(best, own)| best.error.powi(2) + own.error.powi(2)).sum();
             let error = (between + of_draws).sqrt();
             model.behind = behind;
             model.error = error;
@@ -141,11 +133,7 @@ impl Comparison {
     /// Data that were left out, and how many of them lie within the bands of 50 and 90 % of a model.
     pub fn coverage(model: &ModelScore) -> [usize; 3] {
         let sum = |of: fn(&Score) -> usize| model.scores.iter().map(of).sum();
-        [
-            sum(|it| it.count),
-            sum(|it| it.inside_50),
-            sum(|it| it.inside_90),
-        ]
+        [sum(|it| it.count), sum(|it| it.inside_50), sum(|it| it.inside_90)]
     }
 }
 
@@ -159,12 +147,7 @@ fn scores_of(
     let scores = groups.iter().enumerate().map(|(place, (block, group))| {
         let own: Vec<&Given> = given.iter().map(|of_draw| &of_draw[place]).collect();
         let name = plan.posterior.blocks[*block].names.join(" + ");
-        Score::of(
-            (name, group.held),
-            &own,
-            chains.draws.len(),
-            is_drawn_without,
-        )
+        Score::of((name, group.held), &own, chains.draws.len(), is_drawn_without)
     });
     Ok(scores.collect())
 }
@@ -240,11 +223,8 @@ mod tests {
             (0..2u64).into_par_iter().map(chain).collect::<Vec<_>>()
         };
         let score = |dates: &[usize], left_out: usize| {
-            let given: Vec<Given> = draws(dates)
-                .iter()
-                .flatten()
-                .map(|draw| u1.given_rest(1.0 + draw.place[0], left_out))
-                .collect();
+            let given: Vec<Given> =
+                draws(dates).iter().flatten().map(|draw| u1.given_rest(1.0 + draw.place[0], left_out)).collect();
             let held = ("levels".to_owned(), Held::Date(0.0));
             let is_drawn_without = dates.len() < 3;
             Score::of(held, &given.iter().collect::<Vec<_>>(), 2, is_drawn_without)
@@ -257,10 +237,7 @@ mod tests {
             let weighted = score(&[0, 1, 2], date);
             // What is not told is drawn without the date, as above.
             if weighted.is_told {
-                assert!(
-                    (weighted.log_density - expected).abs() < 0.1,
-                    "{weighted:?}"
-                );
+                assert!((weighted.log_density - expected).abs() < 0.1, "{weighted:?}");
                 assert!((weighted.log_density - expected).abs() < 4.0 * weighted.error);
             }
             assert_eq!((without.count, without.inside_90), (3, 3));

@@ -62,30 +62,19 @@ impl U1 {
     }
 
     fn known(&self, of_levels: f64) -> Vec<Known> {
-        let growth = Known {
-            mean: 1.0,
-            precision: 1.0,
-        };
-        let level = Known {
-            mean: 0.0,
-            precision: of_levels,
-        };
+        let growth = Known { mean: 1.0, precision: 1.0 };
+        let level = Known { mean: 0.0, precision: of_levels };
         vec![growth, level, level, level]
     }
 
     /// Columns of κ and of the levels, covariance of the errors and data of some dates.
     pub(crate) fn equations(&self, dates: &[usize]) -> (Vec<Vec<f64>>, Matrix, Vec<f64>) {
-        let rows: Vec<(usize, usize)> = dates
-            .iter()
-            .flat_map(|date| (0..3).map(move |band| (*date, band)))
-            .collect();
+        let rows: Vec<(usize, usize)> = dates.iter().flat_map(|date| (0..3).map(move |band| (*date, band))).collect();
         let growth = rows.iter();
         let growth = growth.map(|(date, band)| self.slopes[*band] * self.passages[*date]);
         let mut columns = vec![growth.collect()];
         columns.extend((0..3).map(|own| {
-            let is_own = rows
-                .iter()
-                .map(|(_, band)| f64::from(u8::from(*band == own)));
+            let is_own = rows.iter().map(|(_, band)| f64::from(u8::from(*band == own)));
             is_own.collect::<Vec<f64>>()
         }));
         let errors = Matrix::of(rows.len(), |i, j| {
@@ -148,12 +137,7 @@ impl U1 {
     /// What the sampler draws κ and the first levels from.
     pub(crate) fn posterior_of_all(&self) -> Posterior {
         let (columns, errors, data) = self.equations(&[0, 1, 2]);
-        self.posterior_of(Levels {
-            gaussian: Gaussian::new(errors, Vec::new()).unwrap(),
-            columns,
-            data,
-            times: 1.0,
-        })
+        self.posterior_of(Levels { gaussian: Gaussian::new(errors, Vec::new()).unwrap(), columns, data, times: 1.0 })
     }
 
     fn posterior_of(&self, levels: Levels) -> Posterior {
@@ -173,12 +157,7 @@ impl U1 {
             in_data: None,
         });
         Posterior {
-            model: Model {
-                parameters: parameters.collect(),
-                views: Vec::new(),
-                vehicles: Vec::new(),
-                speed: None,
-            },
+            model: Model { parameters: parameters.collect(), views: Vec::new(), vehicles: Vec::new(), speed: None },
             blocks: vec![Named {
                 names: vec!["levels".to_owned()],
                 block: Box::new(levels),
@@ -229,12 +208,7 @@ impl Block for Levels {
         Vec::new()
     }
 
-    fn replicate(
-        &self,
-        predicted: &[f64],
-        sizes: &[f64],
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>> {
+    fn replicate(&self, predicted: &[f64], sizes: &[f64], random: &mut Xoshiro256PlusPlus) -> Option<Vec<f64>> {
         let errors = self.gaussian.draw(sizes, || self.times * normal(random))?;
         Some(sums(predicted, &errors))
     }
@@ -266,12 +240,8 @@ impl Modes {
     pub(crate) const LOG_EVIDENCE: f64 = -2.466_639_278_450_632;
 
     pub(crate) fn posterior() -> Posterior {
-        let prior = Distribution::Normal {
-            mean: 0.0,
-            standard_deviation: 1.0,
-            min: f64::NEG_INFINITY,
-            max: f64::INFINITY,
-        };
+        let prior =
+            Distribution::Normal { mean: 0.0, standard_deviation: 1.0, min: f64::NEG_INFINITY, max: f64::INFINITY };
         let parameter = |name: &str| Parameter {
             name: name.to_owned(),
             unit: String::new(),

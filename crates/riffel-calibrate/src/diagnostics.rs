@@ -11,14 +11,9 @@ use riffel_study::sensitivity::quantile;
 pub fn rhat(chains: &[Vec<f64>]) -> f64 {
     let halves = split(chains);
     let middle = quantile(&sorted(chains), 0.5);
-    let folded: Vec<Vec<f64>> = halves
-        .iter()
-        .map(|chain| chain.iter().map(|x| (x - middle).abs()).collect())
-        .collect();
+    let folded: Vec<Vec<f64>> = halves.iter().map(|chain| chain.iter().map(|x| (x - middle).abs()).collect()).collect();
     let ratio = |chains: &[Vec<f64>]| {
-        let Moments {
-            within, overall, ..
-        } = Moments::of(chains);
+        let Moments { within, overall, .. } = Moments::of(chains);
         (overall / within).sqrt()
     };
     ratio(&rank_normalised(&halves)).max(ratio(&rank_normalised(&folded)))
@@ -34,15 +29,8 @@ pub fn ess_tail(chains: &[Vec<f64>]) -> f64 {
     let all = sorted(chains);
     let of = |share: f64| {
         let at = quantile(&all, share);
-        let below: Vec<Vec<f64>> = split(chains)
-            .iter()
-            .map(|chain| {
-                chain
-                    .iter()
-                    .map(|x| f64::from(u8::from(*x <= at)))
-                    .collect()
-            })
-            .collect();
+        let below: Vec<Vec<f64>> =
+            split(chains).iter().map(|chain| chain.iter().map(|x| f64::from(u8::from(*x <= at))).collect()).collect();
         ess(&below)
     };
     of(0.05).min(of(0.95))
@@ -77,9 +65,7 @@ fn rank_normalised(chains: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let rank = 0.5 * (begin + 1 + end) as f64;
         let share = (rank - 0.375) / (all.len() as f64 + 0.25);
         let score = normal::quantile(share);
-        order[begin..end]
-            .iter()
-            .for_each(|place| scores[*place] = score);
+        order[begin..end].iter().for_each(|place| scores[*place] = score);
         begin = end;
     }
     let length = chains.first().map_or(1, Vec::len).max(1);
@@ -98,23 +84,12 @@ struct Moments {
 impl Moments {
     fn of(chains: &[Vec<f64>]) -> Self {
         let (count, length) = (chains.len() as f64, chains[0].len() as f64);
-        let means: Vec<f64> = chains
-            .iter()
-            .map(|chain| chain.iter().sum::<f64>() / length)
-            .collect();
-        let scatter =
-            |values: &[f64], mean: f64| values.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
-        let variances = chains
-            .iter()
-            .zip(&means)
-            .map(|(chain, mean)| scatter(chain, *mean));
+        let means: Vec<f64> = chains.iter().map(|chain| chain.iter().sum::<f64>() / length).collect();
+        let scatter = |values: &[f64], mean: f64| values.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
+        let variances = chains.iter().zip(&means).map(|(chain, mean)| scatter(chain, *mean));
         let within = variances.sum::<f64>() / (count * (length - 1.0));
         let between = scatter(&means, means.iter().sum::<f64>() / count) / (count - 1.0).max(1.0);
-        Self {
-            means,
-            within,
-            overall: within * (length - 1.0) / length + between,
-        }
+        Self { means, within, overall: within * (length - 1.0) / length + between }
     }
 }
 
@@ -181,11 +156,7 @@ mod tests {
                 })
                 .collect();
             let expected = 40_000.0 * (1.0 - phi) / (1.0 + phi);
-            assert!(
-                (ess_bulk(&chains) / expected - 1.0).abs() < 0.1,
-                "{}",
-                ess_bulk(&chains)
-            );
+            assert!((ess_bulk(&chains) / expected - 1.0).abs() < 0.1, "{}", ess_bulk(&chains));
             assert!(rhat(&chains) < 1.005);
             assert!(ess_tail(&chains) > 0.5 * expected);
             let mut apart = chains.clone();

@@ -32,8 +32,7 @@ impl Plan {
     pub fn drawn(&self, chains: &Chains, most: usize) -> Result<Vec<Drawn>, CalibrationError> {
         let drawn = chains.evenly(most).into_par_iter().map(|draw| {
             let values = self.posterior.values(&draw.place);
-            self.with_values(&values)
-                .map_err(|error| CalibrationError::Refused(error.to_string()))
+            self.with_values(&values).map_err(|error| CalibrationError::Refused(error.to_string()))
         });
         drawn.collect()
     }
@@ -47,9 +46,7 @@ impl Plan {
         let view = &model.views[self.trains];
         let numbers = model.trial(values).numbers(self.trains);
         let numbers = numbers.into_iter();
-        let settings: Vec<_> = numbers
-            .map(|(key, value)| (key.to_owned(), Value::Float(value)))
-            .collect();
+        let settings: Vec<_> = numbers.map(|(key, value)| (key.to_owned(), Value::Float(value))).collect();
         let edited = self.traffic.as_ref().map(|traffic| {
             traffic.edit(|file| {
                 for &index in &view.acting {
@@ -59,10 +56,7 @@ impl Plan {
                 }
             })
         });
-        Ok(Drawn {
-            case: view.case.with_settings(&settings)?,
-            traffic: edited.transpose()?,
-        })
+        Ok(Drawn { case: view.case.with_settings(&settings)?, traffic: edited.transpose()? })
     }
 
     /// What the plan sets for trains beside its case, as `track.model = "two-layer"`.
@@ -70,9 +64,7 @@ impl Plan {
         let levels = self.file.data.iter();
         let set = levels.filter(|data| data.kind == crate::file::Kind::DatedLevels);
         let settings = set.flat_map(|data| riffel_case::settings(&data.set));
-        settings
-            .map(|(key, value)| format!("{key} = {value}"))
-            .collect()
+        settings.map(|(key, value)| format!("{key} = {value}")).collect()
     }
 }
 
@@ -116,9 +108,7 @@ fn insert(table: &mut Table, key: &str, value: f64) {
             table.insert(key.to_owned(), Value::Float(value));
         }
         Some((first, rest)) => {
-            let inner = table
-                .entry(first)
-                .or_insert_with(|| Value::Table(Table::new()));
+            let inner = table.entry(first).or_insert_with(|| Value::Table(Table::new()));
             if let Value::Table(inner) = inner {
                 insert(inner, rest, value);
             }

@@ -121,11 +121,7 @@ impl Emulator {
         predicted.map(|(it, seen)| it.predict(seen)).collect()
     }
 
-    fn with_slopes(
-        &self,
-        (mut point, densities): (Point, Vec<Density>),
-        seen: &[Seen],
-    ) -> Option<Point> {
+    fn with_slopes(&self, (mut point, densities): (Point, Vec<Density>), seen: &[Seen]) -> Option<Point> {
         for ((polynomials, density), seen) in self.0.iter().zip(densities).zip(seen) {
             let slopes = polynomials.by_coordinates(seen, &density.by_prediction);
             polynomials.add_slopes(&mut point.gradient, seen, slopes);
@@ -142,9 +138,7 @@ impl Polynomials {
         random: &mut Xoshiro256PlusPlus,
     ) -> Option<Self> {
         let own = &named.touched_by;
-        let covariance = Matrix::of(own.len(), |i, j| {
-            dot(spread.row(own[i]), spread.row(own[j]))
-        });
+        let covariance = Matrix::of(own.len(), |i, j| dot(spread.row(own[i]), spread.row(own[j])));
         let lower = covariance.cholesky()?;
         let terms = terms_of(own.len());
         let count = terms.len();
@@ -169,11 +163,7 @@ impl Polynomials {
             moments.add(&smooth.collect::<Vec<f64>>());
         }
         let scale = WIDER * WIDER * moments.count;
-        moments
-            .scatter
-            .values
-            .iter_mut()
-            .for_each(|it| *it /= scale);
+        moments.scatter.values.iter_mut().for_each(|it| *it /= scale);
         let turn = moments.scatter.cholesky()?.inverse_of_triangle();
         let mut polynomials = Self {
             touched_by: own.clone(),
@@ -186,13 +176,8 @@ impl Polynomials {
             data: named.block.observed().len(),
         };
         let rows = places.iter();
-        let rows: Vec<Vec<f64>> = rows
-            .map(|it| polynomials.seen(posterior, it).terms)
-            .collect();
-        let (mut gram, mut sides) = (
-            Matrix::of(count, |_, _| 0.0),
-            vec![0.0; count * polynomials.data],
-        );
+        let rows: Vec<Vec<f64>> = rows.map(|it| polynomials.seen(posterior, it).terms).collect();
+        let (mut gram, mut sides) = (Matrix::of(count, |_, _| 0.0), vec![0.0; count * polynomials.data]);
         for (row, data) in rows.iter().zip(&data) {
             for (k, term) in row.iter().enumerate() {
                 add(&mut gram.values[k * count..=k * count + k], *term, row);
@@ -224,12 +209,7 @@ impl Polynomials {
         for (k, (before, coordinate)) in self.terms.iter().enumerate().skip(1) {
             terms[k] = terms[*before] * coordinates[*coordinate];
         }
-        Seen {
-            distance: dot(&coordinates, &coordinates).sqrt(),
-            coordinates,
-            slopes,
-            terms,
-        }
+        Seen { distance: dot(&coordinates, &coordinates).sqrt(), coordinates, slopes, terms }
     }
 
     fn predict(&self, seen: &Seen) -> Vec<f64> {
@@ -242,9 +222,7 @@ impl Polynomials {
 
     /// Derivatives by the coordinates of what has derivatives by the predictions.
     fn by_coordinates(&self, seen: &Seen, by_prediction: &[f64]) -> Vec<f64> {
-        let Seen {
-            coordinates, terms, ..
-        } = seen;
+        let Seen { coordinates, terms, .. } = seen;
         let mut by_terms = vec![0.0; terms.len()];
         let factors = self.by_datum.chunks_exact(terms.len());
         let data = by_prediction.iter().zip(factors);
@@ -271,19 +249,13 @@ fn terms_of(coordinates: usize) -> Vec<(usize, usize)> {
     // Terms of the last power, and the coordinate from which on they may be multiplied.
     let mut last = vec![(0, 0)];
     for _ in 0..HIGHEST_POWER {
-        let next: Vec<(usize, usize)> = last
-            .iter()
-            .flat_map(|(term, from)| (*from..coordinates).map(|coordinate| (*term, coordinate)))
-            .collect();
+        let next: Vec<(usize, usize)> =
+            last.iter().flat_map(|(term, from)| (*from..coordinates).map(|coordinate| (*term, coordinate))).collect();
         if next.is_empty() || terms.len() + next.len() > MOST_TERMS {
             break;
         }
         let first = terms.len();
-        last = next
-            .iter()
-            .enumerate()
-            .map(|(k, (_, coordinate))| (first + k, *coordinate))
-            .collect();
+        last = next.iter().enumerate().map(|(k, (_, coordinate))| (first + k, *coordinate)).collect();
         terms.extend(next);
     }
     terms
@@ -291,9 +263,7 @@ fn terms_of(coordinates: usize) -> Vec<(usize, usize)> {
 
 /// sum += factor · of.
 fn add(sum: &mut [f64], factor: f64, of: &[f64]) {
-    sum.iter_mut()
-        .zip(of)
-        .for_each(|(sum, of)| *sum += factor * of);
+    sum.iter_mut().zip(of).for_each(|(sum, of)| *sum += factor * of);
 }
 
 #[cfg(test)]
@@ -307,10 +277,7 @@ mod tests {
         let counts = [0, 1, 2, 7, 11].map(|coordinates| terms_of(coordinates).len());
         assert_eq!(counts, [1, 7, 28, 330, 364]);
         // 1; x, y; x², xy, y²; …
-        assert_eq!(
-            terms_of(2)[..6],
-            [(0, 0), (0, 0), (0, 1), (1, 0), (1, 1), (2, 1)]
-        );
+        assert_eq!(terms_of(2)[..6], [(0, 0), (0, 0), (0, 1), (1, 0), (1, 1), (2, 1)]);
     }
 
     /// About the truth of three dates with a third of the width of the priors: levels to a tenth of their error of 0.5 dB in the
@@ -323,20 +290,14 @@ mod tests {
         let middle = posterior.place(&[3.5e-9, 0.6, 0.17, 32.0, 2.5, 460.0, 2.3e8, 0.4]);
         let parameters = posterior.parameters();
         let size = parameters.len();
-        let deviation: Vec<f64> = parameters
-            .iter()
-            .map(|it| it.prior.variance().sqrt() / 3.0)
-            .collect();
+        let deviation: Vec<f64> = parameters.iter().map(|it| it.prior.variance().sqrt() / 3.0).collect();
         let spread = Matrix::of(size, |i, j| if i == j { deviation[i] } else { 0.0 });
         let mut random = random(1, 0, 0);
         let emulator = Emulator::train(&posterior, (&middle, &spread), &mut random).unwrap();
         let mut squares = 0.0;
         for _ in 0..20 {
             let beside = deviation.iter().map(|it| it * normal(&mut random));
-            let place: Vec<f64> = beside
-                .zip(&middle)
-                .map(|(beside, middle)| middle + beside)
-                .collect();
+            let place: Vec<f64> = beside.zip(&middle).map(|(beside, middle)| middle + beside).collect();
             let expected = posterior.predictions_at(&place).unwrap();
             let polynomials = &emulator.0[0];
             let predicted = polynomials.predict(&polynomials.seen(&posterior, &place));
@@ -351,10 +312,7 @@ mod tests {
                     emulator.at(&posterior, &place).unwrap().log_density
                 };
                 let difference = (moved(1.0) - moved(-1.0)) / (2.0 * h);
-                assert!(
-                    (slope - difference).abs() < 1e-6 * (1.0 + slope.abs()),
-                    "{index}: {slope} {difference}"
-                );
+                assert!((slope - difference).abs() < 1e-6 * (1.0 + slope.abs()), "{index}: {slope} {difference}");
             }
             let along = emulator.along(&posterior, &place).unwrap();
             assert_eq!(Some(along.log_density), posterior.log_density(&place));
@@ -365,10 +323,7 @@ mod tests {
             };
             let (slopes, exact) = (scaled(&along.gradient), scaled(&exact));
             let lengths = (dot(&slopes, &slopes) * dot(&exact, &exact)).sqrt();
-            assert!(
-                dot(&slopes, &exact) > 0.98 * lengths,
-                "{slopes:?} {exact:?}"
-            );
+            assert!(dot(&slopes, &exact) > 0.98 * lengths, "{slopes:?} {exact:?}");
         }
         assert!(squares.sqrt() < 0.05, "{} dB", squares.sqrt());
     }

@@ -45,13 +45,7 @@ impl Ensemble {
             starts.max_by(|one, other| one.log_density().total_cmp(&other.log_density()))
         };
         let walkers: Option<Vec<Placed>> = (0..walkers(posterior)).map(begin).collect();
-        Some(Self {
-            seed,
-            index,
-            warmup,
-            done: 0,
-            walkers: walkers?,
-        })
+        Some(Self { seed, index, warmup, done: 0, walkers: walkers? })
     }
 
     /// The next draw: of the walkers in turn.
@@ -89,21 +83,14 @@ impl Ensemble {
         let best = best.max_by(|one, other| one.log_density().total_cmp(&other.log_density()));
         let Some(best) = best.cloned() else { return };
         let stuck = self.walkers.iter_mut();
-        stuck
-            .filter(|walker| walker.log_density() < least)
-            .for_each(|walker| *walker = best.clone());
+        stuck.filter(|walker| walker.log_density() < least).for_each(|walker| *walker = best.clone());
     }
 
     /// One walker after a move that the density keeps.
     ///
     /// Source: ter Braak (2006), Statistics and Computing 16, for differences; Goodman & Weare (2010), Commun. Appl. Math. Comput.
     /// Sci. 5, for stretches.
-    fn moved(
-        &self,
-        own: usize,
-        posterior: &Posterior,
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Placed> {
+    fn moved(&self, own: usize, posterior: &Posterior, random: &mut Xoshiro256PlusPlus) -> Option<Placed> {
         let here = &self.walkers[own];
         let mut other = || &self.walkers[other_than(own, self.walkers.len(), random)].at;
         let (one, another) = (other(), other());
@@ -137,13 +124,7 @@ impl Ensemble {
     ) -> Option<Self> {
         let (done, walkers) = numbers.split_first()?;
         let walkers = Placed::all(walkers, posterior.parameters().len())?;
-        (walkers.len() == self::walkers(posterior)).then_some(Self {
-            seed,
-            index,
-            warmup,
-            done: *done as u64,
-            walkers,
-        })
+        (walkers.len() == self::walkers(posterior)).then_some(Self { seed, index, warmup, done: *done as u64, walkers })
     }
 
     /// Draws walker by walker, each in its order, so that what follows each other hangs together: diagnostics look for that.
@@ -165,12 +146,7 @@ fn other_than(own: usize, count: usize, random: &mut Xoshiro256PlusPlus) -> usiz
 }
 
 /// A place beside another by the difference of two.
-pub(crate) fn difference(
-    here: &[f64],
-    one: &[f64],
-    another: &[f64],
-    random: &mut Xoshiro256PlusPlus,
-) -> Vec<f64> {
+pub(crate) fn difference(here: &[f64], one: &[f64], another: &[f64], random: &mut Xoshiro256PlusPlus) -> Vec<f64> {
     let factor = match uniform(random) < WHOLE {
         true => 1.0,
         // The best of normal densities.
@@ -178,9 +154,7 @@ pub(crate) fn difference(
     };
     let apart = one.iter().zip(another).map(|(one, other)| one - other);
     let moved = here.iter().zip(apart);
-    moved
-        .map(|(here, apart)| here + factor * apart + BESIDE * normal(random))
-        .collect()
+    moved.map(|(here, apart)| here + factor * apart + BESIDE * normal(random)).collect()
 }
 
 #[cfg(test)]
@@ -219,10 +193,7 @@ mod tests {
         let draws = drawn(&posterior, 12_000);
         let of = |place: usize| -> Vec<f64> {
             let prior = &posterior.parameters()[place].prior;
-            draws
-                .iter()
-                .map(|it| prior.value(it.place[place]))
-                .collect()
+            draws.iter().map(|it| prior.value(it.place[place])).collect()
         };
         let values: Vec<Vec<f64>> = (0..4).map(of).collect();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
@@ -233,9 +204,7 @@ mod tests {
             assert!(off.abs() < 0.09, "{i}: {off}");
             for j in 0..=i {
                 let pairs = values[i].iter().zip(&values[j]);
-                let products: Vec<f64> = pairs
-                    .map(|(a, b)| (a - after.mean[i]) * (b - after.mean[j]))
-                    .collect();
+                let products: Vec<f64> = pairs.map(|(a, b)| (a - after.mean[i]) * (b - after.mean[j])).collect();
                 let scale = deviation * expected.at(j, j).sqrt();
                 let off = (mean(&products) - expected.at(i, j)) / scale;
                 assert!(off.abs() < 0.14, "{i}, {j}: {off}");

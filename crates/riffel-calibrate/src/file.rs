@@ -190,13 +190,7 @@ pub struct SamplerFile {
 
 impl Default for SamplerFile {
     fn default() -> Self {
-        Self {
-            kind: SamplerKind::Nuts,
-            chains: 4,
-            warmup: 1000,
-            draws: 1000,
-            seed: 0,
-        }
+        Self { kind: SamplerKind::Nuts, chains: 4, warmup: 1000, draws: 1000, seed: 0 }
     }
 }
 
@@ -358,18 +352,10 @@ impl Kind {
     /// The columns that its table must have.
     pub fn columns(self) -> &'static [&'static str] {
         match self {
-            Self::FrequencyResponse => &[
-                "frequency_hz",
-                "receptance_re_m_per_n",
-                "receptance_im_m_per_n",
-            ],
+            Self::FrequencyResponse => &["frequency_hz", "receptance_re_m_per_n", "receptance_im_m_per_n"],
             Self::DecayRate => &["frequency_hz", "decay_rate_db_per_m"],
             Self::DatedLevels => &["wavelength_mm", "level_db", "standard_error_db", "passages"],
-            Self::AxleBox => &[
-                "wavelength_mm",
-                "level_db_re_1_m_per_s2",
-                "standard_error_db",
-            ],
+            Self::AxleBox => &["wavelength_mm", "level_db_re_1_m_per_s2", "standard_error_db"],
             Self::PassBy => &["passages", "level_dba"],
             Self::DatedProfiles => &["passages", "profile"],
             Self::Wear => &["depth_mm", "mgt"],
@@ -380,11 +366,7 @@ impl Kind {
     pub(crate) fn other_columns(self) -> &'static [&'static str] {
         match self {
             Self::FrequencyResponse => &["position_m", "coherence"],
-            Self::DecayRate => &[
-                "standard_error_ln",
-                "standard_error_db_per_m",
-                "upper_bound",
-            ],
+            Self::DecayRate => &["standard_error_ln", "standard_error_db_per_m", "upper_bound"],
             Self::PassBy => &["speed_km_per_h", "trains", "standard_error_db"],
             Self::Wear => &["factor"],
             Self::DatedLevels | Self::AxleBox | Self::DatedProfiles => &[],

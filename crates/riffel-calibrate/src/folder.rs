@@ -36,9 +36,7 @@ impl<'a> Folder<'a> {
         let write = CalibrationError::write;
         check(path)?;
         let in_use = InUse::take(path, LOCK, false).map_err(write(path))?;
-        let in_use = in_use.ok_or_else(|| CalibrationError::InUse {
-            folder: path.to_owned(),
-        })?;
+        let in_use = in_use.ok_or_else(|| CalibrationError::InUse { folder: path.to_owned() })?;
         // Somebody may have begun here since.
         check(path)?;
         match Record::read(path) {
@@ -51,13 +49,7 @@ impl<'a> Folder<'a> {
             None => {}
         }
         whole_file::sweep(path).map_err(write(path))?;
-        let folder = Self {
-            plan,
-            path: path.to_owned(),
-            record,
-            goes_on: restart,
-            _in_use: Some(in_use),
-        };
+        let folder = Self { plan, path: path.to_owned(), record, goes_on: restart, _in_use: Some(in_use) };
         for name in [PARTS, TREE, MODELS] {
             whole_file::place(path, name).map_err(write(&path.join(name)))?;
         }
@@ -67,13 +59,7 @@ impl<'a> Folder<'a> {
 
     /// A folder whose chains are read, not drawn.
     pub(crate) fn to_read(plan: &'a Plan, path: &Path, record: Record) -> Self {
-        Self {
-            plan,
-            path: path.to_owned(),
-            record,
-            goes_on: true,
-            _in_use: None,
-        }
+        Self { plan, path: path.to_owned(), record, goes_on: true, _in_use: None }
     }
 
     /// Where it is.
@@ -82,8 +68,7 @@ impl<'a> Folder<'a> {
     }
 
     pub(crate) fn put(&self, name: &str, bytes: &[u8]) -> Result<(), CalibrationError> {
-        whole_file::write(&self.path, name, bytes)
-            .map_err(CalibrationError::write(&self.path.join(name)))
+        whole_file::write(&self.path, name, bytes).map_err(CalibrationError::write(&self.path.join(name)))
     }
 }
 
@@ -93,9 +78,7 @@ fn check(folder: &Path) -> Result<(), CalibrationError> {
     let is_free = names(folder).iter().all(|name| is_own(name));
     match is_free || Record::read(folder).is_some() {
         true => Ok(()),
-        false => Err(CalibrationError::NoCalibration {
-            folder: folder.to_owned(),
-        }),
+        false => Err(CalibrationError::NoCalibration { folder: folder.to_owned() }),
     }
 }
 
@@ -154,8 +137,6 @@ fn clear(folder: &Path, there: &Record) -> io::Result<()> {
     }
     emptied.extend([TREE, PARTS, MODELS].map(str::to_owned));
     // Fails, as it should, where somebody has put something there.
-    emptied
-        .iter()
-        .for_each(|name| drop(fs::remove_dir(folder.join(name))));
+    emptied.iter().for_each(|name| drop(fs::remove_dir(folder.join(name))));
     Ok(())
 }

@@ -50,20 +50,12 @@ impl Forecast {
     ///
     /// # Errors
     /// [`CalibrationError::Refused`] without dated levels, without passages of a day, or without a limit of any band.
-    pub fn of(
-        plan: &Plan,
-        chains: &Chains,
-        limit: &LevelLimit,
-        months: f64,
-    ) -> Result<Self, CalibrationError> {
+    pub fn of(plan: &Plan, chains: &Chains, limit: &LevelLimit, months: f64) -> Result<Self, CalibrationError> {
         let (_, levels) = plan.levels()?;
         let per_month = plan.passages_per_month()?;
         let draws = plan.rail_draws(chains)?;
         let (now, ahead) = (levels.last(), months * per_month);
-        let limits = levels
-            .bands()
-            .iter()
-            .map(|band| limit.spectrum().level(*band));
+        let limits = levels.bands().iter().map(|band| limit.spectrum().level(*band));
         let limits: Vec<Option<f64>> = limits.collect();
         if limits.iter().all(Option::is_none) {
             let reason = "the limit has none of the bands that were measured";
@@ -80,9 +72,7 @@ impl Forecast {
                         let levels = [at(now), at(now + ahead)];
                         let from_now = band.after(now);
                         let reached = limit
-                            .and_then(|limit| {
-                                from_now.passages_to(10f64.powf(0.1 * (limit - level)))
-                            })
+                            .and_then(|limit| from_now.passages_to(10f64.powf(0.1 * (limit - level))))
                             .filter(|passages| *passages <= ahead);
                         (levels[0], levels[1], reached)
                     })
@@ -100,8 +90,7 @@ impl Forecast {
             level_now_db: quantiles(&|bands| bands[place].0),
             level_then_db: quantiles(&|bands| bands[place].1),
             limit_db: limits[place],
-            months_to_limit: limits[place]
-                .map(|_| Months::of(courses.iter().map(|bands| in_months(bands[place].2)))),
+            months_to_limit: limits[place].map(|_| Months::of(courses.iter().map(|bands| in_months(bands[place].2)))),
         };
         let first = courses.iter().map(|bands| {
             let reached = bands.iter().filter_map(|band| band.2);

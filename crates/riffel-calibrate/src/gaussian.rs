@@ -78,11 +78,7 @@ impl Gaussian {
             }
             _ => None,
         };
-        Some(Self {
-            noise,
-            parts,
-            diagonal,
-        })
+        Some(Self { noise, parts, diagonal })
     }
 
     /// Of residuals, data minus predictions, for sizes σ. None where the sizes are beyond numbers.
@@ -160,10 +156,7 @@ impl Gaussian {
     /// Of the mean of so many measurements: what the model misses stays.
     pub(crate) fn covariance_of_mean(&self, sizes: &[f64], times: f64) -> Matrix {
         let mut covariance = self.noise.clone();
-        covariance
-            .values
-            .iter_mut()
-            .for_each(|value| *value /= times);
+        covariance.values.iter_mut().for_each(|value| *value /= times);
         for (part, size) in self.parts.iter().zip(sizes) {
             for (value, part) in covariance.values.iter_mut().zip(&part.values) {
                 *value += size * size * part;
@@ -195,17 +188,13 @@ pub(crate) fn given_others(inverse: &Matrix, weighted: &[f64], group: &[usize]) 
     let shares = beside.iter().enumerate();
     Some(Given {
         log_density: norm + log_determinant(&lower) - 0.5 * dot(&turned, &turned),
-        shares: shares
-            .map(|(place, beside)| normal::cumulative(beside / covariance.at(place, place).sqrt()))
-            .collect(),
+        shares: shares.map(|(place, beside)| normal::cumulative(beside / covariance.at(place, place).sqrt())).collect(),
     })
 }
 
 /// Half of ln |LLᵀ|.
 fn log_determinant(lower: &Matrix) -> f64 {
-    (0..lower.size)
-        .map(|index| lower.at(index, index).ln())
-        .sum()
+    (0..lower.size).map(|index| lower.at(index, index).ln()).sum()
 }
 
 #[cfg(test)]
@@ -229,9 +218,7 @@ mod tests {
             let columns = columns.iter().zip(&known);
             columns.map(|(a, known)| a[row] * known.mean).sum()
         };
-        let residuals: Vec<f64> = (0..data.len())
-            .map(|row| data[row] - of_means(row))
-            .collect();
+        let residuals: Vec<f64> = (0..data.len()).map(|row| data[row] - of_means(row)).collect();
         let gaussian = Gaussian::new(covariance.clone(), Vec::new()).unwrap();
         let evidence = gaussian.density(&residuals, &[]).unwrap().value;
         assert!((evidence - number("/U1/log_evidence")).abs() < 1e-10);
@@ -240,9 +227,7 @@ mod tests {
         let expected = u1.numbers("/log_predictive_leaving_out_a_date");
         for (date, expected) in expected.into_iter().enumerate() {
             let group = [0, 1, 2].map(|band| 3 * date + band);
-            let value = given_others(&inverse, &weighted, &group)
-                .unwrap()
-                .log_density;
+            let value = given_others(&inverse, &weighted, &group).unwrap().log_density;
             assert!((value - expected).abs() < 1e-10, "{date}: {value}");
         }
     }
@@ -258,11 +243,7 @@ mod tests {
         let part = Matrix::of(3, |row, column| kernel.at(place[row] - place[column]));
         for (gain, expected) in [(0.0, 2.5701848216856784), (0.03f64, 2.509145346360277)] {
             let noise = Matrix::of(3, |row, column| {
-                let own = if row == column {
-                    error[row].powi(2)
-                } else {
-                    0.0
-                };
+                let own = if row == column { error[row].powi(2) } else { 0.0 };
                 own + gain * gain
             });
             let one = Gaussian::new(noise.clone(), vec![part.clone()]).unwrap();
@@ -282,10 +263,8 @@ mod tests {
                 };
                 assert!(((moved(1.0) - moved(-1.0)) / (2.0 * h) - derivative).abs() < 1e-6);
             }
-            let (of_each, of_halves) = (
-                one.of_each(&residual, &[0.1]).unwrap(),
-                two.of_each(&residual, &[half, half]).unwrap(),
-            );
+            let (of_each, of_halves) =
+                (one.of_each(&residual, &[0.1]).unwrap(), two.of_each(&residual, &[half, half]).unwrap());
             for (one, other) in of_each.iter().zip(&of_halves) {
                 assert!((one - other).abs() < 1e-9);
             }

@@ -39,10 +39,7 @@ pub(crate) fn columns(plan: &Plan, group: &str) -> Result<Vec<Column>, Calibrati
             all.push((array, values));
         };
         let numbers = table::read(&path, needed, &[])?;
-        needed
-            .iter()
-            .zip(numbers.needed)
-            .for_each(|(name, values)| add(name, values));
+        needed.iter().zip(numbers.needed).for_each(|(name, values)| add(name, values));
         for name in others {
             if let Ok(numbers) = table::read(&path, needed, &[name])
                 && let Some(Some(values)) = numbers.others.into_iter().next()
@@ -63,9 +60,7 @@ fn said(data: &DataFile) -> Value {
         ("student_degrees", data.student_degrees),
     ];
     let numbers = numbers.into_iter();
-    let said: Map<String, Value> = numbers
-        .filter_map(|(key, value)| Some((key.to_owned(), json!(value?))))
-        .collect();
+    let said: Map<String, Value> = numbers.filter_map(|(key, value)| Some((key.to_owned(), json!(value?)))).collect();
     Value::Object(said)
 }
 

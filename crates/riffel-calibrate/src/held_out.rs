@@ -48,17 +48,12 @@ pub(crate) fn given_rest(
         let of_group = |(block, group): &(usize, Group)| {
             let named = &posterior.blocks[*block];
             let predicted = named.block.predict(&trial)?;
-            let given = named
-                .block
-                .given_rest(group, &predicted, &named.sizes(&values));
+            let given = named.block.given_rest(group, &predicted, &named.sizes(&values));
             given.ok_or_else(|| "the errors of the data are beyond numbers".to_owned())
         };
         groups.iter().map(of_group).collect()
     };
-    all.par_iter()
-        .map(of_draw)
-        .collect::<Result<Vec<Vec<Given>>, String>>()
-        .map_err(CalibrationError::Refused)
+    all.par_iter().map(of_draw).collect::<Result<Vec<Vec<Given>>, String>>().map_err(CalibrationError::Refused)
 }
 
 impl Score {
@@ -85,13 +80,8 @@ impl Score {
             weights.iter().zip(densities)
         };
         let mean: f64 = terms().map(|(weight, density)| weight * density).sum();
-        let square: f64 = terms()
-            .map(|(weight, density)| (weight * (density - mean)).powi(2))
-            .sum();
-        let of_chains: Vec<Vec<f64>> = logs
-            .chunks(logs.len() / chains)
-            .map(<[f64]>::to_vec)
-            .collect();
+        let square: f64 = terms().map(|(weight, density)| (weight * (density - mean)).powi(2)).sum();
+        let of_chains: Vec<Vec<f64>> = logs.chunks(logs.len() / chains).map(<[f64]>::to_vec).collect();
         let effective = (ess_bulk(&of_chains) / count).clamp(1e-3, 1.0);
         let places = 0..given[0].shares.len();
         let shares: Vec<f64> = places

@@ -86,12 +86,7 @@ impl Identifiability {
     /// # Errors
     /// Why the case refuses the mean.
     pub fn of(plan: &Plan, chains: &Chains) -> Result<Self, String> {
-        let places: Vec<Vec<f64>> = chains
-            .draws
-            .iter()
-            .flatten()
-            .map(|draw| draw.place.clone())
-            .collect();
+        let places: Vec<Vec<f64>> = chains.draws.iter().flatten().map(|draw| draw.place.clone()).collect();
         let (middle, covariance) = moments_of(&places);
         let parameters = plan.posterior.parameters();
         let correlations = (0..middle.len()).flat_map(|i| (0..i).map(move |j| (j, i)));
@@ -99,24 +94,14 @@ impl Identifiability {
             names: [i, j].map(|place| parameters[place].name.clone()),
             correlation: covariance.at(i, j) / (covariance.at(i, i) * covariance.at(j, j)).sqrt(),
         };
-        let values: Vec<Vec<f64>> = places
-            .iter()
-            .map(|place| plan.posterior.values(place))
-            .collect();
-        let own: Vec<usize> = (0..parameters.len())
-            .filter(|it| parameters[*it].role != Role::Size)
-            .collect();
+        let values: Vec<Vec<f64>> = places.iter().map(|place| plan.posterior.values(place)).collect();
+        let own: Vec<usize> = (0..parameters.len()).filter(|it| parameters[*it].role != Role::Size).collect();
         let directions = directions(plan, &middle, &own)?;
         Ok(Self {
-            names: own
-                .iter()
-                .map(|place| parameters[*place].name.clone())
-                .collect(),
+            names: own.iter().map(|place| parameters[*place].name.clone()).collect(),
             directions: directions
                 .into_iter()
-                .map(|(information, parts)| {
-                    direction(plan, &middle, &values, &own, information, parts)
-                })
+                .map(|(information, parts)| direction(plan, &middle, &values, &own, information, parts))
                 .collect(),
             correlations: correlations.map(correlation).collect(),
         })
@@ -133,19 +118,11 @@ fn directions(plan: &Plan, middle: &[f64], own: &[usize]) -> Result<Vec<(f64, Ve
         pairs.for_each(|(sum, value)| *sum += value);
     }
     let parameters = posterior.parameters();
-    let deviation: Vec<f64> = own
-        .iter()
-        .map(|it| parameters[*it].prior.variance().sqrt())
-        .collect();
-    let scaled = Matrix::of(own.len(), |i, j| {
-        sum.at(own[i], own[j]) * deviation[i] * deviation[j]
-    });
+    let deviation: Vec<f64> = own.iter().map(|it| parameters[*it].prior.variance().sqrt()).collect();
+    let scaled = Matrix::of(own.len(), |i, j| sum.at(own[i], own[j]) * deviation[i] * deviation[j]);
     let (values, vectors) = scaled.eigenvectors();
-    let mut directions: Vec<(f64, Vec<f64>)> = values
-        .into_iter()
-        .enumerate()
-        .map(|(row, value)| (value.max(0.0), vectors.row(row).to_vec()))
-        .collect();
+    let mut directions: Vec<(f64, Vec<f64>)> =
+        values.into_iter().enumerate().map(|(row, value)| (value.max(0.0), vectors.row(row).to_vec())).collect();
     directions.sort_by(|a, b| b.0.total_cmp(&a.0));
     Ok(directions)
 }
@@ -176,33 +153,20 @@ fn direction(
         })
         .collect();
     let is_positive = |place: usize| values.iter().all(|values| values[place] > 0.0);
-    if !powers
-        .iter()
-        .all(|(place, power)| power.is_finite() && is_positive(*place))
-    {
+    if !powers.iter().all(|(place, power)| power.is_finite() && is_positive(*place)) {
         powers.clear();
     }
     let first = powers.first().map_or(1.0, |first| first.1);
     powers.iter_mut().for_each(|(_, power)| *power /= first);
-    let logs: Vec<f64> = values
-        .iter()
-        .map(|values| {
-            powers
-                .iter()
-                .map(|(place, power)| power * values[*place].ln())
-                .sum()
-        })
-        .collect();
+    let logs: Vec<f64> =
+        values.iter().map(|values| powers.iter().map(|(place, power)| power * values[*place].ln()).sum()).collect();
     let middle = mean(&logs);
     let squares: Vec<f64> = logs.iter().map(|ln| (ln - middle).powi(2)).collect();
     Direction {
         information,
         parts,
         spread: mean(&squares).sqrt(),
-        powers: powers
-            .into_iter()
-            .map(|(place, power)| (parameters[place].name.clone(), power))
-            .collect(),
+        powers: powers.into_iter().map(|(place, power)| (parameters[place].name.clone(), power)).collect(),
     }
 }
 
@@ -230,16 +194,11 @@ mod tests {
         let direction = direction(&plan, &middle, &around, &own, *least, parts.clone());
         assert!(!direction.is_told());
         // ln of the product by a step along the parts: part · deviation · d ln x/dz each.
-        let by = |place: usize, slope: f64| {
-            parts[place] * parameters[place].prior.variance().sqrt() * slope
-        };
+        let by = |place: usize, slope: f64| parts[place] * parameters[place].prior.variance().sqrt() * slope;
         // The share is 0.5 in 0.05 to 0.95: d ln x/dz = 0.9 · 0.25/0.5.
         let sum = by(0, 1.0) + by(1, 0.45);
         assert!(sum.abs() < 1e-4, "{sum}");
-        assert_eq!(
-            direction.words(),
-            "wear.coefficient / vehicle.traction_share^0.7"
-        );
+        assert_eq!(direction.words(), "wear.coefficient / vehicle.traction_share^0.7");
     }
 
     #[test]

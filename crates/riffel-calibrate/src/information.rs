@@ -13,16 +13,8 @@ const FINDINGS: u32 = 20_000;
 /// What it is worth to know everything: min_a E C_a − E min_a C_a over costs of actions in the same draws.
 pub fn of_everything(costs: &[Vec<f64>]) -> f64 {
     let draws = costs.first().map_or(0, Vec::len);
-    let least = costs
-        .iter()
-        .map(|costs| mean(costs))
-        .fold(f64::INFINITY, f64::min);
-    let of_draw = |draw: usize| {
-        costs
-            .iter()
-            .map(|costs| costs[draw])
-            .fold(f64::INFINITY, f64::min)
-    };
+    let least = costs.iter().map(|costs| mean(costs)).fold(f64::INFINITY, f64::min);
+    let of_draw = |draw: usize| costs.iter().map(|costs| costs[draw]).fold(f64::INFINITY, f64::min);
     let best: Vec<f64> = (0..draws).map(of_draw).collect();
     least - mean(&best)
 }
@@ -34,8 +26,7 @@ pub fn of_a_difference(difference: f64, deviation: f64) -> f64 {
         return 0.0;
     }
     let t = difference.abs() / deviation;
-    deviation * (-0.5 * t * t).exp() / std::f64::consts::TAU.sqrt()
-        - difference.abs() * normal::cumulative(-t)
+    deviation * (-0.5 * t * t).exp() / std::f64::consts::TAU.sqrt() - difference.abs() * normal::cumulative(-t)
 }
 
 /// What a measurement is worth that takes the covariance of the parameters from Σ to Σ′: costs are linear in the parameters, with
@@ -52,9 +43,7 @@ pub(crate) fn of_a_measurement(means: &[f64], slopes: &[Vec<f64>], told: &Matrix
         .iter()
         .map(|slopes| {
             let parts = vectors.times(slopes).into_iter().zip(&values);
-            parts
-                .map(|(part, value)| part * value.max(0.0).sqrt())
-                .collect()
+            parts.map(|(part, value)| part * value.max(0.0).sqrt()).collect()
         })
         .collect();
     let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
@@ -98,29 +87,17 @@ mod tests {
         };
         close(of_a_difference(slope - cost, slope), "prior/evpi");
         let told = |before: f64, after: f64| slope * (before - after).sqrt();
-        close(
-            of_a_difference(slope - cost, told(1.0, at_three)),
-            "prior/evsi_of_dates_0_2_5",
-        );
+        close(of_a_difference(slope - cost, told(1.0, at_three)), "prior/evsi_of_dates_0_2_5");
         let mean = slope * two - cost;
         close(mean, "after_dates_0_2/mean_difference");
-        close(
-            of_a_difference(mean, slope * at_two.sqrt()),
-            "after_dates_0_2/evpi",
-        );
+        close(of_a_difference(mean, slope * at_two.sqrt()), "after_dates_0_2/evpi");
         let worth = of_a_difference(mean, told(at_two, at_three));
         close(worth, "after_dates_0_2/evsi_of_date_5");
         // The same by what is told of κ, and by findings, with an action that no finding makes the best.
         let told = Matrix::of(1, |_, _| at_two - at_three);
         let (means, slopes) = ([100.0 * two, 45.0 + 40.0 * two], [vec![100.0], vec![40.0]]);
-        close(
-            of_a_measurement(&means, &slopes, &told),
-            "after_dates_0_2/evsi_of_date_5",
-        );
-        let (means, slopes) = (
-            [means[0], means[1], 1e6],
-            [vec![100.0], vec![40.0], vec![0.0]],
-        );
+        close(of_a_measurement(&means, &slopes, &told), "after_dates_0_2/evsi_of_date_5");
+        let (means, slopes) = ([means[0], means[1], 1e6], [vec![100.0], vec![40.0], vec![0.0]]);
         let by_findings = of_a_measurement(&means, &slopes, &told);
         assert!((by_findings - worth).abs() < 0.05 * worth, "{by_findings}");
     }

@@ -19,12 +19,7 @@ pub(crate) enum Kernel {
 
 impl Kernel {
     /// Names in a plan.
-    pub(crate) const NAMES: [&'static str; 4] = [
-        "exponential",
-        "matern-3/2",
-        "matern-5/2",
-        "squared-exponential",
-    ];
+    pub(crate) const NAMES: [&'static str; 4] = ["exponential", "matern-3/2", "matern-5/2", "squared-exponential"];
 
     pub(crate) fn of(name: &str, length: f64) -> Option<Self> {
         let place = Self::NAMES.iter().position(|known| *known == name)?;

@@ -20,23 +20,14 @@ pub(crate) struct Known {
 
 impl Normal {
     /// x after y = Σ x_i a_i + ε; `noise` is L of the covariance LLᵀ of ε. None where the data leave an x that nothing is known of.
-    pub(crate) fn after(
-        known: &[Known],
-        columns: &[Vec<f64>],
-        noise: &Matrix,
-        data: &[f64],
-    ) -> Option<Self> {
+    pub(crate) fn after(known: &[Known], columns: &[Vec<f64>], noise: &Matrix, data: &[f64]) -> Option<Self> {
         let white = |vector: &[f64]| noise.forward(vector.to_vec());
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| white(column)).collect();
         Self::least_squares(known, &columns, &white(data))
     }
 
     /// The same for errors that are independent, of variance one.
-    pub(crate) fn least_squares(
-        known: &[Known],
-        columns: &[Vec<f64>],
-        data: &[f64],
-    ) -> Option<Self> {
+    pub(crate) fn least_squares(known: &[Known], columns: &[Vec<f64>], data: &[f64]) -> Option<Self> {
         let precision = Matrix::of(known.len(), |i, j| {
             let before = if i == j { known[i].precision } else { 0.0 };
             before + dot(&columns[i], &columns[j])
@@ -96,10 +87,7 @@ mod tests {
             close(measured.sqrt(), predicted("sd_measured_db")[band]);
             if band == 0 {
                 let above = normal::cumulative((mean - 8.0) / variance.sqrt());
-                close(
-                    above,
-                    number("/U1/predictive_8e6/probability_band_1_over_8_db"),
-                );
+                close(above, number("/U1/predictive_8e6/probability_band_1_over_8_db"));
             }
         }
         // Nothing known of the first levels.
@@ -112,10 +100,7 @@ mod tests {
     /// U2: one datum of a sum parts nothing but the sum.
     #[test]
     fn a_sum_leaves_its_parts_to_the_prior() {
-        let known = |deviation: f64| Known {
-            mean: 0.0,
-            precision: deviation.powi(-2),
-        };
+        let known = |deviation: f64| Known { mean: 0.0, precision: deviation.powi(-2) };
         let priors: Vec<Known> = numbers("/U2/prior_sd").into_iter().map(known).collect();
         let noise = Matrix::of(1, |_, _| number("/U2/error_sd"));
         let columns = [vec![1.0], vec![1.0]];

@@ -21,11 +21,8 @@ impl Matrix {
     /// The covariance of sums of what this is the covariance of: places with their weights.
     pub(crate) fn of_sums(&self, sums: &[Vec<(usize, f64)>]) -> Self {
         Self::of(sums.len(), |i, j| {
-            let pairs =
-                (sums[i].iter()).flat_map(|one| sums[j].iter().map(move |other| (one, other)));
-            pairs
-                .map(|((row, a), (column, b))| a * b * self.at(*row, *column))
-                .sum()
+            let pairs = (sums[i].iter()).flat_map(|one| sums[j].iter().map(move |other| (one, other)));
+            pairs.map(|((row, a), (column, b))| a * b * self.at(*row, *column)).sum()
         })
     }
 
@@ -38,9 +35,7 @@ impl Matrix {
     }
 
     pub(crate) fn times(&self, vector: &[f64]) -> Vec<f64> {
-        (0..self.size)
-            .map(|row| dot(self.row(row), vector))
-            .collect()
+        (0..self.size).map(|row| dot(self.row(row), vector)).collect()
     }
 
     pub(crate) fn transposed(&self) -> Self {
@@ -49,9 +44,7 @@ impl Matrix {
 
     pub(crate) fn product(&self, other: &Self) -> Self {
         let other = other.transposed();
-        Self::of(self.size, |row, column| {
-            dot(self.row(row), other.row(column))
-        })
+        Self::of(self.size, |row, column| dot(self.row(row), other.row(column)))
     }
 
     /// L of LLᵀ; none where it is not positive definite.
@@ -117,10 +110,7 @@ impl Matrix {
         let mut vectors = Self::identity(size);
         for _ in 0..MOST_SWEEPS {
             let off = |row: usize| (0..row).map(move |column| (row, column));
-            let off: f64 = (0..size)
-                .flat_map(off)
-                .map(|(r, c)| own.at(r, c).powi(2))
-                .sum();
+            let off: f64 = (0..size).flat_map(off).map(|(r, c)| own.at(r, c).powi(2)).sum();
             let all: f64 = own.values.iter().map(|value| value * value).sum();
             if off <= 1e-30 * all {
                 break;
@@ -172,9 +162,7 @@ mod tests {
     #[test]
     fn a_matrix_is_put_together_again() {
         let places = [0.0f64, 0.3, 0.35, 1.0, 2.5];
-        let matrix = Matrix::of(5, |row, column| {
-            (-(places[row] - places[column]).abs()).exp()
-        });
+        let matrix = Matrix::of(5, |row, column| (-(places[row] - places[column]).abs()).exp());
         let lower = matrix.cholesky().unwrap();
         let again = lower.product(&lower.transposed());
         let (values, vectors) = matrix.eigenvectors();
@@ -186,10 +174,6 @@ mod tests {
             assert!((of_vectors.values[index] - value).abs() < 1e-13);
             assert!((unity.values[index] - Matrix::identity(5).values[index]).abs() < 1e-13);
         }
-        assert!(
-            Matrix::of(2, |_, _| 1.0 + f64::EPSILON)
-                .cholesky()
-                .is_none()
-        );
+        assert!(Matrix::of(2, |_, _| 1.0 + f64::EPSILON).cholesky().is_none());
     }
 }

@@ -87,10 +87,7 @@ impl VehicleKey {
             "wheel_load" => of_case("contact.normal_load"),
             "wheel_mass" => of_case("wheel.mass"),
             "rolling_radius" => of_case("wheel.rolling_radius"),
-            "axle_load" => Some(Self::OfCase(
-                "contact.normal_load".to_owned(),
-                0.5 * STANDARD_GRAVITY,
-            )),
+            "axle_load" => Some(Self::OfCase("contact.normal_load".to_owned(), 0.5 * STANDARD_GRAVITY)),
             key => of_case(key.strip_prefix("set.")?),
         }
     }
@@ -174,24 +171,18 @@ impl Speeds {
             (None, None) => 1.0,
         };
         let scaled = match self {
-            Self::Normal { mean, deviation } => Self::Normal {
-                mean: factor * mean,
-                deviation: factor * deviation,
-            },
+            Self::Normal { mean, deviation } => Self::Normal { mean: factor * mean, deviation: factor * deviation },
             Self::Listed(listed) => {
                 let listed = listed.iter().map(|(speed, share)| (factor * speed, *share));
                 Self::Listed(listed.collect())
             }
         };
-        let given = change.standard_deviation.map(|deviation| Self::Normal {
-            mean: scaled.mean(),
-            deviation: deviation.si(),
-        });
+        let given =
+            change.standard_deviation.map(|deviation| Self::Normal { mean: scaled.mean(), deviation: deviation.si() });
         match given.unwrap_or(scaled) {
-            Self::Normal { mean, deviation } => Self::Normal {
-                mean,
-                deviation: deviation.min((mean - SLOWEST) / TAIL).max(0.0),
-            },
+            Self::Normal { mean, deviation } => {
+                Self::Normal { mean, deviation: deviation.min((mean - SLOWEST) / TAIL).max(0.0) }
+            }
             listed => listed,
         }
     }
@@ -266,11 +257,7 @@ impl Model {
     pub(crate) fn changed(&self, view: usize, variant: &Variant) -> Result<Self, CaseError> {
         let mut model = self.clone();
         let explain = |error| variant.explain(error);
-        let View {
-            case,
-            wheels,
-            acting,
-        } = &mut model.views[view];
+        let View { case, wheels, acting } = &mut model.views[view];
         *case = case.with_settings(&variant.settings).map_err(explain)?;
         for (wheel, vehicle) in wheels.iter_mut().zip(&self.vehicles) {
             let settings = [&vehicle.settings[..], &variant.settings].concat();
@@ -306,26 +293,17 @@ impl<'a> Trial<'a> {
     where
         'a: 'b,
     {
-        Trial {
-            settled: Rc::clone(&self.settled),
-            ..self.model.trial(values)
-        }
+        Trial { settled: Rc::clone(&self.settled), ..self.model.trial(values) }
     }
 
     /// The loop of a vehicle with other numbers.
-    fn wheel(
-        &self,
-        (view, vehicle): (usize, usize),
-        numbers: &[(&str, f64)],
-    ) -> Result<LoopOnTrack, CaseError> {
+    fn wheel(&self, (view, vehicle): (usize, usize), numbers: &[(&str, f64)]) -> Result<LoopOnTrack, CaseError> {
         let wheel = &self.model.views[view].wheels[vehicle];
         if !wheel.is_in_curve() {
             return wheel.with_numbers(numbers);
         }
-        let (beside, of_state): (Vec<_>, Vec<_>) = numbers
-            .iter()
-            .copied()
-            .partition(|(key, _)| Case::is_beside_mean_state(key));
+        let (beside, of_state): (Vec<_>, Vec<_>) =
+            numbers.iter().copied().partition(|(key, _)| Case::is_beside_mean_state(key));
         let mut settled = self.settled.borrow_mut();
         let is_it = |it: &Settled| {
             let known = it.numbers.iter().map(|(key, value)| (&**key, *value));
@@ -336,24 +314,15 @@ impl<'a> Trial<'a> {
         }
         let case = wheel.settled(&of_state)?;
         let found = case.with_numbers(&beside);
-        let owned = of_state
-            .iter()
-            .map(|(key, value)| ((*key).to_owned(), *value));
-        settled.push(Settled {
-            view,
-            vehicle,
-            numbers: owned.collect(),
-            case,
-        });
+        let owned = of_state.iter().map(|(key, value)| ((*key).to_owned(), *value));
+        settled.push(Settled { view, vehicle, numbers: owned.collect(), case });
         found
     }
 
     /// The case that a view has of it, or why there is none.
     pub(crate) fn case(&self, view: usize) -> Result<&LoopOnTrack, String> {
         let case = self.cases[view].get_or_init(|| {
-            let case = self.model.views[view]
-                .case
-                .with_numbers(&self.numbers(view));
+            let case = self.model.views[view].case.with_numbers(&self.numbers(view));
             case.map_err(|error| error.to_string())
         });
         case.as_ref().map_err(Clone::clone)
@@ -403,21 +372,11 @@ impl<'a> Trial<'a> {
     }
 
     /// The same of complex amplitudes, of waves along the direction of travel.
-    pub(crate) fn complex_growth_rates(
-        &self,
-        view: usize,
-        lines: &[f64],
-    ) -> Result<Vec<Complex64>, String> {
+    pub(crate) fn complex_growth_rates(&self, view: usize, lines: &[f64]) -> Result<Vec<Complex64>, String> {
         let mut rates = vec![Complex64::ZERO; lines.len()];
         for (index, vehicle) in self.model.vehicles.iter().enumerate() {
-            let Tried {
-                wheel,
-                speeds,
-                traction_share,
-            } = self.vehicle(view, index)?;
-            let nodes = speeds
-                .nodes()
-                .ok_or("the slowest of the vehicles would stand")?;
+            let Tried { wheel, speeds, traction_share } = self.vehicle(view, index)?;
+            let nodes = speeds.nodes().ok_or("the slowest of the vehicles would stand")?;
             for (feedback, weight) in wheel.places() {
                 let rate = feedback.growth_rate_per_dissipation();
                 let factor = vehicle.share * traction_share * weight * rate;
@@ -436,11 +395,7 @@ impl<'a> Trial<'a> {
 
     /// Mean wear of the rail per axle, in the mean over the traffic.
     pub(crate) fn mean_wear(&self, view: usize) -> Result<MeanWear, String> {
-        let mut all = MeanWear {
-            depth: 0.0,
-            axle_mass: 0.0,
-            bounds_growth: true,
-        };
+        let mut all = MeanWear { depth: 0.0, axle_mass: 0.0, bounds_growth: true };
         for (index, vehicle) in self.model.vehicles.iter().enumerate() {
             let tried = self.vehicle(view, index)?;
             for (feedback, weight) in tried.wheel.places() {
@@ -483,10 +438,6 @@ impl<'a> Trial<'a> {
             speeds = speeds.changed(change);
         }
         let wheel = self.wheel((view, index), &numbers);
-        Ok(Tried {
-            wheel: wheel.map_err(|error| error.to_string())?,
-            speeds,
-            traction_share,
-        })
+        Ok(Tried { wheel: wheel.map_err(|error| error.to_string())?, speeds, traction_share })
     }
 }

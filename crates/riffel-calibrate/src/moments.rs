@@ -13,20 +13,12 @@ pub(crate) struct Moments {
 
 impl Moments {
     pub(crate) fn new(size: usize) -> Self {
-        Self {
-            count: 0.0,
-            mean: vec![0.0; size],
-            scatter: Matrix::of(size, |_, _| 0.0),
-        }
+        Self { count: 0.0, mean: vec![0.0; size], scatter: Matrix::of(size, |_, _| 0.0) }
     }
 
     pub(crate) fn add(&mut self, place: &[f64]) {
         self.count += 1.0;
-        let before: Vec<f64> = place
-            .iter()
-            .zip(&self.mean)
-            .map(|(z, mean)| z - mean)
-            .collect();
+        let before: Vec<f64> = place.iter().zip(&self.mean).map(|(z, mean)| z - mean).collect();
         for (mean, before) in self.mean.iter_mut().zip(&before) {
             *mean += before / self.count;
         }

@@ -77,20 +77,14 @@ pub(crate) fn transition(
     random: &mut Xoshiro256PlusPlus,
 ) -> (Place, Statistics) {
     let momentum: Vec<f64> = from.at.iter().map(|_| normal(random)).collect();
-    let start = Phase {
-        place: from.clone(),
-        momentum,
-    };
+    let start = Phase { place: from.clone(), momentum };
     let energy = start.energy();
     let mut walk = Walk {
         potential,
         step,
         energy,
         random,
-        statistics: Statistics {
-            energy,
-            ..Statistics::default()
-        },
+        statistics: Statistics { energy, ..Statistics::default() },
         accepted: 0.0,
     };
     let mut tree = Tree::of(start, 0.0);
@@ -120,11 +114,7 @@ impl Place {
     pub(crate) fn of(density: &Potential<'_>, at: &[f64]) -> Option<Self> {
         let (log_density, gradient) = density(at)?;
         let at = at.to_vec();
-        Some(Self {
-            at,
-            log_density,
-            gradient,
-        })
+        Some(Self { at, log_density, gradient })
     }
 }
 
@@ -150,10 +140,7 @@ impl Tree {
         let proposal = self.proposal.clone();
         let [early, late] = if forward { [self, new] } else { [new, self] };
         let add = |one: &[f64], other: &[f64]| -> Vec<f64> {
-            one.iter()
-                .zip(other)
-                .map(|(one, other)| one + other)
-                .collect()
+            one.iter().zip(other).map(|(one, other)| one + other).collect()
         };
         let sum = add(&early.sum, &late.sum);
         let turns = |sum: &[f64], first: &Phase, last: &Phase| {
@@ -163,16 +150,9 @@ impl Tree {
         let [begin_of_late, end] = late.ends;
         let across = add(&early.sum, &begin_of_late.momentum);
         let back = add(&late.sum, &end_of_early.momentum);
-        let ended = turns(&sum, &begin, &end)
-            || turns(&across, &begin, &begin_of_late)
-            || turns(&back, &end_of_early, &end);
-        Self {
-            ends: [begin, end],
-            sum,
-            log_weight: log_sum(early.log_weight, late.log_weight),
-            proposal,
-            ended,
-        }
+        let ended =
+            turns(&sum, &begin, &end) || turns(&across, &begin, &begin_of_late) || turns(&back, &end_of_early, &end);
+        Self { ends: [begin, end], sum, log_weight: log_sum(early.log_weight, late.log_weight), proposal, ended }
     }
 }
 
@@ -259,29 +239,19 @@ mod tests {
         };
         let mut random = Xoshiro256PlusPlus::seed_from_u64(5);
         let (log_density, gradient) = potential(&[0.0, 1.0]).unwrap();
-        let mut place = Place {
-            at: vec![0.0, 1.0],
-            log_density,
-            gradient,
-        };
+        let mut place = Place { at: vec![0.0, 1.0], log_density, gradient };
         let count = 20_000;
         let mut sums = [0.0; 5];
         for _ in 0..count {
             (place, _) = transition(&potential, &place, 0.6, &mut random);
             let (x, y) = (place.at[0], place.at[1]);
             let terms = [x, x * x, y, y * y, f64::from(u8::from(y > 3.0))];
-            sums.iter_mut()
-                .zip(terms)
-                .for_each(|(sum, term)| *sum += term);
+            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
         }
         let means = sums.map(|sum| sum / f64::from(count));
-        for (mean, (expected, tolerance)) in means.iter().zip([
-            (1.0, 0.04),
-            (2.0, 0.1),
-            (1.0, 0.06),
-            (2.0, 0.3),
-            ((-3f64).exp(), 0.015),
-        ]) {
+        for (mean, (expected, tolerance)) in
+            means.iter().zip([(1.0, 0.04), (2.0, 0.1), (1.0, 0.06), (2.0, 0.3), ((-3f64).exp(), 0.015)])
+        {
             assert!((mean - expected).abs() < tolerance, "{means:?}");
         }
     }

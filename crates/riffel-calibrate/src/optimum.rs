@@ -21,11 +21,7 @@ pub(crate) fn climb(potential: &Potential<'_>, from: Place, scale: &[f64]) -> Pl
     for _ in 0..MOST_STEPS {
         let mut way = inverse.times(&place.gradient);
         // No step of the first goes farther than the prior reaches.
-        let far = way
-            .iter()
-            .zip(scale)
-            .map(|(way, scale)| (way / scale).abs())
-            .fold(0.0, f64::max);
+        let far = way.iter().zip(scale).map(|(way, scale)| (way / scale).abs()).fold(0.0, f64::max);
         if far > 1.0 {
             way.iter_mut().for_each(|way| *way /= far);
         }
@@ -38,26 +34,15 @@ pub(crate) fn climb(potential: &Potential<'_>, from: Place, scale: &[f64]) -> Pl
             continue;
         };
         let gain = next.log_density - place.log_density;
-        let moved: Vec<f64> = next
-            .at
-            .iter()
-            .zip(&place.at)
-            .map(|(new, old)| new - old)
-            .collect();
-        let turned: Vec<f64> = place
-            .gradient
-            .iter()
-            .zip(&next.gradient)
-            .map(|(old, new)| old - new)
-            .collect();
+        let moved: Vec<f64> = next.at.iter().zip(&place.at).map(|(new, old)| new - old).collect();
+        let turned: Vec<f64> = place.gradient.iter().zip(&next.gradient).map(|(old, new)| old - new).collect();
         let curvature = dot(&moved, &turned);
         if curvature > 1e-12 * dot(&moved, &moved) {
             let (image, rho) = (inverse.times(&turned), curvature.recip());
             let twice = (1.0 + dot(&turned, &image) * rho) * rho;
             let before = inverse;
             inverse = Matrix::of(size, |i, j| {
-                before.at(i, j) - rho * (image[i] * moved[j] + moved[i] * image[j])
-                    + twice * moved[i] * moved[j]
+                before.at(i, j) - rho * (image[i] * moved[j] + moved[i] * image[j]) + twice * moved[i] * moved[j]
             });
         }
         (place, fresh) = (next, false);
@@ -72,20 +57,11 @@ pub(crate) fn climb(potential: &Potential<'_>, from: Place, scale: &[f64]) -> Pl
 fn line(potential: &Potential<'_>, place: &Place, way: &[f64], slope: f64) -> Option<Place> {
     let mut share = 1.0;
     for _ in 0..30 {
-        let at: Vec<f64> = place
-            .at
-            .iter()
-            .zip(way)
-            .map(|(at, way)| at + share * way)
-            .collect();
+        let at: Vec<f64> = place.at.iter().zip(way).map(|(at, way)| at + share * way).collect();
         if let Some((log_density, gradient)) = potential(&at)
             && log_density >= place.log_density + 1e-4 * share * slope
         {
-            return Some(Place {
-                at,
-                log_density,
-                gradient,
-            });
+            return Some(Place { at, log_density, gradient });
         }
         share *= 0.5;
     }
@@ -105,11 +81,7 @@ pub(crate) fn covariance(potential: &Potential<'_>, top: &Place, scale: &[f64]) 
         };
         let (up, down) = (there(1.0)?, there(-1.0)?);
         let differences = up.iter().zip(&down);
-        Some(
-            differences
-                .map(|(up, down)| (down - up) / (2.0 * STEP * scale[index]))
-                .collect(),
-        )
+        Some(differences.map(|(up, down)| (down - up) / (2.0 * STEP * scale[index])).collect())
     };
     let columns: Option<Vec<Vec<f64>>> = (0..size).map(column).collect();
     // In units of the prior the curvature of the prior is about one.

@@ -44,11 +44,7 @@ impl Residuals {
         let inverse = covariance.cholesky()?.inverse_of_square();
         let residuals: Vec<f64> = some.iter().map(|datum| self.residuals[*datum]).collect();
         let weighted = inverse.times(&residuals).into_iter().enumerate();
-        Some(
-            weighted
-                .map(|(place, it)| it / inverse.at(place, place).sqrt())
-                .collect(),
-        )
+        Some(weighted.map(|(place, it)| it / inverse.at(place, place).sqrt()).collect())
     }
 }
 
@@ -58,9 +54,7 @@ fn far(of_draws: &[Residuals], count: usize) -> Vec<(usize, f64)> {
     let mut left: Vec<usize> = (0..count).collect();
     let mut found = Vec::new();
     while !left.is_empty() {
-        let draws: Vec<Vec<f64>> = (of_draws.iter())
-            .filter_map(|draw| draw.standardised(&left))
-            .collect();
+        let draws: Vec<Vec<f64>> = (of_draws.iter()).filter_map(|draw| draw.standardised(&left)).collect();
         let mean = |place: usize| {
             let sum: f64 = draws.iter().map(|draw| draw[place]).sum();
             sum / draws.len().max(1) as f64
@@ -132,10 +126,7 @@ mod tests {
             .map(|named| {
                 let sizes = named.sizes(&values);
                 let predicted = named.block.predict(&trial).unwrap();
-                let mut data = named
-                    .block
-                    .replicate(&predicted, &sizes, &mut random)
-                    .unwrap();
+                let mut data = named.block.replicate(&predicted, &sizes, &mut random).unwrap();
                 if named.names[0] == "growth" {
                     data[9] += error;
                 }
@@ -146,16 +137,8 @@ mod tests {
         for (named, block) in plan.posterior.blocks.iter_mut().zip(made) {
             named.block = block;
         }
-        let draw = Draw {
-            place,
-            log_density: 0.0,
-            statistics: Statistics::default(),
-            step: 1.0,
-        };
-        let chains = Chains {
-            draws: vec![vec![draw]],
-            log_evidences: Vec::new(),
-        };
+        let draw = Draw { place, log_density: 0.0, statistics: Statistics::default(), step: 1.0 };
+        let chains = Chains { draws: vec![vec![draw]], log_evidences: Vec::new() };
         chains.outlying(&plan)
     }
 
@@ -165,14 +148,8 @@ mod tests {
     fn a_level_that_is_wrong_is_told_and_no_other() {
         assert_eq!(with_error(0.0), []);
         let told = with_error(8.0);
-        assert_eq!(
-            (told[0].measured, told[0].of),
-            (Observable::LevelRiseDb, Some(6e6))
-        );
-        assert!(
-            (told[0].at - 0.158_489).abs() < 1e-6 && told[0].deviations > 5.0,
-            "{told:?}"
-        );
+        assert_eq!((told[0].measured, told[0].of), (Observable::LevelRiseDb, Some(6e6)));
+        assert!((told[0].at - 0.158_489).abs() < 1e-6 && told[0].deviations > 5.0, "{told:?}");
         assert_eq!(told[0].data, "growth + axle-box");
         // The same band at the other date and its neighbours are no worse than before.
         assert_eq!(told.len(), 1, "{told:?}");

@@ -59,9 +59,7 @@ impl Posterior {
     /// Values in SI of a place in z.
     pub fn values(&self, place: &[f64]) -> Vec<f64> {
         let parameters = self.model.parameters.iter().zip(place);
-        parameters
-            .map(|(parameter, z)| parameter.prior.value(*z))
-            .collect()
+        parameters.map(|(parameter, z)| parameter.prior.value(*z)).collect()
     }
 
     /// One z of a place as a [smooth coordinate](crate::Prior), with its derivative.
@@ -72,9 +70,7 @@ impl Posterior {
     /// Place in z of values in SI.
     pub fn place(&self, values: &[f64]) -> Vec<f64> {
         let parameters = self.model.parameters.iter().zip(values);
-        parameters
-            .map(|(parameter, x)| parameter.prior.place(*x))
-            .collect()
+        parameters.map(|(parameter, x)| parameter.prior.place(*x)).collect()
     }
 
     /// ln likelihood of each block of data for values in SI, with the names of its data.
@@ -103,9 +99,7 @@ impl Posterior {
     /// Values in SI that are drawn from the priors.
     pub(crate) fn drawn_from_priors(&self, random: &mut Xoshiro256PlusPlus) -> Vec<f64> {
         let parameters = self.model.parameters.iter();
-        parameters
-            .map(|parameter| parameter.prior.quantile(uniform(random)))
-            .collect()
+        parameters.map(|parameter| parameter.prior.quantile(uniform(random))).collect()
     }
 
     /// What the model says of each datum for values in SI, block by block: ln |H| and arg H; ln of decay rates; levels over the
@@ -124,34 +118,27 @@ impl Posterior {
 
     /// Names of the data that depend on a parameter.
     pub fn data_of(&self, name: &str) -> Vec<String> {
-        let place = self
-            .model
-            .parameters
-            .iter()
-            .position(|parameter| parameter.name == name);
+        let place = self.model.parameters.iter().position(|parameter| parameter.name == name);
         let Some(place) = place else {
             return Vec::new();
         };
-        let touched = self.blocks.iter().filter(|named| {
-            named.touched_by.contains(&place) || named.sizes.contains(&Size::Unknown(place))
-        });
+        let touched = self
+            .blocks
+            .iter()
+            .filter(|named| named.touched_by.contains(&place) || named.sizes.contains(&Size::Unknown(place)));
         touched.map(|named| named.names.join(" + ")).collect()
     }
 
     /// The data of [`predictions`](Self::predictions).
     pub fn observed(&self) -> Vec<Vec<f64>> {
-        self.blocks
-            .iter()
-            .map(|named| named.block.observed())
-            .collect()
+        self.blocks.iter().map(|named| named.block.observed()).collect()
     }
 
     /// ln of the density of the prior in z, and its derivatives.
     fn prior(&self, place: &[f64]) -> (f64, Vec<f64>) {
         let parameters = self.model.parameters.iter().zip(place);
-        let (values, slopes): (Vec<f64>, Vec<f64>) = parameters
-            .map(|(parameter, z)| parameter.prior.log_density(*z))
-            .unzip();
+        let (values, slopes): (Vec<f64>, Vec<f64>) =
+            parameters.map(|(parameter, z)| parameter.prior.log_density(*z)).unzip();
         (values.iter().sum(), slopes)
     }
 
@@ -172,11 +159,7 @@ impl Posterior {
     /// A place in z with what [`log_density`](Self::log_density) is the sum of.
     pub(crate) fn placed(&self, at: Vec<f64>) -> Option<Placed> {
         let [log_prior, log_likelihood] = self.log_parts(&at)?;
-        Some(Placed {
-            at,
-            log_prior,
-            log_likelihood,
-        })
+        Some(Placed { at, log_prior, log_likelihood })
     }
 
     /// A draw of the priors that the case takes.
@@ -194,11 +177,7 @@ impl Posterior {
 
     /// ln of the density for predictions of all blocks, with its gradient but for what the predictions change by, and the
     /// densities of the blocks; none outside the priors.
-    pub(crate) fn with_predictions(
-        &self,
-        place: &[f64],
-        predicted: &[Vec<f64>],
-    ) -> Option<(Point, Vec<Density>)> {
+    pub(crate) fn with_predictions(&self, place: &[f64], predicted: &[Vec<f64>]) -> Option<(Point, Vec<Density>)> {
         let (mut log_density, mut gradient) = self.prior(place);
         if !log_density.is_finite() {
             return None;
@@ -215,10 +194,7 @@ impl Posterior {
             }
             densities.push(density);
         }
-        let point = Point {
-            log_density,
-            gradient,
-        };
+        let point = Point { log_density, gradient };
         Some((point, densities))
     }
 
@@ -238,9 +214,8 @@ impl Posterior {
         });
         let known: Vec<(Vec<f64>, Density)> = known.collect::<Option<_>>()?;
         for (index, gradient) in point.gradient.iter_mut().enumerate() {
-            let touched: Vec<usize> = (0..self.blocks.len())
-                .filter(|block| self.blocks[*block].touched_by.contains(&index))
-                .collect();
+            let touched: Vec<usize> =
+                (0..self.blocks.len()).filter(|block| self.blocks[*block].touched_by.contains(&index)).collect();
             if touched.is_empty() {
                 continue;
             }
@@ -268,10 +243,7 @@ impl Posterior {
             let block = &self.blocks[block].block;
             let there = block.predict_coarsely(&trial);
             let there = there.unwrap_or_else(|| block.predict(&trial)).ok()?;
-            let differences = there
-                .iter()
-                .zip(predicted)
-                .map(|(there, here)| there - here);
+            let differences = there.iter().zip(predicted).map(|(there, here)| there - here);
             let terms = differences.zip(&density.by_prediction);
             slope += terms.map(|(difference, by)| by * difference).sum::<f64>() / step;
         }
@@ -304,9 +276,7 @@ impl Posterior {
             let slopes = slopes.map(|(behind, ahead)| (ahead - behind) / (2.0 * STEP));
             columns[index] = lower.forward(slopes.collect());
         }
-        Ok(Matrix::of(place.len(), |i, j| {
-            dot(&columns[i], &columns[j])
-        }))
+        Ok(Matrix::of(place.len(), |i, j| dot(&columns[i], &columns[j])))
     }
 }
 
@@ -316,12 +286,7 @@ impl Placed {
     }
 
     pub(crate) fn draw(&self, statistics: Statistics) -> Draw {
-        Draw {
-            place: self.at.clone(),
-            log_density: self.log_density(),
-            statistics,
-            step: 0.0,
-        }
+        Draw { place: self.at.clone(), log_density: self.log_density(), statistics, step: 0.0 }
     }
 
     pub(crate) fn numbers(&self) -> Vec<f64> {
@@ -337,10 +302,7 @@ impl Placed {
             log_prior: numbers[size],
             log_likelihood: numbers[size + 1],
         };
-        placed
-            .remainder()
-            .is_empty()
-            .then(|| placed.map(of).collect())
+        placed.remainder().is_empty().then(|| placed.map(of).collect())
     }
 }
 

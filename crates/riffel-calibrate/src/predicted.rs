@@ -69,9 +69,7 @@ impl Chains {
                 let group = group(&mut groups, &named.names, place);
                 group.at.push(place.at);
                 group.observed.push(told(observed[datum]));
-                group
-                    .quantiles
-                    .push([0.05, 0.5, 0.95].map(|share| quantile(&replicas, share)));
+                group.quantiles.push([0.05, 0.5, 0.95].map(|share| quantile(&replicas, share)));
             }
         }
         groups
@@ -81,8 +79,7 @@ impl Chains {
 /// The group of a datum, begun where it is the first of it.
 fn group<'a>(groups: &'a mut Vec<Predicted>, names: &[String], place: Place) -> &'a mut Predicted {
     let data = names.join(" + ");
-    let is_own =
-        |it: &Predicted| it.data == data && it.measured == place.measured && it.of == place.of;
+    let is_own = |it: &Predicted| it.data == data && it.measured == place.measured && it.of == place.of;
     let own = groups.iter().position(is_own).unwrap_or_else(|| {
         groups.push(Predicted {
             data,
@@ -117,15 +114,10 @@ mod tests {
                 step: 1.0,
             }
         };
-        let chains = Chains {
-            draws: vec![(0..40).map(draw).collect()],
-            log_evidences: Vec::new(),
-        };
+        let chains = Chains { draws: vec![(0..40).map(draw).collect()], log_evidences: Vec::new() };
         let groups = chains.predicted(&plan);
         let of = |measured: Observable| {
-            let own = groups
-                .iter()
-                .filter(move |group| group.measured == measured);
+            let own = groups.iter().filter(move |group| group.measured == measured);
             own.collect::<Vec<&Predicted>>()
         };
         // The first line of hammer.csv, to the eight digits that it has.
@@ -136,9 +128,7 @@ mod tests {
         let phase = of(Observable::ReceptancePhaseRad)[0];
         assert!((phase.observed[0] - f64::atan2(-5.8177714, 5.4545857)).abs() < 1e-7);
         let decay = of(Observable::DecayRateDbPerM)[0];
-        assert!(
-            (decay.at[0] - 100.0).abs() < 1e-9 && (decay.observed[0] - 7.770_215_9).abs() < 1e-7
-        );
+        assert!((decay.at[0] - 100.0).abs() < 1e-9 && (decay.observed[0] - 7.770_215_9).abs() < 1e-7);
         let dates = of(Observable::LevelRiseDb);
         assert!(dates.len() == 2 && dates.iter().all(|date| date.at.len() == 8));
         assert_eq!(of(Observable::AxleBoxLevelDb).len(), 1);

@@ -56,14 +56,10 @@ impl Prior {
     pub fn value(&self, z: f64) -> f64 {
         match *self {
             Self::HalfNormal(_) | Self::Of(Distribution::Lognormal { .. }) => z.exp(),
-            Self::Of(Distribution::Normal {
-                mean,
-                standard_deviation,
-                ..
-            }) => mean + standard_deviation * z,
-            Self::Of(
-                Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. },
-            ) => min + (max - min) / (1.0 + (-z).exp()),
+            Self::Of(Distribution::Normal { mean, standard_deviation, .. }) => mean + standard_deviation * z,
+            Self::Of(Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. }) => {
+                min + (max - min) / (1.0 + (-z).exp())
+            }
         }
     }
 
@@ -71,9 +67,7 @@ impl Prior {
     /// where x hardly moves; z elsewhere.
     pub(crate) fn smooth(&self, z: f64) -> (f64, f64) {
         match *self {
-            Self::Of(
-                Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. },
-            ) => {
+            Self::Of(Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. }) => {
                 let x = self.value(z);
                 (x, (x - min) * (max - x) / (max - min))
             }
@@ -85,14 +79,10 @@ impl Prior {
     pub fn place(&self, x: f64) -> f64 {
         match *self {
             Self::HalfNormal(_) | Self::Of(Distribution::Lognormal { .. }) => x.ln(),
-            Self::Of(Distribution::Normal {
-                mean,
-                standard_deviation,
-                ..
-            }) => (x - mean) / standard_deviation,
-            Self::Of(
-                Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. },
-            ) => ((x - min) / (max - x)).ln(),
+            Self::Of(Distribution::Normal { mean, standard_deviation, .. }) => (x - mean) / standard_deviation,
+            Self::Of(Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. }) => {
+                ((x - min) / (max - x)).ln()
+            }
         }
     }
 
@@ -116,11 +106,7 @@ impl Prior {
                 let norm = 2f64.ln() - scale.ln() - half_of_two_pi;
                 (norm - 0.5 * t * t + z, 1.0 - t * t)
             }
-            Self::Of(Distribution::Lognormal {
-                log_mean,
-                log_deviation,
-                ..
-            }) => {
+            Self::Of(Distribution::Lognormal { log_mean, log_deviation, .. }) => {
                 let t = (z - log_mean) / log_deviation;
                 let norm = -log_deviation.ln() - half_of_two_pi;
                 (norm - 0.5 * t * t, -t / log_deviation)
@@ -147,13 +133,9 @@ impl Prior {
     /// The x below which a share u lies, 0 < u < 1.
     pub fn quantile(&self, u: f64) -> f64 {
         match self {
-            Self::HalfNormal(scale) => Distribution::Normal {
-                mean: 0.0,
-                standard_deviation: *scale,
-                min: 0.0,
-                max: f64::INFINITY,
+            Self::HalfNormal(scale) => {
+                Distribution::Normal { mean: 0.0, standard_deviation: *scale, min: 0.0, max: f64::INFINITY }.quantile(u)
             }
-            .quantile(u),
             Self::Of(distribution) => distribution.quantile(u),
         }
     }
@@ -163,8 +145,7 @@ impl Prior {
         const PARTS: u32 = 20_000;
         let parts = (0..PARTS).map(|k| (f64::from(k) + 0.5) / f64::from(PARTS));
         let places = parts.map(|u| self.place(self.quantile(u)));
-        let (sum, squares) =
-            places.fold((0.0, 0.0), |(sum, squares), z| (sum + z, squares + z * z));
+        let (sum, squares) = places.fold((0.0, 0.0), |(sum, squares), z| (sum + z, squares + z * z));
         let mean = sum / f64::from(PARTS);
         squares / f64::from(PARTS) - mean * mean
     }
@@ -178,27 +159,10 @@ mod tests {
         let (min, max) = (f64::NEG_INFINITY, f64::INFINITY);
         [
             Prior::HalfNormal(0.15),
-            Prior::Of(Distribution::Lognormal {
-                log_mean: 3.0,
-                log_deviation: 0.4,
-                min: 0.0,
-                max,
-            }),
-            Prior::Of(Distribution::Normal {
-                mean: 30.0,
-                standard_deviation: 2.0,
-                min,
-                max,
-            }),
-            Prior::Of(Distribution::Uniform {
-                min: 0.05,
-                max: 0.95,
-            }),
-            Prior::Of(Distribution::Triangular {
-                min: 1.0,
-                mode: 2.0,
-                max: 5.0,
-            }),
+            Prior::Of(Distribution::Lognormal { log_mean: 3.0, log_deviation: 0.4, min: 0.0, max }),
+            Prior::Of(Distribution::Normal { mean: 30.0, standard_deviation: 2.0, min, max }),
+            Prior::Of(Distribution::Uniform { min: 0.05, max: 0.95 }),
+            Prior::Of(Distribution::Triangular { min: 1.0, mode: 2.0, max: 5.0 }),
         ]
     }
 
@@ -223,16 +187,8 @@ mod tests {
     #[test]
     fn variances_are_those_of_the_books() {
         let [half, log, normal, uniform, _] = priors();
-        for (prior, variance) in [
-            (half, PI * PI / 8.0),
-            (log, 0.16),
-            (normal, 1.0),
-            (uniform, PI * PI / 3.0),
-        ] {
-            assert!(
-                (prior.variance() / variance - 1.0).abs() < 2e-3,
-                "{prior:?}"
-            );
+        for (prior, variance) in [(half, PI * PI / 8.0), (log, 0.16), (normal, 1.0), (uniform, PI * PI / 3.0)] {
+            assert!((prior.variance() / variance - 1.0).abs() < 2e-3, "{prior:?}");
         }
     }
 }

@@ -19,7 +19,8 @@ const MOST: usize = 1000;
 /// The random numbers of rails are those of no chain.
 const STREAM: u64 = u64::MAX;
 
-const NO_LEVELS: &str = "the plan has no [[data]] of kind \"dated-levels\": without growth there is nothing to forecast";
+const NO_LEVELS: &str =
+    "the plan has no [[data]] of kind \"dated-levels\": without growth there is nothing to forecast";
 
 /// What one draw of the posterior says of a rail.
 pub(crate) struct RailDraw {
@@ -55,24 +56,14 @@ impl Posterior {
 
     /// The rail under the values of a place in z: L_b and d_b are drawn from their distribution, generalised least squares over
     /// all dates.
-    pub(crate) fn rail_draw(
-        &self,
-        place: Vec<f64>,
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Result<RailDraw, String> {
+    pub(crate) fn rail_draw(&self, place: Vec<f64>, random: &mut Xoshiro256PlusPlus) -> Result<RailDraw, String> {
         let (named, levels) = self.levels().ok_or(NO_LEVELS)?;
         let values = self.values(&place);
         let trial = self.model.trial(&values);
         let rail = levels.rail(&trial, &named.sizes(&values))?;
         let (drawn, missed) = rail.draw(|| normal(random));
         let rates = levels.rates(&trial)?;
-        Ok(RailDraw {
-            levels: drawn,
-            missed,
-            rates,
-            place,
-            values,
-        })
+        Ok(RailDraw { levels: drawn, missed, rates, place, values })
     }
 }
 
@@ -91,7 +82,8 @@ impl Plan {
     /// Axle passages of a month.
     pub(crate) fn passages_per_month(&self) -> Result<f64, CalibrationError> {
         let per_day = self.passages_per_day.ok_or_else(|| {
-            let reason = "the traffic file says under [line] neither passages_per_day nor mgt_per_year: months cannot be told";
+            let reason =
+                "the traffic file says under [line] neither passages_per_day nor mgt_per_year: months cannot be told";
             CalibrationError::Refused(reason.to_owned())
         });
         Ok(per_day? * riffel_case::traffic::DAYS_PER_MONTH)
@@ -105,9 +97,7 @@ impl Plan {
             let mut random = random(self.file.sampler.seed, STREAM, index as u64);
             self.posterior.rail_draw(draw.place.clone(), &mut random)
         });
-        drawn
-            .collect::<Result<Vec<RailDraw>, String>>()
-            .map_err(CalibrationError::Refused)
+        drawn.collect::<Result<Vec<RailDraw>, String>>().map_err(CalibrationError::Refused)
     }
 }
 

@@ -31,9 +31,7 @@ impl Record {
         Ok(Self {
             fingerprint: fingerprint(plan)?,
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            plan: fs::canonicalize(own)
-                .or_else(|_| absolute(own))
-                .unwrap_or_default(),
+            plan: fs::canonicalize(own).or_else(|_| absolute(own)).unwrap_or_default(),
             arrays: Vec::new(),
         })
     }
@@ -65,10 +63,7 @@ fn fingerprint(plan: &Plan) -> Result<String, CalibrationError> {
     let mut hash = Sha256::new();
     hash.update(plan.of_draws());
     for path in &plan.inputs[1..] {
-        let bytes = fs::read(path).map_err(|reason| CalibrationError::Read {
-            path: path.clone(),
-            reason,
-        })?;
+        let bytes = fs::read(path).map_err(|reason| CalibrationError::Read { path: path.clone(), reason })?;
         hash.update((bytes.len() as u64).to_le_bytes());
         hash.update(bytes);
     }

@@ -43,12 +43,7 @@ impl Folder<'_> {
     ///
     /// # Errors
     /// [`CalibrationError::Write`].
-    pub fn results(
-        &self,
-        plan: &Plan,
-        chains: &Chains,
-        summary: &Summary,
-    ) -> Result<Results, CalibrationError> {
+    pub fn results(&self, plan: &Plan, chains: &Chains, summary: &Summary) -> Result<Results, CalibrationError> {
         let written = all(plan, chains)?;
         let mut record = self.record.clone();
         record.arrays = written.iter().map(|it| it.array.name.clone()).collect();
@@ -84,19 +79,9 @@ impl Results {
 }
 
 /// A variable over chains and draws.
-fn over_draws(
-    group: &'static str,
-    name: &str,
-    unit: &str,
-    chains: &Chains,
-    value: impl Fn(&Draw) -> f64,
-) -> Written {
+fn over_draws(group: &'static str, name: &str, unit: &str, chains: &Chains, value: impl Fn(&Draw) -> f64) -> Written {
     let draws = chains.draws.first().map_or(0, Vec::len) as u64;
-    let attributes = if unit.is_empty() {
-        json!({})
-    } else {
-        json!({ "units": unit })
-    };
+    let attributes = if unit.is_empty() { json!({}) } else { json!({ "units": unit }) };
     Written {
         group,
         array: Array {
@@ -131,32 +116,18 @@ fn all(plan: &Plan, chains: &Chains) -> Result<Vec<Written>, CalibrationError> {
     let (count, draws) = (chains.draws.len() as u64, chains.draws[0].len() as u64);
     for (index, parameter) in parameters.iter().enumerate() {
         let value = |draw: &Draw| parameter.prior.value(draw.place[index]);
-        written.push(over_draws(
-            "posterior",
-            &parameter.name,
-            &parameter.unit,
-            chains,
-            value,
-        ));
+        written.push(over_draws("posterior", &parameter.name, &parameter.unit, chains, value));
     }
     written.extend(axes("posterior", count, draws));
     type Of = fn(&Draw) -> f64;
     let statistics: [(&str, DataType, Of); 7] = [
         ("lp", DataType::Float64, |draw| draw.log_density),
-        ("diverging", DataType::Bool, |draw| {
-            f64::from(u8::from(draw.statistics.diverging))
-        }),
+        ("diverging", DataType::Bool, |draw| f64::from(u8::from(draw.statistics.diverging))),
         ("energy", DataType::Float64, |draw| draw.statistics.energy),
-        ("tree_depth", DataType::Int64, |draw| {
-            f64::from(draw.statistics.depth)
-        }),
-        ("n_steps", DataType::Int64, |draw| {
-            f64::from(draw.statistics.steps)
-        }),
+        ("tree_depth", DataType::Int64, |draw| f64::from(draw.statistics.depth)),
+        ("n_steps", DataType::Int64, |draw| f64::from(draw.statistics.steps)),
         ("step_size", DataType::Float64, |draw| draw.step),
-        ("acceptance_rate", DataType::Float64, |draw| {
-            draw.statistics.acceptance
-        }),
+        ("acceptance_rate", DataType::Float64, |draw| draw.statistics.acceptance),
     ];
     // What only trajectories have.
     let has_all = plan.file.sampler.kind == SamplerKind::Nuts;
@@ -172,9 +143,7 @@ fn all(plan: &Plan, chains: &Chains) -> Result<Vec<Written>, CalibrationError> {
     written.extend(axes("sample_stats", count, draws));
     for (index, parameter) in parameters.iter().enumerate() {
         // A grid of each prior in its own order: what quasi-random points have, one dimension at a time.
-        let root = (1..=60).fold(2.0f64, |root, _| {
-            (1.0 + root).powf(1.0 / (parameters.len() as f64 + 1.0))
-        });
+        let root = (1..=60).fold(2.0f64, |root, _| (1.0 + root).powf(1.0 / (parameters.len() as f64 + 1.0)));
         let share = |draw: u64| {
             let turn = (draw as f64 + 0.5) * root.powi(-(index as i32 + 1));
             turn.fract().clamp(1e-9, 1.0 - 1e-9)
@@ -189,9 +158,7 @@ fn all(plan: &Plan, chains: &Chains) -> Result<Vec<Written>, CalibrationError> {
                 dimensions: vec!["chain", "draw"],
                 attributes: json!({ "units": parameter.unit }),
             },
-            values: (0..OF_PRIOR)
-                .map(|draw| parameter.prior.quantile(share(draw)))
-                .collect(),
+            values: (0..OF_PRIOR).map(|draw| parameter.prior.quantile(share(draw))).collect(),
         });
     }
     written.extend(axes("prior", 1, OF_PRIOR));
@@ -201,11 +168,7 @@ fn all(plan: &Plan, chains: &Chains) -> Result<Vec<Written>, CalibrationError> {
     }
     written.extend(data(plan));
     let given = columns(plan, "constant_data")?.into_iter();
-    written.extend(given.map(|(array, values)| Written {
-        group: "constant_data",
-        array,
-        values,
-    }));
+    written.extend(given.map(|(array, values)| Written { group: "constant_data", array, values }));
     Ok(written)
 }
 
@@ -216,16 +179,9 @@ fn predictive(plan: &Plan, chains: &Chains) -> [(&'static str, Vec<Written>); 2]
     let drawn = replicas(plan, &all);
     let (count, draws) = (chains.draws.len() as u64, chains.draws[0].len() as u64);
     [("log_likelihood", 0), ("posterior_predictive", 1)].map(|(group, part)| {
-        let blocks = posterior
-            .blocks
-            .iter()
-            .zip(DIMENSIONS.iter().cycle())
-            .enumerate();
+        let blocks = posterior.blocks.iter().zip(DIMENSIONS.iter().cycle()).enumerate();
         let written = blocks.map(|(block, (named, dimension))| {
-            let values: Vec<f64> = drawn
-                .iter()
-                .flat_map(|blocks| blocks[block][part].clone())
-                .collect();
+            let values: Vec<f64> = drawn.iter().flat_map(|blocks| blocks[block][part].clone()).collect();
             Written {
                 group,
                 array: Array {
@@ -246,26 +202,22 @@ fn predictive(plan: &Plan, chains: &Chains) -> [(&'static str, Vec<Written>); 2]
 /// What was measured, in the form in which it is compared.
 fn data(plan: &Plan) -> Vec<Written> {
     let blocks = plan.posterior.blocks.iter().zip(plan.posterior.observed());
-    let observed = blocks
-        .zip(DIMENSIONS.iter().cycle())
-        .map(|((named, values), dimension)| {
-            let name = named.names.join("+");
-            Written {
-                group: "observed_data",
-                array: Array {
-                    name: format!("observed_data/{name}"),
-                    ..Array::axis("", dimension, values.len() as u64, "", "")
-                },
-                values,
-            }
-        });
+    let observed = blocks.zip(DIMENSIONS.iter().cycle()).map(|((named, values), dimension)| {
+        let name = named.names.join("+");
+        Written {
+            group: "observed_data",
+            array: Array {
+                name: format!("observed_data/{name}"),
+                ..Array::axis("", dimension, values.len() as u64, "", "")
+            },
+            values,
+        }
+    });
     observed.collect()
 }
 
 /// Names of the dimensions of the blocks of data.
-const DIMENSIONS: [&str; 6] = [
-    "datum", "datum_2", "datum_3", "datum_4", "datum_5", "datum_6",
-];
+const DIMENSIONS: [&str; 6] = ["datum", "datum_2", "datum_3", "datum_4", "datum_5", "datum_6"];
 
 /// Attributes of the whole tree: ln of the evidence by each run besides, where it is told.
 fn with_evidence(mut attributes: Value, chains: &Chains) -> Value {
@@ -278,9 +230,7 @@ fn with_evidence(mut attributes: Value, chains: &Chains) -> Value {
 /// What groups and arrays say of themselves that somebody has added to a tree, by their names in it. Links are not followed.
 fn of_others(tree: &Path, within: &str, own: &[&str], found: &mut Map<String, Value>) {
     let entries = fs::read_dir(tree.join(within)).into_iter().flatten();
-    let folders = entries
-        .flatten()
-        .filter(|it| it.file_type().is_ok_and(|kind| kind.is_dir()));
+    let folders = entries.flatten().filter(|it| it.file_type().is_ok_and(|kind| kind.is_dir()));
     for folder in folders {
         let name = folder.file_name();
         let name = match within {
@@ -306,12 +256,7 @@ fn of_others(tree: &Path, within: &str, own: &[&str], found: &mut Map<String, Va
     }
 }
 
-fn write_groups(
-    files: &Together,
-    folder: &Folder<'_>,
-    chains: &Chains,
-    written: &[Written],
-) -> io::Result<()> {
+fn write_groups(files: &Together, folder: &Folder<'_>, chains: &Chains, written: &[Written]) -> io::Result<()> {
     // `created_at` is the one that the same seed does not give again.
     let attributes = json!({
         "created_at": Timestamp::now().to_string(),
@@ -322,12 +267,7 @@ fn write_groups(
     let empty = json!({ "zarr_format": 3, "node_type": "group", "attributes": attributes });
     let own = written.iter().map(|it| it.array.name.as_str());
     let mut others = Map::new();
-    of_others(
-        &folder.path().join(TREE),
-        "",
-        &own.collect::<Vec<_>>(),
-        &mut others,
-    );
+    of_others(&folder.path().join(TREE), "", &own.collect::<Vec<_>>(), &mut others);
     // A document repeats those of what is below, and of what somebody has added there.
     let document = |name: &str, attributes: Value, groups: &[&str]| {
         let below = |it: &str| match name {
@@ -336,20 +276,13 @@ fn write_groups(
         };
         let arrays = written.iter().filter_map(|it| {
             let name = below(&it.array.name)?;
-            Some(Array {
-                name,
-                ..it.array.clone()
-            })
+            Some(Array { name, ..it.array.clone() })
         });
         let mut document = group(attributes, &arrays.collect::<Vec<_>>());
         let metadata = document.pointer_mut("/consolidated_metadata/metadata");
         if let Some(metadata) = metadata.and_then(Value::as_object_mut) {
             metadata.extend(groups.iter().map(|it| ((*it).to_owned(), empty.clone())));
-            metadata.extend(
-                others
-                    .iter()
-                    .filter_map(|(name, it)| Some((below(name)?, it.clone()))),
-            );
+            metadata.extend(others.iter().filter_map(|(name, it)| Some((below(name)?, it.clone()))));
         }
         json(&document)
     };
@@ -358,21 +291,12 @@ fn write_groups(
     let write = |name: &str, bytes: &[u8]| files.write(&format!("{TREE}/{name}"), bytes);
     for it in written {
         let array = &it.array;
-        write(
-            &format!("{}/zarr.json", array.name),
-            &json(&array.metadata()),
-        )?;
+        write(&format!("{}/zarr.json", array.name), &json(&array.metadata()))?;
         let numbers = Values::Numbers(it.values.clone());
         write(&array.file(0), &array.encode(&numbers))?;
     }
     for name in &groups {
-        write(
-            &format!("{name}/zarr.json"),
-            &document(name, attributes.clone(), &[]),
-        )?;
+        write(&format!("{name}/zarr.json"), &document(name, attributes.clone(), &[]))?;
     }
-    write(
-        "zarr.json",
-        &document("", with_evidence(attributes, chains), &groups),
-    )
+    write("zarr.json", &document("", with_evidence(attributes, chains), &groups))
 }

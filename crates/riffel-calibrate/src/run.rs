@@ -64,11 +64,7 @@ impl Folder<'_> {
     ///
     /// # Errors
     /// [`CalibrationError::Write`]; parts that are finished are kept. [`CalibrationError::NoStart`].
-    pub fn run(
-        &self,
-        progress: &(dyn Fn(Progress) + Sync),
-        stop: &Stop,
-    ) -> Result<Option<Chains>, CalibrationError> {
+    pub fn run(&self, progress: &(dyn Fn(Progress) + Sync), stop: &Stop) -> Result<Option<Chains>, CalibrationError> {
         let sampler = &self.plan.file.sampler;
         let mut going: Vec<Going> = (0..sampler.chains).map(|_| Going::default()).collect();
         let (mut draws, mut more) = (sampler.draws, self.draws_of_a_chain());
@@ -82,17 +78,12 @@ impl Folder<'_> {
                 return Ok(None);
             };
             let posterior = &self.plan.posterior;
-            let kept = longer
-                .iter()
-                .map(|it| sampler.kept(it.draws.clone(), posterior));
+            let kept = longer.iter().map(|it| sampler.kept(it.draws.clone(), posterior));
             let states = longer.iter().filter_map(|it| it.state.as_ref());
-            let chains = Chains {
-                draws: kept.collect(),
-                log_evidences: states.filter_map(Sampling::log_evidence).collect(),
-            };
-            let ends = sampler.kind == SamplerKind::Smc
-                || sampler.draws < GOES_ON
-                || draws >= MOST_TIMES * sampler.draws;
+            let chains =
+                Chains { draws: kept.collect(), log_evidences: states.filter_map(Sampling::log_evidence).collect() };
+            let ends =
+                sampler.kind == SamplerKind::Smc || sampler.draws < GOES_ON || draws >= MOST_TIMES * sampler.draws;
             if ends || chains.summary(self.plan).doubts().is_empty() {
                 return Ok(Some(chains));
             }
@@ -131,8 +122,7 @@ impl Folder<'_> {
                     let values = posterior.parameters().iter();
                     let values: Vec<f64> = values.map(|it| it.prior.quantile(0.5)).collect();
                     let reason = posterior.log_likelihood(&values).err();
-                    let reason =
-                        reason.unwrap_or_else(|| "they are too unlikely for numbers".to_owned());
+                    let reason = reason.unwrap_or_else(|| "they are too unlikely for numbers".to_owned());
                     CalibrationError::NoStart { reason }
                 })?,
             };
@@ -153,22 +143,10 @@ impl Folder<'_> {
 
     /// The array that the numbers of a part are written as.
     fn array(count: usize) -> Array {
-        Array::axis(
-            "part",
-            "number",
-            count as u64,
-            "",
-            "draws, then the state of the chain, then the mark of the plan",
-        )
+        Array::axis("part", "number", count as u64, "", "draws, then the state of the chain, then the mark of the plan")
     }
 
-    fn keep(
-        &self,
-        chain: u64,
-        part: u64,
-        draws: &[Draw],
-        state: &Sampling,
-    ) -> Result<(), CalibrationError> {
+    fn keep(&self, chain: u64, part: u64, draws: &[Draw], state: &Sampling) -> Result<(), CalibrationError> {
         let mut numbers = Vec::new();
         for draw in draws {
             let statistics = draw.statistics;
@@ -262,9 +240,7 @@ impl<'a> Folder<'a> {
 /// [`CalibrationError::NotThere`], [`CalibrationError::OtherPlan`], [`CalibrationError::OtherDraws`] and
 /// [`CalibrationError::Unfinished`] of the folder, and those of the plan.
 pub fn finished(folder: &Path, plan: Option<&Path>) -> Result<(Plan, Chains), CalibrationError> {
-    let there = Record::read(folder).ok_or_else(|| CalibrationError::NotThere {
-        folder: folder.to_owned(),
-    })?;
+    let there = Record::read(folder).ok_or_else(|| CalibrationError::NotThere { folder: folder.to_owned() })?;
     let plan = Plan::read(plan.unwrap_or(&there.plan))?;
     let chains = Folder::finished(&plan, folder)?;
     Ok((plan, chains))

@@ -20,23 +20,11 @@ pub(crate) enum Sampling {
 impl Sampling {
     /// The chain of a number; none where the case takes no draw of the priors. A population is led to the posterior at once, and is
     /// only on its way where a wish to stop comes between.
-    pub(crate) fn begin(
-        posterior: &Posterior,
-        sampler: &SamplerFile,
-        index: u64,
-        stop: &Stop,
-    ) -> Option<Self> {
+    pub(crate) fn begin(posterior: &Posterior, sampler: &SamplerFile, index: u64, stop: &Stop) -> Option<Self> {
         let seed = sampler.seed;
         Some(match sampler.kind {
-            SamplerKind::Nuts => Self::Nuts(Box::new(Chain::begin(
-                posterior,
-                seed,
-                index,
-                sampler.warmup,
-            )?)),
-            SamplerKind::Ensemble => {
-                Self::Ensemble(Ensemble::begin(posterior, seed, index, sampler.warmup)?)
-            }
+            SamplerKind::Nuts => Self::Nuts(Box::new(Chain::begin(posterior, seed, index, sampler.warmup)?)),
+            SamplerKind::Ensemble => Self::Ensemble(Ensemble::begin(posterior, seed, index, sampler.warmup)?),
             SamplerKind::Smc => {
                 let from = (seed, index);
                 Self::Smc(Population::begin(posterior, from, sampler.draws, stop)?)
@@ -73,9 +61,7 @@ impl Sampling {
         let from = (sampler.seed, index, sampler.warmup);
         Some(match sampler.kind {
             SamplerKind::Nuts => Self::Nuts(Box::new(Chain::of_numbers(numbers, size, from)?)),
-            SamplerKind::Ensemble => {
-                Self::Ensemble(Ensemble::of_numbers(numbers, posterior, from)?)
-            }
+            SamplerKind::Ensemble => Self::Ensemble(Ensemble::of_numbers(numbers, posterior, from)?),
             SamplerKind::Smc => Self::Smc(Population::of_numbers(numbers, size)?),
         })
     }

@@ -73,23 +73,14 @@ impl Ranked {
         let fits = |bins: &usize| ranks.len() as u64 >= LEAST_IN_A_BIN * *bins as u64;
         let bins = BINS.into_iter().find(fits).unwrap_or(BINS[4]);
         let mut filled = vec![0.0; bins];
-        ranks
-            .iter()
-            .for_each(|rank| filled[rank * bins / (RANKED + 1)] += 1.0);
+        ranks.iter().for_each(|rank| filled[rank * bins / (RANKED + 1)] += 1.0);
         let expected = count / bins as f64;
-        let square: f64 = filled
-            .iter()
-            .map(|it| (it - expected).powi(2) / expected)
-            .sum();
+        let square: f64 = filled.iter().map(|it| (it - expected).powi(2) / expected).sum();
         let distribution = ChiSquared::new(bins as f64 - 1.0);
         let inside = |share: f64| {
             let side = 0.5 * (1.0 - share) * (RANKED + 1) as f64;
             let ends = side - 0.5..(RANKED + 1) as f64 - side - 0.5;
-            ranks
-                .iter()
-                .filter(|rank| ends.contains(&(**rank as f64)))
-                .count() as f64
-                / count
+            ranks.iter().filter(|rank| ends.contains(&(**rank as f64))).count() as f64 / count
         };
         Self {
             of,
@@ -136,8 +127,7 @@ impl Simulated {
             progress(1);
             Ok(ranks)
         };
-        let ranks: Result<Vec<Option<Ranks>>, CalibrationError> =
-            (0..runs).into_par_iter().map(run).collect();
+        let ranks: Result<Vec<Option<Ranks>>, CalibrationError> = (0..runs).into_par_iter().map(run).collect();
         let ranks: Option<Vec<Ranks>> = ranks?.into_iter().collect();
         Ok(ranks.map(|ranks| Self::ranked(&plan.posterior, &ranks)))
     }
@@ -147,9 +137,7 @@ impl Simulated {
         let names = names.map(|it| Checked::Parameter(it.name.clone()));
         let all = names.chain([Checked::LogLikelihood, Checked::PassagesToLimit]);
         let of = |place: usize| ranks.iter().filter_map(move |ranks| *ranks.get(place)?);
-        let values = all
-            .enumerate()
-            .map(|(place, name)| (name, of(place).collect()));
+        let values = all.enumerate().map(|(place, name)| (name, of(place).collect()));
         Self {
             runs: ranks.len(),
             values: values
@@ -189,9 +177,7 @@ fn ranks(
     if stop.is_asked() {
         return Ok(None);
     }
-    let nowhere = || CalibrationError::NoStart {
-        reason: "simulated data are too unlikely for numbers".to_owned(),
-    };
+    let nowhere = || CalibrationError::NoStart { reason: "simulated data are too unlikely for numbers".to_owned() };
     let (seed, warmup) = (sampler.seed, sampler.left_out());
     let (values, simulated) = simulate(posterior, seed, index).ok_or_else(nowhere)?;
     let chain = Sampling::begin(&simulated, sampler, index, stop);
@@ -241,18 +227,13 @@ fn rank(draws: &[f64], truth: f64, share: f64) -> Option<usize> {
 /// Axle passages from the first date until the first band reaches its limit; infinitely many where none does.
 fn passages_to_limit(rail: &RailDraw, limits: &[Option<f64>]) -> f64 {
     let bands = growing_bands(&rail.rates, &rail.missed).zip(&rail.levels);
-    let passages = bands.zip(limits).filter_map(|((band, level), limit)| {
-        band.passages_to(10f64.powf(0.1 * ((*limit)? - level)))
-    });
+    let passages =
+        bands.zip(limits).filter_map(|((band, level), limit)| band.passages_to(10f64.powf(0.1 * ((*limit)? - level))));
     passages.fold(f64::INFINITY, f64::min)
 }
 
 /// Values of the priors that the case takes, and the posterior of data that were made of them.
-pub(crate) fn simulate(
-    posterior: &Posterior,
-    seed: u64,
-    index: u64,
-) -> Option<(Vec<f64>, Posterior)> {
+pub(crate) fn simulate(posterior: &Posterior, seed: u64, index: u64) -> Option<(Vec<f64>, Posterior)> {
     let mut random = random(seed, STREAM, index);
     (0..MOST_TRIALS).find_map(|_| {
         let values = posterior.drawn_from_priors(&mut random);
@@ -286,10 +267,7 @@ mod tests {
     fn uneven_ranks_are_seen() {
         let check = |rank: &dyn Fn(usize) -> usize| {
             let value = Ranked::new(Checked::LogLikelihood, (0..200).map(rank).collect());
-            let checked = Simulated {
-                runs: 200,
-                values: Vec::from([value]),
-            };
+            let checked = Simulated { runs: 200, values: Vec::from([value]) };
             let value = &checked.values[0];
             (checked.is_even(value), value.inside)
         };
@@ -304,15 +282,8 @@ mod tests {
         assert!(!is_even && inside[0] == 1.0, "{inside:?}");
         assert!(!check(&|run| (run % 100) / 2).0);
         // χ² in closed form: two bins with 14 and 6 of 20, 3.2 with one degree of freedom.
-        let few = Ranked::new(
-            Checked::LogLikelihood,
-            (0..20).map(|run| if run < 14 { 10 } else { 80 }).collect(),
-        );
-        assert!(
-            (few.probability - 0.073_638).abs() < 1e-5,
-            "{}",
-            few.probability
-        );
+        let few = Ranked::new(Checked::LogLikelihood, (0..20).map(|run| if run < 14 { 10 } else { 80 }).collect());
+        assert!((few.probability - 0.073_638).abs() < 1e-5, "{}", few.probability);
     }
 
     /// Hammer, decay rates, dates and a run take other data in the order of their own, and a bound stays one only above the rate.
@@ -341,11 +312,7 @@ mod tests {
             let (higher, all) = moved(0.1);
             let pairs = taken.iter().zip(&given).chain(higher.iter().zip(&all));
             for (taken, given) in pairs {
-                assert!(
-                    (taken - given).abs() < 1e-9,
-                    "{:?}: {taken} {given}",
-                    named.names
-                );
+                assert!((taken - given).abs() < 1e-9, "{:?}: {taken} {given}", named.names);
             }
         }
     }
@@ -370,8 +337,7 @@ mod tests {
         let folder = tempfile::TempDir::new().unwrap();
         let path = folder.path().join("plan.toml");
         let head = "passages,wavelength_mm,level_db,standard_error_db\n";
-        let rows =
-            "0,158.48932,0,0.2\n0,125.89254,0,0.2\n2e6,158.48932,2,0.2\n2e6,125.89254,3,0.2\n";
+        let rows = "0,158.48932,0,0.2\n0,125.89254,0,0.2\n2e6,158.48932,2,0.2\n2e6,125.89254,3,0.2\n";
         std::fs::write(folder.path().join("levels.csv"), format!("{head}{rows}")).unwrap();
         let text = format!(
             "case = {:?}\ntraffic = {:?}\n\
@@ -391,10 +357,7 @@ mod tests {
         let checked = Simulated::of(&plan, 60, &limit, &|_| (), &Stop::default());
         let checked = checked.unwrap().unwrap();
         let of = |of: Checked| checked.values.iter().find(|it| it.of == of).unwrap();
-        for value in [
-            of(Checked::Parameter("wear.coefficient".to_owned())),
-            of(Checked::PassagesToLimit),
-        ] {
+        for value in [of(Checked::Parameter("wear.coefficient".to_owned())), of(Checked::PassagesToLimit)] {
             assert!(value.ranks.len() >= 55, "{value:?}");
             let inside = value.inside[1] * value.ranks.len() as f64;
             assert!((36.5..57.5).contains(&inside), "{value:?}");
@@ -404,16 +367,9 @@ mod tests {
 
     fn u1(runs: u64, wider: f64) -> Simulated {
         let posterior = U1::read().posterior_of_errors(wider);
-        let sampler = SamplerFile {
-            warmup: 150,
-            draws: 297,
-            seed: 17,
-            ..SamplerFile::default()
-        };
+        let sampler = SamplerFile { warmup: 150, draws: 297, seed: 17, ..SamplerFile::default() };
         let run = |index: u64| ranks(&posterior, &sampler, index, &None, &Stop::default());
-        let ranks = (0..runs)
-            .into_par_iter()
-            .map(|index| run(index).unwrap().unwrap());
+        let ranks = (0..runs).into_par_iter().map(|index| run(index).unwrap().unwrap());
         Simulated::ranked(&posterior, &ranks.collect::<Vec<_>>())
     }
 
@@ -421,10 +377,7 @@ mod tests {
     #[test]
     fn the_truth_lies_anywhere_among_draws_of_linear_levels_and_not_where_errors_are_told_wrong() {
         let right = u1(40, 1.0);
-        assert!(
-            right.values.iter().all(|value| right.is_even(value)),
-            "{right:?}"
-        );
+        assert!(right.values.iter().all(|value| right.is_even(value)), "{right:?}");
         let wrong = u1(80, 3.0);
         assert!(!wrong.is_even(&wrong.values[0]), "{wrong:?}");
         assert!(wrong.values[0].inside[2] < 0.7);
@@ -435,14 +388,8 @@ mod tests {
     #[ignore = "a minute without optimisation"]
     fn the_truth_lies_anywhere_among_draws_of_linear_levels() {
         let checked = u1(200, 1.0);
-        assert!(
-            checked.values.iter().all(|value| checked.is_even(value)),
-            "{checked:?}"
-        );
+        assert!(checked.values.iter().all(|value| checked.is_even(value)), "{checked:?}");
         let [_, of_80, of_90] = checked.values[0].inside;
-        assert!(
-            (of_80 - 0.8).abs() <= 0.05 && (of_90 - 0.9).abs() <= 0.04,
-            "{checked:?}"
-        );
+        assert!((of_80 - 0.8).abs() <= 0.05 && (of_90 - 0.9).abs() <= 0.04, "{checked:?}");
     }
 }

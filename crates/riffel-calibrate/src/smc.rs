@@ -33,29 +33,17 @@ impl Population {
     ///
     /// Source: Del Moral, Doucet & Jasra (2006), J. R. Stat. Soc. B 68, with the powers that leave half of the population of effect
     /// (Jasra et al. 2011), systematic resampling, and moves by differences of its members.
-    pub(crate) fn begin(
-        posterior: &Posterior,
-        (seed, index): (u64, u64),
-        count: u64,
-        stop: &Stop,
-    ) -> Option<Self> {
+    pub(crate) fn begin(posterior: &Posterior, (seed, index): (u64, u64), count: u64, stop: &Stop) -> Option<Self> {
         let of = |stage: u64, member: u64| random(seed, index, (stage << 32) + member);
         let begin = |member: u64| posterior.begin(&mut of(0, member));
-        let mut members: Vec<Placed> = (0..count)
-            .into_par_iter()
-            .map(begin)
-            .collect::<Option<_>>()?;
+        let mut members: Vec<Placed> = (0..count).into_par_iter().map(begin).collect::<Option<_>>()?;
         let (mut power, mut log_evidence, mut acceptance) = (0.0, 0.0, 0.0);
         for stage in 1.. {
             if power == 1.0 || stop.is_asked() {
                 break;
             }
             let step = step(&members, 1.0 - power);
-            power = if step == 1.0 - power {
-                1.0
-            } else {
-                power + step
-            };
+            power = if step == 1.0 - power { 1.0 } else { power + step };
             let weights = Weights::of(&members, step);
             log_evidence += weights.log_mean;
             let picked = weights.resampled(uniform(&mut of(stage, count)));
@@ -77,21 +65,13 @@ impl Population {
             members = moved.into_iter().map(|it| it.0).collect();
         }
         members.reverse();
-        Some(Self {
-            log_evidence,
-            acceptance,
-            rest: members,
-        })
+        Some(Self { log_evidence, acceptance, rest: members })
     }
 
     /// The next draw. Siblings follow each other, so that diagnostics see how far they still hang together.
     pub(crate) fn draw(&mut self) -> Option<Draw> {
         let acceptance = self.acceptance;
-        let statistics = Statistics {
-            acceptance,
-            steps: MOVES[1],
-            ..Statistics::default()
-        };
+        let statistics = Statistics { acceptance, steps: MOVES[1], ..Statistics::default() };
         self.rest.pop().map(|placed| placed.draw(statistics))
     }
 
@@ -105,11 +85,7 @@ impl Population {
     /// The population of [`numbers`](Self::numbers) in a space of some dimensions; none where they are not as many.
     pub(crate) fn of_numbers(numbers: &[f64], size: usize) -> Option<Self> {
         let ([log_evidence, acceptance], rest) = numbers.split_first_chunk()?;
-        Some(Self {
-            log_evidence: *log_evidence,
-            acceptance: *acceptance,
-            rest: Placed::all(rest, size)?,
-        })
+        Some(Self { log_evidence: *log_evidence, acceptance: *acceptance, rest: Placed::all(rest, size)? })
     }
 }
 
@@ -193,8 +169,7 @@ mod tests {
     use crate::conjugate::{Modes, U1, number};
 
     fn population(posterior: &Posterior, seed: u64) -> (f64, Vec<Draw>) {
-        let mut population =
-            Population::begin(posterior, (seed, 0), 1000, &Stop::default()).unwrap();
+        let mut population = Population::begin(posterior, (seed, 0), 1000, &Stop::default()).unwrap();
         let draws = (0..1000).map(|_| population.draw().unwrap()).collect();
         assert!(population.draw().is_none());
         (population.log_evidence, draws)
@@ -227,10 +202,7 @@ mod tests {
             })
             .collect();
         let mean = |of: fn(&(f64, f64)) -> f64| found.iter().map(of).sum::<f64>() / 4.0;
-        assert!(
-            (mean(|it| it.0) - Modes::LOG_EVIDENCE).abs() < 0.1,
-            "{found:?}"
-        );
+        assert!((mean(|it| it.0) - Modes::LOG_EVIDENCE).abs() < 0.1, "{found:?}");
         assert!((mean(|it| it.1) - Modes::RIGHT).abs() < 0.05, "{found:?}");
     }
 
@@ -241,10 +213,7 @@ mod tests {
         let begin = || Population::begin(&posterior, (3, 1), 200, &Stop::default()).unwrap();
         let mut population = begin();
         let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-        assert_eq!(
-            alone.unwrap().install(begin).numbers(),
-            population.numbers()
-        );
+        assert_eq!(alone.unwrap().install(begin).numbers(), population.numbers());
         (0..20).for_each(|_| drop(population.draw()));
         let mut kept = Population::of_numbers(&population.numbers(), 2).unwrap();
         assert!(Population::of_numbers(&population.numbers()[1..], 2).is_none());
@@ -256,11 +225,7 @@ mod tests {
     /// Shares of 0.1, 0.6 and 0.3 by three evenly spaced picks.
     #[test]
     fn members_are_picked_by_their_shares() {
-        let weights = Weights {
-            of_members: vec![0.1, 0.6, 0.3],
-            effective: 0.0,
-            log_mean: 0.0,
-        };
+        let weights = Weights { of_members: vec![0.1, 0.6, 0.3], effective: 0.0, log_mean: 0.0 };
         assert_eq!(weights.resampled(0.2), [0, 1, 2]);
         assert_eq!(weights.resampled(0.5), [1, 1, 2]);
     }

@@ -59,10 +59,7 @@ impl Weights {
         }
         let sum: f64 = ratios.iter().sum();
         ratios.iter_mut().for_each(|ratio| *ratio /= sum);
-        Self {
-            of_draws: ratios,
-            shape,
-        }
+        Self { of_draws: ratios, shape }
     }
 }
 
@@ -81,19 +78,10 @@ fn pareto(values: &[f64]) -> (f64, f64) {
         let shape = shape(b);
         (b, count * ((-b / shape).ln() - shape - 1.0))
     };
-    let trials: Vec<(f64, f64)> = (0..trials)
-        .map(trial)
-        .filter(|(_, log)| log.is_finite())
-        .collect();
-    let highest = trials
-        .iter()
-        .map(|it| it.1)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let trials: Vec<(f64, f64)> = (0..trials).map(trial).filter(|(_, log)| log.is_finite()).collect();
+    let highest = trials.iter().map(|it| it.1).fold(f64::NEG_INFINITY, f64::max);
     let sum: f64 = trials.iter().map(|it| (it.1 - highest).exp()).sum();
-    let b: f64 = trials
-        .iter()
-        .map(|(b, log)| b * (log - highest).exp() / sum)
-        .sum();
+    let b: f64 = trials.iter().map(|(b, log)| b * (log - highest).exp() / sum).sum();
     let own = shape(b);
     ((count * own + 0.5 * TOWARDS) / (count + TOWARDS), -own / b)
 }
@@ -145,10 +133,7 @@ mod tests {
             let after = |from: usize| {
                 let pairs = || slopes[from..].iter().zip(&data[from..]);
                 let precision = 1.0 + pairs().map(|(a, _)| a * a).sum::<f64>();
-                (
-                    precision,
-                    pairs().map(|(a, y)| a * y).sum::<f64>() / precision,
-                )
+                (precision, pairs().map(|(a, y)| a * y).sum::<f64>() / precision)
             };
             let log = |y: f64, mean: f64, variance: f64| {
                 -0.5 * (y - mean).powi(2) / variance - 0.5 * (std::f64::consts::TAU * variance).ln()
@@ -159,10 +144,7 @@ mod tests {
             let (precision, mean) = after(0);
             let given = (0..draws).map(|_| {
                 let value = mean + normal(&mut random) / precision.sqrt();
-                Given {
-                    log_density: log(datum, slope * value, 1.0),
-                    shares: Vec::new(),
-                }
+                Given { log_density: log(datum, slope * value, 1.0), shares: Vec::new() }
             });
             let given: Vec<Given> = given.collect();
             let held = ("data".to_owned(), Held::All);
@@ -180,17 +162,9 @@ mod tests {
         };
         let farthest = told.iter().copied().fold(0.0, f64::max);
         // 0.95 less three standard errors of some 500.
-        assert!(
-            told.len() > 400 && within(&told) > 0.92,
-            "{}",
-            within(&told)
-        );
+        assert!(told.len() > 400 && within(&told) > 0.92, "{}", within(&told));
         assert!(farthest < 8.0, "{farthest}");
-        assert!(
-            others.len() > 20 && within(&others) < 0.92,
-            "{}",
-            within(&others)
-        );
+        assert!(others.len() > 20 && within(&others) < 0.92, "{}", within(&others));
     }
 
     /// Of equal ratios all weights are equal, and a few ratios have no tail.

@@ -68,9 +68,7 @@ impl Chains {
     /// The places in z of one parameter, chain by chain.
     pub(crate) fn places(&self, index: usize) -> Vec<Vec<f64>> {
         let chains = self.draws.iter();
-        chains
-            .map(|draws| draws.iter().map(|draw| draw.place[index]).collect())
-            .collect()
+        chains.map(|draws| draws.iter().map(|draw| draw.place[index]).collect()).collect()
     }
 
     /// All draws of one parameter, in SI.
@@ -85,10 +83,8 @@ impl Chains {
         let parameters = plan.posterior.parameters().iter().enumerate();
         let marginals = parameters.map(|(index, parameter)| {
             let places = self.places(index);
-            let values: Vec<Vec<f64>> = places
-                .iter()
-                .map(|chain| chain.iter().map(|z| parameter.prior.value(*z)).collect())
-                .collect();
+            let values: Vec<Vec<f64>> =
+                places.iter().map(|chain| chain.iter().map(|z| parameter.prior.value(*z)).collect()).collect();
             let (mean, variance) = moments(&values);
             let in_order = sorted(&values);
             Marginal {
@@ -150,39 +146,27 @@ impl Summary {
             }
             let least = marginal.ess_bulk.min(marginal.ess_tail);
             if least.is_nan() || least < LEAST_ESS {
-                doubts.push(say!(
-                    too_few_effective_draws,
-                    value = name,
-                    draws = fixed(least, 0),
-                    least = LEAST_ESS
-                ));
+                doubts.push(say!(too_few_effective_draws, value = name, draws = fixed(least, 0), least = LEAST_ESS));
             }
         }
         if self.divergences as f64 > MOST_DIVERGENT * self.draws as f64 {
             doubts.push(say!(trajectories_ran_away, trajectories = self.divergences));
         }
         if let Some(bfmi) = self.bfmi.filter(|it| it.is_nan() || *it <= LEAST_BFMI) {
-            doubts.push(say!(
-                tails_are_not_reached,
-                moves = fixed(bfmi, 2),
-                least = LEAST_BFMI
-            ));
+            doubts.push(say!(tails_are_not_reached, moves = fixed(bfmi, 2), least = LEAST_BFMI));
         }
         doubts
     }
 
     /// `summary.csv`.
     pub fn csv(&self) -> String {
-        let mut text = "parameter,unit,mean,standard_deviation,q05,q25,q50,q75,q95,rhat,ess_bulk,ess_tail,contraction\n".to_owned();
+        let mut text =
+            "parameter,unit,mean,standard_deviation,q05,q25,q50,q75,q95,rhat,ess_bulk,ess_tail,contraction\n"
+                .to_owned();
         for marginal in &self.marginals {
             let mut cells = vec![marginal.name.clone(), marginal.unit.clone()];
             let numbers = [marginal.mean, marginal.standard_deviation];
-            cells.extend(
-                numbers
-                    .iter()
-                    .chain(&marginal.quantiles)
-                    .map(|number| format!("{number:.8e}")),
-            );
+            cells.extend(numbers.iter().chain(&marginal.quantiles).map(|number| format!("{number:.8e}")));
             cells.push(format!("{:.5}", marginal.rhat));
             cells.push(format!("{:.0}", marginal.ess_bulk));
             cells.push(format!("{:.0}", marginal.ess_tail));
@@ -257,9 +241,6 @@ mod tests {
         assert_eq!(said(&summary, Language::English).len(), 3);
         summary.sampler = SamplerKind::Smc;
         let of_population = said(&summary, Language::German);
-        assert!(
-            of_population[0]
-                .ends_with("oder einen zweiten Weg suchen, auf dem das Modell zu den Daten passt")
-        );
+        assert!(of_population[0].ends_with("oder einen zweiten Weg suchen, auf dem das Modell zu den Daten passt"));
     }
 }

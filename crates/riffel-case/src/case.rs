@@ -72,10 +72,7 @@ impl Case {
         Self::read_text(path, |text| text.write(settings))
     }
 
-    fn read_text(
-        path: &Path,
-        change: impl FnOnce(&mut CaseText) -> Result<(), CaseError>,
-    ) -> Result<Self, CaseError> {
+    fn read_text(path: &Path, change: impl FnOnce(&mut CaseText) -> Result<(), CaseError>) -> Result<Self, CaseError> {
         let text = text_file::read_keys(path, "case file")?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         let mut text = CaseText::parse(&path.display().to_string(), &text)?;
@@ -101,12 +98,7 @@ impl Case {
         Self::build(name, None, text, &[])
     }
 
-    fn build(
-        name: &str,
-        folder: Option<&Path>,
-        text: &str,
-        overrides: &[String],
-    ) -> Result<Self, CaseError> {
+    fn build(name: &str, folder: Option<&Path>, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
         let mut unfilled = CaseText::parse(name, text)?;
         unfilled.apply(overrides)?;
         Self::of_text(unfilled, folder, Substitutes::default(), Window::Map)
@@ -127,13 +119,7 @@ impl Case {
     }
 
     fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {
-        let BuiltCase {
-            track,
-            closed,
-            wavelength,
-            speed,
-            mut remarks,
-        } = keys.build()?;
+        let BuiltCase { track, closed, wavelength, speed, mut remarks } = keys.build()?;
         let other_forces = Self::of_other_forces(&keys, &closed.steady);
         let of_curve = keys.text.curve_remarks.iter().cloned();
         remarks.splice(0..0, of_curve.chain(other_forces));
@@ -163,12 +149,7 @@ impl Case {
         let here = steady.tractive_ratio();
         ((here - in_curve).abs() > WORTH_A_REMARK).then(|| {
             let law = keys.creep_law_name().name();
-            say!(
-                creep_law_unlike_equilibrium,
-                law = law,
-                here = fixed(here, 2),
-                in_curve = fixed(in_curve, 2)
-            )
+            say!(creep_law_unlike_equilibrium, law = law, here = fixed(here, 2), in_curve = fixed(in_curve, 2))
         })
     }
 
@@ -290,17 +271,11 @@ impl Case {
         if built.wavelength.min() > from {
             return Err(self.keys.text.keys.invalid(
                 "map.wavelength.min",
-                say!(
-                    response_known_from,
-                    wavelength = fixed(1e3 * built.wavelength.min(), 1)
-                ),
+                say!(response_known_from, wavelength = fixed(1e3 * built.wavelength.min(), 1)),
                 say!(take_longer_waves_or_another_grid),
             ));
         }
-        Ok(Self {
-            feedback: built.closed.feedback,
-            ..self.clone()
-        })
+        Ok(Self { feedback: built.closed.feedback, ..self.clone() })
     }
 
     /// `Ok` if wavelengths \[m\] and speeds \[m/s\] from the smallest to the largest are within their physical
@@ -358,11 +333,7 @@ impl Case {
         let Some((key, (low, high))) = known.into_iter().find(outside) else {
             return Ok(());
         };
-        let asked = if lowest == highest {
-            format!("{lowest:.4}")
-        } else {
-            format!("{lowest:.4}–{highest:.4}")
-        };
+        let asked = if lowest == highest { format!("{lowest:.4}") } else { format!("{lowest:.4}–{highest:.4}") };
         Err(self.keys.text.keys.invalid(
             key,
             say!(
@@ -378,9 +349,7 @@ impl Case {
     /// Lowest and highest frequency \[Hz\] at which track and wheels are known.
     pub fn known_frequencies(&self) -> (f64, f64) {
         let ranges = self.known_receptances().into_iter();
-        ranges.fold((0.0, f64::INFINITY), |known, (_, (low, high))| {
-            (f64::max(known.0, low), f64::min(known.1, high))
-        })
+        ranges.fold((0.0, f64::INFINITY), |known, (_, (low, high))| (f64::max(known.0, low), f64::min(known.1, high)))
     }
 
     /// Receptances that may end: what a sentence calls them, and the frequencies \[Hz\] they are known at.
@@ -410,10 +379,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the frequencies at which the track is known.
     pub fn check_window(&self) -> Result<(), CaseError> {
-        self.check_frequencies(
-            self.speed.min() / self.wavelength.max(),
-            self.speed.max() / self.wavelength.min(),
-        )
+        self.check_frequencies(self.speed.min() / self.wavelength.max(), self.speed.max() / self.wavelength.min())
     }
 
     /// The tables of curving of the case, with overrides after those it was read with.

@@ -11,21 +11,12 @@ use crate::file::{CaseFile, LEFT_WHEEL, MeasuredWear};
 use crate::preset::PresetKind;
 
 /// Keys that take the name of a profile.
-const PROFILES: [&str; 5] = [
-    "profiles.wheel",
-    LEFT_WHEEL,
-    "profiles.rail",
-    "profiles.rail.left",
-    "profiles.rail.right",
-];
+const PROFILES: [&str; 5] =
+    ["profiles.wheel", LEFT_WHEEL, "profiles.rail", "profiles.rail.left", "profiles.rail.right"];
 
 /// Keys of the wheel that a wheelset replaces.
-pub(crate) const REPLACED_BY_WHEELSET: [&str; 4] = [
-    "wheel.mass",
-    "wheel.inertia",
-    "wheel.rotation",
-    "wheel.normal_direction",
-];
+pub(crate) const REPLACED_BY_WHEELSET: [&str; 4] =
+    ["wheel.mass", "wheel.inertia", "wheel.rotation", "wheel.normal_direction"];
 
 /// The file of keys of a case, with what its reader should know.
 #[derive(Clone)]
@@ -76,11 +67,7 @@ impl CaseText {
 
     /// The error of a case that names a file by a key and may not.
     pub(crate) fn names_a_file(&self, key: &str) -> CaseError {
-        self.keys.invalid(
-            key,
-            say!(is_a_file_and_this_case),
-            say!(use_it_in_a_case_file),
-        )
+        self.keys.invalid(key, say!(is_a_file_and_this_case), say!(use_it_in_a_case_file))
     }
 
     /// Apply overrides `key=value` in their order. One of two keys that exclude each other replaces the
@@ -90,8 +77,7 @@ impl CaseText {
         let has_wheelset = self.keys.has("wheelset");
         for assignment in assignments {
             let key = overridden_key(assignment);
-            let takes_a_name =
-                PresetKind::ALL.iter().any(|kind| kind.key() == key) || PROFILES.contains(&key);
+            let takes_a_name = PresetKind::ALL.iter().any(|kind| kind.key() == key) || PROFILES.contains(&key);
             set.push(self.keys.set(assignment, takes_a_name)?);
             self.spread_axes();
         }
@@ -105,16 +91,9 @@ impl CaseText {
     }
 
     /// Remove what keys that were set replace, in a text that had a wheelset before or not.
-    pub(crate) fn replace_others<'a>(
-        &mut self,
-        had_wheelset: bool,
-        set: impl Iterator<Item = &'a str> + Clone,
-    ) {
+    pub(crate) fn replace_others<'a>(&mut self, had_wheelset: bool, set: impl Iterator<Item = &'a str> + Clone) {
         let sets = |key: &str| set.clone().any(|other| is_within(other, key));
-        for [one, other] in [
-            ["contact.tractive_ratio", "contact.creepage"],
-            ["wear.coefficient", "wear.measured"],
-        ] {
+        for [one, other] in [["contact.tractive_ratio", "contact.creepage"], ["wear.coefficient", "wear.measured"]] {
             match (sets(one), sets(other)) {
                 (true, false) => self.keys.remove(other),
                 (false, true) => self.keys.remove(one),
@@ -140,9 +119,8 @@ impl CaseText {
                 "map.speed" => "60-90 km/h",
                 _ => return None,
             };
-            let rule = format!(
-                "is \"{text}\", but must be a range as in \"{example}\", or a table of min, max and points"
-            );
+            let rule =
+                format!("is \"{text}\", but must be a range as in \"{example}\", or a table of min, max and points");
             Some(self.keys.invalid(key, &rule, ""))
         })
     }
@@ -181,22 +159,15 @@ fn is_within(key: &str, table: &str) -> bool {
 /// Turn the axes of the map that are written as ranges, `map.speed = "60-90 km/h"`, and the wear measured that is written as a text
 /// into tables.
 fn spread_axes(keys: &mut KeyFile) {
-    for (axis, kind) in [
-        ("map.wavelength", Kind::of::<Length>()),
-        ("map.speed", Kind::of::<Speed>()),
-    ] {
-        let ends = keys
-            .text_of(axis)
-            .and_then(|text| kind.range_in_words(text));
+    for (axis, kind) in [("map.wavelength", Kind::of::<Length>()), ("map.speed", Kind::of::<Speed>())] {
+        let ends = keys.text_of(axis).and_then(|text| kind.range_in_words(text));
         if let Some(ends) = ends {
             let ends = ["min", "max"].into_iter().zip(ends);
             let ends = ends.map(|(name, end)| (name.to_owned(), Value::String(end)));
             keys.put(axis, ends.collect::<Table>());
         }
     }
-    let wear = keys
-        .text_of("wear.measured")
-        .and_then(MeasuredWear::in_words);
+    let wear = keys.text_of("wear.measured").and_then(MeasuredWear::in_words);
     if let Some(wear) = wear {
         let wear = ["depth", "per"].into_iter().zip(wear);
         let wear = wear.map(|(name, value)| (name.to_owned(), Value::String(value)));

@@ -69,13 +69,7 @@ impl CheckedKeys {
             wheel.inertia.get_or_insert(Quantity::new(reduced));
             wheel.rotation.get_or_insert_default();
         }
-        let keys = Self {
-            text: Arc::new(text),
-            folder: folder.map(Path::to_owned),
-            file,
-            given,
-            window,
-        };
+        let keys = Self { text: Arc::new(text), folder: folder.map(Path::to_owned), file, given, window };
         keys.check_wheel()?;
         keys.check_measured_wear()?;
         keys.general()?;
@@ -103,11 +97,7 @@ impl CheckedKeys {
     /// How the rail bends: as written, or with shear where supports are discrete.
     pub(crate) fn beam_model(&self) -> BeamModel {
         self.file.rail.beam.unwrap_or({
-            if self.file.track.model.is_periodic() {
-                BeamModel::Timoshenko
-            } else {
-                BeamModel::EulerBernoulli
-            }
+            if self.file.track.model.is_periodic() { BeamModel::Timoshenko } else { BeamModel::EulerBernoulli }
         })
     }
 
@@ -122,12 +112,7 @@ impl CheckedKeys {
     pub(crate) fn window(&self) -> Result<(Axis, Axis), CaseError> {
         let map = &self.file.map;
         let (wavelength, speed) = (&map.wavelength, &map.speed);
-        let wavelength_axis = self.axis(
-            "map.wavelength",
-            wavelength.min,
-            wavelength.max,
-            wavelength.points,
-        )?;
+        let wavelength_axis = self.axis("map.wavelength", wavelength.min, wavelength.max, wavelength.points)?;
         let speed_axis = self.axis("map.speed", speed.min, speed.max, speed.points)?;
         if wavelength.points * speed.points > MOST_MAP_POINTS {
             return Err(self.text.keys.invalid(
@@ -152,21 +137,12 @@ impl CheckedKeys {
     ) -> Result<Axis, CaseError> {
         let (low, high) = (min.si(), max.si());
         if low >= high {
-            return Err(self.text.keys.invalid(
-                &format!("{key}.max"),
-                say!(is_empty_window, max = max, min = min),
-                "",
-            ));
+            return Err(self.text.keys.invalid(&format!("{key}.max"), say!(is_empty_window, max = max, min = min), ""));
         }
         if !(2..=MOST_AXIS_POINTS).contains(&points) {
             return Err(self.text.keys.invalid(
                 &format!("{key}.points"),
-                say!(
-                    is_outside,
-                    value = points,
-                    low = 2u64,
-                    high = MOST_AXIS_POINTS
-                ),
+                say!(is_outside, value = points, low = 2u64, high = MOST_AXIS_POINTS),
                 "",
             ));
         }
@@ -174,12 +150,7 @@ impl CheckedKeys {
         self.physics(key, Axis::new(low, high, points as usize))
     }
 
-    pub(crate) fn out_of_range(
-        &self,
-        key: &str,
-        value: impl Display,
-        rule: impl Into<Message>,
-    ) -> CaseError {
+    pub(crate) fn out_of_range(&self, key: &str, value: impl Display, rule: impl Into<Message>) -> CaseError {
         let rule = say!(is_but_must_be, value = number(value), rule = rule.into());
         self.text.keys.invalid(key, rule, "")
     }
@@ -188,22 +159,14 @@ impl CheckedKeys {
     pub(crate) fn required<T>(&self, key: &str, value: Option<T>) -> Result<T, CaseError> {
         value.ok_or_else(|| {
             let model = self.file.track.model.name();
-            let preset = if key == "track.measurement" {
-                Value::from("")
-            } else {
-                say!(or_name_a_preset).into()
-            };
+            let preset = if key == "track.measurement" { Value::from("") } else { say!(or_name_a_preset).into() };
             let help = say!(track_model_needs_it, model = model, preset = preset);
             self.text.keys.missing(key, help)
         })
     }
 
     /// An error of the physics, as one of the key that causes it.
-    pub(crate) fn physics<T>(
-        &self,
-        key: &str,
-        result: Result<T, riffel::Error>,
-    ) -> Result<T, CaseError> {
+    pub(crate) fn physics<T>(&self, key: &str, result: Result<T, riffel::Error>) -> Result<T, CaseError> {
         result.map_err(|error| {
             let help = match key {
                 "contact.creepage" if self.text.keys.has("contact.from") => {

@@ -3,9 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use riffel::contact::{
-    CreepLaw, Creepages, HalfSpace, HalfSpaceRolling, MeanRolling, MeanState, QuasiStatic,
-};
+use riffel::contact::{CreepLaw, Creepages, HalfSpace, HalfSpaceRolling, MeanRolling, MeanState, QuasiStatic};
 use riffel::{HertzContact, RollingContact};
 use riffel_keys::{CaseError, Message, text_file};
 
@@ -46,10 +44,7 @@ pub struct SteadyContact {
 impl SteadyContact {
     /// By the exact theory.
     pub fn exact(half_space: &HalfSpace, state: &HalfSpaceRolling) -> Self {
-        Self {
-            rolling: half_space.steady(state),
-            spin_moment: Some(state.spin_moment()),
-        }
+        Self { rolling: half_space.steady(state), spin_moment: Some(state.spin_moment()) }
     }
 
     /// Energy dissipated per metre of rail, ξ·Q + φM \[J/m\]; none where there is spin and the law does not tell its moment.
@@ -181,10 +176,7 @@ impl CaseContact {
                 self.keys.physics(mean_key(self.mean), about)?.steady()
             }
         };
-        Ok(Some(SteadyContact {
-            rolling,
-            spin_moment: None,
-        }))
+        Ok(Some(SteadyContact { rolling, spin_moment: None }))
     }
 
     /// Every creep law that is a formula of the ellipse.

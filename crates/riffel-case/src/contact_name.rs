@@ -24,10 +24,7 @@ impl ContactName {
                 places.push(contact.along);
                 places.len() - 1
             });
-            Self {
-                wheel: 1 + wheel,
-                rail: contact.rail.name(),
-            }
+            Self { wheel: 1 + wheel, rail: contact.rail.name() }
         });
         contacts.collect()
     }

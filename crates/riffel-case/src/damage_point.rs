@@ -80,9 +80,7 @@ impl DamagePoint {
 
     fn of(damage: &Damage, state: &DamageState) -> Self {
         let complex = |value: Complex64| [value.re, value.im];
-        let by = |of: fn(Complex64) -> f64| {
-            ByLaw(state.laws().map(|law| (law.name, of(law.growth))).collect())
-        };
+        let by = |of: fn(Complex64) -> f64| ByLaw(state.laws().map(|law| (law.name, of(law.growth))).collect());
         let demand = &damage.demand;
         let crack = state.crack;
         Self {
@@ -97,12 +95,7 @@ impl DamagePoint {
             place_deg: state.demand.arg().to_degrees(),
             growth_by_law: by(|growth| growth.re),
             drift_by_law: by(|growth| growth.im),
-            depth_by_law_m: ByLaw(
-                state
-                    .laws()
-                    .filter_map(|law| Some((law.name, law.mean_depth?)))
-                    .collect(),
-            ),
+            depth_by_law_m: ByLaw(state.laws().filter_map(|law| Some((law.name, law.mean_depth?))).collect()),
             moment_over_limit: state.moment.map(|(share, _)| share),
             mean_moment_nm: state.moment.map(|(_, mean)| mean),
             moment_1: state.moment_1.map(complex),

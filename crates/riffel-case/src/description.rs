@@ -38,9 +38,7 @@ fn english() -> Vec<(Place, String)> {
     let others = schema["$defs"].as_object().into_iter().flatten();
     let others = others.map(|(kind, schema)| (kind.as_str(), schema));
     let types = std::iter::once(("CaseFile", &schema)).chain(others);
-    types
-        .flat_map(|(kind, schema)| of_type(kind, schema))
-        .collect()
+    types.flat_map(|(kind, schema)| of_type(kind, schema)).collect()
 }
 
 fn of_type(kind: &str, schema: &Value) -> Vec<(Place, String)> {
@@ -49,10 +47,7 @@ fn of_type(kind: &str, schema: &Value) -> Vec<(Place, String)> {
     let choices = schema["oneOf"].as_array().into_iter().flatten();
     let choices = choices.filter_map(|choice| Some((choice["const"].as_str()?, choice)));
     let described = keys.chain(choices).filter_map(|(name, schema)| {
-        let place = Place {
-            kind: kind.to_owned(),
-            name: name.to_owned(),
-        };
+        let place = Place { kind: kind.to_owned(), name: name.to_owned() };
         Some((place, schema["description"].as_str()?.replace('\n', " ")))
     });
     described.collect()
@@ -75,26 +70,15 @@ mod tests {
             let file: Table = wordings(language).parse().unwrap();
             let of_type = |(kind, names): (&String, &toml::Value)| {
                 let names = names.as_table().unwrap().keys().cloned();
-                let place = |name| Place {
-                    kind: kind.clone(),
-                    name,
-                };
+                let place = |name| Place { kind: kind.clone(), name };
                 names.map(place).collect::<Vec<_>>()
             };
             let known: Vec<Place> = file.iter().flat_map(of_type).collect();
-            assert_eq!(
-                known.iter().collect::<BTreeSet<_>>(),
-                places,
-                "{language:?}"
-            );
+            assert_eq!(known.iter().collect::<BTreeSet<_>>(), places, "{language:?}");
             let descriptions = descriptions(language);
             for (place, english) in &english {
                 let own = file[&place.kind][&place.name].as_str();
-                assert_eq!(
-                    descriptions.get(english).map(String::as_str),
-                    own,
-                    "{place:?}"
-                );
+                assert_eq!(descriptions.get(english).map(String::as_str), own, "{place:?}");
             }
         }
     }

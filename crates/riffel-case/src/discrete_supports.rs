@@ -42,12 +42,8 @@ impl Case {
     ) -> Result<GrowthWithNeighbours, CaseError> {
         let feedback = self.on_supports("growth with neighbours")?;
         let track = self.moving_load_on_supports(speed)?;
-        GrowthWithNeighbours::at(feedback, &track, wavelength, neighbours).map_err(|error| {
-            CaseError::Physics {
-                input: "--neighbours".to_owned(),
-                error,
-            }
-        })
+        GrowthWithNeighbours::at(feedback, &track, wavelength, neighbours)
+            .map_err(|error| CaseError::Physics { input: "--neighbours".to_owned(), error })
     }
 
     /// Growth of a wave \[m\] at a speed \[m/s\] along a stretch of supports whose distances are drawn.
@@ -62,15 +58,8 @@ impl Case {
         drawn: DrawnSupports,
     ) -> Result<GrowthOnIrregularSupports, CaseError> {
         let feedback = self.on_supports("growth on irregular supports")?;
-        let physics = |input: &str, error| CaseError::Physics {
-            input: input.to_owned(),
-            error,
-        };
-        let DrawnSupports {
-            deviation,
-            supports,
-            seed,
-        } = drawn;
+        let physics = |input: &str, error| CaseError::Physics { input: input.to_owned(), error };
+        let DrawnSupports { deviation, supports, seed } = drawn;
         if !DrawnSupports::SUPPORTS.contains(&supports) {
             return Err(physics(
                 "--supports",
@@ -95,21 +84,14 @@ impl Case {
             return Err(self.refuse("contact.creepage", &message));
         }
         if self.track.support_spacing().is_none() {
-            let message = say!(
-                track_model_is_but_is_of,
-                model = self.file.track.model.name(),
-                what = what
-            );
+            let message = say!(track_model_is_but_is_of, model = self.file.track.model.name(), what = what);
             return Err(self.refuse("track.model", &message));
         }
         Ok(&self.feedback)
     }
 
     /// The vertical track of a case with discrete supports, under a load that passes them.
-    pub(crate) fn moving_load_on_supports(
-        &self,
-        speed: f64,
-    ) -> Result<MovingLoadOnSupports, CaseError> {
+    pub(crate) fn moving_load_on_supports(&self, speed: f64) -> Result<MovingLoadOnSupports, CaseError> {
         let track = self.keys.periodic_track()?;
         let moving = MovingLoadOnSupports::new(&track, speed);
         self.keys.physics("track", moving)

@@ -28,17 +28,9 @@ impl Case {
     pub fn edit(&self, change: impl FnOnce(&mut CaseFile)) -> Result<Self, CaseError> {
         let mut after = self.file.clone();
         change(&mut after);
-        let table = |file: &CaseFile| {
-            Table::try_from(file).map_err(|error| self.refuse("", error.to_string()))
-        };
+        let table = |file: &CaseFile| Table::try_from(file).map_err(|error| self.refuse("", error.to_string()));
         let (mut set, mut removed) = (Vec::new(), Vec::new());
-        differences(
-            "",
-            &table(&self.file)?,
-            &table(&after)?,
-            &mut set,
-            &mut removed,
-        );
+        differences("", &table(&self.file)?, &table(&after)?, &mut set, &mut removed);
         let mut text = self.unfilled.clone();
         removed.iter().for_each(|key| text.keys.remove(key));
         text.write(&set)?;
@@ -70,23 +62,12 @@ impl CaseText {
 }
 
 /// The keys that differ in two tables: with their new values, or removed.
-fn differences(
-    parent: &str,
-    before: &Table,
-    after: &Table,
-    set: &mut Vec<Setting>,
-    removed: &mut Vec<String>,
-) {
+fn differences(parent: &str, before: &Table, after: &Table, set: &mut Vec<Setting>, removed: &mut Vec<String>) {
     let path = |key: &str| match parent {
         "" => key.to_owned(),
         parent => format!("{parent}.{key}"),
     };
-    removed.extend(
-        before
-            .keys()
-            .filter(|key| !after.contains_key(*key))
-            .map(|key| path(key)),
-    );
+    removed.extend(before.keys().filter(|key| !after.contains_key(*key)).map(|key| path(key)));
     for (key, value) in after {
         match (before.get(key), value) {
             (Some(Value::Table(before)), Value::Table(after)) => {
@@ -114,19 +95,12 @@ mod tests {
     #[test]
     fn edits_are_overrides_of_the_same_values() {
         let metro = with(METRO_CASE, &[]);
-        let softer = metro
-            .edit(|keys| {
-                keys.track.pad.get_or_insert_default().stiffness = Some(Quantity::new(5e7))
-            })
-            .unwrap();
-        assert_eq!(
-            softer.file,
-            with(METRO_CASE, &["track.pad.stiffness=50 kN/mm"]).file
-        );
+        let softer =
+            metro.edit(|keys| keys.track.pad.get_or_insert_default().stiffness = Some(Quantity::new(5e7))).unwrap();
+        assert_eq!(softer.file, with(METRO_CASE, &["track.pad.stiffness=50 kN/mm"]).file);
         let creeping = with(NOMINAL_CASE, &[])
             .edit(|keys| {
-                keys.contact.creepage =
-                    Some(crate::file::Creepage::Longitudinal(Quantity::new(1e-3)));
+                keys.contact.creepage = Some(crate::file::Creepage::Longitudinal(Quantity::new(1e-3)));
                 keys.title = None;
             })
             .unwrap();
@@ -138,20 +112,13 @@ mod tests {
     #[test]
     fn an_error_names_the_key_that_was_changed() {
         let case = with(NOMINAL_CASE, &["contact.friction=0.3"]);
-        let Err(CaseError::Changed { key, message }) =
-            case.edit(|keys| keys.contact.friction = Quantity::new(-2.0))
+        let Err(CaseError::Changed { key, message }) = case.edit(|keys| keys.contact.friction = Quantity::new(-2.0))
         else {
             panic!("friction may be negative");
         };
         assert_eq!(key, "contact.friction");
-        assert!(
-            message.to_string().starts_with("`contact.friction` is -2"),
-            "{message}"
-        );
+        assert!(message.to_string().starts_with("`contact.friction` is -2"), "{message}");
         let settings = [("contact.friction.left".to_owned(), Value::Float(0.1))];
-        assert!(matches!(
-            case.with_settings(&settings),
-            Err(CaseError::Changed { .. })
-        ));
+        assert!(matches!(case.with_settings(&settings), Err(CaseError::Changed { .. })));
     }
 }

@@ -36,30 +36,17 @@ impl CaseText {
                 _ if value.list().is_some_and(|list| self.keys.has(list)) => false,
                 _ if value.list().is_some() => true,
                 Some((layer, "damping" | "loss_factor")) => {
-                    !self.keys.has(&format!("{layer}.damping"))
-                        && !self.keys.has(&format!("{layer}.loss_factor"))
+                    !self.keys.has(&format!("{layer}.damping")) && !self.keys.has(&format!("{layer}.loss_factor"))
                 }
-                _ if REPLACED_BY_WHEELSET.contains(&&*value.key) && self.keys.has("wheelset") => {
-                    false
-                }
-                _ if value.key == "wheel.inertia" => {
-                    !self.keys.has(&value.key) && !self.keys.has("wheel.mass")
-                }
-                Some(("wheelset.axle", "length" | "diameter"))
-                    if self.keys.has("wheelset.axle.segments") =>
-                {
-                    false
-                }
+                _ if REPLACED_BY_WHEELSET.contains(&&*value.key) && self.keys.has("wheelset") => false,
+                _ if value.key == "wheel.inertia" => !self.keys.has(&value.key) && !self.keys.has("wheel.mass"),
+                Some(("wheelset.axle", "length" | "diameter")) if self.keys.has("wheelset.axle.segments") => false,
                 _ => !self.keys.has(&value.key),
             })
             .collect();
         if missing.is_empty() {
             let (key, name) = (preset.kind.key(), &preset.name);
-            self.remarks.push(say!(
-                preset_changes_nothing,
-                key = key.to_string(),
-                name = name.to_string()
-            ));
+            self.remarks.push(say!(preset_changes_nothing, key = key.to_string(), name = name.to_string()));
         }
         for value in missing {
             self.keys.put(&value.key, value.value.as_str());

@@ -40,9 +40,7 @@ impl CurvingCase {
         let wheelset = self.wheelset_on_track()?;
         let index = usize::from(rail == Rail::Right);
         let shifts = BESIDE.map(|beside| lateral_shift + beside);
-        let found = shifts
-            .iter()
-            .filter_map(|&shift| Some(wheelset.contact(shift, 0.0).ok()?.contacts[index]));
+        let found = shifts.iter().filter_map(|&shift| Some(wheelset.contact(shift, 0.0).ok()?.contacts[index]));
         let off = |contact: &ProfileContact| (contact.contact_angle - contact_angle).abs();
         let nearest = found.min_by(|one, other| off(one).total_cmp(&off(other)));
         let Some(contact) = nearest.filter(|contact| off(contact) < SAME_ANGLE) else {
@@ -50,34 +48,20 @@ impl CurvingCase {
         };
         let [_, across, below] = contact.on_track;
         let outward = self.outward_on_rail(rail, [across, below])?;
-        Ok(outward.map(|outward| PlaceOnRail {
-            outward,
-            rail_curvature: contact.rail_curvature,
-        }))
+        Ok(outward.map(|outward| PlaceOnRail { outward, rail_curvature: contact.rail_curvature }))
     }
 
     /// From the axis of the upright rail to the field side \[m\], of a point to the right of the middle of the track and below the
     /// crowns \[m\].
-    pub(crate) fn outward_on_rail(
-        &self,
-        rail: Rail,
-        [across, below]: [f64; 2],
-    ) -> Result<Option<f64>, CaseError> {
+    pub(crate) fn outward_on_rail(&self, rail: Rail, [across, below]: [f64; 2]) -> Result<Option<f64>, CaseError> {
         let Some(profiles) = self.file.profiles.as_ref() else {
             return Ok(None);
         };
         let profile = self.profile_of_rail(rail)?;
         let inclination = profiles.inclination.slope.atan();
-        let placed = placed_origin(
-            &profile,
-            inclination,
-            profiles.gauge.si(),
-            profiles.gauge_height.si(),
-        );
+        let placed = placed_origin(&profile, inclination, profiles.gauge.si(), profiles.gauge_height.si());
         let (sine, cosine) = inclination.sin_cos();
-        Ok(placed.map(|[origin, height]| {
-            cosine * (across * rail.sign() - origin) + sine * (-below - height)
-        }))
+        Ok(placed.map(|[origin, height]| cosine * (across * rail.sign() - origin) + sine * (-below - height)))
     }
 
     /// Whether a wheelset that stands so touches a rail under a contact angle \[rad\].
@@ -88,12 +72,7 @@ impl CurvingCase {
 }
 
 /// Where the origin of a profile lies on the track: outward from the middle and above the crowns \[m\].
-fn placed_origin(
-    rail: &Profile,
-    inclination: f64,
-    gauge: f64,
-    gauge_height: f64,
-) -> Option<[f64; 2]> {
+fn placed_origin(rail: &Profile, inclination: f64, gauge: f64, gauge_height: f64) -> Option<[f64; 2]> {
     let turned = rail.turned(inclination);
     let crown = turned.crown().height;
     let face = turned.inner_face(crown - gauge_height)?;

@@ -21,13 +21,7 @@ impl Case {
             }
             "corrugation" if self.feedback.depends_on_amplitude() => return None,
             "corrugation" => say!(idle_amplitude),
-            "train"
-                if inner == "comb"
-                    && file
-                        .train
-                        .as_ref()
-                        .is_none_or(|train| train.wheels.len() < 2) =>
-            {
+            "train" if inner == "comb" && file.train.as_ref().is_none_or(|train| train.wheels.len() < 2) => {
                 say!(idle_one_wheel)
             }
             "wheelset" => return self.idle_in_wheelset(inner),
@@ -35,15 +29,11 @@ impl Case {
             "wheel" if inner == "inertia" && self.file.wheel.rotation() != Rotation::Inertia => {
                 say!(idle_inertia)
             }
-            "wheel"
-                if inner == "normal_direction"
-                    && self.file.wheel.rotation() != Rotation::Inertia =>
-            {
+            "wheel" if inner == "normal_direction" && self.file.wheel.rotation() != Rotation::Inertia => {
                 say!(idle_rotation)
             }
             "contact"
-                if inner.starts_with("conformity")
-                    && contact.contact_angle.is_none_or(|angle| angle.si() == 0.0) =>
+                if inner.starts_with("conformity") && contact.contact_angle.is_none_or(|angle| angle.si() == 0.0) =>
             {
                 say!(idle_contact_angle)
             }
@@ -54,9 +44,7 @@ impl Case {
             {
                 say!(idle_free_wheel)
             }
-            "contact"
-                if inner.starts_with("polach") && self.creep_law() != CreepLawName::POLACH =>
-            {
+            "contact" if inner.starts_with("polach") && self.creep_law() != CreepLawName::POLACH => {
                 say!(idle_belongs_to, keys = "contact.creep_law = \"polach\"")
             }
             "contact" if inner == "grid" && self.creep_law() != CreepLawName::HALF_SPACE => {
@@ -65,15 +53,10 @@ impl Case {
             "contact" if inner == "wave_patch" && contact.wave_geometry != Some(true) => {
                 say!(idle_belongs_to, keys = "contact.wave_geometry = true")
             }
-            "contact"
-                if inner == "wave_patch" && contact.response == ContactDynamics::NonSteady =>
-            {
+            "contact" if inner == "wave_patch" && contact.response == ContactDynamics::NonSteady => {
                 say!(idle_patch)
             }
-            "contact"
-                if inner == "dissipation_phase"
-                    && contact.response == ContactDynamics::NonSteady =>
-            {
+            "contact" if inner == "dissipation_phase" && contact.response == ContactDynamics::NonSteady => {
                 say!(idle_place_of_wear)
             }
             _ => return None,
@@ -84,31 +67,19 @@ impl Case {
     fn idle_in_wheelset(&self, key: &str) -> Option<Message> {
         let model = self.file.wheelset.as_ref()?.model;
         let takes: &[WheelsetModel] = match key.split('.').next().unwrap_or_default() {
-            "mass" | "roll_inertia" | "spin_inertia" => {
-                &[WheelsetModel::Rigid, WheelsetModel::Modal]
-            }
+            "mass" | "roll_inertia" | "spin_inertia" => &[WheelsetModel::Rigid, WheelsetModel::Modal],
             "axle" | "discs" => &[WheelsetModel::Flexible],
-            "suspension" => &[
-                WheelsetModel::Rigid,
-                WheelsetModel::Flexible,
-                WheelsetModel::Modal,
-            ],
+            "suspension" => &[WheelsetModel::Rigid, WheelsetModel::Flexible, WheelsetModel::Modal],
             "normal_direction" => &[WheelsetModel::Rigid, WheelsetModel::Flexible],
             "file" => &[WheelsetModel::Modal, WheelsetModel::Measured],
             _ => return None,
         };
         let of_curve = key == "mass" && self.file.contact.from.is_some();
         (!takes.contains(&model) && !of_curve).then(|| {
-            let takes: Vec<String> = takes
-                .iter()
-                .map(|model| format!("\"{}\"", model.name()))
-                .collect();
+            let takes: Vec<String> = takes.iter().map(|model| format!("\"{}\"", model.name())).collect();
             let either = |one: Message, other| say!(one_or_other, one = one, other = other);
             let takes = takes.into_iter().map(Message::verbatim).reduce(either);
-            say!(
-                idle_belongs_to_wheelset,
-                models = takes.unwrap_or_else(|| Message::verbatim(""))
-            )
+            say!(idle_belongs_to_wheelset, models = takes.unwrap_or_else(|| Message::verbatim("")))
         })
     }
 
@@ -137,12 +108,8 @@ impl Case {
         let without_support = || say!(idle_without_supports, model = model);
         match (track.model, layer) {
             (TrackModel::FreeBeam, _) => Some(without_support()),
-            (TrackModel::MovingBeam, _) if track.pad.is_none() && track.ballast.is_none() => {
-                Some(without_support())
-            }
-            (TrackModel::MovingBeam, "sleeper") if track.ballast.is_none() => {
-                Some(say!(idle_sleepers, model = model))
-            }
+            (TrackModel::MovingBeam, _) if track.pad.is_none() && track.ballast.is_none() => Some(without_support()),
+            (TrackModel::MovingBeam, "sleeper") if track.ballast.is_none() => Some(say!(idle_sleepers, model = model)),
             (TrackModel::OneLayer | TrackModel::OneLayerPeriodic, "sleeper" | "ballast") => {
                 Some(say!(idle_one_layer, model = model))
             }

@@ -43,10 +43,7 @@ impl KeptState {
                 ))),
             };
         }
-        let keys = [
-            case.keys_with(&[own]),
-            case.keys_with(&[own, &variant.settings]),
-        ];
+        let keys = [case.keys_with(&[own]), case.keys_with(&[own, &variant.settings])];
         // What is wrong with the keys is said where the case is built of them.
         let [Ok(before), Ok(after)] = keys else {
             return Ok(None);
@@ -58,9 +55,7 @@ impl KeptState {
         if vector.is_some() && hold != Hold::Creepage {
             let rule = "contact.creepage of the case is a table; choose --hold creepage, or give contact.creepage with \
                           the change";
-            return Err(variant.refuse(format!(
-                "holds the {hold} of longitudinal creepage alone, but {rule}"
-            )));
+            return Err(variant.refuse(format!("holds the {hold} of longitudinal creepage alone, but {rule}")));
         }
         let steady = case.of_vehicle(&[own, window])?.steady;
         let limit = after.contact.friction.si() * after.contact.normal_load.si();
@@ -68,18 +63,11 @@ impl KeptState {
         let setting = variant.hold.map(|hold| match hold {
             Hold::Force => ratio(steady.forces.longitudinal / limit),
             Hold::Ratio => ratio(steady.tractive_ratio()),
-            Hold::Creepage => vector
-                .unwrap_or(Creepage::Longitudinal(Quantity::new(
-                    steady.creepages.longitudinal,
-                )))
-                .setting(),
+            Hold::Creepage => {
+                vector.unwrap_or(Creepage::Longitudinal(Quantity::new(steady.creepages.longitudinal))).setting()
+            }
         });
-        Ok(Some(Self {
-            hold,
-            steady,
-            limit,
-            setting,
-        }))
+        Ok(Some(Self { hold, steady, limit, setting }))
     }
 
     /// What holds it, if anything is held.
@@ -92,14 +80,8 @@ impl KeptState {
         let state = match self.hold {
             Hold::Force => say!(
                 the_traction_force_of_kn_on,
-                force = number(format_args!(
-                    "{:.3}",
-                    1e-3 * self.steady.forces.longitudinal
-                )),
-                ratio = number(format_args!(
-                    "{:.2}",
-                    self.steady.forces.longitudinal / self.limit
-                )),
+                force = number(format_args!("{:.3}", 1e-3 * self.steady.forces.longitudinal)),
+                ratio = number(format_args!("{:.2}", self.steady.forces.longitudinal / self.limit)),
                 most = number(format_args!("{:.3}", 1e-3 * self.limit))
             ),
             Hold::Ratio => say!(
@@ -110,19 +92,13 @@ impl KeptState {
             Hold::Creepage => {
                 say!(
                     at_the_creepage_of,
-                    creepage = number(format_args!(
-                        "{:.3}",
-                        1e2 * self.steady.creepages.longitudinal
-                    )),
+                    creepage = number(format_args!("{:.3}", 1e2 * self.steady.creepages.longitudinal)),
                     reason = reason
                 )
             }
         };
         let others = [Hold::Force, Hold::Ratio, Hold::Creepage].into_iter();
-        let others: Vec<&str> = others
-            .filter(|hold| *hold != self.hold)
-            .map(Hold::name)
-            .collect();
+        let others: Vec<&str> = others.filter(|hold| *hold != self.hold).map(Hold::name).collect();
         format!(
             "what it holds is out of reach: {state}; choose --hold {}, or give contact.tractive_ratio with the change",
             others.join(" or --hold ")

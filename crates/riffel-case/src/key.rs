@@ -49,10 +49,7 @@ impl CaseKey {
     /// The name of the key most like a text.
     pub fn nearest(text: &str) -> &'static str {
         let likeness = |known: &&Self| strsim::jaro_winkler(text, &known.key);
-        Self::all()
-            .iter()
-            .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
-            .map_or("", |known| &known.key)
+        Self::all().iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b))).map_or("", |known| &known.key)
     }
 }
 
@@ -96,8 +93,7 @@ fn collect(parent: &str, pointer: &str, root: &Value, keys: &mut Vec<CaseKey>) {
             keys.push(CaseKey {
                 key,
                 description: description.trim_end_matches('.').to_owned(),
-                quantity: unit
-                    .and_then(|unit| KINDS.iter().find(|kind| kind.unit == unit).copied()),
+                quantity: unit.and_then(|unit| KINDS.iter().find(|kind| kind.unit == unit).copied()),
                 pointer,
             });
         };

@@ -118,10 +118,7 @@ pub fn json_schema() -> schemars::Schema {
     let mut schema = schemars::schema_for!(file::CaseFile);
     let keys = CaseKey::all().iter().chain(CaseKey::in_lists());
     let keys = keys.filter(|key| key.quantity.is_some());
-    riffel_keys::bound(
-        &mut schema,
-        keys.map(|key| (key.key.as_str(), key.pointer.as_str())),
-    );
+    riffel_keys::bound(&mut schema, keys.map(|key| (key.key.as_str(), key.pointer.as_str())));
     schema
 }
 

@@ -45,8 +45,7 @@ impl Case {
         let depth = self.feedback.mean_wear().depth_per_100_mgt();
         let mut case = self.wearing(depth)?;
         let told = case.measured_coefficient_in_words();
-        case.remarks
-            .extend(told.map(|told| say!(measured_wear_of_the_case, coefficient = told)));
+        case.remarks.extend(told.map(|told| say!(measured_wear_of_the_case, coefficient = told)));
         Ok(case)
     }
 
@@ -60,10 +59,7 @@ impl Case {
             return Ok(self);
         };
         if depth <= 0.0 {
-            let rule = say!(
-                is_measured_but_nothing_slides,
-                depth = per_100_mgt(&measured)
-            );
+            let rule = say!(is_measured_but_nothing_slides, depth = per_100_mgt(&measured));
             return Err(self.keys.text.keys.invalid("wear.measured", rule, ""));
         }
         let factor = measured.depth_per_100_mgt() / depth;
@@ -80,9 +76,7 @@ impl Case {
     /// How well the wear coefficient is known: as the wear was measured, or as that of rails in service.
     pub fn wear_spread(&self) -> WearSpread {
         let measured = self.file.wear.measured.as_ref();
-        measured.map_or(WearSpread::UNMEASURED, |measured| {
-            WearSpread::of_factor(measured.factor.si())
-        })
+        measured.map_or(WearSpread::UNMEASURED, |measured| WearSpread::of_factor(measured.factor.si()))
     }
 
     /// The coefficient that the measured wear makes, if it was measured: "1.2 mm per 100 MGT make 2.1e-10 kg/J (80 %: …)".

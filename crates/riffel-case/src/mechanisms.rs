@@ -67,17 +67,11 @@ impl Case {
             Origin::Given => say!(given_word),
             _ => say!(measured_word),
         };
-        if !resonances
-            .iter()
-            .any(|found| found.kind == ResonanceKind::P2)
-        {
+        if !resonances.iter().any(|found| found.kind == ResonanceKind::P2) {
             let reason = say!(no_least_sum_of_receptances, origin = word.clone());
             unknown.push(say!(p2_is_no_candidate, reason = reason));
         }
-        if resonances
-            .iter()
-            .all(|found| found.kind == ResonanceKind::P2)
-        {
+        if resonances.iter().all(|found| found.kind == ResonanceKind::P2) {
             unknown.push(say!(no_modes_of_receptance, origin = word));
         }
         let mechanisms = resonances.iter().filter_map(|found| {
@@ -98,12 +92,7 @@ impl Case {
                 | ResonanceKind::LateralPinnedPinned => return None,
             };
             let resolution = found.resolution.map(|resolution| resolution / TAU);
-            Some(Mechanism::of_receptance(
-                kind,
-                frequency,
-                found.damping_ratio,
-                resolution,
-            ))
+            Some(Mechanism::of_receptance(kind, frequency, found.damping_ratio, resolution))
         });
         (mechanisms.collect(), unknown)
     }
@@ -135,10 +124,7 @@ impl Case {
             let cut_on = support.cut_on_frequencies(rail_mass);
             for ((resonance, kind), undamped) in kinds.iter().rev().zip(cut_on.iter().rev()) {
                 let peak = found.iter().find(|peak| peak.kind == *resonance);
-                add(
-                    *kind,
-                    peak.map_or(*undamped, |peak| peak.angular_frequency) / TAU,
-                );
+                add(*kind, peak.map_or(*undamped, |peak| peak.angular_frequency) / TAU);
             }
             if let Some(sleeper) = support.sleeper_antiresonance() {
                 add(MechanismKind::SleeperAntiresonance, sleeper / TAU);
@@ -165,11 +151,8 @@ impl Traffic {
                 let steps = (-10..=10).map(|step| 0.25 * f64::from(step));
                 let weights: Vec<(f64, f64)> = steps.map(|z| (z, (-0.5 * z * z).exp())).collect();
                 let sum: f64 = weights.iter().map(|weight| weight.1).sum();
-                shares.extend(
-                    weights
-                        .iter()
-                        .map(|(z, weight)| (speed.mean.si() + z * deviation, share * weight / sum)),
-                );
+                shares
+                    .extend(weights.iter().map(|(z, weight)| (speed.mean.si() + z * deviation, share * weight / sum)));
             }
             let speeds = vehicle.speeds.iter().flatten();
             shares.extend(speeds.map(|speed| (speed.speed.si(), share * speed.share.si())));

@@ -112,9 +112,7 @@ impl Case {
             let (feedback, track) = keys.loop_and_track()?;
             return Ok(LoopOnTrack { feedback, track });
         }
-        let Self {
-            feedback, track, ..
-        } = self.settled(numbers)?;
+        let Self { feedback, track, .. } = self.settled(numbers)?;
         Ok(LoopOnTrack { feedback, track })
     }
 
@@ -124,14 +122,8 @@ impl Case {
     /// As of [`edit`](Self::edit).
     pub fn settled(&self, numbers: &[(&str, f64)]) -> Result<Self, CaseError> {
         let numbers = numbers.iter();
-        let settings: Vec<_> = numbers
-            .map(|(key, value)| ((*key).to_owned(), Value::Float(*value)))
-            .collect();
-        let given = Substitutes {
-            quick: true,
-            wear: None,
-            ..self.keys.given.clone()
-        };
+        let settings: Vec<_> = numbers.map(|(key, value)| ((*key).to_owned(), Value::Float(*value))).collect();
+        let given = Substitutes { quick: true, wear: None, ..self.keys.given.clone() };
         let (text, folder) = (self.text_with(&[&settings])?, self.keys.folder.as_deref());
         Self::of_text(text, folder, given, Window::BesideAnother)
     }
@@ -173,11 +165,7 @@ impl Case {
             || self.unfilled.keys.has("contact.profiles")
             || file.profiles.is_some()
             || file.wear.measured.is_some();
-        if dependent
-            && !numbers
-                .iter()
-                .all(|(key, _)| Self::is_beside_mean_state(key))
-        {
+        if dependent && !numbers.iter().all(|(key, _)| Self::is_beside_mean_state(key)) {
             return None;
         }
         let mut keys = self.keys.clone();
@@ -225,12 +213,8 @@ mod tests {
         let missing = |key: &&str| case.number(key).is_none();
         let keys = NUMBERS.map(|(key, _)| key).into_iter();
         // A slab on fastenings whose damping is viscous.
-        let no_sleepers = [
-            "track.pad.loss_factor",
-            "track.ballast.stiffness",
-            "track.ballast.loss_factor",
-            "track.sleeper.mass",
-        ];
+        let no_sleepers =
+            ["track.pad.loss_factor", "track.ballast.stiffness", "track.ballast.loss_factor", "track.sleeper.mass"];
         assert_eq!(keys.filter(missing).collect::<Vec<&str>>(), no_sleepers);
         for (key, _) in NUMBERS {
             let Some(number) = case.number(key) else {
@@ -262,9 +246,9 @@ mod tests {
         let base = case.with_settings(&[set(friction)]).unwrap();
         assert_eq!(rate(&settled.feedback), rate(&base.feedback));
         assert_ne!(rate(&base.feedback), rate(&case.feedback));
-        let beside = NUMBERS.into_iter().filter(|(key, _)| {
-            Case::is_beside_mean_state(key) && case.keys_with_numbers(&[(key, 1.0)]).is_some()
-        });
+        let beside = NUMBERS
+            .into_iter()
+            .filter(|(key, _)| Case::is_beside_mean_state(key) && case.keys_with_numbers(&[(key, 1.0)]).is_some());
         let mut count = 0;
         for (key, _) in beside {
             let Some(number) = case.number(key) else {
@@ -273,8 +257,8 @@ mod tests {
             let number = (key, 1.07 * number);
             let slow = case.with_settings(&[set(friction), set(number)]).unwrap();
             let at_once = case.with_numbers(&[friction, number]).unwrap();
-            let [after, at_once] = [settled.with_numbers(&[number]).unwrap(), at_once]
-                .map(|found| rate(&found.feedback));
+            let [after, at_once] =
+                [settled.with_numbers(&[number]).unwrap(), at_once].map(|found| rate(&found.feedback));
             assert_eq!(after, rate(&slow.feedback), "{key}");
             assert_eq!(at_once, after, "{key}");
             assert_ne!(after, rate(&base.feedback), "{key}");

@@ -27,14 +27,7 @@ const OF_CURVE: [&str; 12] = [
     "wheel.rolling_radius",
 ];
 /// What else says where the mean state is.
-const IN_ITS_PLACE: [&str; 6] = [
-    "contact.tractive_ratio",
-    "contact.from",
-    "curve",
-    "bogie",
-    "body",
-    "profiles",
-];
+const IN_ITS_PLACE: [&str; 6] = ["contact.tractive_ratio", "contact.from", "curve", "bogie", "body", "profiles"];
 const LAW: &str = "contact.creep_law";
 
 impl Case {
@@ -49,11 +42,7 @@ impl Case {
         for key in OF_CURVE.iter().chain(&IN_ITS_PLACE) {
             text.keys.remove(key);
         }
-        let law = self
-            .file
-            .contact
-            .creep_law
-            .unwrap_or(CreepLawName::CARTER_3D);
+        let law = self.file.contact.creep_law.unwrap_or(CreepLawName::CARTER_3D);
         let is_steady = self.file.contact.response != ContactDynamics::NonSteady;
         if is_steady && law.entry().is_some_and(|law| law.ends_in_sliding) {
             text.write(&[(LAW.to_owned(), "fastsim".into())])?;
@@ -84,8 +73,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] for keys that cannot be written.
     pub fn keys_of_curve(&self) -> Result<Vec<Setting>, CaseError> {
-        let table =
-            Table::try_from(&self.file).map_err(|error| self.refuse("", error.to_string()))?;
+        let table = Table::try_from(&self.file).map_err(|error| self.refuse("", error.to_string()))?;
         let is_of_curve = |key: &str| {
             let mut known = OF_CURVE.iter().chain([&LAW]);
             known.any(|&table| {
@@ -95,9 +83,7 @@ impl Case {
         };
         let in_si = |key: &str, value: Value| {
             let quantity = CaseKey::find(key).and_then(|known| known.quantity.as_ref());
-            let number = quantity
-                .zip(value.as_str())
-                .and_then(|(quantity, text)| quantity.read(text).ok());
+            let number = quantity.zip(value.as_str()).and_then(|(quantity, text)| quantity.read(text).ok());
             number.map_or(value, Value::Float)
         };
         let keys = settings(&table).into_iter();
@@ -130,25 +116,13 @@ mod tests {
     #[test]
     fn the_keys_of_a_wheel_give_its_growth_without_the_curve() {
         let folder = tempfile::tempdir().unwrap();
-        for (text, radius) in [
-            (NOMINAL_CASE, "180 m"),
-            (NOMINAL_CASE, "-300 m"),
-            (METRO_CURVE_CASE, "180 m"),
-        ] {
-            let curve = CurvingCase::parse(
-                "curve",
-                METRO_CURVE_CASE,
-                &[format!("curve.radius={radius}")],
-            )
-            .unwrap();
+        for (text, radius) in [(NOMINAL_CASE, "180 m"), (NOMINAL_CASE, "-300 m"), (METRO_CURVE_CASE, "180 m")] {
+            let curve = CurvingCase::parse("curve", METRO_CURVE_CASE, &[format!("curve.radius={radius}")]).unwrap();
             std::fs::write(folder.path().join("curve.toml"), curve.toml()).unwrap();
             let case = Case::parse("case", text, &[]).unwrap();
             let found = case.on_curve(folder.path(), "curve.toml").unwrap();
             let wheels = found.wheels_of_curve().unwrap().unwrap().wheels;
-            let in_loop: Vec<Case> = wheels
-                .into_iter()
-                .filter_map(|wheel| wheel.case.ok())
-                .collect();
+            let in_loop: Vec<Case> = wheels.into_iter().filter_map(|wheel| wheel.case.ok()).collect();
             assert!(in_loop.len() >= 4);
             for on_wheel in in_loop {
                 let mut own = case.unfilled.clone();

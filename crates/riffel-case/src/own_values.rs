@@ -68,18 +68,12 @@ mod tests {
     #[test]
     fn what_differs_from_a_preset_says_what_it_was() {
         let of = |overrides: &[&str], key: &str| {
-            own(overrides)
-                .into_iter()
-                .find(|(own, _)| own == key)
-                .map(|(_, without)| without)
+            own(overrides).into_iter().find(|(own, _)| own == key).map(|(_, without)| without)
         };
         let pads = "track.pad.stiffness";
         assert_eq!(of(&[], pads), None);
         assert_eq!(of(&["track.pad.stiffness=60 kN/mm"], pads), None);
-        assert_eq!(
-            of(&["track.pad.stiffness=30 MN/m"], pads).as_deref(),
-            Some("6e7 N/m")
-        );
+        assert_eq!(of(&["track.pad.stiffness=30 MN/m"], pads).as_deref(), Some("6e7 N/m"));
         assert_eq!(of(&["contact.friction=0.5"], "contact.friction"), None);
     }
 }

@@ -29,9 +29,11 @@ pub struct PortableCase {
 impl Case {
     /// What makes the case again elsewhere.
     pub fn portable(&self) -> PortableCase {
-        let folder = self.keys.folder.as_ref().map(|folder| {
-            std::env::current_dir().map_or_else(|_| folder.clone(), |here| here.join(folder))
-        });
+        let folder = self
+            .keys
+            .folder
+            .as_ref()
+            .map(|folder| std::env::current_dir().map_or_else(|_| folder.clone(), |here| here.join(folder)));
         let keys = &self.unfilled.keys;
         PortableCase {
             name: keys.name().to_owned(),
@@ -52,21 +54,11 @@ impl Case {
         track: Option<GivenReceptance>,
         wheel: Option<GivenReceptance>,
     ) -> Result<Self, CaseError> {
-        let PortableCase {
-            name,
-            text,
-            keys,
-            overrides,
-            ..
-        } = portable;
+        let PortableCase { name, text, keys, overrides, .. } = portable;
         Self::of_text(
             CaseText::of(KeyFile::restore(name, text, keys, overrides)?),
             portable.folder.as_deref(),
-            Substitutes {
-                track,
-                wheel,
-                ..Substitutes::default()
-            },
+            Substitutes { track, wheel, ..Substitutes::default() },
             Window::Map,
         )
     }

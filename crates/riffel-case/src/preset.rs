@@ -67,15 +67,8 @@ pub enum PresetKind {
 
 impl PresetKind {
     /// Every kind, those that fill in single parts before those that fill in the whole.
-    pub(crate) const ALL: [Self; 7] = [
-        Self::Rail,
-        Self::Pad,
-        Self::Sleeper,
-        Self::Ballast,
-        Self::Track,
-        Self::Wheelset,
-        Self::Vehicle,
-    ];
+    pub(crate) const ALL: [Self; 7] =
+        [Self::Rail, Self::Pad, Self::Sleeper, Self::Ballast, Self::Track, Self::Wheelset, Self::Vehicle];
 
     /// The key of a case file that takes the name.
     pub fn key(self) -> &'static str {
@@ -228,17 +221,9 @@ impl Preset {
 }
 
 /// The values of the tables below a dotted key.
-fn collect(
-    parent: &str,
-    table: Table,
-    values: &mut Vec<PresetValue>,
-) -> Result<(), toml::de::Error> {
+fn collect(parent: &str, table: Table, values: &mut Vec<PresetValue>) -> Result<(), toml::de::Error> {
     for (name, inner) in table {
-        let key = if parent.is_empty() {
-            name
-        } else {
-            format!("{parent}.{name}")
-        };
+        let key = if parent.is_empty() { name } else { format!("{parent}.{name}") };
         match inner {
             Value::Table(inner) if !inner.contains_key("source") => {
                 collect(&key, inner, values)?;
@@ -287,14 +272,8 @@ pub fn preset(name: &str) -> Result<&'static Preset, CaseError> {
         return Ok(preset);
     }
     let likeness = |known: &&String| strsim::jaro_winkler(name, known);
-    let nearest = presets
-        .iter()
-        .flat_map(Preset::names)
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-    Err(CaseError::UnknownPreset {
-        name: clipped(name).into_owned(),
-        nearest: nearest.cloned().unwrap_or_default(),
-    })
+    let nearest = presets.iter().flat_map(Preset::names).max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+    Err(CaseError::UnknownPreset { name: clipped(name).into_owned(), nearest: nearest.cloned().unwrap_or_default() })
 }
 
 #[cfg(test)]
@@ -336,12 +315,7 @@ mod tests {
             let document = preset.document();
             for (key, value) in document["values"].as_object().unwrap() {
                 let is_choice = key == "wheelset.model";
-                assert_eq!(
-                    value["value_si"].is_f64(),
-                    !is_choice,
-                    "{} {key}: {value}",
-                    preset.name
-                );
+                assert_eq!(value["value_si"].is_f64(), !is_choice, "{} {key}: {value}", preset.name);
             }
         }
         let rail = preset("UIC60").unwrap().document();

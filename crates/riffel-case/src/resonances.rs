@@ -47,11 +47,7 @@ impl Case {
         let rail_mass = self.track.rail_mass?;
         let cut_on = self.track.support?.cut_on_frequencies(rail_mass);
         let &highest = cut_on.first()?;
-        Resonance::p2(
-            |w| self.total(w),
-            |w| self.inertia(w),
-            [TAU * 10.0, highest],
-        )
+        Resonance::p2(|w| self.total(w), |w| self.inertia(w), [TAU * 10.0, highest])
     }
 
     /// The closed form of P2 beside it: the unsprung mass on the static shape of an evenly supported rail that bends alone.
@@ -76,8 +72,7 @@ impl Case {
     /// known.
     fn inertia(&self, w: f64) -> f64 {
         let [_, wheel] = self.feedback.normal_receptances(w, self.speed.max());
-        self.unsprung_mass()
-            .map_or(1.0, |mass| -(w * w * mass * wheel.re).recip())
+        self.unsprung_mass().map_or(1.0, |mass| -(w * w * mass * wheel.re).recip())
     }
 
     /// H_rail + H_wheel + 1/k_H \[m/N\].
@@ -89,8 +84,7 @@ impl Case {
     fn p2_of_lines(&self) -> Option<Resonance> {
         let rail = self.lines();
         let wheel = self.keys.given.wheel.as_ref();
-        let (lowest, highest) =
-            wheel.map_or((0.0, f64::INFINITY), |wheel| self.known(&*wheel.receptance));
+        let (lowest, highest) = wheel.map_or((0.0, f64::INFINITY), |wheel| self.known(&*wheel.receptance));
         let total: Vec<(f64, Complex64)> = rail
             .iter()
             .map(|line| line.0)
@@ -98,19 +92,14 @@ impl Case {
             .map(|w| (w, self.total(w)))
             .filter(|(_, total)| total.is_finite())
             .collect();
-        let first_peak = Extremum::peaks(&rail)
-            .first()
-            .map_or(f64::INFINITY, |peak| peak.angular_frequency);
-        let dips = Extremum::dips(&total)
-            .into_iter()
-            .take_while(|least| least.angular_frequency < first_peak)
-            .filter(|least| {
+        let first_peak = Extremum::peaks(&rail).first().map_or(f64::INFINITY, |peak| peak.angular_frequency);
+        let dips = Extremum::dips(&total).into_iter().take_while(|least| least.angular_frequency < first_peak).filter(
+            |least| {
                 let w = least.angular_frequency;
-                let below = rail
-                    .iter()
-                    .filter(|line| SPRING_DOWN_TO * w <= line.0 && line.0 <= w);
+                let below = rail.iter().filter(|line| SPRING_DOWN_TO * w <= line.0 && line.0 <= w);
                 below.map(|(_, h)| h.re).sum::<f64>() > 0.0
-            });
+            },
+        );
         dips.filter(|least| Resonance::is_as_mass(self.inertia(least.angular_frequency)))
             .min_by(|a, b| a.receptance.norm().total_cmp(&b.receptance.norm()))
             .map(|least| self.named(ResonanceKind::P2, least))
@@ -122,10 +111,8 @@ impl Case {
             Origin::Given => (ResonanceKind::GivenPeak, ResonanceKind::GivenDip),
             _ => (ResonanceKind::MeasuredPeak, ResonanceKind::MeasuredDip),
         };
-        let mut peaks: Vec<Resonance> = Extremum::peaks(&rail)
-            .into_iter()
-            .map(|peak| self.named(peak_kind, peak))
-            .collect();
+        let mut peaks: Vec<Resonance> =
+            Extremum::peaks(&rail).into_iter().map(|peak| self.named(peak_kind, peak)).collect();
         if let Some(expected) = self.keys.pinned_pinned(Direction::Vertical) {
             let distance = |peak: &Resonance| (peak.angular_frequency / TAU / expected).ln().abs();
             let nearest = peaks

@@ -1,8 +1,8 @@
 //! What a case says of the sound of a wheel on its rail.
 
 use riffel::noise::{
-    Air, BandRadiation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, RailDecay,
-    RollingSource, Sleepers, WheelModes,
+    Air, BandRadiation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, RailDecay, RollingSource,
+    Sleepers, WheelModes,
 };
 use riffel::{Error, Loop, STEEL_DENSITY};
 use riffel_keys::{Message, say};
@@ -30,11 +30,7 @@ pub struct TrackRadiator {
 impl Default for TrackRadiator {
     /// A rail with a foot of 150 mm on sleepers of which 0.33 m² belong to each rail, which decays as the case says.
     fn default() -> Self {
-        Self {
-            rail_foot: 0.15,
-            sleeper_area: 0.33,
-            decay_rate: None,
-        }
+        Self { rail_foot: 0.15, sleeper_area: 0.33, decay_rate: None }
     }
 }
 
@@ -65,10 +61,7 @@ impl TrackRadiator {
             feedback,
             decay: match (&self.decay_rate, track.structure.as_deref()) {
                 (None, Some(track)) => RailDecay::Track(track),
-                (rates, track) => RailDecay::Rates {
-                    rates: rates.clone().unwrap_or_default(),
-                    track,
-                },
+                (rates, track) => RailDecay::Rates { rates: rates.clone().unwrap_or_default(), track },
             },
             rail: OscillatingCylinder::of_rail(self.rail_foot, area)?,
             sleepers: track.support.map(|support| Sleepers {
@@ -85,9 +78,7 @@ impl TrackRadiator {
             let (low, high) = band.range();
             low >= lowest && high <= highest
         });
-        Ok(known
-            .filter_map(|band| source.radiation(band, speed))
-            .collect())
+        Ok(known.filter_map(|band| source.radiation(band, speed)).collect())
     }
 }
 

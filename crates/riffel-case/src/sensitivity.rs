@@ -47,11 +47,7 @@ impl Case {
     ///
     /// # Errors
     /// [`CaseError`] as of [`point`](Self::point).
-    pub fn sensitivities(
-        &self,
-        wavelength: f64,
-        speed: f64,
-    ) -> Result<Vec<Sensitivity>, CaseError> {
+    pub fn sensitivities(&self, wavelength: f64, speed: f64) -> Result<Vec<Sensitivity>, CaseError> {
         let at_point = self.point(wavelength, speed)?.growth_rate;
         let whole = self.written_out()?;
         let window = window(wavelength);
@@ -75,13 +71,7 @@ impl Case {
         let mut all: Vec<Sensitivity> = keys.par_iter().filter_map(by_key).collect();
         let at_wavelength = |wavelength| Some(self.point(wavelength, speed).ok()?.growth_rate);
         let at_speed = |speed| Some(self.point(wavelength, speed).ok()?.growth_rate);
-        all.extend(relative(
-            "wavelength",
-            "m",
-            wavelength,
-            at_point,
-            at_wavelength,
-        ));
+        all.extend(relative("wavelength", "m", wavelength, at_point, at_wavelength));
         all.extend(relative("speed", "m/s", speed, at_point, at_speed));
         all.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
         Ok(all)
@@ -110,24 +100,16 @@ fn window(wavelength: f64) -> [Setting; 2] {
     const WIDTH: f64 = 1.001;
     let range = PhysicalRange::of("map.wavelength.max");
     let longest = range.map_or(f64::INFINITY, |range| range.hard[1]);
-    let (min, max) = if WIDTH * wavelength <= longest {
-        (wavelength, WIDTH * wavelength)
-    } else {
-        (wavelength / WIDTH, wavelength)
-    };
-    [
-        ("map.wavelength.min".to_owned(), Value::Float(min)),
-        ("map.wavelength.max".to_owned(), Value::Float(max)),
-    ]
+    let (min, max) =
+        if WIDTH * wavelength <= longest { (wavelength, WIDTH * wavelength) } else { (wavelength / WIDTH, wavelength) };
+    [("map.wavelength.min".to_owned(), Value::Float(min)), ("map.wavelength.max".to_owned(), Value::Float(max))]
 }
 
 /// Every quantity among the keys of a case but those of the window, with its value in SI where it is not zero.
 fn quantities(keys: &Table) -> Vec<(&'static CaseKey, f64)> {
     let value = |key: &CaseKey| {
         let (first, rest) = key.key.split_once('.')?;
-        let found = rest
-            .split('.')
-            .try_fold(keys.get(first)?, |table, part| table.get(part))?;
+        let found = rest.split('.').try_fold(keys.get(first)?, |table, part| table.get(part))?;
         let si = match found {
             Value::String(text) => key.quantity?.read(text).ok()?,
             Value::Float(number) => *number,
@@ -155,14 +137,7 @@ fn relative(
     let elasticity = derivative * value / growth;
     let error = (error * value / growth).abs();
     // What differs by roundings alone is not moved.
-    (elasticity.abs() > error).then(|| Sensitivity {
-        key: key.to_owned(),
-        unit,
-        value,
-        derivative,
-        elasticity,
-        error,
-    })
+    (elasticity.abs() > error).then(|| Sensitivity { key: key.to_owned(), unit, value, derivative, elasticity, error })
 }
 
 /// Derivative of a function of a size and its error by central differences, extrapolated; none where the function is not
@@ -211,9 +186,7 @@ mod tests {
     }
 
     fn of<'a>(all: &'a [Sensitivity], key: &str) -> &'a Sensitivity {
-        all.iter()
-            .find(|sensitivity| sensitivity.key == key)
-            .unwrap()
+        all.iter().find(|sensitivity| sensitivity.key == key).unwrap()
     }
 
     /// Growth is proportional to the wear coefficient and inversely to the density; at constant creepage the mass of
@@ -222,36 +195,21 @@ mod tests {
     #[test]
     fn sensitivities_match_closed_forms() {
         for (wavelength, speed) in [(0.031, 17.0), (0.12, 41.0), (0.25, 60.0)] {
-            let overrides = [
-                "wheel.rotation=constant-creepage",
-                "wheel.mass=612 kg",
-                "contact.tractive_ratio=0.37",
-            ];
+            let overrides = ["wheel.rotation=constant-creepage", "wheel.mass=612 kg", "contact.tractive_ratio=0.37"];
             let case = case(NOMINAL_CASE, &overrides);
             let all = case.sensitivities(wavelength, speed).unwrap();
             assert!((of(&all, "wear.coefficient").elasticity - 1.0).abs() < 1e-10);
             assert!((of(&all, "wear.density").elasticity + 1.0).abs() < 1e-10);
             let state = case.point(wavelength, speed).unwrap();
             let m = 612.0;
-            let relative = -state.normal_force()
-                / case.feedback.amplitude()
-                / (m * state.angular_frequency).powi(2);
+            let relative = -state.normal_force() / case.feedback.amplitude() / (m * state.angular_frequency).powi(2);
             let dissipation = state.dissipation_at_rail;
             let expected = state.growth_rate * (dissipation * relative).re / dissipation.re;
             let got = of(&all, "wheel.mass");
-            assert!(
-                (got.derivative / expected - 1.0).abs() < 1e-9,
-                "{got:?} {expected}"
-            );
+            assert!((got.derivative / expected - 1.0).abs() < 1e-9, "{got:?} {expected}");
             assert!(got.error < 1e-9, "{got:?}");
-            assert!(
-                all.iter()
-                    .all(|sensitivity| sensitivity.key != "wheel.inertia")
-            );
-            assert!(
-                all.iter()
-                    .all(|sensitivity| sensitivity.key != "corrugation.amplitude")
-            );
+            assert!(all.iter().all(|sensitivity| sensitivity.key != "wheel.inertia"));
+            assert!(all.iter().all(|sensitivity| sensitivity.key != "corrugation.amplitude"));
         }
     }
 
@@ -260,10 +218,7 @@ mod tests {
     #[test]
     fn sensitivities_are_those_of_differences() {
         let stiff = ["track.preset=br-stiff", "track.model=two-layer-periodic"];
-        let late = [
-            "contact.creep_law=polach",
-            "contact.response=spring-dashpot",
-        ];
+        let late = ["contact.creep_law=polach", "contact.response=spring-dashpot"];
         for (text, overrides, wavelength, speed) in [
             (NOMINAL_CASE, &stiff[..], 0.06, 25.0),
             (NOMINAL_CASE, &late[..], 0.06, 25.0),
@@ -295,10 +250,7 @@ mod tests {
         let case = case(NOMINAL_CASE, &[]);
         for (wavelength, speed) in [(0.055, 30.0), (0.03, 20.0), (0.04, 45.0), (0.07, 12.0)] {
             let all = case.sensitivities(wavelength, speed).unwrap();
-            assert_eq!(
-                all.iter().find(|one| one.key == "corrugation.amplitude"),
-                None
-            );
+            assert_eq!(all.iter().find(|one| one.key == "corrugation.amplitude"), None);
             assert!(all.iter().any(|one| one.key == "wear.density"));
         }
     }

@@ -25,19 +25,11 @@ impl Case {
     /// What the reader should know about the validity of the models where one speed \[m/s\] is asked about: as
     /// [`remarks`](Self::remarks), but whether the loop oscillates without any profile is said of that speed.
     pub fn remarks_at(&self, speed: f64) -> Vec<Message> {
-        let of_stability = [
-            say!(loop_not_judged, speed = ""),
-            say!(loop_unstable, speed = "", frequency = "", growth = ""),
-        ];
+        let of_stability =
+            [say!(loop_not_judged, speed = ""), say!(loop_unstable, speed = "", frequency = "", growth = "")];
         let other = |remark: &&Message| of_stability.iter().all(|of| of.id() != remark.id());
-        let own = judged(&self.feedback, self.keys.track_known_to(), speed)
-            .and_then(|found| said([speed; 2], &found));
-        self.remarks
-            .iter()
-            .filter(other)
-            .cloned()
-            .chain(own)
-            .collect()
+        let own = judged(&self.feedback, self.keys.track_known_to(), speed).and_then(|found| said([speed; 2], &found));
+        self.remarks.iter().filter(other).cloned().chain(own).collect()
     }
 
     /// The same where one wavelength \[m\] is asked about as well, which may lie outside the map.
@@ -45,8 +37,7 @@ impl Case {
         let mut remarks = self.remarks_at(speed);
         let short = shorter_than_patch(self.hertz, wavelength);
         let short = short.filter(|short| {
-            self.file.contact.wave_geometry == Some(true)
-                && remarks.iter().all(|remark| remark.id() != short.id())
+            self.file.contact.wave_geometry == Some(true) && remarks.iter().all(|remark| remark.id() != short.id())
         });
         remarks.extend(short);
         remarks
@@ -55,9 +46,7 @@ impl Case {
     /// The speeds \[m/s\] of the map at which the loop is judged, with what it is there.
     pub fn stability_over_the_map(&self) -> Vec<(f64, Stability)> {
         let judged = over(&self.feedback, self.keys.track_known_to(), self.speed);
-        judged
-            .filter_map(|(speed, stability)| Some((speed, stability.ok()?)))
-            .collect()
+        judged.filter_map(|(speed, stability)| Some((speed, stability.ok()?))).collect()
     }
 }
 
@@ -73,23 +62,13 @@ pub(crate) fn said(speeds: [f64; 2], found: &Result<Stability, Error>) -> Option
     let growth = roots.split_first().map(|(highest, others)| {
         let others = others.iter().rev().fold(Value::from(""), |others, root| {
             let frequency = significant(root.frequency, 4);
-            let other = say!(
-                loop_unstable_other,
-                frequency = frequency,
-                time = time(root),
-                others = others
-            );
+            let other = say!(loop_unstable_other, frequency = frequency, time = time(root), others = others);
             other.into()
         });
         let highest = say!(loop_unstable_growth, time = time(highest), others = others);
         Value::from(highest)
     });
-    Some(say!(
-        loop_unstable,
-        speed = speed,
-        frequency = frequency,
-        growth = growth.unwrap_or("".into())
-    ))
+    Some(say!(loop_unstable, speed = speed, frequency = frequency, growth = growth.unwrap_or("".into())))
 }
 
 /// A time \[s\] to two digits.
@@ -130,7 +109,5 @@ pub(crate) fn over(
     speed: Axis,
 ) -> impl Iterator<Item = (f64, Result<Stability, Error>)> {
     let speeds = [speed.min(), 0.5 * (speed.min() + speed.max()), speed.max()];
-    speeds
-        .into_iter()
-        .filter_map(move |speed| Some((speed, judged(feedback, known_to, speed)?)))
+    speeds.into_iter().filter_map(move |speed| Some((speed, judged(feedback, known_to, speed)?)))
 }

@@ -27,11 +27,7 @@ pub struct GivenReceptance {
 impl GivenReceptance {
     /// Any receptance \[m/N\], time factor exp(+iωt), downward.
     pub fn new(receptance: Arc<dyn Receptance>) -> Self {
-        Self {
-            receptance,
-            table: None,
-            remarks: Vec::new(),
-        }
+        Self { receptance, table: None, remarks: Vec::new() }
     }
 
     /// A frequency response that another program read from a universal file. Displacement, velocity or acceleration
@@ -69,11 +65,7 @@ impl GivenReceptance {
 
     fn of_table(receptance: MeasuredReceptance, remarks: Vec<Message>) -> Self {
         let table = Arc::new(receptance);
-        Self {
-            receptance: table.clone(),
-            table: Some(table),
-            remarks,
-        }
+        Self { receptance: table.clone(), table: Some(table), remarks }
     }
 
     /// Where it comes from.

@@ -75,9 +75,10 @@ impl Track {
             };
             let frequencies = support.cut_on_frequencies(rail_mass);
             resonances.extend(
-                kinds.iter().zip(frequencies).filter_map(|(&kind, cut_on)| {
-                    Resonance::near(&*over_support, kind, cut_on, 1.6)
-                }),
+                kinds
+                    .iter()
+                    .zip(frequencies)
+                    .filter_map(|(&kind, cut_on)| Resonance::near(&*over_support, kind, cut_on, 1.6)),
             );
         }
         let mid_span = self.support_spacing().and_then(|d| self.at(0.5 * d));

@@ -118,11 +118,7 @@ impl Variant {
         keys.remove("speed");
         let settings = settings(&keys);
         if settings.is_empty() && change == SpeedChange::default() {
-            return Err(source.invalid(
-                "",
-                say!(the_file_of_changes_changes_nothing),
-                say!(write_keys_of_the_case_as),
-            ));
+            return Err(source.invalid("", say!(the_file_of_changes_changes_nothing), say!(write_keys_of_the_case_as)));
         }
         Ok(Self {
             title: own.title.unwrap_or_default(),
@@ -143,25 +139,20 @@ impl Variant {
     /// friction and load stay, or the file gives the mean state itself.
     pub(crate) fn holds(&self, before: &CaseFile, after: &CaseFile) -> Option<Hold> {
         let given = self.keys().any(|key| MEAN_STATE.contains(&key));
-        (!given && !rolls_alike(before, after))
-            .then(|| self.hold.unwrap_or_else(|| Hold::usual(before)))
+        (!given && !rolls_alike(before, after)).then(|| self.hold.unwrap_or_else(|| Hold::usual(before)))
     }
 
     /// A sentence about the change of friction or load.
     pub(crate) fn refuse(&self, message: impl Into<Message>) -> CaseError {
         let key = self.keys().find(|key| key.starts_with("contact."));
         let source = self.source.clone();
-        source
-            .unwrap_or_else(|| KeyFile::empty(&self.title))
-            .refuse(key.unwrap_or_default(), message)
+        source.unwrap_or_else(|| KeyFile::empty(&self.title)).refuse(key.unwrap_or_default(), message)
     }
 
     /// An error of the case that one of the changes causes, as one of the file of changes.
     pub fn explain(&self, error: CaseError) -> CaseError {
         match (&self.source, error) {
-            (Some(source), CaseError::Changed { key, message })
-                if self.keys().any(|own| own == key) =>
-            {
+            (Some(source), CaseError::Changed { key, message }) if self.keys().any(|own| own == key) => {
                 source.refuse(&key, &message)
             }
             (_, error) => error,

@@ -74,27 +74,17 @@ impl Case {
                     true => CurveRail::Low,
                     false => CurveRail::High,
                 };
-                let contacts = [
-                    (ContactOfWheel::Tread, Some(*state)),
-                    (ContactOfWheel::Flange, state.from_second_contact()),
-                ];
+                let contacts =
+                    [(ContactOfWheel::Tread, Some(*state)), (ContactOfWheel::Flange, state.from_second_contact())];
                 contacts.map(|(contact, state)| {
                     let state = state?;
-                    Some(WheelOfCurve {
-                        state,
-                        rail,
-                        contact,
-                        case: self.on_wheel(&from, &state, rail, contact),
-                    })
+                    Some(WheelOfCurve { state, rail, contact, case: self.on_wheel(&from, &state, rail, contact) })
                 })
             })
             .flatten()
             .collect();
         wheels.sort_by_key(|wheel| (wheel.state.wheelset, wheel.rail == CurveRail::High));
-        Ok(Some(WheelsOfCurve {
-            curve: vehicle.curve,
-            wheels,
-        }))
+        Ok(Some(WheelsOfCurve { curve: vehicle.curve, wheels }))
     }
 
     /// The case with another wheel under study.
@@ -107,10 +97,7 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let set = |key: &str, value: Value| (key.to_owned(), value);
         let mut settings = vec![
-            set(
-                "contact.from.wheelset",
-                Value::Integer(state.wheelset as i64),
-            ),
+            set("contact.from.wheelset", Value::Integer(state.wheelset as i64)),
             set("contact.from.rail", rail.name().into()),
         ];
         if from.contact.is_some() || contact == ContactOfWheel::Flange {
@@ -141,10 +128,7 @@ mod tests {
     /// Each wheel grows as if it had been asked for by its keys, whichever wheel the case has.
     #[test]
     fn wheels_are_those_that_keys_ask_for() {
-        let found = case(
-            CURVE,
-            &["contact.from.wheelset=2", "contact.from.rail=right"],
-        );
+        let found = case(CURVE, &["contact.from.wheelset=2", "contact.from.rail=right"]);
         let found = found.wheels_of_curve().unwrap().unwrap();
         let names: Vec<String> = found.wheels.iter().map(WheelOfCurve::name).collect();
         assert_eq!(
@@ -164,12 +148,7 @@ mod tests {
                 format!("contact.from.contact={}", wheel.contact.name()),
             ];
             let asked = case(CURVE, &keys.each_ref().map(String::as_str));
-            let got = growth(
-                wheel
-                    .case
-                    .as_ref()
-                    .unwrap_or_else(|error| panic!("{error}")),
-            );
+            let got = growth(wheel.case.as_ref().unwrap_or_else(|error| panic!("{error}")));
             assert_eq!(got, growth(&asked));
         }
     }
@@ -193,10 +172,7 @@ mod tests {
     /// The leading wheels slide as a whole; a law that ends in sliding has a loop on them and on those behind.
     #[test]
     fn every_wheel_has_a_loop_in_full_sliding() {
-        let keys = [
-            "contact.creep_law=shen-hedrick-elkins",
-            "contact.from.wheelset=2",
-        ];
+        let keys = ["contact.creep_law=shen-hedrick-elkins", "contact.from.wheelset=2"];
         let found = case(CURVE, &keys).wheels_of_curve().unwrap().unwrap();
         let wheels: Vec<_> = found.wheels.iter().map(|wheel| &wheel.case).collect();
         assert!(wheels.iter().all(|case| case.is_ok()));

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use riffel::Complex64;
 use riffel::wheelset::{
-    ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, ModeName, NaturalMode,
-    RememberingWheelset, RigidWheelset, Wheelset,
+    ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, ModeName, NaturalMode, RememberingWheelset,
+    RigidWheelset, Wheelset,
 };
 use riffel_keys::{CaseError, Message, fixed, say};
 
@@ -72,32 +72,15 @@ impl CaseWheelset {
         let Self::Modal(modal, _) = self else {
             return None;
         };
-        let last = modal
-            .modes()
-            .iter()
-            .map(|mode| mode.angular_frequency / TAU)
-            .fold(0.0, f64::max);
+        let last = modal.modes().iter().map(|mode| mode.angular_frequency / TAU).fold(0.0, f64::max);
         // Without them the compliance of the modes left out is missing, which is some of the whole from there on.
-        let up_to = if modal.has_residual() {
-            last
-        } else {
-            0.5 * last
-        };
-        (highest > up_to).then(|| {
-            say!(
-                modes_of_wheelset_end,
-                up_to = fixed(up_to, 0),
-                highest = fixed(highest, 0)
-            )
-        })
+        let up_to = if modal.has_residual() { last } else { 0.5 * last };
+        (highest > up_to).then(|| say!(modes_of_wheelset_end, up_to = fixed(up_to, 0), highest = fixed(highest, 0)))
     }
 }
 
 /// A wheelset, and beside it, where cases share their parts, the same with a memory of what it answered.
-pub(crate) type BuiltWheelset = (
-    Arc<CaseWheelset>,
-    Option<Arc<RememberingWheelset<Arc<CaseWheelset>>>>,
-);
+pub(crate) type BuiltWheelset = (Arc<CaseWheelset>, Option<Arc<RememberingWheelset<Arc<CaseWheelset>>>>);
 
 /// A natural frequency of a wheelset.
 #[derive(Debug, Clone)]
@@ -115,11 +98,7 @@ impl Case {
     ///
     /// # Errors
     /// [`CaseError`] where they cannot be told apart so high.
-    pub fn wheelset_modes(
-        &self,
-        wheelset: &CaseWheelset,
-        highest: f64,
-    ) -> Result<Vec<WheelsetMode>, CaseError> {
+    pub fn wheelset_modes(&self, wheelset: &CaseWheelset, highest: f64) -> Result<Vec<WheelsetMode>, CaseError> {
         match wheelset {
             CaseWheelset::Rigid(rigid) => Ok(rigid_modes(rigid, highest)),
             CaseWheelset::Modal(modal, rigid) => {

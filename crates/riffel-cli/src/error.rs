@@ -56,17 +56,10 @@ pub(crate) enum CliError {
 
     #[error("{path} is there already", path = path.display())]
     #[diagnostic(help("give another name, or {way_out}"))]
-    Exists {
-        path: PathBuf,
-        way_out: &'static str,
-    },
+    Exists { path: PathBuf, way_out: &'static str },
 
     #[error("{argument} is {value}, but must be {rule}")]
-    Argument {
-        argument: &'static str,
-        value: String,
-        rule: String,
-    },
+    Argument { argument: &'static str, value: String, rule: String },
 
     #[error("{argument}{message}")]
     Range {
@@ -86,11 +79,7 @@ pub(crate) enum CliError {
     Physics { input: String, error: riffel::Error },
 
     #[error("{path}, line {line}: {message}", path = path.display())]
-    Observation {
-        path: PathBuf,
-        line: usize,
-        message: String,
-    },
+    Observation { path: PathBuf, line: usize, message: String },
 
     #[error("{error}")]
     #[diagnostic(help("choose another port, or --port 0 for any that is free"))]
@@ -99,9 +88,7 @@ pub(crate) enum CliError {
     #[error("{error}")]
     Serve { error: riffel_web::ServeError },
 
-    #[error(
-        "this program was built without the WebAssembly module that the page in one file needs"
-    )]
+    #[error("this program was built without the WebAssembly module that the page in one file needs")]
     #[diagnostic(help(
         "in the sources of Riffel run `cargo xtask page` and build the program anew, or give the module with --module; \
          the programs of a release have it"

@@ -39,16 +39,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
     messages::lay_out_errors();
     let words: Vec<OsString> = arguments.into_iter().collect();
     match parse(&words) {
-        Ok((
-            arguments @ Arguments {
-                command:
-                    Command::Ask(Ask {
-                        translations, page, ..
-                    }),
-                ..
-            },
-            _,
-        )) => {
+        Ok((arguments @ Arguments { command: Command::Ask(Ask { translations, page, .. }), .. }, _)) => {
             if let Some(process) = page {
                 riffel_keys::seal::seal();
                 end_with(process);
@@ -92,15 +83,10 @@ fn parse(words: &[OsString]) -> Parsed {
 
 /// The command with every option of a number taking one below zero, which its range then refuses in a sentence.
 fn with_numbers_below_zero(command: clap::Command) -> clap::Command {
-    let names: Vec<String> = command
-        .get_subcommands()
-        .map(|command| command.get_name().to_owned())
-        .collect();
+    let names: Vec<String> = command.get_subcommands().map(|command| command.get_name().to_owned()).collect();
     let command = command.mut_args(|argument| {
         let parser = argument.get_value_parser();
-        let is_text = [TypeId::of::<String>(), TypeId::of::<PathBuf>()]
-            .iter()
-            .any(|text| parser.type_id() == *text);
+        let is_text = [TypeId::of::<String>(), TypeId::of::<PathBuf>()].iter().any(|text| parser.type_id() == *text);
         let is_number = argument.get_action().takes_values() && !is_text;
         // What may stand alone takes no option behind it for its value.
         let is_alone = (argument.get_num_args()).is_some_and(|range| range.min_values() == 0);
@@ -110,9 +96,7 @@ fn with_numbers_below_zero(command: clap::Command) -> clap::Command {
             false => argument,
         }
     });
-    names.iter().fold(command, |command, name| {
-        command.mut_subcommand(name, with_numbers_below_zero)
-    })
+    names.iter().fold(command, |command, name| command.mut_subcommand(name, with_numbers_below_zero))
 }
 
 /// The command line of the question on standard input.
@@ -125,9 +109,7 @@ fn asked(arguments: &Arguments) -> Result<Vec<OsString>, CliError> {
     let question = question.map_err(|reason| CliError::ReadQuestion { reason })?;
     let options = arguments.options_of_all().map(OsString::from);
     let words = [OsString::from("riffel")].into_iter().chain(options);
-    Ok(words
-        .chain(question::words(&command, name, &question)?)
-        .collect())
+    Ok(words.chain(question::words(&command, name, &question)?).collect())
 }
 
 fn run_parsed(parsed: Parsed, words: &[OsString], reader: Reader, program: &[OsString]) -> u8 {
@@ -170,12 +152,7 @@ fn run_parsed(parsed: Parsed, words: &[OsString], reader: Reader, program: &[OsS
 /// The language that a command line asks for which is wrong elsewhere.
 fn asked_language(words: &[OsString]) -> Language {
     let words = words.iter().map(|word| word.to_string_lossy());
-    match words
-        .collect::<Vec<_>>()
-        .join(" ")
-        .replace('=', " ")
-        .contains("--language de")
-    {
+    match words.collect::<Vec<_>>().join(" ").replace('=', " ").contains("--language de") {
         true => Language::German,
         false => Language::English,
     }

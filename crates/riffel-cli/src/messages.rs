@@ -77,9 +77,7 @@ pub(crate) fn lay_out_errors() {
     const COLUMNS: usize = 80;
     if !io::stderr().is_terminal() {
         // Fails where it has been done: a Python process may run the program more than once.
-        let _ = miette::set_hook(Box::new(|_| {
-            Box::new(MietteHandlerOpts::new().width(COLUMNS).build())
-        }));
+        let _ = miette::set_hook(Box::new(|_| Box::new(MietteHandlerOpts::new().width(COLUMNS).build())));
     }
 }
 
@@ -182,10 +180,7 @@ fn write_line(document: &Value) {
 /// What is wrong with the command line. In colours on a terminal, unless the command line has control characters
 /// itself, as they could not be told apart. As JSON where another program asks for it: the first paragraph is the
 /// message.
-pub(crate) fn complain_of_usage<'a>(
-    usage: &clap::Error,
-    mut arguments: impl Iterator<Item = &'a OsStr>,
-) {
+pub(crate) fn complain_of_usage<'a>(usage: &clap::Error, mut arguments: impl Iterator<Item = &'a OsStr>) {
     if is_for_a_program() {
         let words = usage.render().to_string();
         let words = words.trim_end();

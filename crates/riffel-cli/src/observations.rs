@@ -32,24 +32,13 @@ pub(crate) fn read(path: &Path) -> miette::Result<Vec<Observation>> {
 }
 
 fn parse(path: &Path, text: &str) -> Result<Vec<Observation>, CliError> {
-    let wrong = |line: usize, message: String| CliError::Observation {
-        path: path.to_owned(),
-        line,
-        message,
-    };
+    let wrong = |line: usize, message: String| CliError::Observation { path: path.to_owned(), line, message };
     let find = |names: &[String]| {
-        let column = |known: &str| {
-            names
-                .iter()
-                .position(|name| is_one_of(&word(name).0, known))
-        };
+        let column = |known: &str| names.iter().position(|name| is_one_of(&word(name).0, known));
         let required = |known: &'static str| {
             let first = known.split('|').next().unwrap_or_default();
-            column(known).ok_or_else(|| {
-                format!(
-                    "no column \"{first}\"; there must be wavelength, speed and, if wanted, label"
-                )
-            })
+            column(known)
+                .ok_or_else(|| format!("no column \"{first}\"; there must be wavelength, speed and, if wanted, label"))
         };
         Ok((required(WAVELENGTH)?, required(SPEED)?, column(LABEL)))
     };
@@ -88,27 +77,20 @@ fn parse(path: &Path, text: &str) -> Result<Vec<Observation>, CliError> {
 /// Name and unit of a column: "speed" and "km/h" of "Speed [km/h]", "speed_km_h" or "speed_km_per_h".
 fn word(header: &str) -> (String, String) {
     let header = header.to_lowercase();
-    let end = header
-        .find(|c: char| !c.is_alphabetic())
-        .unwrap_or(header.len());
+    let end = header.find(|c: char| !c.is_alphabetic()).unwrap_or(header.len());
     let (name, unit) = header.split_at(end);
     let unit = unit.trim_matches(|c: char| " _[]()/".contains(c));
     let unit = unit.replace("_per_", "/").replace('_', "/");
-    let unit = if unit == "kmh" {
-        "km/h".to_owned()
-    } else {
-        unit
-    };
+    let unit = if unit == "kmh" { "km/h".to_owned() } else { unit };
     (name.to_owned(), unit)
 }
 
 fn in_range<D: Dimension>(name: &str, text: &str) -> Result<f64, String> {
     let read = PhysicalRange::read::<D>(&format!("--{name}"), text);
-    read.map(|(si, _)| si)
-        .map_err(|rule| match rule.to_string().starts_with("is ") {
-            true => format!("{name} {rule}"),
-            false => format!("{name}: {rule}"),
-        })
+    read.map(|(si, _)| si).map_err(|rule| match rule.to_string().starts_with("is ") {
+        true => format!("{name} {rule}"),
+        false => format!("{name}: {rule}"),
+    })
 }
 
 #[cfg(test)]

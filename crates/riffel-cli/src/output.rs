@@ -56,19 +56,13 @@ fn length_of_number(text: &str) -> usize {
 /// Names come from files of others: what commands a terminal is written out.
 fn write(text: &str) -> Result<(), CliError> {
     let mut stdout = io::stdout().lock();
-    unless_reader_left(
-        stdout
-            .write_all(printable(text).as_bytes())
-            .and_then(|()| stdout.flush()),
-    )
+    unless_reader_left(stdout.write_all(printable(text).as_bytes()).and_then(|()| stdout.flush()))
 }
 
 /// The outcome of writing to standard output: a reader that has gone away (`riffel … | head`) is not an error.
 pub(crate) fn unless_reader_left(outcome: io::Result<()>) -> Result<(), CliError> {
     match outcome {
-        Err(reason) if reason.kind() != io::ErrorKind::BrokenPipe => {
-            Err(CliError::StandardOutput { reason })
-        }
+        Err(reason) if reason.kind() != io::ErrorKind::BrokenPipe => Err(CliError::StandardOutput { reason }),
         _ => Ok(()),
     }
 }
@@ -90,9 +84,7 @@ pub(crate) fn json(document: &impl Serialize) -> String {
     if let Some(body) = text.strip_suffix("\n}")
         && let Ok(Value::Object(tables)) = serde_json::to_value(known)
     {
-        let tables = tables
-            .iter()
-            .map(|(key, table)| format!(",\n  \"{key}\": {table}"));
+        let tables = tables.iter().map(|(key, table)| format!(",\n  \"{key}\": {table}"));
         text = format!("{body}{}\n}}", tables.collect::<String>());
     }
     // JSON writes out those below a blank alone; no other place than in a string has one.
@@ -108,8 +100,7 @@ pub(crate) fn json(document: &impl Serialize) -> String {
 }
 
 /// A line below the header, none between the rows.
-const STYLE: TableStyle =
-    presets::NOTHING.header_separator(comfy_table::LineStyle::new('─', '─', '─', '─'));
+const STYLE: TableStyle = presets::NOTHING.header_separator(comfy_table::LineStyle::new('─', '─', '─', '─'));
 
 /// A table of an answer as a reader sees it: words to the left, numbers to the right.
 pub(crate) fn table_of(table: &riffel_answers::Table) -> Table {

@@ -31,10 +31,7 @@ pub(crate) fn over(
     let Some(draws) = draws else {
         return Ok(None);
     };
-    let progress = Progress::new(
-        riffel_keys::say!(progress_draws_of_calibration),
-        draws.count(),
-    );
+    let progress = Progress::new(riffel_keys::say!(progress_draws_of_calibration), draws.count());
     answer(draws, &|by| progress.advance(by)).map(Some)
 }
 

@@ -54,12 +54,7 @@ impl Progress {
             bar.set_style(style);
         }
         bar.set_message(what.text(language()));
-        let count = Arc::new(Count {
-            what,
-            is_in_words,
-            done: AtomicU64::new(0),
-            total: AtomicU64::new(total),
-        });
+        let count = Arc::new(Count { what, is_in_words, done: AtomicU64::new(0), total: AtomicU64::new(total) });
         let is_terminal = stderr().is_terminal();
         // On a clock of their own: work in one long step never advances.
         if is_terminal {
@@ -78,11 +73,7 @@ impl Progress {
             thread::spawn(move || count.tell(&ends));
             lines
         });
-        Self {
-            bar,
-            count,
-            _lines: lines,
-        }
+        Self { bar, count, _lines: lines }
     }
 
     /// Some more is done.
@@ -115,12 +106,7 @@ impl Count {
     }
 
     /// Tell how far it is each time that it still goes on after a while.
-    fn tell_while(
-        &self,
-        mut goes_on: impl FnMut(Duration) -> bool,
-        every: Duration,
-        mut tell: impl FnMut(u64, u64),
-    ) {
+    fn tell_while(&self, mut goes_on: impl FnMut(Duration) -> bool, every: Duration, mut tell: impl FnMut(u64, u64)) {
         while goes_on(every) {
             let [done, total] = [&self.done, &self.total].map(|it| it.load(Ordering::Relaxed));
             tell(done, total.max(done));
@@ -169,10 +155,7 @@ fn is_among_results() -> bool {
     let pipe = |stream: BorrowedFd<'_>| {
         let file = File::from(stream.try_clone_to_owned().ok()?);
         let there = file.metadata().ok()?;
-        there
-            .file_type()
-            .is_fifo()
-            .then(|| (there.dev(), there.ino()))
+        there.file_type().is_fifo().then(|| (there.dev(), there.ino()))
     };
     pipe(stderr().as_fd()).is_some_and(|there| pipe(std::io::stdout().as_fd()) == Some(there))
 }
@@ -243,17 +226,9 @@ mod tests {
             "80 of 100 draws, 2.7 a second, 7.5 s left",
         ]);
         assert_eq!(told(true, Language::English), expected.collect::<Vec<_>>());
-        let expected = at([
-            "listening: 0 %",
-            "listening: 40 %, 30 s left",
-            "listening: 80 %, 7.5 s left",
-        ]);
+        let expected = at(["listening: 0 %", "listening: 40 %, 30 s left", "listening: 80 %, 7.5 s left"]);
         assert_eq!(told(false, Language::English), expected.collect::<Vec<_>>());
-        let expected = at([
-            "Abhören: 0 %",
-            "Abhören: 40 %, noch 30 s",
-            "Abhören: 80 %, noch 7,5 s",
-        ]);
+        let expected = at(["Abhören: 0 %", "Abhören: 40 %, noch 30 s", "Abhören: 80 %, noch 7,5 s"]);
         assert_eq!(told(false, Language::German), expected.collect::<Vec<_>>());
     }
 }

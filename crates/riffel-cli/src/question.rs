@@ -15,18 +15,8 @@ use crate::error::CliError;
 const NOT_ASKED: [&str; 2] = ["json", "help"];
 
 /// Commands that answer nothing: they are for a person at a terminal, or write what others start from.
-const NO_QUESTIONS: [&str; 10] = [
-    "ask",
-    "completions",
-    "figures",
-    "help",
-    "init",
-    "man",
-    "page",
-    "schema",
-    "serve",
-    "validate",
-];
+const NO_QUESTIONS: [&str; 10] =
+    ["ask", "completions", "figures", "help", "init", "man", "page", "schema", "serve", "validate"];
 
 /// The names of all questions, those below a command after its own name.
 fn names(program: &Command) -> Vec<String> {
@@ -50,9 +40,7 @@ pub(crate) fn find(program: &Command, name: &[String]) -> Result<Command, CliErr
     let below = |command: Command, name: &String| command.find_subcommand(name).cloned();
     let mut command = program.clone();
     command.build();
-    let found = known
-        .contains(&asked)
-        .then(|| name.iter().try_fold(command, below));
+    let found = known.contains(&asked).then(|| name.iter().try_fold(command, below));
     found.flatten().ok_or_else(|| CliError::Argument {
         argument: "NAME",
         value: asked,
@@ -68,9 +56,7 @@ pub(crate) fn words(
 ) -> Result<Vec<OsString>, CliError> {
     let mut words: Vec<String> = name.to_vec();
     let mut files = Vec::new();
-    let has_json = command
-        .get_arguments()
-        .any(|argument| argument.get_id() == "json");
+    let has_json = command.get_arguments().any(|argument| argument.get_id() == "json");
     words.extend(has_json.then(|| "--json".to_owned()));
     for (key, value) in question {
         let argument = arguments(command).find(|argument| key_of(argument) == *key);
@@ -78,10 +64,7 @@ pub(crate) fn words(
             message: format!(
                 "`{key}` is not a key of {}; its keys are {}",
                 name.join(" "),
-                arguments(command)
-                    .map(key_of)
-                    .collect::<Vec<_>>()
-                    .join(", ")
+                arguments(command).map(key_of).collect::<Vec<_>>().join(", ")
             ),
         })?;
         let option = match argument.is_positional() {
@@ -119,9 +102,7 @@ fn written(argument: &Arg, key: &str, value: &Value) -> Result<String, CliError>
         Value::Object(_) if is_file(argument) => return Ok(path_of(key)),
         _ => "a number, a text or a list of them as `riffel schema --question` has it",
     };
-    Err(CliError::Question {
-        message: format!("`{key}` is {value}, but must be {rule}"),
-    })
+    Err(CliError::Question { message: format!("`{key}` is {value}, but must be {rule}") })
 }
 
 /// The JSON schema of a question.
@@ -147,12 +128,7 @@ fn property(argument: &Arg) -> Value {
         json!("boolean")
     } else if is(&[TypeId::of::<f64>()]) {
         json!("number")
-    } else if is(&[
-        TypeId::of::<u16>(),
-        TypeId::of::<u32>(),
-        TypeId::of::<u64>(),
-        TypeId::of::<usize>(),
-    ]) {
+    } else if is(&[TypeId::of::<u16>(), TypeId::of::<u32>(), TypeId::of::<u64>(), TypeId::of::<usize>()]) {
         json!("integer")
     } else if !values.is_empty() {
         json!("string")
@@ -181,19 +157,15 @@ fn property(argument: &Arg) -> Value {
 
 /// What is asked of a command.
 fn arguments(command: &Command) -> impl Iterator<Item = &Arg> {
-    command.get_arguments().filter(|argument| {
-        !argument.is_global_set() && !NOT_ASKED.contains(&argument.get_id().as_str())
-    })
+    command
+        .get_arguments()
+        .filter(|argument| !argument.is_global_set() && !NOT_ASKED.contains(&argument.get_id().as_str()))
 }
 
 /// The name of an option, or what a positional argument is called in the help.
 fn key_of(argument: &Arg) -> String {
     let names = argument.get_value_names().unwrap_or_default();
-    let positional = || {
-        names
-            .first()
-            .map_or(argument.get_id().as_str(), |name| name)
-    };
+    let positional = || names.first().map_or(argument.get_id().as_str(), |name| name);
     let name = argument.get_long().unwrap_or_else(positional);
     name.to_lowercase().replace('-', "_")
 }
@@ -205,9 +177,7 @@ fn may_stand_alone(argument: &Arg) -> bool {
 }
 
 fn takes_many(argument: &Arg) -> bool {
-    let many = argument
-        .get_num_args()
-        .is_some_and(|count| count.max_values() > 1);
+    let many = argument.get_num_args().is_some_and(|count| count.max_values() > 1);
     many || matches!(argument.get_action(), ArgAction::Append)
 }
 

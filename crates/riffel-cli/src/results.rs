@@ -19,11 +19,7 @@ pub(crate) struct Results<'a> {
 }
 
 impl<'a> Results<'a> {
-    pub(crate) fn of(
-        command: &'static str,
-        case: &'a CaseArguments,
-        to: &'a ResultsArguments,
-    ) -> Self {
+    pub(crate) fn of(command: &'static str, case: &'a CaseArguments, to: &'a ResultsArguments) -> Self {
         Self { command, case, to }
     }
 

@@ -106,12 +106,7 @@ impl Staging {
         let scratch = Scratch::new_in(folder).map_err(|reason| cannot_write(folder, reason))?;
         let temporary = scratch.path().to_owned();
         *active = Some(Active { scratch, made });
-        Ok(Self {
-            command,
-            folder: folder.to_owned(),
-            temporary,
-            files: Vec::new(),
-        })
+        Ok(Self { command, folder: folder.to_owned(), temporary, files: Vec::new() })
     }
 
     /// Where a writer that wants a path may make the file of the given name.
@@ -179,8 +174,8 @@ impl Staging {
         let mut written = Files::new();
         for name in &self.files {
             check_file(&manifest, &self.folder, name)?;
-            let fingerprint = fingerprint(&self.temporary.join(name))
-                .map_err(|reason| self.cannot_write(name, reason))?;
+            let fingerprint =
+                fingerprint(&self.temporary.join(name)).map_err(|reason| self.cannot_write(name, reason))?;
             written.insert(name.clone(), fingerprint);
         }
         let stale = manifest.replace(self.command, &written);
@@ -260,15 +255,13 @@ pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<
     let _placing = active();
     let placed = match existing {
         Existing::Replace => fs::rename(&file, path),
-        Existing::Keep(_) => TempPath::try_from_path(&file)
-            .and_then(|file| file.persist_noclobber(path).map_err(|error| error.error)),
+        Existing::Keep(_) => {
+            TempPath::try_from_path(&file).and_then(|file| file.persist_noclobber(path).map_err(|error| error.error))
+        }
     };
     placed.map_err(|reason| match existing {
         Existing::Keep(way_out) if reason.kind() == io::ErrorKind::AlreadyExists => {
-            CliError::Exists {
-                path: path.to_owned(),
-                way_out,
-            }
+            CliError::Exists { path: path.to_owned(), way_out }
         }
         _ => cannot_write(path, reason),
     })
@@ -293,8 +286,5 @@ fn check_file(manifest: &Manifest, folder: &Path, name: &str) -> Result<(), CliE
 }
 
 fn cannot_write(path: &Path, reason: io::Error) -> CliError {
-    CliError::Write {
-        path: path.to_owned(),
-        reason,
-    }
+    CliError::Write { path: path.to_owned(), reason }
 }

@@ -16,91 +16,36 @@ pub struct BinaryFormat {
 const FORMATS: [BinaryFormat; 12] = [
     of(
         b"\x89HDF\r\n\x1a\n",
-        [
-            "HDF5, as MATLAB writes from 7.3 on",
-            "HDF5, wie MATLAB ab 7.3 es schreibt,",
-        ],
-        [
-            "h5py in Python or load in MATLAB",
-            "h5py in Python oder load in MATLAB",
-        ],
+        ["HDF5, as MATLAB writes from 7.3 on", "HDF5, wie MATLAB ab 7.3 es schreibt,"],
+        ["h5py in Python or load in MATLAB", "h5py in Python oder load in MATLAB"],
     ),
     of(
         b"MATLAB 5.0 MAT-file",
         ["a MAT-file", "eine MAT-Datei"],
-        [
-            "scipy.io.loadmat in Python or load in MATLAB",
-            "scipy.io.loadmat in Python oder load in MATLAB",
-        ],
+        ["scipy.io.loadmat in Python or load in MATLAB", "scipy.io.loadmat in Python oder load in MATLAB"],
     ),
     of(
         b"PK\x03\x04",
-        [
-            "a ZIP archive, as spreadsheets in .xlsx and .ods are",
-            "ein ZIP-Archiv, wie Tabellen in .xlsx und .ods,",
-        ],
-        [
-            "the spreadsheet or unzip",
-            "die Tabellenkalkulation oder unzip",
-        ],
+        ["a ZIP archive, as spreadsheets in .xlsx and .ods are", "ein ZIP-Archiv, wie Tabellen in .xlsx und .ods,"],
+        ["the spreadsheet or unzip", "die Tabellenkalkulation oder unzip"],
     ),
     of(
         b"\xd0\xcf\x11\xe0",
         ["an old file of Office", "eine alte Datei von Office"],
         ["the spreadsheet", "die Tabellenkalkulation"],
     ),
-    of(
-        b"PAR1",
-        ["Parquet"; 2],
-        ["pandas.read_parquet in Python"; 2],
-    ),
-    of(
-        b"ARROW1",
-        ["Feather"; 2],
-        ["pandas.read_feather in Python"; 2],
-    ),
-    of(
-        b"TDSm",
-        ["TDMS, as LabVIEW writes", "TDMS, wie LabVIEW es schreibt,"],
-        ["npTDMS in Python"; 2],
-    ),
-    of(
-        b"\x93NUMPY",
-        ["an array of NumPy", "ein Array von NumPy"],
-        ["numpy.load in Python"; 2],
-    ),
-    of(
-        b"\x1f\x8b",
-        ["compressed by gzip", "mit gzip gepackt"],
-        ["gunzip"; 2],
-    ),
-    of(
-        b"CDF\x01",
-        ["netCDF"; 2],
-        ["xarray.open_dataset in Python"; 2],
-    ),
-    of(
-        b"CDF\x02",
-        ["netCDF"; 2],
-        ["xarray.open_dataset in Python"; 2],
-    ),
-    of(
-        b"SQLite format 3\0",
-        ["a database of SQLite", "eine Datenbank von SQLite"],
-        ["sqlite3"; 2],
-    ),
+    of(b"PAR1", ["Parquet"; 2], ["pandas.read_parquet in Python"; 2]),
+    of(b"ARROW1", ["Feather"; 2], ["pandas.read_feather in Python"; 2]),
+    of(b"TDSm", ["TDMS, as LabVIEW writes", "TDMS, wie LabVIEW es schreibt,"], ["npTDMS in Python"; 2]),
+    of(b"\x93NUMPY", ["an array of NumPy", "ein Array von NumPy"], ["numpy.load in Python"; 2]),
+    of(b"\x1f\x8b", ["compressed by gzip", "mit gzip gepackt"], ["gunzip"; 2]),
+    of(b"CDF\x01", ["netCDF"; 2], ["xarray.open_dataset in Python"; 2]),
+    of(b"CDF\x02", ["netCDF"; 2], ["xarray.open_dataset in Python"; 2]),
+    of(b"SQLite format 3\0", ["a database of SQLite", "eine Datenbank von SQLite"], ["sqlite3"; 2]),
 ];
 
-const fn of(
-    signature: &'static [u8],
-    name: [&'static str; 2],
-    reader: [&'static str; 2],
-) -> BinaryFormat {
-    BinaryFormat {
-        signature,
-        name,
-        reader,
-    }
+const fn of(signature: &'static [u8], name: [&'static str; 2], reader: [&'static str; 2]) -> BinaryFormat {
+    BinaryFormat { signature, name, reader }
 }
 
 fn in_words([english, german]: [&str; 2]) -> Words {
@@ -110,9 +55,7 @@ fn in_words([english, german]: [&str; 2]) -> Words {
 impl BinaryFormat {
     /// That of a file which begins with some bytes; none of what is not known here.
     pub fn of(bytes: &[u8]) -> Option<&'static Self> {
-        FORMATS
-            .iter()
-            .find(|format| bytes.starts_with(format.signature))
+        FORMATS.iter().find(|format| bytes.starts_with(format.signature))
     }
 
     /// What it is called.
@@ -143,10 +86,7 @@ mod tests {
         for format in &FORMATS {
             let bytes = [format.signature, &[0; 100]].concat();
             let told = Encoding::of(&bytes).unwrap_err().to_string();
-            assert!(
-                told.contains(format.name[0]) && told.contains(format.reader[0]),
-                "{told}"
-            );
+            assert!(told.contains(format.name[0]) && told.contains(format.reader[0]), "{told}");
             assert_eq!(decode(bytes).unwrap_err().to_string(), told);
         }
         assert!(Encoding::of(b"PAR1,PAR2\n1,2\n").is_ok());

@@ -133,9 +133,7 @@ impl Diagnostic for CaseError {
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
         match self {
-            Self::Syntax { source_code, .. } | Self::Invalid { source_code, .. } => {
-                Some(source_code)
-            }
+            Self::Syntax { source_code, .. } | Self::Invalid { source_code, .. } => Some(source_code),
             Self::NotConverged(error) => error.source_code(),
             _ => None,
         }
@@ -151,53 +149,24 @@ impl CaseError {
     /// What is wrong.
     pub fn message(&self) -> Message {
         match self {
-            Self::Read { what, path, reason } => say!(
-                file_cannot_be_read,
-                what = named(what),
-                path = path.display(),
-                reason = reason.to_string()
-            ),
+            Self::Read { what, path, reason } => {
+                say!(file_cannot_be_read, what = named(what), path = path.display(), reason = reason.to_string())
+            }
             Self::Syntax { message, .. } => say!(not_valid_toml, message = message),
-            Self::Invalid { message, .. }
-            | Self::Point { message }
-            | Self::Changed { message, .. } => message.clone(),
+            Self::Invalid { message, .. } | Self::Point { message } | Self::Changed { message, .. } => message.clone(),
             Self::NotConverged(error) => error.message(),
             Self::Physics { input, error } => {
-                say!(
-                    place_and_fault,
-                    place = input,
-                    fault = physics_in_words(error)
-                )
+                say!(place_and_fault, place = input, fault = physics_in_words(error))
             }
-            Self::Override {
-                assignment,
-                message,
-            } => say!(
-                place_and_fault,
-                place = format!("--set {assignment}"),
-                fault = message.clone()
-            ),
-            Self::Data {
-                path,
-                line: None,
-                message,
-                ..
-            } => say!(
-                place_and_fault,
-                place = shown(path),
-                fault = message.clone()
-            ),
-            Self::Data {
-                path,
-                line: Some(line),
-                message,
-                ..
-            } => say!(
-                line_and_fault,
-                path = shown(path),
-                line = *line,
-                fault = message.clone()
-            ),
+            Self::Override { assignment, message } => {
+                say!(place_and_fault, place = format!("--set {assignment}"), fault = message.clone())
+            }
+            Self::Data { path, line: None, message, .. } => {
+                say!(place_and_fault, place = shown(path), fault = message.clone())
+            }
+            Self::Data { path, line: Some(line), message, .. } => {
+                say!(line_and_fault, path = shown(path), line = *line, fault = message.clone())
+            }
             Self::UnknownPreset { name, nearest } => {
                 say!(no_such_preset, name = name, nearest = nearest)
             }
@@ -228,12 +197,8 @@ impl CaseError {
             error => error.to_string(),
         };
         let (source, span) = match self {
-            Self::Syntax {
-                source_code, span, ..
-            } => (Some(source_code), Some(*span)),
-            Self::Invalid {
-                source_code, span, ..
-            } => (Some(source_code), *span),
+            Self::Syntax { source_code, span, .. } => (Some(source_code), Some(*span)),
+            Self::Invalid { source_code, span, .. } => (Some(source_code), *span),
             _ => (None, None),
         };
         // What was not read from a text has no name.
@@ -244,12 +209,7 @@ impl CaseError {
             let before = &text.as_bytes()[..span.offset().min(text.len())];
             let number = before.iter().filter(|&&byte| byte == b'\n').count();
             let line = text.lines().nth(number).unwrap_or_default();
-            words += &format!(
-                "\n  {}, line {}: {}",
-                source.name(),
-                number + 1,
-                line.trim()
-            );
+            words += &format!("\n  {}, line {}: {}", source.name(), number + 1, line.trim());
         }
         if let Some(help) = self.help() {
             words += &format!("\n  {help}");
@@ -273,12 +233,7 @@ impl CaseError {
 
     /// A file of data that cannot be used as a whole, and why not.
     pub fn data(path: impl Into<PathBuf>, message: impl Into<Message>) -> Self {
-        Self::Data {
-            path: path.into(),
-            line: None,
-            message: message.into(),
-            help: None,
-        }
+        Self::Data { path: path.into(), line: None, message: message.into(), help: None }
     }
 }
 
@@ -300,57 +255,26 @@ mod tests {
             span: Some(span),
         };
         vec![
-            CaseError::Read {
-                what: "case file",
-                path: words.into(),
-                reason: io::Error::other(text()),
-            },
-            CaseError::Syntax {
-                message: text(),
-                source_code: source_code(),
-                span,
-            },
+            CaseError::Read { what: "case file", path: words.into(), reason: io::Error::other(text()) },
+            CaseError::Syntax { message: text(), source_code: source_code(), span },
             invalid(),
             CaseError::NotConverged(Box::new(invalid())),
-            CaseError::Physics {
-                input: text(),
-                error: riffel::Error::GridTooSmall {
-                    length: 1.0,
-                    width: 1.0,
-                },
-            },
-            CaseError::Point {
-                message: text().into(),
-            },
-            CaseError::Override {
-                assignment: text(),
-                message: text().into(),
-            },
-            CaseError::Data {
-                path: words.into(),
-                line: Some(3),
-                message: text().into(),
-                help: Some(text().into()),
-            },
-            CaseError::UnknownPreset {
-                name: text(),
-                nearest: text(),
-            },
+            CaseError::Physics { input: text(), error: riffel::Error::GridTooSmall { length: 1.0, width: 1.0 } },
+            CaseError::Point { message: text().into() },
+            CaseError::Override { assignment: text(), message: text().into() },
+            CaseError::Data { path: words.into(), line: Some(3), message: text().into(), help: Some(text().into()) },
+            CaseError::UnknownPreset { name: text(), nearest: text() },
         ]
     }
 
     fn shown(error: &CaseError) -> Vec<String> {
         let labels = error.labels().into_iter().flatten();
         let labels = labels.filter_map(|label| label.label().map(str::to_owned));
-        [
-            error.to_string(),
-            error.in_words(),
-            in_a_message(&error.without_key().to_string()).into_owned(),
-        ]
-        .into_iter()
-        .chain(error.help().map(|help| help.to_string()))
-        .chain(labels)
-        .collect()
+        [error.to_string(), error.in_words(), in_a_message(&error.without_key().to_string()).into_owned()]
+            .into_iter()
+            .chain(error.help().map(|help| help.to_string()))
+            .chain(labels)
+            .collect()
     }
 
     proptest! {

@@ -37,8 +37,7 @@ pub(crate) fn excerpt(text: &str, range: Range<usize>) -> (String, Range<usize>)
     let mut begin = 0;
     for line in text.split_inclusive('\n') {
         let end = begin + line.len();
-        let holds_it =
-            (begin..end).contains(&range.start) || (range.start == text.len() && end == text.len());
+        let holds_it = (begin..end).contains(&range.start) || (range.start == text.len() && end == text.len());
         let mut kept = begin..end;
         if line.len() > IN_A_LINE {
             if holds_it {
@@ -72,10 +71,7 @@ mod tests {
     #[test]
     fn short_texts_stay_as_they_are() {
         assert_eq!(clipped("friction"), "friction");
-        assert_eq!(
-            excerpt("a = 1\nb = 2\n", 6..7),
-            ("a = 1\nb = 2\n".to_owned(), 6..7)
-        );
+        assert_eq!(excerpt("a = 1\nb = 2\n", 6..7), ("a = 1\nb = 2\n".to_owned(), 6..7));
     }
 
     #[test]

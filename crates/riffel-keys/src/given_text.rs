@@ -10,10 +10,7 @@ thread_local! {
 
 /// The result of `read`, to which texts were given with their names: meanwhile readers on this thread take them in place of
 /// files.
-pub fn with_texts<T>(
-    texts: impl IntoIterator<Item = (String, String)>,
-    read: impl FnOnce() -> T,
-) -> T {
+pub fn with_texts<T>(texts: impl IntoIterator<Item = (String, String)>, read: impl FnOnce() -> T) -> T {
     let texts = texts.into_iter();
     let texts = texts.map(|(name, text)| (name.into(), text));
     let outer = GIVEN.replace(texts.collect());
@@ -35,10 +32,7 @@ mod tests {
     #[test]
     fn a_text_is_read_by_its_name_and_only_meanwhile() {
         let read = |name: &str| read_bounded(Path::new(name), "profile", 4);
-        let texts = [
-            ("my wheel.csv".to_owned(), "0, 1".to_owned()),
-            ("long.csv".to_owned(), "0, 10".to_owned()),
-        ];
+        let texts = [("my wheel.csv".to_owned(), "0, 1".to_owned()), ("long.csv".to_owned(), "0, 10".to_owned())];
         with_texts(texts, || {
             assert_eq!(read("my wheel.csv").unwrap(), b"0, 1");
             let refused = read("long.csv").unwrap_err().to_string();

@@ -46,8 +46,7 @@ pub use excerpt::clipped;
 pub use key_file::{KeyFile, overridden_key};
 pub use language::Language;
 pub use message::{
-    Message, Value, decimal, fixed, number, range, shown_speed, shown_speeds, significant,
-    significant_digits,
+    Message, Value, decimal, fixed, number, range, shown_speed, shown_speeds, significant, significant_digits,
 };
 pub use physics_in_words::physics_in_words;
 pub use range::{PhysicalRange, RANGES, bound};

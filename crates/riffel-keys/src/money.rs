@@ -3,9 +3,7 @@
 use crate::{Message, say};
 
 /// Currencies that may stand behind a multiple, or wrongly before a sum.
-const CURRENCIES: [&str; 12] = [
-    "EUR", "€", "CHF", "GBP", "£", "USD", "$", "SEK", "NOK", "DKK", "PLN", "CZK",
-];
+const CURRENCIES: [&str; 12] = ["EUR", "€", "CHF", "GBP", "£", "USD", "$", "SEK", "NOK", "DKK", "PLN", "CZK"];
 
 /// The number of a sum, and what stands behind it.
 ///
@@ -19,11 +17,7 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
     if let Some(currency) = CURRENCIES.iter().find(before) {
         let (sum, _) = read(&text[currency.len()..])?;
         let plain = format!("{sum} {currency}");
-        return Err(say!(
-            is_with_its_currency_before,
-            value = text,
-            plain = plain
-        ));
+        return Err(say!(is_with_its_currency_before, value = text, plain = plain));
     }
     let (number, behind) = text.split_at(end_of_number(text));
     let value = || text.to_owned();
@@ -35,46 +29,27 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
         return Err(say!(is_with_thousands_apart, value = value()));
     }
     // A zero begins no thousands.
-    if after.len() == 3
-        && digits(after)
-        && digits(before)
-        && !before.trim_start_matches('0').is_empty()
-    {
+    if after.len() == 3 && digits(after) && digits(before) && !before.trim_start_matches('0').is_empty() {
         let plain = match after.trim_end_matches('0') {
             "" => before.to_owned(),
             kept if kept.len() == 3 => format!("{before}.{kept}0"),
             kept => format!("{before}.{kept}"),
         };
         let thousands = format!("{before}{after}");
-        let rule = say!(
-            is_perhaps_in_thousands,
-            value = value(),
-            thousands = thousands,
-            plain = plain
-        );
+        let rule = say!(is_perhaps_in_thousands, value = value(), thousands = thousands, plain = plain);
         return Err(rule);
     }
     if marks.contains(&',') {
-        return Err(say!(
-            is_with_a_comma,
-            value = value(),
-            plain = format!("{before}.{after}")
-        ));
+        return Err(say!(is_with_a_comma, value = value(), plain = format!("{before}.{after}")));
     }
     match number.parse() {
         Ok(sum) if f64::is_finite(sum) => match multiple(behind.trim_start()) {
             None => Ok((sum, behind.trim_start())),
-            Some((times, currency)) => Err(say!(
-                is_with_a_multiple,
-                value = value(),
-                plain = format!("{} {currency}", times * sum).trim_end()
-            )),
+            Some((times, currency)) => {
+                Err(say!(is_with_a_multiple, value = value(), plain = format!("{} {currency}", times * sum).trim_end()))
+            }
         },
-        _ => Err(say!(
-            is_but_must_be,
-            value = value(),
-            rule = say!(number_of_a_sum)
-        )),
+        _ => Err(say!(is_but_must_be, value = value(), rule = say!(number_of_a_sum))),
     }
 }
 
@@ -82,10 +57,7 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
 fn multiple(behind: &str) -> Option<(f64, &str)> {
     const WORDS: [(f64, &[&str]); 2] = [
         (1e3, &["k", "K", "T", "Tsd", "tsd", "thousand"]),
-        (
-            1e6,
-            &["M", "Mio", "mio", "Mill", "mn", "million", "millions"],
-        ),
+        (1e6, &["M", "Mio", "mio", "Mill", "mn", "million", "millions"]),
     ];
     WORDS.into_iter().find_map(|(times, words)| {
         words.iter().find_map(|word| {
@@ -111,8 +83,7 @@ fn end_of_number(text: &str) -> usize {
     while let Some((at, c)) = letters.next() {
         let next = letters.peek().map(|(_, next)| *next);
         let goes_on = next.is_some_and(|next| next.is_ascii_digit());
-        let is_exponent =
-            matches!(c, 'e' | 'E') && next.is_some_and(|next| goes_on || matches!(next, '+' | '-'));
+        let is_exponent = matches!(c, 'e' | 'E') && next.is_some_and(|next| goes_on || matches!(next, '+' | '-'));
         let is_of_it = match c {
             '0'..='9' | '.' | ',' | '+' | '-' => true,
             c if parts_thousands(c) => goes_on,
@@ -200,9 +171,7 @@ mod tests {
             assert!(rule.contains("thousands apart"), "{apart}: {rule}");
         }
         assert!(read("9,5 EUR").unwrap_err().to_string().contains("9.5"));
-        for none in [
-            "", "EUR 9000", "many", "1e400", "nan EUR", "inf", "--3", ".",
-        ] {
+        for none in ["", "EUR 9000", "many", "1e400", "nan EUR", "inf", "--3", "."] {
             assert!(read(none).is_err(), "{none}");
         }
     }

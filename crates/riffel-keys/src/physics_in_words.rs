@@ -16,12 +16,7 @@ static GERMAN: LazyLock<BTreeMap<String, String>> =
 /// An error of the physics. Those of values and of a vehicle in its curve have every language, others are English.
 pub fn physics_in_words(error: &Error) -> Message {
     match *error {
-        Error::OutOfRange {
-            quantity,
-            value,
-            unit,
-            rule,
-        } => say!(
+        Error::OutOfRange { quantity, value, unit, rule } => say!(
             out_of_range,
             quantity = named(quantity),
             value = number(readable(value)),
@@ -31,11 +26,7 @@ pub fn physics_in_words(error: &Error) -> Message {
             },
             rule = Words::new(rule.to_owned(), GERMAN.get(rule).cloned())
         ),
-        Error::OffTheRails {
-            wheelset,
-            lateral_shift,
-            yaw,
-        } => say!(
+        Error::OffTheRails { wheelset, lateral_shift, yaw } => say!(
             off_the_rails,
             wheelset = wheelset,
             shift = fixed(1e3 * lateral_shift, 0),
@@ -46,24 +37,12 @@ pub fn physics_in_words(error: &Error) -> Message {
         Error::NoEquilibrium { reached } => {
             say!(no_equilibrium_beyond, percent = fixed(100.0 * reached, 0))
         }
-        Error::TorqueBeyondFriction {
-            torque,
-            wheelset,
-            largest,
-        } => say!(
-            torque_beyond_friction,
-            torque = fixed(torque, 0),
-            wheelset = wheelset,
-            largest = fixed(largest, 0)
-        ),
-        Error::FullSlip {
-            creepage,
-            saturation_creepage,
-        } => say!(
-            beyond_full_slip,
-            creepage = fixed(100.0 * creepage, 4),
-            limit = fixed(100.0 * saturation_creepage, 4)
-        ),
+        Error::TorqueBeyondFriction { torque, wheelset, largest } => {
+            say!(torque_beyond_friction, torque = fixed(torque, 0), wheelset = wheelset, largest = fixed(largest, 0))
+        }
+        Error::FullSlip { creepage, saturation_creepage } => {
+            say!(beyond_full_slip, creepage = fixed(100.0 * creepage, 4), limit = fixed(100.0 * saturation_creepage, 4))
+        }
         ref other => Message::verbatim(other.to_string()),
     }
 }
@@ -107,10 +86,7 @@ mod tests {
     #[test]
     fn every_rule_has_its_german_and_is_one_of_the_physics() {
         let rules = rules();
-        let lacking: Vec<_> = rules
-            .iter()
-            .filter(|rule| !GERMAN.contains_key(*rule))
-            .collect();
+        let lacking: Vec<_> = rules.iter().filter(|rule| !GERMAN.contains_key(*rule)).collect();
         assert!(lacking.is_empty(), "no German of {lacking:#?}");
         let left: Vec<_> = GERMAN.keys().filter(|rule| !rules.contains(rule)).collect();
         assert!(left.is_empty(), "no rule of the physics: {left:#?}");
@@ -126,27 +102,11 @@ mod tests {
                 unit: "N",
                 rule: "must be finite and greater than zero",
             },
-            Error::OutOfRange {
-                quantity: "Poisson ratio",
-                value: 0.7,
-                unit: "",
-                rule: "must lie between -1 and 0.5",
-            },
-            Error::OffTheRails {
-                wheelset: 2,
-                lateral_shift: -0.031,
-                yaw: 0.012,
-            },
+            Error::OutOfRange { quantity: "Poisson ratio", value: 0.7, unit: "", rule: "must lie between -1 and 0.5" },
+            Error::OffTheRails { wheelset: 2, lateral_shift: -0.031, yaw: 0.012 },
             Error::NoEquilibrium { reached: 0.42 },
-            Error::TorqueBeyondFriction {
-                torque: 22_000.0,
-                wheelset: 1,
-                largest: 18_400.0,
-            },
-            Error::FullSlip {
-                creepage: 0.02,
-                saturation_creepage: 0.0031,
-            },
+            Error::TorqueBeyondFriction { torque: 22_000.0, wheelset: 1, largest: 18_400.0 },
+            Error::FullSlip { creepage: 0.02, saturation_creepage: 0.0031 },
         ];
         for error in errors {
             let message = physics_in_words(&error);

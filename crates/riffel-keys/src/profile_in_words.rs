@@ -16,17 +16,10 @@ impl From<&ProfileError> for Message {
             ProfileError::Shape(fault) => of_shape(fault),
             ProfileError::Gauge { gauge } => say!(rails_overlap, gauge = fixed(1e3 * gauge, 1)),
             ProfileError::GaugeHeight { gauge_height } => {
-                say!(
-                    ends_above_gauge_height,
-                    height = fixed(1e3 * gauge_height, 1)
-                )
+                say!(ends_above_gauge_height, height = fixed(1e3 * gauge_height, 1))
             }
             ProfileError::Contact(error) => error.into(),
-            ProfileError::NoContact {
-                lateral_shift,
-                yaw,
-                rail,
-            } => say!(
+            ProfileError::NoContact { lateral_shift, yaw, rail } => say!(
                 wheel_has_left_its_rail,
                 shift = fixed(1e3 * lateral_shift, 3),
                 yaw = fixed(1e3 * yaw, 3),

@@ -127,10 +127,7 @@ mod tests {
         let expected = "\"wavelength_m\",\"rail\"\n0.05,\"left, \"\"L\"\"\"\n0.063,\n";
         assert_eq!(csv, expected);
         let of = |table| columns(&table).unwrap_err().to_string();
-        assert_eq!(
-            of(json!({ "a": [1, 2], "b": [1] })),
-            "b has 1 values, but the first column has 2"
-        );
+        assert_eq!(of(json!({ "a": [1, 2], "b": [1] })), "b has 1 values, but the first column has 2");
         assert_eq!(of(json!({ "a": 1 })), "a is 1, but must be a list");
     }
 }

@@ -56,28 +56,15 @@ impl fmt::Display for BinaryByte {
 impl From<BinaryByte> for Message {
     fn from(byte: BinaryByte) -> Self {
         match byte.format {
-            Some(format) => say!(
-                file_of_binary_format,
-                name = format.name(),
-                reader = format.reader()
-            ),
-            None => say!(
-                file_is_binary,
-                at = number(byte.at + 1),
-                value = format!("{:#04x}", byte.value)
-            ),
+            Some(format) => say!(file_of_binary_format, name = format.name(), reader = format.reader()),
+            None => say!(file_is_binary, at = number(byte.at + 1), value = format!("{:#04x}", byte.value)),
         }
     }
 }
 
 impl BinaryByte {
     fn new(bytes: &[u8], at: usize) -> Self {
-        Self {
-            at,
-            line: line_of(bytes, at),
-            value: bytes[at],
-            format: BinaryFormat::of(bytes),
-        }
+        Self { at, line: line_of(bytes, at), value: bytes[at], format: BinaryFormat::of(bytes) }
     }
 }
 
@@ -152,11 +139,7 @@ pub fn is_standard_input(path: &Path) -> bool {
 /// [`CaseError::Read`] if it cannot be read, [`CaseError::Data`] if it is larger than `largest` bytes, so that
 /// endless input comes to an end.
 pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec<u8>, CaseError> {
-    let failed = |reason| CaseError::Read {
-        what,
-        path: path.to_owned(),
-        reason,
-    };
+    let failed = |reason| CaseError::Read { what, path: path.to_owned(), reason };
     let bytes = if let Some(text) = given(path) {
         Ok(text)
     } else if let Some(document) = question::as_toml(path) {
@@ -168,10 +151,7 @@ pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec
     };
     let bytes = bytes.map_err(failed)?;
     if bytes.len() as u64 > largest {
-        let message = format!(
-            "is larger than {} MiB, the most that Riffel reads of a {what}",
-            largest >> 20
-        );
+        let message = format!("is larger than {} MiB, the most that Riffel reads of a {what}", largest >> 20);
         return Err(CaseError::data(path, message));
     }
     Ok(bytes)
@@ -246,9 +226,9 @@ pub fn check_is_read_twice(path: &Path) -> io::Result<()> {
     let kind = std::fs::metadata(path)?;
     match kind.is_file() || kind.is_dir() {
         true => Ok(()),
-        false => Err(io::Error::other(
-            "it is a pipe or a device, but is read more than once: write it to a file first",
-        )),
+        false => {
+            Err(io::Error::other("it is a pipe or a device, but is read more than once: write it to a file first"))
+        }
     }
 }
 
@@ -269,8 +249,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
 /// A text as it may stand in a message: as [`printable`], with tabulators and carriage returns written out as well, so
 /// that of the control characters only line feeds stay.
 pub fn in_a_message(text: &str) -> Cow<'_, str> {
-    let unseen =
-        |&(_, character): &(usize, char)| is_command(character) || matches!(character, '\t' | '\r');
+    let unseen = |&(_, character): &(usize, char)| is_command(character) || matches!(character, '\t' | '\r');
     escaped(text, text.char_indices().filter(unseen))
 }
 
@@ -318,9 +297,8 @@ pub(crate) fn command_in(text: &str) -> Option<char> {
 
 /// Characters that [`printable`] escapes, and where they stand. A carriage return before a line feed is none.
 fn commands(text: &str) -> impl Iterator<Item = (usize, char)> {
-    text.char_indices().filter(|&(at, character)| {
-        is_command(character) && !(character == '\r' && text[at + 1..].starts_with('\n'))
-    })
+    text.char_indices()
+        .filter(|&(at, character)| is_command(character) && !(character == '\r' && text[at + 1..].starts_with('\n')))
 }
 
 /// Whether a terminal obeys a character, or it turns the direction of writing.
@@ -346,18 +324,15 @@ fn with_line_feeds(text: String) -> String {
 
 fn utf_16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
     let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
-    char::decode_utf16(units)
-        .map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER))
-        .collect()
+    char::decode_utf16(units).map(|character| character.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
 }
 
 /// The character of a byte in Windows-1252; the five bytes without one are the control characters of Latin 1.
 fn windows_1252(byte: u8) -> char {
     /// 0x80 to 0x9f, as the Unicode Consortium maps them (CP1252.TXT).
     const UPPER: [char; 32] = [
-        '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž',
-        '\u{8f}', '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}',
-        'ž', 'Ÿ',
+        '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘',
+        '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
     ];
     match byte {
         0x80..=0x9f => UPPER[usize::from(byte - 0x80)],
@@ -407,10 +382,7 @@ mod tests {
     fn binary_files_are_told_by_their_first_byte() {
         let wrong = decode(b"one\ntwo\x00three".to_vec()).unwrap_err();
         assert_eq!((wrong.at, wrong.line, wrong.value), (7, 2, 0));
-        assert_eq!(
-            wrong.to_string(),
-            "the file is binary: byte 8 is 0x00, which no text has"
-        );
+        assert_eq!(wrong.to_string(), "the file is binary: byte 8 is 0x00, which no text has");
         assert!(decode(vec![0; 1000]).is_err());
         assert!(decode(b"\x7fELF\x02\x01\x01\x00\x00".to_vec()).is_err());
         assert!(decode(Vec::new()).is_ok());

@@ -20,19 +20,11 @@ pub struct Exponents {
 impl Exponents {
     /// Exponents in the order kilogram, metre, second; without angles.
     pub const fn new(kilogram: i8, metre: i8, second: i8) -> Self {
-        Self {
-            kilogram,
-            metre,
-            second,
-            radian: 0,
-        }
+        Self { kilogram, metre, second, radian: 0 }
     }
 
     /// Those of an angle.
-    const ANGLE: Self = Self {
-        radian: 1,
-        ..Self::new(0, 0, 0)
-    };
+    const ANGLE: Self = Self { radian: 1, ..Self::new(0, 0, 0) };
 
     /// True for the unit of a quantity with exponents `own`. The radian may be left out beside other units: 1/m is
     /// rad/m, but a pure number is no angle.
@@ -55,12 +47,7 @@ impl Exponents {
 
 impl fmt::Display for Exponents {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let symbols = [
-            ("kg", self.kilogram),
-            ("m", self.metre),
-            ("s", self.second),
-            ("rad", self.radian),
-        ];
+        let symbols = [("kg", self.kilogram), ("m", self.metre), ("s", self.second), ("rad", self.radian)];
         let parts: Vec<String> = symbols
             .into_iter()
             .filter(|&(_, exponent)| exponent != 0)
@@ -126,16 +113,8 @@ const ALONE: [(&str, f64, Exponents); 22] = [
     ("lbs", 0.453_592_37, Exponents::new(1, 0, 0)),
     ("lbf", POUND_FORCE, Exponents::new(1, 1, -2)),
     ("kip", 1e3 * POUND_FORCE, Exponents::new(1, 1, -2)),
-    (
-        "psi",
-        POUND_FORCE / (INCH * INCH),
-        Exponents::new(1, -1, -2),
-    ),
-    (
-        "ksi",
-        1e3 * POUND_FORCE / (INCH * INCH),
-        Exponents::new(1, -1, -2),
-    ),
+    ("psi", POUND_FORCE / (INCH * INCH), Exponents::new(1, -1, -2)),
+    ("ksi", 1e3 * POUND_FORCE / (INCH * INCH), Exponents::new(1, -1, -2)),
 ];
 
 const PREFIXES: [(&str, f64); 10] = [
@@ -152,10 +131,7 @@ const PREFIXES: [(&str, f64); 10] = [
 ];
 
 impl Unit {
-    const ONE: Self = Self {
-        factor: 1.0,
-        exponents: Exponents::new(0, 0, 0),
-    };
+    const ONE: Self = Self { factor: 1.0, exponents: Exponents::new(0, 0, 0) };
 
     /// Read a unit.
     ///
@@ -175,9 +151,7 @@ impl Unit {
             if end > 0 {
                 let factor = product(&rest[..end]).ok_or_else(|| rest[..end].to_owned())?;
                 // In "kN/ms" the slash divides by the whole factor "ms", read as milliseconds.
-                unit = unit
-                    .times(factor, if divide { -1 } else { 1 })
-                    .ok_or_else(|| text.to_owned())?;
+                unit = unit.times(factor, if divide { -1 } else { 1 }).ok_or_else(|| text.to_owned())?;
                 (divide, expected) = (false, false);
                 rest = &rest[end..];
                 continue;
@@ -217,11 +191,7 @@ fn product(text: &str) -> Option<Unit> {
     if text.is_empty() || text == "1" {
         return Some(Unit::ONE);
     }
-    let mut ends: Vec<usize> = text
-        .char_indices()
-        .map(|(start, _)| start)
-        .skip(1)
-        .collect();
+    let mut ends: Vec<usize> = text.char_indices().map(|(start, _)| start).skip(1).collect();
     ends.push(text.len());
     // A symbol and its power have at most six characters.
     ends.truncate(6);
@@ -233,9 +203,8 @@ fn product(text: &str) -> Option<Unit> {
 
 /// One symbol with its power.
 fn power_of_symbol(text: &str) -> Option<Unit> {
-    let name = text.trim_end_matches(|c: char| {
-        c.is_ascii_digit() || matches!(c, '²' | '³' | '⁴' | '-' | '⁻' | '¹' | '^')
-    });
+    let name =
+        text.trim_end_matches(|c: char| c.is_ascii_digit() || matches!(c, '²' | '³' | '⁴' | '-' | '⁻' | '¹' | '^'));
     let power: String = text[name.len()..]
         .chars()
         .filter(|&c| c != '^')
@@ -248,11 +217,7 @@ fn power_of_symbol(text: &str) -> Option<Unit> {
             other => other,
         })
         .collect();
-    let power: i8 = if power.is_empty() {
-        1
-    } else {
-        power.parse().ok()?
-    };
+    let power: i8 = if power.is_empty() { 1 } else { power.parse().ok()? };
     if power.abs() > 6 {
         return None;
     }
@@ -261,22 +226,14 @@ fn power_of_symbol(text: &str) -> Option<Unit> {
 
 fn symbol(name: &str) -> Option<Unit> {
     let find = |name: &str, table: &[(&str, f64, Exponents)]| {
-        table
-            .iter()
-            .find(|(symbol, ..)| *symbol == name)
-            .map(|&(_, factor, exponents)| Unit { factor, exponents })
+        table.iter().find(|(symbol, ..)| *symbol == name).map(|&(_, factor, exponents)| Unit { factor, exponents })
     };
-    find(name, &ALONE)
-        .or_else(|| find(name, &PREFIXED))
-        .or_else(|| {
-            PREFIXES.iter().find_map(|(prefix, scale)| {
-                let unit = find(name.strip_prefix(prefix)?, &PREFIXED)?;
-                Some(Unit {
-                    factor: unit.factor * scale,
-                    ..unit
-                })
-            })
+    find(name, &ALONE).or_else(|| find(name, &PREFIXED)).or_else(|| {
+        PREFIXES.iter().find_map(|(prefix, scale)| {
+            let unit = find(name.strip_prefix(prefix)?, &PREFIXED)?;
+            Some(Unit { factor: unit.factor * scale, ..unit })
         })
+    })
 }
 
 #[cfg(test)]
@@ -335,8 +292,7 @@ mod tests {
 
     #[test]
     fn angles_are_no_pure_numbers() {
-        let [ratio, angle, spin, inverse] =
-            ["%", "deg", "mrad/mm", "1/m"].map(|text| Unit::parse(text).unwrap());
+        let [ratio, angle, spin, inverse] = ["%", "deg", "mrad/mm", "1/m"].map(|text| Unit::parse(text).unwrap());
         assert_eq!(angle.factor, std::f64::consts::PI / 180.0);
         assert_eq!(spin.factor, 1.0);
         assert_eq!(spin.exponents.to_string(), "m-1 rad");

@@ -38,11 +38,7 @@ impl Alignment {
     ///
     /// # Errors
     /// Those of the files.
-    pub(crate) fn of(
-        store: &Store,
-        survey: &SurveyRecord,
-        reference: &SurveyRecord,
-    ) -> Result<Self, NetworkError> {
+    pub(crate) fn of(store: &Store, survey: &SurveyRecord, reference: &SurveyRecord) -> Result<Self, NetworkError> {
         let resolution = store.resolution()?;
         let cell = |place: f64| (place / resolution).round() as i64;
         let (start, origin) = (cell(reference.start_m), cell(survey.start_m));
@@ -62,43 +58,25 @@ impl Alignment {
             let moved = here.between(from, count + 2 * farthest)?;
             found.push(best(&fixed, &moved, farthest));
         }
-        let known: Vec<(usize, i64)> = found
-            .iter()
-            .enumerate()
-            .filter_map(|(window, shift)| Some((window, (*shift)?)))
-            .collect();
+        let known: Vec<(usize, i64)> =
+            found.iter().enumerate().filter_map(|(window, shift)| Some((window, (*shift)?))).collect();
         let shifts = (0..found.len()).map(|window| {
             let nearest = known.iter().min_by_key(|(other, _)| other.abs_diff(window));
             nearest.map_or(0.0, |(_, shift)| *shift as f64 * resolution)
         });
-        Ok(Self {
-            from: reference.start_m,
-            window: WINDOW as f64 * resolution,
-            shifts: shifts.collect(),
-        })
+        Ok(Self { from: reference.start_m, window: WINDOW as f64 * resolution, shifts: shifts.collect() })
     }
 }
 
 /// By how many cells what is moved must go on to lie on what is fixed; `moved` begins and ends so many cells farther out.
 fn best(fixed: &[f64], moved: &[f64], farthest: i64) -> Option<i64> {
-    let correlations: Vec<(i64, f64)> = (0..=2 * farthest)
-        .map(|offset| {
-            (
-                farthest - offset,
-                correlation(fixed, &moved[offset as usize..]),
-            )
-        })
-        .collect();
-    let highest = correlations
-        .iter()
-        .map(|(_, of)| *of)
-        .fold(f64::MIN, f64::max);
+    let correlations: Vec<(i64, f64)> =
+        (0..=2 * farthest).map(|offset| (farthest - offset, correlation(fixed, &moved[offset as usize..]))).collect();
+    let highest = correlations.iter().map(|(_, of)| *of).fold(f64::MIN, f64::max);
     if highest < SAME {
         return None;
     }
-    let good = correlations
-        .into_iter()
-        .filter(|(_, of)| *of > highest - BETTER);
+    let good = correlations.into_iter().filter(|(_, of)| *of > highest - BETTER);
     good.map(|(shift, _)| shift).min_by_key(|shift| shift.abs())
 }
 
@@ -112,8 +90,7 @@ fn correlation(fixed: &[f64], moved: &[f64]) -> f64 {
     if count < 0.5 * fixed.len() as f64 || count < 8.0 {
         return f64::MIN;
     }
-    let (one_sum, other_sum) =
-        pairs().fold((0.0, 0.0), |(a, b), (one, other)| (a + one, b + other));
+    let (one_sum, other_sum) = pairs().fold((0.0, 0.0), |(a, b), (one, other)| (a + one, b + other));
     let (mut own, mut others, mut both) = (0.0, 0.0, 0.0);
     for (one, other) in pairs() {
         let (one, other) = (one - one_sum / count, other - other_sum / count);
@@ -138,27 +115,15 @@ struct Levels<'a> {
 }
 
 impl<'a> Levels<'a> {
-    fn new(
-        store: &'a Store,
-        survey: &'a SurveyRecord,
-        rails: Vec<RailRecord>,
-    ) -> Result<Self, NetworkError> {
-        Ok(Self {
-            bands: store.bands()?.len(),
-            store,
-            survey,
-            rails,
-            held: None,
-        })
+    fn new(store: &'a Store, survey: &'a SurveyRecord, rails: Vec<RailRecord>) -> Result<Self, NetworkError> {
+        Ok(Self { bands: store.bands()?.len(), store, survey, rails, held: None })
     }
 
     /// Of so many cells from one on; NaN of those that are not known.
     fn between(&mut self, first: i64, count: i64) -> Result<Vec<f64>, NetworkError> {
         let mut levels = Vec::new();
         for cell in first..first + count {
-            let cell = u64::try_from(cell)
-                .ok()
-                .filter(|cell| *cell < self.survey.cells);
+            let cell = u64::try_from(cell).ok().filter(|cell| *cell < self.survey.cells);
             levels.push(match cell {
                 Some(cell) => self.chunk(cell / ROWS)?[(cell % ROWS) as usize],
                 None => f64::NAN,

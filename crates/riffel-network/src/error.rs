@@ -151,11 +151,7 @@ impl NetworkError {
     }
 
     /// That a store has nothing of a name.
-    pub(crate) fn not_there<'a>(
-        what: &'static str,
-        asked: &str,
-        known: impl Iterator<Item = &'a str>,
-    ) -> Self {
+    pub(crate) fn not_there<'a>(what: &'static str, asked: &str, known: impl Iterator<Item = &'a str>) -> Self {
         let known: BTreeSet<&str> = known.collect();
         let known: Vec<&str> = known.into_iter().collect();
         Self::Value {

@@ -28,15 +28,7 @@ pub(crate) struct Gridded {
 
 impl Gridded {
     pub(crate) fn new(start: f64, resolution: f64, rows: usize, bands: usize) -> Self {
-        Self {
-            start,
-            resolution,
-            rows,
-            bands,
-            chunk: 0,
-            held: VecDeque::new(),
-            measured: 0,
-        }
+        Self { start, resolution, rows, bands, chunk: 0, held: VecDeque::new(), measured: 0 }
     }
 
     /// Add a block behind those before, or as far before them as places go back; chunks that no block goes back to are handed out with
@@ -50,10 +42,7 @@ impl Gridded {
     ) -> Result<(), E> {
         // Ends on the edge of a cell but for rounding are on it.
         let cell = |place: f64| (place - self.start) / self.resolution;
-        let (first, last) = (
-            (cell(from) + 1e-6).floor().max(0.0),
-            (cell(to) - 1e-6).ceil(),
-        );
+        let (first, last) = ((cell(from) + 1e-6).floor().max(0.0), (cell(to) - 1e-6).ceil());
         let mut index = first as u64;
         let back = FARTHEST_BACK / self.resolution;
         while (index as f64) < last {
@@ -66,8 +55,7 @@ impl Gridded {
             let chunk = (index / self.rows as u64).checked_sub(self.chunk);
             if let Some(chunk) = chunk.filter(|_| length > 0.0) {
                 let held = (self.held.len() as u64).max(chunk + 1);
-                self.held
-                    .resize(held as usize, vec![(0.0, 0.0); self.rows * self.bands]);
+                self.held.resize(held as usize, vec![(0.0, 0.0); self.rows * self.bands]);
                 let row = (index % self.rows as u64) as usize * self.bands;
                 for (sum, &rms) in self.held[chunk as usize][row..].iter_mut().zip(rms) {
                     if rms.is_finite() {
@@ -82,20 +70,14 @@ impl Gridded {
     }
 
     /// The last chunks.
-    pub(crate) fn finish<E>(
-        &mut self,
-        mut whole: impl FnMut(u64, Vec<f64>) -> Result<(), E>,
-    ) -> Result<(), E> {
+    pub(crate) fn finish<E>(&mut self, mut whole: impl FnMut(u64, Vec<f64>) -> Result<(), E>) -> Result<(), E> {
         while !self.held.is_empty() {
             self.hand_out(&mut whole)?;
         }
         Ok(())
     }
 
-    fn hand_out<E>(
-        &mut self,
-        whole: &mut impl FnMut(u64, Vec<f64>) -> Result<(), E>,
-    ) -> Result<(), E> {
+    fn hand_out<E>(&mut self, whole: &mut impl FnMut(u64, Vec<f64>) -> Result<(), E>) -> Result<(), E> {
         let enough = 0.5 * self.resolution * (1.0 - 1e-9);
         let sums = self.held.pop_front().unwrap_or_default();
         let values: Vec<f64> = sums
@@ -142,11 +124,7 @@ mod tests {
     #[test]
     fn short_blocks_keep_their_energy_and_long_ones_their_level() {
         // 1 m of 3 and 1 m of 4: 12.5; then 5 m of 2 over two cells and a half.
-        let chunks = gridded(&[
-            (100.0, 101.0, 3.0),
-            (101.0, 102.0, 4.0),
-            (102.0, 107.0, 2.0),
-        ]);
+        let chunks = gridded(&[(100.0, 101.0, 3.0), (101.0, 102.0, 4.0), (102.0, 107.0, 2.0)]);
         let (number, values) = &chunks[0];
         assert_eq!(*number, 0);
         assert!((values[0] - 12.5f64.sqrt()).abs() < 1e-12);

@@ -113,9 +113,7 @@ pub fn growth(
     for section in growth_by_band(store, judgement, length, between)? {
         // Of a section, the band that comes first; they stand one behind the other.
         let is_same = |other: &&mut SectionGrowth| {
-            other.line == section.line
-                && other.rail == section.rail
-                && other.from_m == section.from_m
+            other.line == section.line && other.rail == section.rail && other.from_m == section.from_m
         };
         match sections.last_mut().filter(is_same) {
             Some(other) if order(&section, other).is_lt() => *other = section,
@@ -145,15 +143,12 @@ pub(crate) fn growth_by_band(
     }
     lines.retain(|line| line.len() > 1 || judgement.expects(&line[0].line));
     if lines.is_empty() {
-        let nothing =
-            "no line has surveys of two dates, between which it could have grown".to_owned();
+        let nothing = "no line has surveys of two dates, between which it could have grown".to_owned();
         let sentences: Vec<String> = std::iter::once(nothing).chain(left_out).collect();
         return Err(NetworkError::Nothing(sentences.join("; ")));
     }
-    let found: Result<Vec<Vec<SectionGrowth>>, NetworkError> = lines
-        .par_iter()
-        .map(|surveys| of_line(store, judgement, length, surveys))
-        .collect();
+    let found: Result<Vec<Vec<SectionGrowth>>, NetworkError> =
+        lines.par_iter().map(|surveys| of_line(store, judgement, length, surveys)).collect();
     Ok(found?.into_iter().flatten().collect())
 }
 
@@ -185,11 +180,8 @@ fn over_time(
     let resolution = store.resolution()?;
     for of_place in sections.values_mut() {
         let known = of_place.iter().map(|(_, section)| section.known);
-        let common = known
-            .clone()
-            .fold([f64::MIN, f64::MAX], |[from, to], known| {
-                [from.max(known[0]), to.min(known[1])]
-            });
+        let common =
+            known.clone().fold([f64::MIN, f64::MAX], |[from, to], known| [from.max(known[0]), to.min(known[1])]);
         // Records that begin and end within a cell have the same rail.
         let mut off = known.flat_map(|known| [common[0] - known[0], known[1] - common[1]]);
         if !off.any(|off| off > (1.0 + 1e-9) * resolution) {
@@ -224,11 +216,8 @@ fn of_line(
     let Some((last, earlier)) = surveys.split_last() else {
         return Ok(Vec::new());
     };
-    let alignments: Result<Vec<Alignment>, NetworkError> = earlier
-        .par_iter()
-        .map(|survey| Alignment::of(store, survey, last))
-        .chain([Ok(Alignment::default())])
-        .collect();
+    let alignments: Result<Vec<Alignment>, NetworkError> =
+        earlier.par_iter().map(|survey| Alignment::of(store, survey, last)).chain([Ok(Alignment::default())]).collect();
     let alignments = alignments?;
     let rails: Result<Vec<OverTime>, NetworkError> = last
         .rails
@@ -243,17 +232,12 @@ fn of_line(
     let mut grown = Vec::new();
     for (rail, sections) in last.rails.iter().zip(rails?) {
         for of_place in sections.into_values() {
-            let Some((_, latest)) = of_place
-                .last()
-                .filter(|(number, _)| *number + 1 == surveys.len())
-            else {
+            let Some((_, latest)) = of_place.last().filter(|(number, _)| *number + 1 == surveys.len()) else {
                 continue;
             };
             for band in judgement.bands_of(latest) {
                 let known = steadier(&of_place, band.band);
-                let points = known
-                    .iter()
-                    .map(|(number, rms)| (years[*number], 20.0 * rms.log10()));
+                let points = known.iter().map(|(number, rms)| (years[*number], 20.0 * rms.log10()));
                 let points: Vec<(f64, f64)> = points.collect();
                 let trend = Trend::new(&points).filter(|_| points.len() > 1);
                 let expected = judgement.expected(&last.line, band.band);
@@ -324,11 +308,8 @@ fn of_line(
 /// survey as it does with a cell more at an end the latter counts: a weld near that end is in it or out of it by half a cell.
 fn steadier(of_place: &[(usize, Section)], band: usize) -> Vec<(usize, f64)> {
     let known = |rms: &dyn Fn(&Section) -> f64| -> Vec<(usize, f64)> {
-        let all = of_place
-            .iter()
-            .filter(|(_, section)| section.growing[band] > 0.0);
-        all.map(|(number, section)| (*number, rms(section)))
-            .collect()
+        let all = of_place.iter().filter(|(_, section)| section.growing[band] > 0.0);
+        all.map(|(number, section)| (*number, rms(section))).collect()
     };
     let changes = |of: &[(usize, f64)]| -> f64 {
         let pairs = of.windows(2);
@@ -372,20 +353,12 @@ fn by_others(surveys: &[SurveyRecord]) -> Option<String> {
 ///
 /// # Errors
 /// Those of the files.
-pub fn left_out_of_growth(
-    store: &Store,
-    between: Option<[Date; 2]>,
-) -> Result<Vec<String>, NetworkError> {
-    let names = |survey: &SurveyRecord| -> Vec<String> {
-        survey.rails.iter().map(|rail| rail.name.clone()).collect()
-    };
+pub fn left_out_of_growth(store: &Store, between: Option<[Date; 2]>) -> Result<Vec<String>, NetworkError> {
+    let names = |survey: &SurveyRecord| -> Vec<String> { survey.rails.iter().map(|rail| rail.name.clone()).collect() };
     // Names of one survey that none of the others has, with its date.
     let lacking = |survey: &SurveyRecord, others: &[&SurveyRecord]| -> Option<String> {
         let known: Vec<String> = others.iter().flat_map(|other| names(other)).collect();
-        let alone: Vec<String> = names(survey)
-            .into_iter()
-            .filter(|name| !known.contains(name))
-            .collect();
+        let alone: Vec<String> = names(survey).into_iter().filter(|name| !known.contains(name)).collect();
         (!alone.is_empty()).then(|| format!("{} of {}", alone.join(", "), survey.date))
     };
     let sentence = |surveys: &Vec<SurveyRecord>| {
@@ -431,19 +404,14 @@ fn order(a: &SectionGrowth, b: &SectionGrowth) -> std::cmp::Ordering {
 }
 
 /// The surveys of each line by date; from the first where none is up to the first day.
-fn chosen(
-    store: &Store,
-    between: Option<[Date; 2]>,
-) -> Result<Vec<Vec<SurveyRecord>>, NetworkError> {
+fn chosen(store: &Store, between: Option<[Date; 2]>) -> Result<Vec<Vec<SurveyRecord>>, NetworkError> {
     let surveys = store.surveys()?;
     let lines = surveys.chunk_by(|a, b| a.line == b.line).map(|line| {
         let until = |day: Date| line.iter().rposition(|survey| survey.date <= day);
         match between {
             None => line.to_vec(),
             Some([from, to]) => match (until(from), until(to)) {
-                (first, Some(last)) if first.unwrap_or(0) <= last => {
-                    line[first.unwrap_or(0)..=last].to_vec()
-                }
+                (first, Some(last)) if first.unwrap_or(0) <= last => line[first.unwrap_or(0)..=last].to_vec(),
                 _ => Vec::new(),
             },
         }

@@ -62,10 +62,7 @@ impl Store {
         let line = line.trim();
         check_line(line)?;
         let day = day_of(date)?;
-        if let Some([first, last]) = file
-            .dates
-            .filter(|[first, last]| !(first..=last).contains(&&day))
-        {
+        if let Some([first, last]) = file.dates.filter(|[first, last]| !(first..=last).contains(&&day)) {
             let rule = format!("a day of the blocks, which are of {first} to {last}");
             return Err(value("the date", day.to_string(), &rule));
         }
@@ -87,16 +84,12 @@ impl Store {
             there_already,
             resolution_m: network.resolution_m,
             alike: alike.map(|survey| survey.line.clone()),
-            measured: (survey.rails.iter())
-                .map(|rail| (rail.name.clone(), rail.measured))
-                .collect(),
+            measured: (survey.rails.iter()).map(|rail| (rail.name.clone(), rail.measured)).collect(),
             goes_back: file.goes_back.clone(),
             renamed: rails.renamed.clone(),
             new_rails: rails.new.clone(),
         };
-        let there = surveys
-            .iter()
-            .find(|survey| survey.line == line && survey.date == day);
+        let there = surveys.iter().find(|survey| survey.line == line && survey.date == day);
         let mut broken = damage.remove(&folder.join(record_name(day)));
         if let Some(survey) = there {
             broken = self.check_arrays(survey).err();
@@ -116,13 +109,7 @@ impl Store {
         if let Some(error) = broken.filter(|_| !replace) {
             return Err(error);
         }
-        let mut survey = record(
-            line,
-            day,
-            file,
-            (&rails.names, sha256),
-            network.resolution_m,
-        )?;
+        let mut survey = record(line, day, file, (&rails.names, sha256), network.resolution_m)?;
         fs::create_dir_all(&folder).map_err(NetworkError::write(&folder))?;
         let recorded = there.map_or("", |survey| &survey.folder);
         Self::sweep(&folder, day, recorded)?;
@@ -141,11 +128,7 @@ impl Store {
 }
 
 fn value(what: &'static str, value: String, rule: &str) -> NetworkError {
-    NetworkError::Value {
-        what,
-        value,
-        rule: rule.to_owned(),
-    }
+    NetworkError::Value { what, value, rule: rule.to_owned() }
 }
 
 fn check_line(line: &str) -> Result<(), NetworkError> {
@@ -221,11 +204,7 @@ fn write_arrays(
     progress: &dyn Fn(usize),
 ) -> Result<(), NetworkError> {
     let bands = network.bands_m.len();
-    let arrays: Vec<Array> = survey
-        .rails
-        .iter()
-        .map(|rail| array(survey, rail, bands))
-        .collect();
+    let arrays: Vec<Array> = survey.rails.iter().map(|rail| array(survey, rail, bands)).collect();
     let gridded = || Gridded::new(survey.start_m, network.resolution_m, ROWS as usize, bands);
     let mut rails: Vec<Gridded> = arrays.iter().map(|_| gridded()).collect();
     let put = |rail: usize, chunk: u64, values: Vec<f64>| -> Result<(), NetworkError> {
@@ -235,9 +214,7 @@ fn write_arrays(
     // Bands of the store that the survey does not have are not known.
     let mut rms = vec![f64::NAN; bands];
     let places = file.bands().into_iter();
-    let places: Vec<Option<usize>> = places
-        .map(|band| network.place_of([band.from(), band.to()]))
-        .collect();
+    let places: Vec<Option<usize>> = places.map(|band| network.place_of([band.from(), band.to()])).collect();
     file.each(
         &mut |block| {
             for (place, value) in places.iter().zip(&block.rms) {
@@ -249,9 +226,7 @@ fn write_arrays(
             if let Some(found) = &mut survey.rails[rail].defects_m {
                 found.extend(&block.defects);
             }
-            rails[rail].add(block.from, block.to, &rms, |chunk, values| {
-                put(rail, chunk, values)
-            })
+            rails[rail].add(block.from, block.to, &rms, |chunk, values| put(rail, chunk, values))
         },
         progress,
     )?;
@@ -272,18 +247,10 @@ fn coordinates(
     survey: &SurveyRecord,
     arrays: &[Array],
 ) -> Result<(), NetworkError> {
-    let mut place = Array::axis(
-        "place",
-        "place",
-        survey.cells,
-        "m",
-        "middle of a cell along the line",
-    );
+    let mut place = Array::axis("place", "place", survey.cells, "m", "middle of a cell along the line");
     place.rows_per_chunk = ROWS;
     let axes = riffel_arrays::band_axes(&network.bands_m);
-    let coordinates = [&place]
-        .into_iter()
-        .chain(axes.iter().map(|(array, _)| array));
+    let coordinates = [&place].into_iter().chain(axes.iter().map(|(array, _)| array));
     let all = || arrays.iter().chain(coordinates.clone());
     for array in all() {
         let path = folder.join(&array.name).join("zarr.json");

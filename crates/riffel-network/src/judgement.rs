@@ -103,16 +103,9 @@ impl Judgement {
     /// [`NetworkError::Limit`] for a table of levels, or without a band of the store.
     pub fn new(store: &Store, table: &LimitTable) -> Result<Self, NetworkError> {
         let bands = store.bands()?;
-        let wrong = |reason: String| {
-            Err(NetworkError::Limit {
-                name: table.name.clone(),
-                reason,
-            })
-        };
+        let wrong = |reason: String| Err(NetworkError::Limit { name: table.name.clone(), reason });
         let Limit::Rms(limit) = &table.limit else {
-            return wrong(
-                "is one of levels, but a store holds RMS in bands of wavelength".to_owned(),
-            );
+            return wrong("is one of levels, but a store holds RMS in bands of wavelength".to_owned());
         };
         let limits: Vec<Option<f64>> = bands.iter().map(|band| of_band(limit, band)).collect();
         if limits.iter().all(Option::is_none) {
@@ -129,8 +122,7 @@ impl Judgement {
             limits,
             share: limit.share(),
             resolution,
-            tells_places: tells_places(resolution)
-                || rails.iter().all(|rail| rail.defects_m.is_some()),
+            tells_places: tells_places(resolution) || rails.iter().all(|rail| rail.defects_m.is_some()),
             expected: Vec::new(),
         })
     }
@@ -192,17 +184,11 @@ impl Judgement {
     }
 
     /// A section in each band that is known and has a limit.
-    pub(crate) fn bands_of<'a>(
-        &'a self,
-        section: &'a Section,
-    ) -> impl Iterator<Item = SectionInBand> + 'a {
+    pub(crate) fn bands_of<'a>(&'a self, section: &'a Section) -> impl Iterator<Item = SectionInBand> + 'a {
         let limits = self.limits.iter().enumerate();
         limits.filter_map(|(band, limit)| {
             let limit = (*limit)?;
-            let (ratio, lasting) = (
-                section.exceeded[band] / limit,
-                section.lasting[band] / limit,
-            );
+            let (ratio, lasting) = (section.exceeded[band] / limit, section.lasting[band] / limit);
             ratio.is_finite().then_some(SectionInBand {
                 band,
                 ratio,
@@ -227,7 +213,6 @@ impl Judgement {
 fn of_band(limit: &RmsLimit, band: &WavelengthBand) -> Option<f64> {
     let same = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
     let mut bands = limit.bands().iter();
-    let found =
-        bands.find(|(other, _)| same(other.from(), band.from()) && same(other.to(), band.to()));
+    let found = bands.find(|(other, _)| same(other.from(), band.from()) && same(other.to(), band.to()));
     found.map(|(_, rms)| *rms)
 }

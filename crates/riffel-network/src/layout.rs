@@ -38,9 +38,7 @@ fn check_own(path: &Path, is_right: impl Fn(&fs::Metadata) -> bool) -> Result<()
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         Ok(there) if is_right(&there) => Ok(()),
         Err(error) => Err(NetworkError::read(path)(error)),
-        Ok(_) => Err(NetworkError::Foreign {
-            path: path.to_owned(),
-        }),
+        Ok(_) => Err(NetworkError::Foreign { path: path.to_owned() }),
     }
 }
 
@@ -54,9 +52,7 @@ impl Store {
         };
         match entries(&self.folder)?.iter().all(is_own) {
             true => Ok(()),
-            false => Err(NetworkError::NotANetwork {
-                folder: self.folder.clone(),
-            }),
+            false => Err(NetworkError::NotANetwork { folder: self.folder.clone() }),
         }
     }
 
@@ -65,9 +61,7 @@ impl Store {
         check_own(&self.folder.join(LOCK), fs::Metadata::is_file)?;
         let taken = InUse::take(&self.folder, LOCK, false);
         let taken = taken.map_err(NetworkError::write(&self.folder))?;
-        taken.ok_or_else(|| NetworkError::Locked {
-            folder: self.folder.clone(),
-        })
+        taken.ok_or_else(|| NetworkError::Locked { folder: self.folder.clone() })
     }
 
     /// The folder of a line.
@@ -95,10 +89,7 @@ impl Store {
     }
 
     /// Arrays in the folder of a line whose day has none of these records.
-    pub(crate) fn arrays_without(
-        folder: &Path,
-        records: &[PathBuf],
-    ) -> Result<Vec<PathBuf>, NetworkError> {
+    pub(crate) fn arrays_without(folder: &Path, records: &[PathBuf]) -> Result<Vec<PathBuf>, NetworkError> {
         let is_lost = |(name, kind): &(String, fs::FileType)| {
             let day = day_of_arrays(name).filter(|_| kind.is_dir());
             day.is_some_and(|day| !records.contains(&folder.join(record_name(day))))
@@ -115,8 +106,7 @@ impl Store {
         let name = line_name(line);
         let there = entries(&surveys)?;
         if !there.iter().any(|(other, _)| *other == name)
-            && let Some((other, _)) =
-                (there.iter()).find(|(other, _)| other.eq_ignore_ascii_case(&name))
+            && let Some((other, _)) = (there.iter()).find(|(other, _)| other.eq_ignore_ascii_case(&name))
         {
             return Err(NetworkError::Value {
                 what: "the line",
@@ -145,9 +135,7 @@ impl Store {
             let path = folder.join(&name);
             let is_half_written = whole_file::is_half_written(&name);
             let is_replaced = name != recorded && day_of_arrays(&name) == Some(day);
-            let removed = if kind.is_dir()
-                && (is_half_written && path.join(HALF_WRITTEN).is_file() || is_replaced)
-            {
+            let removed = if kind.is_dir() && (is_half_written && path.join(HALF_WRITTEN).is_file() || is_replaced) {
                 fs::remove_dir_all(&path)
             } else if kind.is_file() && is_half_written {
                 fs::remove_file(&path)

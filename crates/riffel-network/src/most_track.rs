@@ -22,16 +22,8 @@ pub(crate) struct MostTrack {
 /// choice is within the budget, found by halving. What is left of the money lengthens the sites, and opens new ones in the longest
 /// stretches that remain. Error: told by `bound`, the least of the dual function, which no choice exceeds. Cost: sixty passes
 /// over the sections.
-pub(crate) fn most_track(
-    lines: &[OverLimit],
-    money: f64,
-    per_section: f64,
-    per_site: f64,
-) -> MostTrack {
-    let costs = Costs {
-        per_section,
-        per_site,
-    };
+pub(crate) fn most_track(lines: &[OverLimit], money: f64, per_section: f64, per_site: f64) -> MostTrack {
+    let costs = Costs { per_section, per_site };
     // For nothing a section is worth 1; at this price none is.
     let (mut low, mut high) = (0.0, 1.0 / per_section);
     let mut ground: Vec<Vec<bool>> = lines.iter().map(|line| vec![false; line.len()]).collect();
@@ -73,9 +65,7 @@ impl Costs {
     fn of(&self, ground: &[bool]) -> f64 {
         let sections = ground.iter().filter(|ground| **ground).count();
         let begins = ground.iter().enumerate();
-        let sites = begins
-            .filter(|&(index, &there)| there && (index == 0 || !ground[index - 1]))
-            .count();
+        let sites = begins.filter(|&(index, &there)| there && (index == 0 || !ground[index - 1])).count();
         self.per_section * sections as f64 + self.per_site * sites as f64
     }
 
@@ -112,23 +102,13 @@ impl Costs {
                 }
             };
             (1..line.len()).for_each(|index| lengthen(index, index - 1));
-            (1..line.len())
-                .rev()
-                .for_each(|index| lengthen(index - 1, index));
+            (1..line.len()).rev().for_each(|index| lengthen(index - 1, index));
         }
         // What no stretch of ground track reaches: the longest first, the first of equals.
         let mut left: Vec<(usize, usize, usize)> = Vec::new();
         for (number, (line, ground)) in lines.iter().zip(ground.iter()).enumerate() {
-            let missed: Vec<bool> = line
-                .iter()
-                .zip(ground)
-                .map(|(over, ground)| *over && !*ground)
-                .collect();
-            left.extend(
-                stretches(&missed)
-                    .into_iter()
-                    .map(|(from, to)| (number, from, to)),
-            );
+            let missed: Vec<bool> = line.iter().zip(ground).map(|(over, ground)| *over && !*ground).collect();
+            left.extend(stretches(&missed).into_iter().map(|(from, to)| (number, from, to)));
         }
         left.sort_by_key(|(_, from, to)| std::cmp::Reverse(to - from));
         for (number, from, to) in left {
@@ -166,10 +146,7 @@ mod tests {
         let sections: Vec<bool> = lines.concat();
         let parts = |choice: u32| -> Vec<Vec<bool>> {
             let mut bits = (0..sections.len()).map(|bit| choice >> bit & 1 == 1);
-            lines
-                .iter()
-                .map(|line| bits.by_ref().take(line.len()).collect())
-                .collect()
+            lines.iter().map(|line| bits.by_ref().take(line.len()).collect()).collect()
         };
         (0..1u32 << sections.len())
             .map(parts)

@@ -38,9 +38,7 @@ pub(crate) fn line_name(line: &str) -> String {
 
 /// The name of the array of a rail: its own where that is a plain word, which no coordinate has.
 pub(crate) fn array_name(rail: &str, index: usize) -> String {
-    let plain = rail
-        .bytes()
-        .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    let plain = rail.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
     let taken = ["place", "band", "band_from", "band_to"].contains(&rail);
     match plain && !taken && rail.len() <= 40 {
         true => rail.to_owned(),

@@ -23,11 +23,7 @@ pub struct Budget {
 impl Budget {
     /// A budget of so many metres of track.
     pub fn of_length(metres: f64) -> Self {
-        Self {
-            money: metres,
-            per_metre: 1.0,
-            per_site: 0.0,
-        }
+        Self { money: metres, per_metre: 1.0, per_site: 0.0 }
     }
 
     fn check(&self) -> Result<(), NetworkError> {
@@ -171,10 +167,8 @@ pub fn plan(
     }
     let over = sections.values().filter(|ratio| **ratio > 1.0).count() as f64;
     let stretches = stretches(sections);
-    let over_limit: Vec<OverLimit> = stretches
-        .iter()
-        .map(|stretch| stretch.iter().map(|(_, ratio)| *ratio > 1.0).collect())
-        .collect();
+    let over_limit: Vec<OverLimit> =
+        stretches.iter().map(|stretch| stretch.iter().map(|(_, ratio)| *ratio > 1.0).collect()).collect();
     let per_section = budget.per_metre * length;
     let best = most_track(&over_limit, budget.money, per_section, budget.per_site);
     let ground = match aim {
@@ -186,11 +180,7 @@ pub fn plan(
     Ok(GrindingPlan {
         months,
         // The sum of nothing is −0.
-        length_m: 0.0
-            + sites
-                .iter()
-                .map(|site| site.to_m - site.from_m)
-                .sum::<f64>(),
+        length_m: 0.0 + sites.iter().map(|site| site.to_m - site.from_m).sum::<f64>(),
         cost: 0.0 + sites.iter().map(|site| site.cost).sum::<f64>(),
         over_limit_m: over * length,
         single_places_m: single.len() as f64 * length,
@@ -209,11 +199,8 @@ type Stretch = Vec<(Key, f64)>;
 fn stretches(sections: BTreeMap<Key, f64>) -> Vec<Stretch> {
     let mut found: Vec<Stretch> = Vec::new();
     for ((line, place), ratio) in sections {
-        let joins = |stretch: &Stretch| {
-            stretch
-                .last()
-                .is_some_and(|((before, last), _)| *before == line && last + 1 == place)
-        };
+        let joins =
+            |stretch: &Stretch| stretch.last().is_some_and(|((before, last), _)| *before == line && last + 1 == place);
         match found.last_mut().filter(|stretch| joins(stretch)) {
             Some(stretch) => stretch.push(((line, place), ratio)),
             None => found.push(vec![((line, place), ratio)]),
@@ -251,12 +238,7 @@ fn worst_first(stretches: &[Stretch], length: f64, budget: &Budget) -> Vec<Vec<b
 }
 
 /// What is ground as sites along the lines.
-fn sites(
-    stretches: &[Stretch],
-    ground: &[Vec<bool>],
-    length: f64,
-    budget: &Budget,
-) -> Vec<PlannedSection> {
+fn sites(stretches: &[Stretch], ground: &[Vec<bool>], length: f64, budget: &Budget) -> Vec<PlannedSection> {
     let mut sites: Vec<PlannedSection> = Vec::new();
     for (stretch, ground) in stretches.iter().zip(ground) {
         for (index, ((line, place), ratio)) in stretch.iter().enumerate() {

@@ -47,11 +47,7 @@ impl LineRails {
             names.push(name);
         }
         let is_new = |name: &&String| !once.is_empty() && !once.contains(&name.as_str());
-        Ok(Self {
-            new: names.iter().filter(is_new).cloned().collect(),
-            names,
-            renamed,
-        })
+        Ok(Self { new: names.iter().filter(is_new).cloned().collect(), names, renamed })
     }
 
     /// The SHA-256 of the file; of it and the names where these are not those of the file.

@@ -114,9 +114,7 @@ impl NetworkRecord {
     /// The bands; what was written is valid.
     pub(crate) fn bands(&self) -> Result<Vec<WavelengthBand>, riffel::Error> {
         let bands = self.bands_m.iter();
-        bands
-            .map(|&[from, to]| WavelengthBand::new(from, to))
-            .collect()
+        bands.map(|&[from, to]| WavelengthBand::new(from, to)).collect()
     }
 
     /// The place of a band with these ends \[m\] among those of the store; none for another.

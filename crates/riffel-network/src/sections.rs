@@ -59,21 +59,8 @@ impl Sections {
     ///
     /// # Errors
     /// [`NetworkError::Value`] for a length below a cell of the store; [`NetworkError::Read`], [`NetworkError::Damaged`].
-    pub fn of(
-        store: &Store,
-        survey: &SurveyRecord,
-        rail: &RailRecord,
-        length: f64,
-    ) -> Result<Self, NetworkError> {
-        Self::placed(
-            store,
-            survey,
-            rail,
-            length,
-            SHARE,
-            &Alignment::default(),
-            None,
-        )
+    pub fn of(store: &Store, survey: &SurveyRecord, rail: &RailRecord, length: f64) -> Result<Self, NetworkError> {
+        Self::placed(store, survey, rail, length, SHARE, &Alignment::default(), None)
     }
 
     /// The same with the share that may be rougher, with places moved to those of another survey, and of cells between two places alone.
@@ -100,9 +87,7 @@ impl Sections {
             resolution,
             share,
             enough: (ENOUGH * (length / resolution).max(1.0)),
-            defects: defects
-                .map(|at| at + alignment.at(*at))
-                .collect::<Vec<f64>>(),
+            defects: defects.map(|at| at + alignment.at(*at)).collect::<Vec<f64>>(),
             tells_places: tells_places(resolution) || rail.defects_m.is_some(),
             middles: Vec::new(),
             rms: vec![Vec::new(); bands],
@@ -142,10 +127,7 @@ impl Sections {
         }
         sections.extend(cells.close(present, length, &vec![f64::NAN; bands]));
         set_joints(&mut sections);
-        Ok(Self {
-            rail: rail.name.clone(),
-            sections,
-        })
+        Ok(Self { rail: rail.name.clone(), sections })
     }
 }
 
@@ -203,10 +185,7 @@ impl Cells {
             let cells = std::mem::take(cells);
             let ends = [*before, *behind];
             *before = cells.last().copied().unwrap_or(f64::NAN);
-            let of_known = cells
-                .iter()
-                .zip(&middles)
-                .filter(|(rms, _)| rms.is_finite());
+            let of_known = cells.iter().zip(&middles).filter(|(rms, _)| rms.is_finite());
             let known = of_known.clone().count();
             for (_, middle) in of_known {
                 section.known = [section.known[0].min(*middle), section.known[1].max(*middle)];
@@ -233,19 +212,13 @@ impl Cells {
             };
             section.rms.push(or_unknown(root_mean_square(cells.iter())));
             section.growing.push(or_unknown(with(&[])));
-            section
-                .growing_around
-                .push([with(&ends[..1]), with(&ends[1..]), with(&ends)]);
+            section.growing_around.push([with(&ends[..1]), with(&ends[1..]), with(&ends)]);
             let left = lasting.iter().filter(|rms| rms.is_finite()).count();
             if (left as f64) < LEFT * known as f64 {
                 lasting.clear();
             }
-            section
-                .lasting
-                .push(or_unknown(exceeded(lasting, self.share)));
-            section
-                .exceeded
-                .push(or_unknown(exceeded(cells, self.share)));
+            section.lasting.push(or_unknown(exceeded(lasting, self.share)));
+            section.exceeded.push(or_unknown(exceeded(cells, self.share)));
         }
         let is_known = section.rms.iter().any(|value| value.is_finite());
         is_known.then_some(section)
@@ -259,9 +232,7 @@ fn set_joints(sections: &mut [Section]) {
         let joints = (0..sections[at].places.len()).map(|band| {
             let beside = sections[beside.clone()].iter();
             let beside = beside.filter(|other| other.index.abs_diff(sections[at].index) <= 1);
-            let places: Vec<f64> = beside
-                .flat_map(|other| other.places[band].clone())
-                .collect();
+            let places: Vec<f64> = beside.flat_map(|other| other.places[band].clone()).collect();
             are_joints(&sections[at].places[band]) || are_joints(&places)
         });
         sections[at].joints = joints.collect();
@@ -271,9 +242,7 @@ fn set_joints(sections: &mut [Section]) {
 /// Of what is known.
 fn root_mean_square<'a>(cells: impl Iterator<Item = &'a f64>) -> f64 {
     let known = cells.filter(|rms| rms.is_finite());
-    let (sum, count): (f64, f64) = known.fold((0.0, 0.0), |(sum, count), rms| {
-        (sum + rms * rms, count + 1.0)
-    });
+    let (sum, count): (f64, f64) = known.fold((0.0, 0.0), |(sum, count), rms| (sum + rms * rms, count + 1.0));
     (sum / count).sqrt()
 }
 
@@ -294,15 +263,7 @@ mod tests {
     #[test]
     fn a_share_of_a_section_may_be_rougher() {
         let with = |rough: usize, apart: usize| -> Vec<f64> {
-            (0..100)
-                .map(|cell| {
-                    if cell % apart == 7 && cell / apart < rough {
-                        36.0
-                    } else {
-                        2.0
-                    }
-                })
-                .collect()
+            (0..100).map(|cell| if cell % apart == 7 && cell / apart < rough { 36.0 } else { 2.0 }).collect()
         };
         assert_eq!(exceeded(with(5, 18), 0.05), 2.0);
         assert_eq!(exceeded(with(6, 15), 0.05), 36.0);

@@ -38,13 +38,7 @@ pub(crate) fn single_places(cells: &[f64], named: &[bool], resolution: f64) -> V
         let all = (0..cells.len()).map(|cell| cell..cell + 1);
         return all.filter(is_named).collect();
     }
-    let usual = median(
-        cells
-            .iter()
-            .copied()
-            .filter(|rms| rms.is_finite())
-            .collect(),
-    );
+    let usual = median(cells.iter().copied().filter(|rms| rms.is_finite()).collect());
     let mut runs: Vec<Range<usize>> = Vec::new();
     for cell in (0..cells.len()).filter(|cell| cells[*cell] > STANDS_OUT * usual) {
         match runs.last_mut().filter(|run| run.end == cell) {
@@ -71,10 +65,7 @@ pub(crate) fn are_joints(places: &[f64]) -> bool {
     let mut joints: Vec<f64> = Vec::new();
     for place in places {
         // What two cells or two sections have of it is one.
-        if joints
-            .last()
-            .is_none_or(|last| place - last > LONGEST_PLACE)
-        {
+        if joints.last().is_none_or(|last| place - last > LONGEST_PLACE) {
             joints.push(*place);
         }
     }
@@ -107,13 +98,7 @@ mod tests {
     /// A joint over two cells that another grid has in three is one; three whole cells are none, unless the survey names a defect there.
     #[test]
     fn a_joint_is_as_wide_as_its_energy() {
-        let two = cells(|cell| {
-            if matches!(cell % 15, 7 | 8) {
-                12.0
-            } else {
-                2.0
-            }
-        });
+        let two = cells(|cell| if matches!(cell % 15, 7 | 8) { 12.0 } else { 2.0 });
         let square = |at: usize| two[at].powi(2);
         let three = cells(|cell| match cell {
             0 => 2.0,

@@ -64,17 +64,9 @@ pub fn status(store: &Store) -> Result<Status, NetworkError> {
             Ok(LineStatus {
                 line: latest.line.clone(),
                 dates: of_line.map(|survey| survey.date.to_string()).collect(),
-                ends_m: [
-                    latest.start_m,
-                    latest.start_m + latest.cells as f64 * resolution,
-                ],
-                measured_m: rails
-                    .map(|rail| (rail.name.clone(), rail.measured as f64 * resolution))
-                    .collect(),
-                rms_m: sums
-                    .iter()
-                    .map(|&(square, count)| (count > 0.0).then(|| (square / count).sqrt()))
-                    .collect(),
+                ends_m: [latest.start_m, latest.start_m + latest.cells as f64 * resolution],
+                measured_m: rails.map(|rail| (rail.name.clone(), rail.measured as f64 * resolution)).collect(),
+                rms_m: sums.iter().map(|&(square, count)| (count > 0.0).then(|| (square / count).sqrt())).collect(),
             })
         })
         .collect();

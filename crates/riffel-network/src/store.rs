@@ -54,11 +54,7 @@ impl Store {
                 rule: "between 0.1 m and 1000 m".to_owned(),
             });
         }
-        let store = Self {
-            folder: folder.to_owned(),
-            settings,
-            damage: Damage::new(),
-        };
+        let store = Self { folder: folder.to_owned(), settings, damage: Damage::new() };
         if let Some(record) = store.record()? {
             let there = record.resolution_m;
             if let Some(asked) = settings.resolution.filter(|asked| *asked != there) {
@@ -90,9 +86,7 @@ impl Store {
     }
 
     fn there(&self) -> Result<NetworkRecord, NetworkError> {
-        self.record()?.ok_or_else(|| NetworkError::NoNetwork {
-            folder: self.folder.clone(),
-        })
+        self.record()?.ok_or_else(|| NetworkError::NoNetwork { folder: self.folder.clone() })
     }
 
     /// Length of a cell of the grid \[m\].
@@ -109,20 +103,11 @@ impl Store {
     /// [`NetworkError::NoNetwork`] before the first survey.
     pub fn bands(&self) -> Result<Vec<WavelengthBand>, NetworkError> {
         let path = self.folder.join(RECORD);
-        self.there()?
-            .bands()
-            .map_err(|error| NetworkError::DamagedStore {
-                path,
-                reason: error.to_string(),
-            })
+        self.there()?.bands().map_err(|error| NetworkError::DamagedStore { path, reason: error.to_string() })
     }
 
     /// What the first survey makes of a new store; one that is there must have the bands of the survey.
-    pub(crate) fn begin(
-        &self,
-        bands: &[WavelengthBand],
-        block: f64,
-    ) -> Result<NetworkRecord, NetworkError> {
+    pub(crate) fn begin(&self, bands: &[WavelengthBand], block: f64) -> Result<NetworkRecord, NetworkError> {
         let bands_m: Vec<[f64; 2]> = bands.iter().map(|band| [band.from(), band.to()]).collect();
         if let Some(record) = self.record()? {
             if bands_m.iter().all(|band| record.place_of(*band).is_some()) {
@@ -170,10 +155,7 @@ impl Store {
         match array.decode(&bytes, ROWS) {
             Ok(Values::Numbers(values)) => Ok(Some(values)),
             Ok(Values::Texts(_)) => Ok(None),
-            Err(reason) => Err(NetworkError::Damaged {
-                path,
-                reason: reason.to_owned(),
-            }),
+            Err(reason) => Err(NetworkError::Damaged { path, reason: reason.to_owned() }),
         }
     }
 }
@@ -197,17 +179,10 @@ pub(crate) fn array(survey: &SurveyRecord, rail: &RailRecord, bands: usize) -> A
 /// Ends of bands \[m\] in words.
 pub(crate) fn in_words(bands: &[[f64; 2]]) -> String {
     let bands = bands.iter();
-    let texts: Vec<String> = bands
-        .map(|&ends| range(ends, |end| format!("{:.0}", 1e3 * end)) + " mm")
-        .collect();
+    let texts: Vec<String> = bands.map(|&ends| range(ends, |end| format!("{:.0}", 1e3 * end)) + " mm").collect();
     texts.join(", ")
 }
 
-pub(crate) fn write_document(
-    folder: &Path,
-    name: &str,
-    document: &impl Serialize,
-) -> Result<(), NetworkError> {
-    whole_file::write(folder, name, &riffel_arrays::json(document))
-        .map_err(NetworkError::write(&folder.join(name)))
+pub(crate) fn write_document(folder: &Path, name: &str, document: &impl Serialize) -> Result<(), NetworkError> {
+    whole_file::write(folder, name, &riffel_arrays::json(document)).map_err(NetworkError::write(&folder.join(name)))
 }

@@ -95,25 +95,16 @@ impl StripChart {
             let known = rails().map(|rail| rail.name.as_str());
             return Err(NetworkError::not_there("the rail", rail, known));
         }
-        let charted: Result<Vec<ChartedSurvey>, NetworkError> = of_line
-            .par_iter()
-            .map(|survey| charted(store, survey, judgement, length, rail))
-            .collect();
+        let charted: Result<Vec<ChartedSurvey>, NetworkError> =
+            of_line.par_iter().map(|survey| charted(store, survey, judgement, length, rail)).collect();
         let mut lines: Vec<ChartedLine> = Vec::new();
         for (survey, charted) in of_line.iter().zip(charted?) {
             match lines.last_mut().filter(|last| last.line == survey.line) {
                 Some(last) => last.surveys.push(charted),
-                None => lines.push(ChartedLine {
-                    line: survey.line.clone(),
-                    surveys: vec![charted],
-                }),
+                None => lines.push(ChartedLine { line: survey.line.clone(), surveys: vec![charted] }),
             }
         }
-        Ok(Self {
-            limit: judgement.limit.clone(),
-            section_m: length,
-            lines,
-        })
+        Ok(Self { limit: judgement.limit.clone(), section_m: length, lines })
     }
 
     /// One row for each section of each survey.
@@ -159,10 +150,7 @@ impl StripChart {
         let mut drawn: Vec<&ChartedLine> = self.lines.iter().collect();
         let sections = |line: &ChartedLine| -> usize {
             let surveys = line.surveys.iter();
-            surveys
-                .map(|survey| survey.sections.len())
-                .max()
-                .unwrap_or(0)
+            surveys.map(|survey| survey.sections.len()).max().unwrap_or(0)
         };
         drawn.sort_by_key(|line| std::cmp::Reverse(sections(line)));
         drawn.truncate(MOST_LINES);
@@ -204,10 +192,7 @@ fn panel(line: &ChartedLine) -> StripPanel {
         rows: line
             .surveys
             .iter()
-            .map(|survey| StripRow {
-                label: survey.date.clone(),
-                strips: survey.sections.iter().map(strip).collect(),
-            })
+            .map(|survey| StripRow { label: survey.date.clone(), strips: survey.sections.iter().map(strip).collect() })
             .collect(),
     }
 }
@@ -221,11 +206,7 @@ fn charted(
     rail: Option<&str>,
 ) -> Result<ChartedSurvey, NetworkError> {
     let mut worst = std::collections::BTreeMap::new();
-    for record in survey
-        .rails
-        .iter()
-        .filter(|one| rail.is_none_or(|rail| one.name == rail))
-    {
+    for record in survey.rails.iter().filter(|one| rail.is_none_or(|rail| one.name == rail)) {
         let (share, here) = (judgement.share, Alignment::default());
         let sections = Sections::placed(store, survey, record, length, share, &here, None)?;
         for section in sections.sections {
@@ -240,16 +221,11 @@ fn charted(
                 rms_m: section.rms[band],
                 rms_over_limit: ratio,
             };
-            let known = worst
-                .entry(section.index)
-                .or_insert_with(|| charted.clone());
+            let known = worst.entry(section.index).or_insert_with(|| charted.clone());
             if known.rms_over_limit < ratio {
                 *known = charted;
             }
         }
     }
-    Ok(ChartedSurvey {
-        date: survey.date.to_string(),
-        sections: worst.into_values().collect(),
-    })
+    Ok(ChartedSurvey { date: survey.date.to_string(), sections: worst.into_values().collect() })
 }

@@ -143,20 +143,13 @@ impl SurveyFile {
         })?;
         let mut first = Vec::new();
         let read = File::open(path).and_then(|file| file.take(4096).read_to_end(&mut first));
-        read.map_err(|reason| CaseError::Read {
-            what: "file",
-            path: path.to_owned(),
-            reason,
-        })?;
+        read.map_err(|reason| CaseError::Read { what: "file", path: path.to_owned(), reason })?;
         if first.contains(&0)
             && let Err(binary) = text_file::Encoding::of(&first)
         {
             return Err(at(path, binary.line, binary));
         }
-        let head = reader(path)?
-            .headers()
-            .map_err(|error| csv_error(path, &error))?
-            .clone();
+        let head = reader(path)?.headers().map_err(|error| csv_error(path, &error))?.clone();
         let columns = Columns::of(&head).map_err(|message| at(path, 1, message))?;
         let mut survey = Self {
             path: path.to_owned(),
@@ -195,8 +188,7 @@ impl SurveyFile {
             return Err(at(path, 1, "there is no block below the head".to_owned()));
         }
         if roughest == f64::NEG_INFINITY {
-            let message =
-                "no block has an RMS in any band: such a survey would hide the one before it";
+            let message = "no block has an RMS in any band: such a survey would hide the one before it";
             return Err(at(path, 1, message.to_owned()));
         }
         if roughest > 0.0 && roughest < SMOOTHEST {
@@ -206,9 +198,7 @@ impl SurveyFile {
             );
             return Err(at(path, 1, message));
         }
-        let usual = lengths
-            .iter()
-            .max_by_key(|(length, count)| (**count, std::cmp::Reverse(**length)));
+        let usual = lengths.iter().max_by_key(|(length, count)| (**count, std::cmp::Reverse(**length)));
         survey.usual_block = usual.map_or(1.0, |(length, _)| 1e-3 * *length as f64);
         (survey.ends, survey.rows, survey.rails) = (ends, rows, rails);
         (survey.sha256, survey.goes_back) = (sha256, goes_back);
@@ -249,10 +239,9 @@ impl SurveyFile {
 
     /// The name of the file, without its folder.
     pub(crate) fn name(&self) -> String {
-        self.path.file_name().map_or_else(
-            || self.path.display().to_string(),
-            |name| name.to_string_lossy().into_owned(),
-        )
+        self.path
+            .file_name()
+            .map_or_else(|| self.path.display().to_string(), |name| name.to_string_lossy().into_owned())
     }
 
     /// Hand on block by block; `progress` is told of blocks done.
@@ -269,11 +258,7 @@ impl SurveyFile {
     }
 
     /// Hand on block by block with the name of the rail and whether it goes back there; the SHA-256 of what was read.
-    fn each_hashed<E: From<CaseError>>(
-        &self,
-        take: TakeBlock<'_, E>,
-        progress: &dyn Fn(usize),
-    ) -> Result<String, E> {
+    fn each_hashed<E: From<CaseError>>(&self, take: TakeBlock<'_, E>, progress: &dyn Fn(usize)) -> Result<String, E> {
         let path = &self.path;
         let mut reader = reader(path)?;
         let mut record = csv::ByteRecord::new();
@@ -285,14 +270,12 @@ impl SurveyFile {
             }
             let line = record.position().map_or(0, csv::Position::line) as usize;
             let wrong = |message: String| at(path, line, message);
-            let name = self.columns.rail.map_or(&b"rail"[..], |column| {
-                record.get(column).unwrap_or_default().trim_ascii()
-            });
+            let name =
+                self.columns.rail.map_or(&b"rail"[..], |column| record.get(column).unwrap_or_default().trim_ascii());
             let Ok(text) = str::from_utf8(name) else {
                 let shown = String::from_utf8_lossy(name);
-                let message = format!(
-                    "the name of the rail, \"{shown}\", is not in UTF-8; save the table in that encoding"
-                );
+                let message =
+                    format!("the name of the rail, \"{shown}\", is not in UTF-8; save the table in that encoding");
                 return Err(wrong(message).into());
             };
             let text = text.to_owned();
@@ -311,12 +294,7 @@ impl SurveyFile {
             });
             let end_m = course.end;
             let goes_back = course.goes_back(&text, &block).map_err(&wrong)?;
-            let goes_back = goes_back.then(|| GoesBack {
-                rail: text.clone(),
-                line,
-                end_m,
-                from_m: block.from,
-            });
+            let goes_back = goes_back.then(|| GoesBack { rail: text.clone(), line, end_m, from_m: block.from });
             take(&block, &text, goes_back)?;
             progress(1);
         }
@@ -328,12 +306,13 @@ impl Columns {
         let find = |name: &str| head.iter().position(|column| column.trim() == name);
         let place = |name: &str| {
             let metres = find(&format!("{name}_m")).map(|column| (column, 1.0));
-            metres
-                .or_else(|| find(&format!("{name}_km")).map(|column| (column, 1e3)))
-                .ok_or_else(|| match head.len() {
-                    1 => "has one column; commas divide the columns of a survey, as in blocks.csv of `riffel axlebox`".to_owned(),
-                    _ => format!("there is no column {name}_m or {name}_km; blocks.csv of `riffel axlebox` has what is needed"),
-                })
+            metres.or_else(|| find(&format!("{name}_km")).map(|column| (column, 1e3))).ok_or_else(|| match head.len() {
+                1 => "has one column; commas divide the columns of a survey, as in blocks.csv of `riffel axlebox`"
+                    .to_owned(),
+                _ => format!(
+                    "there is no column {name}_m or {name}_km; blocks.csv of `riffel axlebox` has what is needed"
+                ),
+            })
         };
         let (from, to) = (place("from")?, place("to")?);
         let mut bands = Vec::new();
@@ -347,18 +326,14 @@ impl Columns {
                 })?;
                 let same = |(other, ..): &(WavelengthBand, usize, f64)| *other == band;
                 if bands.iter().any(same) {
-                    return Err(format!(
-                        "column `{name}` is of a band that another column has already"
-                    ));
+                    return Err(format!("column `{name}` is of a band that another column has already"));
                 }
                 bands.push((band, column, unit));
             }
         }
         // Columns are found by name: their order means nothing.
         bands.sort_by(|(one, ..), (other, ..)| {
-            (one.from(), one.to())
-                .partial_cmp(&(other.from(), other.to()))
-                .expect("bands have finite ends")
+            (one.from(), one.to()).partial_cmp(&(other.from(), other.to())).expect("bands have finite ends")
         });
         if bands.is_empty() {
             return Err("there is no column of RMS in a band, as rms_30_to_100_mm_m".to_owned());
@@ -378,22 +353,15 @@ impl Columns {
             if cell.is_empty() {
                 return Ok(f64::NAN);
             }
-            let number = str::from_utf8(cell)
-                .ok()
-                .and_then(|text| text.parse::<f64>().ok());
+            let number = str::from_utf8(cell).ok().and_then(|text| text.parse::<f64>().ok());
             number.map(|number| unit * number).ok_or_else(|| {
                 let shown = String::from_utf8_lossy(cell);
                 format!("column {} is \"{shown}\", not a number", column + 1)
             })
         };
-        let (from, to) = (
-            value(self.from.0, self.from.1)?,
-            value(self.to.0, self.to.1)?,
-        );
+        let (from, to) = (value(self.from.0, self.from.1)?, value(self.to.0, self.to.1)?);
         if !(to > from && from.abs() < FARTHEST && to.abs() < FARTHEST) {
-            return Err(format!(
-                "the block runs from {from} m to {to} m, but must end after it begins"
-            ));
+            return Err(format!("the block runs from {from} m to {to} m, but must end after it begins"));
         }
         let mut rms = Vec::with_capacity(self.bands.len());
         for (band, column, unit) in &self.bands {
@@ -411,13 +379,7 @@ impl Columns {
             Some(column) => defects(record.get(column).unwrap_or_default(), [from, to])?,
             None => Vec::new(),
         };
-        Ok(Block {
-            rail,
-            from,
-            to,
-            rms,
-            defects,
-        })
+        Ok(Block { rail, from, to, rms, defects })
     }
 }
 
@@ -486,15 +448,8 @@ fn band_of(name: &str) -> Option<(WavelengthBand, f64)> {
 }
 
 fn reader(path: &Path) -> Result<csv::Reader<SurveyText<File>>, CaseError> {
-    let file = File::open(path).map_err(|reason| CaseError::Read {
-        what: "file",
-        path: path.to_owned(),
-        reason,
-    })?;
-    Ok(csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .buffer_capacity(1 << 20)
-        .from_reader(SurveyText::new(file)))
+    let file = File::open(path).map_err(|reason| CaseError::Read { what: "file", path: path.to_owned(), reason })?;
+    Ok(csv::ReaderBuilder::new().comment(Some(b'#')).buffer_capacity(1 << 20).from_reader(SurveyText::new(file)))
 }
 
 fn csv_error(path: &Path, error: &csv::Error) -> CaseError {
@@ -505,9 +460,7 @@ fn csv_error(path: &Path, error: &csv::Error) -> CaseError {
             path: path.to_owned(),
             reason: io::Error::new(reason.kind(), reason.to_string()),
         },
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             let message = format!("has {len} columns, but the head has {expected_len}");
             at(path, line as usize, message)
         }
@@ -516,10 +469,5 @@ fn csv_error(path: &Path, error: &csv::Error) -> CaseError {
 }
 
 fn at(path: &Path, line: usize, message: impl Into<riffel_keys::Message>) -> CaseError {
-    CaseError::Data {
-        path: path.to_owned(),
-        line: Some(line),
-        message: message.into(),
-        help: None,
-    }
+    CaseError::Data { path: path.to_owned(), line: Some(line), message: message.into(), help: None }
 }

@@ -19,13 +19,7 @@ pub(crate) struct SurveyText<R> {
 
 impl<R> SurveyText<R> {
     pub(crate) fn new(from: R) -> Self {
-        Self {
-            from,
-            hash: Sha256::new(),
-            line: 0,
-            is_quoted: false,
-            number: 1,
-        }
+        Self { from, hash: Sha256::new(), line: 0, is_quoted: false, number: 1 }
     }
 
     /// SHA-256 of all that was read.
@@ -35,10 +29,7 @@ impl<R> SurveyText<R> {
     }
 
     fn refuse(&self, what: &str) -> io::Error {
-        io::Error::new(
-            io::ErrorKind::InvalidData,
-            format!("line {} {what}", self.number),
-        )
+        io::Error::new(io::ErrorKind::InvalidData, format!("line {} {what}", self.number))
     }
 }
 
@@ -71,8 +62,7 @@ mod tests {
     fn read(bytes: &[u8]) -> Result<String, String> {
         let mut text = SurveyText::new(bytes);
         let done = io::copy(&mut text, &mut io::sink());
-        done.map(|_| text.sha256())
-            .map_err(|error| error.to_string())
+        done.map(|_| text.sha256()).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -82,15 +72,8 @@ mod tests {
         assert_eq!(read(b"abc").unwrap(), sum);
         let mut long = b"a,b\n".to_vec();
         long.resize(70_000, b'1');
-        assert_eq!(
-            read(&long).unwrap_err(),
-            "line 2 is longer than 65536 bytes"
-        );
-        assert!(
-            read(b"a,\"b\nc\"\n")
-                .unwrap_err()
-                .contains("line 1 has a quotation mark")
-        );
+        assert_eq!(read(&long).unwrap_err(), "line 2 is longer than 65536 bytes");
+        assert!(read(b"a,\"b\nc\"\n").unwrap_err().contains("line 1 has a quotation mark"));
         assert!(read(b"a,\"b\"\r\n1,2\r\n").is_ok());
     }
 }

@@ -19,19 +19,13 @@ impl Store {
     /// # Errors
     /// [`NetworkError::NoNetwork`] where there is none; [`NetworkError::DamagedStore`].
     pub fn open(folder: &Path) -> Result<Self, NetworkError> {
-        let mut store = Self {
-            folder: folder.to_owned(),
-            settings: StoreSettings::default(),
-            damage: Damage::new(),
-        };
+        let mut store = Self { folder: folder.to_owned(), settings: StoreSettings::default(), damage: Damage::new() };
         match store.record()? {
             Some(_) => {
                 store.damage = store.find_damage()?;
                 Ok(store)
             }
-            None => Err(NetworkError::NoNetwork {
-                folder: folder.to_owned(),
-            }),
+            None => Err(NetworkError::NoNetwork { folder: folder.to_owned() }),
         }
     }
 
@@ -42,9 +36,7 @@ impl Store {
     pub fn surveys(&self) -> Result<Vec<SurveyRecord>, NetworkError> {
         let (mut surveys, _) = self.records()?;
         surveys.retain(|survey| {
-            let record = self
-                .line_folder(&survey.line)
-                .join(record_name(survey.date));
+            let record = self.line_folder(&survey.line).join(record_name(survey.date));
             !self.damage.contains_key(&record)
         });
         Ok(surveys)
@@ -73,10 +65,7 @@ impl Store {
             let files = Self::record_files(&line)?;
             for arrays in Self::arrays_without(&line, &files)? {
                 let reason = "its record is lost".to_owned();
-                let lost = NetworkError::Damaged {
-                    path: arrays.clone(),
-                    reason,
-                };
+                let lost = NetworkError::Damaged { path: arrays.clone(), reason };
                 damage.insert(arrays, lost);
             }
             for file in files {
@@ -99,18 +88,12 @@ impl Store {
         let is_own = self.line_folder(&survey.line) == line
             && line.join(record_name(survey.date)) == file
             && survey.folder == arrays_name(survey.date, &survey.sha256)
-            && survey
-                .rails
-                .iter()
-                .all(|rail| arrays.next().as_ref() == Some(&rail.array));
+            && survey.rails.iter().all(|rail| arrays.next().as_ref() == Some(&rail.array));
         let possible = match is_own {
             true => survey.check(self.resolution()?),
             false => Err("it is the record of another survey"),
         };
-        let wrong = |reason: &str| NetworkError::Damaged {
-            path: file.to_owned(),
-            reason: reason.to_owned(),
-        };
+        let wrong = |reason: &str| NetworkError::Damaged { path: file.to_owned(), reason: reason.to_owned() };
         possible.map_err(wrong)?;
         Ok(survey)
     }
@@ -143,9 +126,7 @@ impl Store {
     pub(crate) fn find_damage(&self) -> Result<Damage, NetworkError> {
         let (surveys, mut damage) = self.records()?;
         damage.par_extend(surveys.par_iter().filter_map(|survey| {
-            let record = self
-                .line_folder(&survey.line)
-                .join(record_name(survey.date));
+            let record = self.line_folder(&survey.line).join(record_name(survey.date));
             Some((record, self.check_arrays(survey).err()?))
         }));
         Ok(damage)
@@ -169,8 +150,6 @@ impl Store {
 }
 
 fn parsed<T: serde::de::DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, NetworkError> {
-    serde_json::from_slice(bytes).map_err(|error| NetworkError::Damaged {
-        path: path.to_owned(),
-        reason: error.to_string(),
-    })
+    serde_json::from_slice(bytes)
+        .map_err(|error| NetworkError::Damaged { path: path.to_owned(), reason: error.to_string() })
 }

@@ -49,21 +49,14 @@ impl Trend {
         let count = self.points.len() as f64;
         let time = self.points.iter().map(|(time, _)| time).sum::<f64>() / count;
         let level = self.points.iter().map(|(_, level)| level).sum::<f64>() / count;
-        let spread = self
-            .points
-            .iter()
-            .map(|(own, _)| (own - time).powi(2))
-            .sum();
+        let spread = self.points.iter().map(|(own, _)| (own - time).powi(2)).sum();
         (time, level, spread)
     }
 
     /// Slope \[dB a year\]; none of a single date.
     pub(crate) fn growth(&self) -> Option<f64> {
         let (mean, level, spread) = self.means();
-        let products = self
-            .points
-            .iter()
-            .map(|(time, own)| (time - mean) * (own - level));
+        let products = self.points.iter().map(|(time, own)| (time - mean) * (own - level));
         (spread > 0.0).then(|| products.sum::<f64>() / spread)
     }
 
@@ -146,9 +139,7 @@ mod tests {
     fn noise(seed: &mut u64) -> f64 {
         let mut sum = -6.0;
         for _ in 0..12 {
-            *seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
+            *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             sum += (*seed >> 33) as f64 / (1u64 << 31) as f64;
         }
         sum
@@ -158,11 +149,7 @@ mod tests {
     /// twenty seems to grow or to shrink.
     #[test]
     fn scatter_is_no_growth() {
-        for times in [
-            vec![0.0, 0.01, 1.0],
-            vec![0.0, 0.5, 1.0, 1.5],
-            vec![0.0, 1.0],
-        ] {
+        for times in [vec![0.0, 0.01, 1.0], vec![0.0, 0.5, 1.0, 1.5], vec![0.0, 1.0]] {
             let mut seed = 7;
             let trends: Vec<Trend> = (0..2000)
                 .map(|_| {
@@ -172,11 +159,9 @@ mod tests {
                 .collect();
             let found = scatter(&trends);
             assert!((found / 0.8 - 1.0).abs() < 0.15, "{times:?}: {found}");
-            let seen = trends.iter().filter(|trend| {
-                trend
-                    .growth()
-                    .is_some_and(|growth| growth.abs() > trend.growth_error(found))
-            });
+            let seen = trends
+                .iter()
+                .filter(|trend| trend.growth().is_some_and(|growth| growth.abs() > trend.growth_error(found)));
             assert!((40..180).contains(&seen.count()), "{times:?}");
         }
     }
@@ -184,8 +169,7 @@ mod tests {
     /// All dates count, and those before the rail was ground do not.
     #[test]
     fn a_trend_begins_where_the_rail_was_ground() {
-        let trend =
-            Trend::new(&[(0.0, 12.0), (1.0, 1.0), (2.0, 3.5), (3.0, 5.0), (4.0, 7.5)]).unwrap();
+        let trend = Trend::new(&[(0.0, 12.0), (1.0, 1.0), (2.0, 3.5), (3.0, 5.0), (4.0, 7.5)]).unwrap();
         assert_eq!(trend.before, 1);
         // By hand: Σ(t − 2.5)(L) / 5 = (−1.5 · 1 − 0.5 · 3.5 + 0.5 · 5 + 1.5 · 7.5) / 5.
         assert!((trend.growth().unwrap() - 2.1).abs() < 1e-12);
@@ -199,16 +183,10 @@ mod tests {
     fn the_band_of_80_percent_holds_the_true_time() {
         let mut seed = 11;
         let scatter = 0.6;
-        for times in [
-            vec![0.0, 1.5],
-            vec![0.0, 0.7, 1.5],
-            vec![0.0, 0.3, 0.6, 0.9, 1.2, 1.5],
-        ] {
+        for times in [vec![0.0, 1.5], vec![0.0, 0.7, 1.5], vec![0.0, 0.3, 0.6, 0.9, 1.2, 1.5]] {
             let count = 2000;
             let held = (0..count).filter(|_| {
-                let points = times
-                    .iter()
-                    .map(|time| (*time, 2.0 * time + scatter * noise(&mut seed)));
+                let points = times.iter().map(|time| (*time, 2.0 * time + scatter * noise(&mut seed)));
                 let points: Vec<(f64, f64)> = points.collect();
                 let trend = Trend::new(&points).unwrap();
                 let rise = 2.0 * (1.5 + 2.0) - points.last().unwrap().1;

@@ -51,10 +51,7 @@ pub fn worst(
     most: usize,
 ) -> Result<Vec<WorstPlace>, NetworkError> {
     let latest = store.latest(until)?;
-    let rails: Vec<_> = latest
-        .iter()
-        .flat_map(|survey| survey.rails.iter().map(move |rail| (survey, rail)))
-        .collect();
+    let rails: Vec<_> = latest.iter().flat_map(|survey| survey.rails.iter().map(move |rail| (survey, rail))).collect();
     let grown = match growth_by_band(store, judgement, length, until.map(|day| [Date::MIN, day])) {
         Ok(grown) => grown,
         Err(NetworkError::Nothing(_)) => Vec::new(),
@@ -118,9 +115,7 @@ fn first(places: &mut Vec<WorstPlace>, most: usize) {
         Some(DefectKind::Joint | DefectKind::Weld) => 1,
         Some(DefectKind::Ground) | None => 2,
     };
-    let ahead = |place: &WorstPlace| {
-        place.rms_over_limit * 10f64.powf(place.growth_db_per_year.unwrap_or(0.0) / 20.0)
-    };
+    let ahead = |place: &WorstPlace| place.rms_over_limit * 10f64.powf(place.growth_db_per_year.unwrap_or(0.0) / 20.0);
     places.sort_by(|a, b| class(a).cmp(&class(b)).then(ahead(b).total_cmp(&ahead(a))));
     places.truncate(most);
 }

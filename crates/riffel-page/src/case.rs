@@ -29,14 +29,9 @@ impl crate::Question for Question {
     fn answer(&self) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let toml = self.case.toml()?;
-        let keys = toml.parse().map_err(|error: toml::de::Error| {
-            Fault::bad(say!(not_valid_toml, message = error.to_string()))
-        })?;
-        Reply::json(&Answer {
-            keys,
-            toml,
-            complete: case.file,
-            remarks: case.remarks,
-        })
+        let keys = toml
+            .parse()
+            .map_err(|error: toml::de::Error| Fault::bad(say!(not_valid_toml, message = error.to_string())))?;
+        Reply::json(&Answer { keys, toml, complete: case.file, remarks: case.remarks })
     }
 }

@@ -35,8 +35,9 @@ impl CaseText {
     pub fn toml(&self) -> Result<String, Fault> {
         let text = match self {
             Self::Toml(text) => text.clone(),
-            Self::Keys(keys) => toml::to_string(keys)
-                .map_err(|error| Fault::bad(format!("the case cannot be written: {error}")))?,
+            Self::Keys(keys) => {
+                toml::to_string(keys).map_err(|error| Fault::bad(format!("the case cannot be written: {error}")))?
+            }
         };
         if text.len() > LARGEST_CASE {
             return Err(Fault::refused(
@@ -59,18 +60,11 @@ impl CaseText {
         let map = &case.file.map;
         let points = map.wavelength.points * map.speed.points;
         if points > MOST_MAP_POINTS {
-            let larger = if map.wavelength.points < map.speed.points {
-                "map.speed.points"
-            } else {
-                "map.wavelength.points"
-            };
+            let larger =
+                if map.wavelength.points < map.speed.points { "map.speed.points" } else { "map.wavelength.points" };
             return Err(Fault::of_key(
                 larger,
-                say!(
-                    map_points_are_more_than_the,
-                    points = points,
-                    most_map_points = MOST_MAP_POINTS
-                ),
+                say!(map_points_are_more_than_the, points = points, most_map_points = MOST_MAP_POINTS),
                 say!(lower_points_on_the_page),
             ));
         }
@@ -91,16 +85,10 @@ fn check_grid(text: &str) -> Result<(), Fault> {
     }
     // What does not read as this has the defaults, or a fault that the reader of the case names.
     match toml::from_str::<File>(text) {
-        Ok(File { contact })
-            if contact.grid > FINEST_GRID && contact.response == ContactDynamics::NonSteady =>
-        {
+        Ok(File { contact }) if contact.grid > FINEST_GRID && contact.response == ContactDynamics::NonSteady => {
             Err(Fault::of_key(
                 "contact.grid",
-                say!(
-                    contact_grid_is_but_the_page,
-                    grid = contact.grid,
-                    finest_grid = FINEST_GRID
-                ),
+                say!(contact_grid_is_but_the_page, grid = contact.grid, finest_grid = FINEST_GRID),
                 say!(the_program_itself_goes_further),
             ))
         }

@@ -28,8 +28,7 @@ impl Variant {
     /// The case with a contact that answers in the whole window of another.
     fn covering(&self, case: &Case) -> Result<Case, Fault> {
         let own = self.case.read().map_err(|fault| self.fault(fault))?;
-        own.covering(case.wavelength.min(), case.wavelength.max())
-            .map_err(|error| self.fault(error.into()))
+        own.covering(case.wavelength.min(), case.wavelength.max()).map_err(|error| self.fault(error.into()))
     }
 
     /// A fault of a variant is not one of the form.
@@ -43,9 +42,7 @@ fn at_most<T>(what: &str, given: &[T], most: usize) -> Result<(), Fault> {
         return Ok(());
     }
     let count = given.len();
-    Err(Fault::bad(format!(
-        "{count} {what} are asked for, but at most {most} at a time"
-    )))
+    Err(Fault::bad(format!("{count} {what} are asked for, but at most {most} at a time")))
 }
 
 #[derive(Deserialize)]
@@ -89,13 +86,10 @@ enum UnderTraffic {
 impl UnderTraffic {
     fn of(case: &Case, traffic: Option<&riffel_case::traffic::Traffic>) -> Self {
         match LineGrowth::new(case, traffic) {
-            Ok(growth) => Self::Answered {
-                doubles_in: growth.fastest.as_ref().map(|it| it.time()),
-                growth: Box::new(growth),
-            },
-            Err(error) => Self::Refused {
-                fault: error.into(),
-            },
+            Ok(growth) => {
+                Self::Answered { doubles_in: growth.fastest.as_ref().map(|it| it.time()), growth: Box::new(growth) }
+            }
+            Err(error) => Self::Refused { fault: error.into() },
         }
     }
 }
@@ -115,10 +109,7 @@ impl crate::Question for Question {
         for variant in &self.variants {
             let own = variant.covering(&case)?;
             let map = Computed::new(&own, &own.feedback, wavelength, speed)?;
-            variants.push(Compared {
-                head: map.head,
-                under_traffic: UnderTraffic::of(&own, traffic.as_ref()),
-            });
+            variants.push(Compared { head: map.head, under_traffic: UnderTraffic::of(&own, traffic.as_ref()) });
             values.extend(map.values);
         }
         Reply::framed(&Answer { variants }, &values)
@@ -172,9 +163,7 @@ impl Growth {
             wavelength_m,
             lines: case
                 .told_of(window)
-                .map_or_else(Vec::new, |told| {
-                    Ridge::lines_at(&case.feedback, told, speed)
-                })
+                .map_or_else(Vec::new, |told| Ridge::lines_at(&case.feedback, told, speed))
                 .iter()
                 .map(RidgePointDocument::from)
                 .collect(),
@@ -195,17 +184,9 @@ impl crate::Question for CurvesQuestion {
         at_most("curves", &self.curves, MOST_CURVES)?;
         let case = self.case.read()?;
         let mut curves = Vec::new();
-        for CurveQuestion {
-            variant,
-            speed_m_per_s: speed,
-        } in &self.curves
-        {
+        for CurveQuestion { variant, speed_m_per_s: speed } in &self.curves {
             if !(*speed > 0.0 && *speed <= 200.0) {
-                return Err(Fault::bad(say!(
-                    the_speed_is_m_s_but,
-                    name = &variant.name,
-                    speed = *speed
-                )));
+                return Err(Fault::bad(say!(the_speed_is_m_s_but, name = &variant.name, speed = *speed)));
             }
             let own = variant.covering(&case)?;
             curves.push(Growth::new(&own, case.wavelength, *speed)?);

@@ -37,10 +37,6 @@ impl crate::Question for Question {
         let of_mean = shakedown.of_mean();
         let sentences = [of_mean].into_iter().chain(shakedown.sentences());
         let sentences: Vec<_> = sentences.chain(damage.findings.clone()).collect();
-        Reply::json(&Answer {
-            sentences,
-            notes: &shakedown.remarks,
-            damage: &damage,
-        })
+        Reply::json(&Answer { sentences, notes: &shakedown.remarks, damage: &damage })
     }
 }

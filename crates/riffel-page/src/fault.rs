@@ -89,11 +89,7 @@ impl Fault {
     }
 
     /// A request that is not let in.
-    pub fn refused(
-        status: impl Into<u16>,
-        message: impl Into<Message>,
-        help: impl Into<Message>,
-    ) -> Self {
+    pub fn refused(status: impl Into<u16>, message: impl Into<Message>, help: impl Into<Message>) -> Self {
         Self {
             status: status.into(),
             retry_after_s: None,
@@ -109,10 +105,7 @@ impl Fault {
     /// The same fault with what is known of its sentences.
     #[must_use]
     pub fn with_translations(self, known: Translations) -> Self {
-        Self {
-            known: Some(known.into()),
-            ..self
-        }
+        Self { known: Some(known.into()), ..self }
     }
 
     /// A newer question for the same has come.
@@ -122,18 +115,12 @@ impl Fault {
 
     /// Too much to do at present.
     pub fn busy(message: impl Into<Message>) -> Self {
-        Self {
-            retry_after_s: Some(1),
-            ..Self::refused(Self::BUSY, message, say!(page_asks_again))
-        }
+        Self { retry_after_s: Some(1), ..Self::refused(Self::BUSY, message, say!(page_asks_again)) }
     }
 
     /// A value of the case beyond what the page computes.
     pub fn of_key(key: &str, message: impl Into<Message>, help: impl Into<Message>) -> Self {
-        Self {
-            key: Some(key.into()),
-            ..Self::refused(Self::UNPROCESSABLE, message, help)
-        }
+        Self { key: Some(key.into()), ..Self::refused(Self::UNPROCESSABLE, message, help) }
     }
 
     /// A request that cannot be read, or cannot be answered as it stands.
@@ -145,23 +132,14 @@ impl Fault {
     pub fn misunderstood(detail: &str) -> Self {
         Self {
             detail: Some(detail.into()),
-            ..Self::refused(
-                Self::UNPROCESSABLE,
-                say!(page_misunderstood),
-                say!(reload_page),
-            )
+            ..Self::refused(Self::UNPROCESSABLE, say!(page_misunderstood), say!(reload_page))
         }
     }
 
     /// The same fault of something that the form does not show.
     #[must_use]
     pub fn without_key(self, what: &str) -> Self {
-        Self {
-            key: None,
-            line: None,
-            message: say!(place_and_fault, place = what, fault = self.message),
-            ..self
-        }
+        Self { key: None, line: None, message: say!(place_and_fault, place = what, fault = self.message), ..self }
     }
 
     /// A defect of the program.
@@ -187,11 +165,7 @@ impl From<CaseError> for Fault {
             _ => None,
         };
         let help = error.advice().unwrap_or_else(|| "".into());
-        Self {
-            key,
-            line,
-            ..Self::refused(Self::UNPROCESSABLE, error.message(), help)
-        }
+        Self { key, line, ..Self::refused(Self::UNPROCESSABLE, error.message(), help) }
     }
 }
 

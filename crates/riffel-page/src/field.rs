@@ -100,8 +100,8 @@ impl crate::Question for Question {
     }
 
     fn answer(&self) -> Result<Reply, Fault> {
-        let kept: Prediction = serde_json::from_str(KEPT)
-            .map_err(|_| Fault::defect(say!(the_computation_broke_off)))?;
+        let kept: Prediction =
+            serde_json::from_str(KEPT).map_err(|_| Fault::defect(say!(the_computation_broke_off)))?;
         let samples = kept.cases.iter().map(|site| site.samples).min();
         let rows = kept.cases.into_iter().flat_map(|site| {
             let outcomes = site.outcomes.into_iter();
@@ -132,10 +132,7 @@ mod tests {
         let german = |message: Message| message.text(riffel_keys::Language::German);
         for outcome in outcomes {
             assert_ne!(german(quantity(&outcome.what)), outcome.what);
-            assert!(
-                ["mm", "Hz"].contains(&&*outcome.unit)
-                    || german(unit(&outcome.unit)) != outcome.unit
-            );
+            assert!(["mm", "Hz"].contains(&&*outcome.unit) || german(unit(&outcome.unit)) != outcome.unit);
         }
     }
 }

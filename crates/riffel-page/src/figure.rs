@@ -35,9 +35,7 @@ impl crate::Question for Question {
         let (_, make) = FIGURES
             .into_iter()
             .find(|(known, _)| *known == number)
-            .ok_or_else(|| {
-                Fault::bad(format!("the paper has no figure {number} that is computed"))
-            })?;
+            .ok_or_else(|| Fault::bad(format!("the paper has no figure {number} that is computed")))?;
         let model = match self.contact {
             Contact::QuasiStatic => Model::QuasiStatic,
             Contact::SpringDashpot => Model::SpringDashpot,

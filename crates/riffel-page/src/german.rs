@@ -7,9 +7,7 @@ use serde_json::Value;
 /// What is an answer itself may have brought such tables, which go into these.
 pub(crate) fn beside(mut answer: Value, mut known: Translations) -> Value {
     take(&mut answer, &mut known);
-    if let (Value::Object(answer), Ok(Value::Object(known))) =
-        (&mut answer, serde_json::to_value(known))
-    {
+    if let (Value::Object(answer), Ok(Value::Object(known))) = (&mut answer, serde_json::to_value(known)) {
         answer.extend(known);
     }
     answer
@@ -39,13 +37,9 @@ mod tests {
     #[test]
     fn what_is_said_has_its_german_beside_it() {
         let inner = json!({ "value": 1, "german": { "low": "innen" } });
-        let (answer, known) =
-            with_translations(|| json!({ "rule": say!(is_missing), "inner": inner }));
+        let (answer, known) = with_translations(|| json!({ "rule": say!(is_missing), "inner": inner }));
         let expected = json!({ "rule": "is missing", "inner": { "value": 1 }, "german": { "is missing": "fehlt", "low": "innen" } });
         assert_eq!(beside(answer, known), expected);
-        assert_eq!(
-            beside(json!({ "value": 1 }), Translations::default()),
-            json!({ "value": 1 })
-        );
+        assert_eq!(beside(json!({ "value": 1 }), Translations::default()), json!({ "value": 1 }));
     }
 }

@@ -82,11 +82,7 @@ struct Range {
 
 impl From<Axis> for Range {
     fn from(axis: Axis) -> Self {
-        Self {
-            min: axis.min(),
-            max: axis.max(),
-            points: axis.points(),
-        }
+        Self { min: axis.min(), max: axis.max(), points: axis.points() }
     }
 }
 
@@ -120,10 +116,7 @@ impl BranchColumns {
         let mut points: Vec<&RidgePoint> = pieces.flat_map(RidgeBranch::crest).collect();
         points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         let column = |value: fn(&RidgePoint) -> f64| points.iter().map(|&p| value(p)).collect();
-        Self {
-            speed_m_per_s: column(|point| point.speed),
-            wavelength_m: column(|point| point.wavelength),
-        }
+        Self { speed_m_per_s: column(|point| point.speed), wavelength_m: column(|point| point.wavelength) }
     }
 }
 
@@ -154,29 +147,17 @@ pub(crate) struct Computed {
 
 impl Computed {
     /// The map of a loop of the case in a window.
-    pub(crate) fn new(
-        case: &Case,
-        feedback: &Loop,
-        wavelength: Axis,
-        speed: Axis,
-    ) -> Result<Self, Fault> {
+    pub(crate) fn new(case: &Case, feedback: &Loop, wavelength: Axis, speed: Axis) -> Result<Self, Fault> {
         let map = GrowthMap::compute(feedback, wavelength, speed, |_| ());
         let ridge = ridge_in(case, feedback, [wavelength, speed]);
         let branches = BranchDocument::all(case, &ridge);
         let branches_in_words = BranchDocument::sentence(&branches);
-        let growing: Vec<&RidgePoint> = ridge
-            .points
-            .iter()
-            .filter(|point| point.growth_rate > 0.0)
-            .collect();
+        let growing: Vec<&RidgePoint> = ridge.points.iter().filter(|point| point.growth_rate > 0.0).collect();
         let column = |value: fn(&RidgePoint) -> f64| growing.iter().map(|&p| value(p)).collect();
         Ok(Self {
             head: Head {
                 title: case.file.title.clone(),
-                window: Window {
-                    wavelength_m: wavelength.into(),
-                    speed_m_per_s: speed.into(),
-                },
+                window: Window { wavelength_m: wavelength.into(), speed_m_per_s: speed.into() },
                 growth_rate_per_dissipation: map.growth_rate_per_dissipation(),
                 ridge: RidgeColumns {
                     speed_m_per_s: column(|point| point.speed),
@@ -186,32 +167,19 @@ impl Computed {
                 },
                 branches: branches
                     .into_iter()
-                    .map(|document| Branch {
-                        points: BranchColumns::of(&ridge, &document),
-                        document,
-                    })
+                    .map(|document| Branch { points: BranchColumns::of(&ridge, &document), document })
                     .collect(),
                 branches_in_words,
                 best_fit_frequency_hz: best_fit_frequency(&ridge),
-                highest: ridge
-                    .highest()
-                    .filter(|point| point.growth_rate > 0.0)
-                    .map(RidgePointDocument::from),
-                rays_hz: constant_frequency_rays(
-                    (wavelength.min(), wavelength.max()),
-                    (speed.min(), speed.max()),
-                ),
+                highest: ridge.highest().filter(|point| point.growth_rate > 0.0).map(RidgePointDocument::from),
+                rays_hz: constant_frequency_rays((wavelength.min(), wavelength.max()), (speed.min(), speed.max())),
                 derived: Derived::of(case),
                 complete: case.file.clone(),
                 idle: idle(case),
                 remarks: case.remarks.clone(),
                 usual_traffic: case.into(),
             },
-            values: map
-                .rows()
-                .flat_map(|(_, row)| row)
-                .map(|value| value.re as f32)
-                .collect(),
+            values: map.rows().flat_map(|(_, row)| row).map(|value| value.re as f32).collect(),
         })
     }
 }
@@ -250,8 +218,7 @@ fn idle(case: &Case) -> Vec<&'static str> {
     // The map is that of one place of the bay.
     let of_a_place = |key: &str| key == "track.position" && case.file.track.model.is_periodic();
     let idle = MAY_BE_IDLE.into_iter();
-    idle.filter(|key| case.idle_because(key).is_some() && !of_a_place(key))
-        .collect()
+    idle.filter(|key| case.idle_because(key).is_some() && !of_a_place(key)).collect()
 }
 
 impl crate::Question for Question {

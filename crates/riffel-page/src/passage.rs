@@ -43,8 +43,7 @@ impl crate::Question for Question {
 
     fn answer(&self) -> Result<Reply, Fault> {
         let [least, most] = AMPLITUDES;
-        let (wavelength, speed, amplitude) =
-            (self.wavelength_m, self.speed_m_per_s, self.amplitude_m);
+        let (wavelength, speed, amplitude) = (self.wavelength_m, self.speed_m_per_s, self.amplitude_m);
         if !(least..=most).contains(&amplitude) {
             return Err(Fault::bad(say!(
                 the_amplitude_is_m_but_must,
@@ -55,10 +54,7 @@ impl crate::Question for Question {
         }
         let case = self.case.read()?;
         let state = case.point(wavelength, speed)?;
-        let profile = Sinusoid {
-            wavelength,
-            amplitude,
-        };
+        let profile = Sinusoid { wavelength, amplitude };
         let request = SinusoidRequest::new(speed, profile, None).map_err(refused)?;
         let answer = SinusoidAnswer::new(&case, request).map_err(refused)?;
         let course = answer.course();
@@ -75,10 +71,7 @@ impl crate::Question for Question {
         Reply::json(&Answer {
             linear: Linear {
                 normal_force_n: linear(static_normal_force, state.normal_force()),
-                dissipation_j_per_m: linear(
-                    state.mean_dissipation / speed,
-                    state.dissipation / speed,
-                ),
+                dissipation_j_per_m: linear(state.mean_dissipation / speed, state.dissipation / speed),
             },
             contact_loss_fraction: answer.settled.contact_loss,
             static_normal_force_n: static_normal_force,
@@ -92,9 +85,7 @@ impl crate::Question for Question {
 fn refused(error: AnswerError) -> Fault {
     match error {
         AnswerError::Case(CaseError::Physics { error, .. }) => Fault::bad(Message::from(&error)),
-        AnswerError::Argument { value, rule, .. } => {
-            Fault::bad(say!(wave_is_but_must_be, value = value, rule = rule))
-        }
+        AnswerError::Argument { value, rule, .. } => Fault::bad(say!(wave_is_but_must_be, value = value, rule = rule)),
         error => error.into(),
     }
 }

@@ -92,13 +92,7 @@ fn within(key: &str, what: &str, value: f64, low: f64, high: f64) -> Result<f64,
     }
     Err(Fault::of_key(
         key,
-        say!(
-            the_of_the_point_is_but,
-            what = what,
-            value = value,
-            low = low,
-            high = high
-        ),
+        say!(the_of_the_point_is_but, what = what, value = value, low = low, high = high),
         say!(choose_a_point_on_the_map),
     ))
 }
@@ -112,13 +106,7 @@ impl crate::Question for Question {
         let case = self.case.read()?;
         let (shortest, longest) = (case.wavelength.min(), case.wavelength.max());
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
-        let wavelength = within(
-            "map.wavelength",
-            "wavelength",
-            self.wavelength_m,
-            shortest,
-            longest,
-        )?;
+        let wavelength = within("map.wavelength", "wavelength", self.wavelength_m, shortest, longest)?;
         let speed = within("map.speed", "speed", self.speed_m_per_s, slowest, fastest)?;
         let state = case.point(wavelength, speed)?;
         let spectrum = Spectrum::new(&case, speed);

@@ -65,10 +65,7 @@ impl crate::Question for Question {
             months_per_cost: remedy.months_per_cost(),
             remedy,
         });
-        let left_out = answer.left_out.iter().map(|it| LeftOut {
-            title: &it.title,
-            reason: &it.reason,
-        });
+        let left_out = answer.left_out.iter().map(|it| LeftOut { title: &it.title, reason: &it.reason });
         Reply::json(&Answer {
             helps_most: answer.helps_most(),
             remedies: ranked.collect(),

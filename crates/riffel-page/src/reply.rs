@@ -20,11 +20,7 @@ pub struct Reply {
 impl Reply {
     /// An answer in JSON.
     pub(crate) fn json(answer: &impl Serialize) -> Result<Self, Fault> {
-        Ok(Self {
-            content_type: "application/json",
-            attached: false,
-            bytes: written(answer)?,
-        })
+        Ok(Self { content_type: "application/json", attached: false, bytes: written(answer)? })
     }
 
     /// Numbers by the ten thousand, with a head that says what they are.
@@ -35,17 +31,12 @@ impl Reply {
     pub(crate) fn framed(head: &impl Serialize, values: &[f32]) -> Result<Self, Fault> {
         let mut head = written(head)?;
         head.resize(head.len().next_multiple_of(4), b' ');
-        let length =
-            u32::try_from(head.len()).map_err(|_| Fault::defect("the answer is too long"))?;
+        let length = u32::try_from(head.len()).map_err(|_| Fault::defect("the answer is too long"))?;
         let mut bytes = Vec::with_capacity(4 + head.len() + 4 * values.len());
         bytes.extend(length.to_le_bytes());
         bytes.extend(head);
         bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
-        Ok(Self {
-            content_type: "application/octet-stream",
-            attached: false,
-            bytes,
-        })
+        Ok(Self { content_type: "application/octet-stream", attached: false, bytes })
     }
 }
 

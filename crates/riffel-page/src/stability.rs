@@ -28,10 +28,6 @@ impl crate::Question for Question {
     fn answer(&self) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let map = StabilityMap::new(&case, &StabilityMap::frictions(), &|_| ())?;
-        Reply::json(&Answer {
-            sentences: map.sentences(),
-            notes: &map.remarks,
-            map: &map,
-        })
+        Reply::json(&Answer { sentences: map.sentences(), notes: &map.remarks, map: &map })
     }
 }

@@ -23,10 +23,6 @@ impl crate::Question for Question {
         let mut bytes = Vec::new();
         map_csv(&map, &mut bytes, |_| ())
             .map_err(|error| Fault::bad(format!("the table cannot be written: {error}")))?;
-        Ok(Reply {
-            content_type: "text/csv; charset=utf-8",
-            attached: true,
-            bytes,
-        })
+        Ok(Reply { content_type: "text/csv; charset=utf-8", attached: true, bytes })
     }
 }

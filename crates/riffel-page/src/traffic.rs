@@ -2,8 +2,7 @@
 
 use riffel_case::Case;
 use riffel_case::traffic::{
-    CurveOfVehicle, Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys,
-    WHEEL_OF_THE_CASE,
+    CurveOfVehicle, Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys, WHEEL_OF_THE_CASE,
 };
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{say, shown_speed};
@@ -104,8 +103,7 @@ impl Traffic {
     /// # Errors
     /// A [`Fault`] for one that cannot be written.
     pub fn toml(&self) -> Result<String, Fault> {
-        toml::to_string(&self.keys())
-            .map_err(|error| Fault::bad(format!("the traffic cannot be written: {error}")))
+        toml::to_string(&self.keys()).map_err(|error| Fault::bad(format!("the traffic cannot be written: {error}")))
     }
 
     fn keys(&self) -> TrafficFile {
@@ -122,10 +120,7 @@ impl Traffic {
         }
         TrafficFile {
             title: None,
-            line: Line {
-                passages_per_day: Some(self.passages_per_day),
-                ..Line::default()
-            },
+            line: Line { passages_per_day: Some(self.passages_per_day), ..Line::default() },
             vehicle,
         }
     }
@@ -139,10 +134,7 @@ impl Traffic {
         }
         let shares: f64 = self.vehicles.iter().map(|vehicle| vehicle.share).sum();
         let speeds = self.vehicles.iter();
-        speeds
-            .map(|vehicle| vehicle.share * mean(vehicle.range()))
-            .sum::<f64>()
-            / shares
+        speeds.map(|vehicle| vehicle.share * mean(vehicle.range())).sum::<f64>() / shares
     }
 
     /// The range of speeds of the wheel of the case, for a diagnosis or a report; without one the program takes those of the
@@ -178,8 +170,7 @@ mod tests {
     use serde_json::{Value, json};
 
     fn traffic(more: Value) -> Traffic {
-        let mut given =
-            json!({ "slowest_m_per_s": 20.0, "fastest_m_per_s": 30.0, "passages_per_day": 4000.0 });
+        let mut given = json!({ "slowest_m_per_s": 20.0, "fastest_m_per_s": 30.0, "passages_per_day": 4000.0 });
         given["vehicles"] = more;
         serde_json::from_value(given).unwrap()
     }
@@ -193,9 +184,7 @@ mod tests {
         let traffic = traffic(json!([]));
         traffic.read().unwrap();
         let read = CheckedTraffic::parse("t", &traffic.toml().unwrap()).unwrap();
-        let [only] = &read.file.vehicle[..] else {
-            panic!("one vehicle")
-        };
+        let [only] = &read.file.vehicle[..] else { panic!("one vehicle") };
         let speed = only.speed.unwrap();
         let deviation = speed.standard_deviation.unwrap().si();
         // Written and read as decimal digits, which hold every bit.
@@ -213,9 +202,7 @@ mod tests {
         let traffic = traffic(json!([vehicle("unit", 0.75, [30.0, 40.0]), freight]));
         traffic.read().unwrap();
         let read = CheckedTraffic::parse("t", &traffic.toml().unwrap()).unwrap();
-        let [unit, freight] = &read.file.vehicle[..] else {
-            panic!("two vehicles")
-        };
+        let [unit, freight] = &read.file.vehicle[..] else { panic!("two vehicles") };
         assert_eq!((unit.share.si(), unit.wheel_load), (0.75, None));
         assert_eq!(freight.name, "fre\"ight\"\n[line]");
         assert_eq!(freight.wheel_load.unwrap().si(), 80e3);
@@ -245,43 +232,17 @@ mod tests {
     fn what_the_program_refuses_is_refused_with_its_sentence() {
         for (vehicles, words) in [
             (json!([vehicle("a", 0.5, [20.0, 30.0])]), "sum to 0.5"),
-            (
-                json!([
-                    vehicle("a", 0.0, [20.0, 30.0]),
-                    vehicle("b", 1.0, [20.0, 30.0])
-                ]),
-                "greater than zero",
-            ),
-            (
-                json!([
-                    vehicle("a", -0.5, [20.0, 30.0]),
-                    vehicle("b", 1.5, [20.0, 30.0])
-                ]),
-                "greater than zero",
-            ),
-            (
-                json!([
-                    vehicle("a", 0.5, [20.0, 30.0]),
-                    vehicle("a", 0.5, [20.0, 30.0])
-                ]),
-                "a second time",
-            ),
+            (json!([vehicle("a", 0.0, [20.0, 30.0]), vehicle("b", 1.0, [20.0, 30.0])]), "greater than zero"),
+            (json!([vehicle("a", -0.5, [20.0, 30.0]), vehicle("b", 1.5, [20.0, 30.0])]), "greater than zero"),
+            (json!([vehicle("a", 0.5, [20.0, 30.0]), vehicle("a", 0.5, [20.0, 30.0])]), "a second time"),
             (json!([vehicle(" ", 1.0, [20.0, 30.0])]), "is empty"),
-            (
-                json!([vehicle("a", 1.0, [30.0, 20.0])]),
-                "must be above zero and rise",
-            ),
-            (
-                json!([vehicle("a", 1.0, [0.0, 20.0])]),
-                "must be above zero and rise",
-            ),
+            (json!([vehicle("a", 1.0, [30.0, 20.0])]), "must be above zero and rise"),
+            (json!([vehicle("a", 1.0, [0.0, 20.0])]), "must be above zero and rise"),
         ] {
             let fault = traffic(vehicles).read().err().unwrap();
             assert!(fault.message().contains(words), "{}", fault.message());
         }
-        let many: Vec<Value> = (0..13)
-            .map(|k| vehicle(&k.to_string(), 1.0 / 13.0, [20.0, 30.0]))
-            .collect();
+        let many: Vec<Value> = (0..13).map(|k| vehicle(&k.to_string(), 1.0 / 13.0, [20.0, 30.0])).collect();
         assert!(traffic(json!(many)).read().is_err());
     }
 }

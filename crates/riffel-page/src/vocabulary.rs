@@ -4,41 +4,23 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use riffel_case::{
-    FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, NOMINAL_CASE, TRAM_CASE, descriptions, json_schema,
-    presets,
+    FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, NOMINAL_CASE, TRAM_CASE, descriptions, json_schema, presets,
 };
 use riffel_keys::{Language, Words};
 use serde_json::{Value, json};
 
 /// Lines to begin with, each on a supported track, with the German of their titles.
 const LINES: [(&str, &str, &str); 4] = [
-    (
-        "main-line",
-        MAIN_LINE_CASE,
-        "Hauptstrecke: 60E1 im Schotter, Schwellen alle 0,6 m",
-    ),
-    (
-        "freight",
-        FREIGHT_CASE,
-        "Güterstrecke: 60E1 im Schotter, Achslast 22,5 t",
-    ),
-    (
-        "metro",
-        METRO_CASE,
-        "U-Bahn: 54E1 mit direkter Befestigung alle 0,65 m",
-    ),
-    (
-        "tram",
-        TRAM_CASE,
-        "Straßenbahn: 54E1 mit direkter Befestigung alle 0,65 m",
-    ),
+    ("main-line", MAIN_LINE_CASE, "Hauptstrecke: 60E1 im Schotter, Schwellen alle 0,6 m"),
+    ("freight", FREIGHT_CASE, "Güterstrecke: 60E1 im Schotter, Achslast 22,5 t"),
+    ("metro", METRO_CASE, "U-Bahn: 54E1 mit direkter Befestigung alle 0,65 m"),
+    ("tram", TRAM_CASE, "Straßenbahn: 54E1 mit direkter Befestigung alle 0,65 m"),
 ];
 /// The German of the title of the nominal case.
 const NOMINAL_TITLE: &str = "Hauptstrecke der BR, gerades Gleis";
 
 /// The vocabulary with the nominal case to begin with, in JSON.
-pub static VOCABULARY: LazyLock<String> =
-    LazyLock::new(|| vocabulary_of(&NOMINAL_CASE.parse().unwrap_or_default()));
+pub static VOCABULARY: LazyLock<String> = LazyLock::new(|| vocabulary_of(&NOMINAL_CASE.parse().unwrap_or_default()));
 
 /// The vocabulary in JSON, with the keys of the case to begin with.
 pub fn vocabulary_of(case: &toml::Table) -> String {
@@ -56,10 +38,7 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
             json!({ "name": preset.name, "key": preset.kind.key(), "title": preset.title.to_string(), "values": values })
         })
         .collect();
-    let lines: Vec<Value> = LINES
-        .iter()
-        .map(|&(name, text, _)| json!({ "name": name, "case": keys(text) }))
-        .collect();
+    let lines: Vec<Value> = LINES.iter().map(|&(name, text, _)| json!({ "name": name, "case": keys(text) })).collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "schema": json_schema(),

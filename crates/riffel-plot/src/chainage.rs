@@ -23,11 +23,7 @@ impl ChainageUnit {
             .into_iter()
             .filter(|position| position.is_finite())
             .fold(0.0, |farthest: f64, position| farthest.max(position.abs()));
-        if farthest < 1e3 {
-            Self::Metre
-        } else {
-            Self::Kilometre
-        }
+        if farthest < 1e3 { Self::Metre } else { Self::Kilometre }
     }
 
     /// A position \[m\] in this unit.

@@ -48,11 +48,7 @@ pub(crate) const BEST_FIT: Rgb = OKABE_ITO[2];
 /// The lightness of the OKLab space (B. Ottosson, 2020) falls linearly with `fraction`, so equal
 /// steps of growth look equal, in print without colour too. `fraction` outside 0 … 1 is clamped.
 pub(crate) fn growth_color(fraction: f64) -> Rgb {
-    let t = if fraction.is_finite() {
-        fraction.clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let t = if fraction.is_finite() { fraction.clamp(0.0, 1.0) } else { 0.0 };
     let lightness = 0.955 + (0.40 - 0.955) * t;
     let chroma = 0.022 + (0.130 - 0.022) * (1.0 - (1.0 - t).powi(2));
     let hue = (225.0 + (262.0 - 225.0) * t).to_radians();
@@ -74,11 +70,7 @@ fn oklab_to_srgb(lightness: f64, a: f64, b: f64) -> Rgb {
 
 /// The transfer function of IEC 61966-2-1.
 fn srgb_channel(linear: f64) -> u8 {
-    let encoded = if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    };
+    let encoded = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
     (255.0 * encoded.clamp(0.0, 1.0)).round() as u8
 }
 
@@ -90,20 +82,14 @@ mod tests {
     fn luminance(color: Rgb) -> f64 {
         let linear = |c: u8| {
             let c = f64::from(c) / 255.0;
-            if c <= 0.040_45 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
+            if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
         };
         0.2126 * linear(color.0) + 0.7152 * linear(color.1) + 0.0722 * linear(color.2)
     }
 
     #[test]
     fn stronger_growth_is_darker() {
-        let steps: Vec<f64> = (0..=20)
-            .map(|k| luminance(growth_color(f64::from(k) / 20.0)))
-            .collect();
+        let steps: Vec<f64> = (0..=20).map(|k| luminance(growth_color(f64::from(k) / 20.0))).collect();
         assert!(steps.windows(2).all(|pair| pair[1] < pair[0]), "{steps:?}");
         // Black marks on the darkest blue and dark lines on the palest must both be seen.
         assert!(steps[20] > 0.03 && steps[0] > 0.7, "{steps:?}");

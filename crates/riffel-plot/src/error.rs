@@ -58,9 +58,7 @@ pub enum PlotError {
     },
 
     /// The two coordinates of a line have different numbers of samples.
-    #[error(
-        "panel {panel}: series \"{label}\" has {x_count} x values and {y_count} y values; they must be as many"
-    )]
+    #[error("panel {panel}: series \"{label}\" has {x_count} x values and {y_count} y values; they must be as many")]
     SeriesLength {
         /// Index of the panel, from 0.
         panel: usize,
@@ -88,9 +86,7 @@ pub enum PlotError {
     },
 
     /// A picture of this size cannot be rendered.
-    #[error(
-        "a picture of {width} × {height} pixels cannot be rendered; each side must be 1 to {limit}"
-    )]
+    #[error("a picture of {width} × {height} pixels cannot be rendered; each side must be 1 to {limit}")]
     PictureSize {
         /// Width in pixels.
         width: f64,

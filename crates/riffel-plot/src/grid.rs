@@ -23,21 +23,13 @@ impl Grid {
         Grid {
             x: columns.iter().map(|&i| self.x[i]).collect(),
             y: rows.iter().map(|&j| self.y[j]).collect(),
-            values: rows
-                .iter()
-                .flat_map(|&j| columns.iter().map(move |&i| self.value(i, j)))
-                .collect(),
+            values: rows.iter().flat_map(|&j| columns.iter().map(move |&i| self.value(i, j))).collect(),
         }
     }
 
     /// Smallest finite value, if it is negative: the strongest growth of the map.
     pub(crate) fn strongest_growth(&self) -> Option<f64> {
-        let least = self
-            .values
-            .iter()
-            .copied()
-            .filter(|value| value.is_finite())
-            .fold(f64::INFINITY, f64::min);
+        let least = self.values.iter().copied().filter(|value| value.is_finite()).fold(f64::INFINITY, f64::min);
         (least < 0.0).then_some(least)
     }
 }
@@ -48,33 +40,18 @@ pub(crate) fn thinned_indices(count: usize, limit: usize) -> Vec<usize> {
     if count <= limit {
         return (0..count).collect();
     }
-    (0..limit)
-        .map(|k| (k * (count - 1) + (limit - 1) / 2) / (limit - 1))
-        .collect()
+    (0..limit).map(|k| (k * (count - 1) + (limit - 1) / 2) / (limit - 1)).collect()
 }
 
 /// Checks that an axis can carry a map.
-pub(crate) fn check_axis(
-    panel: usize,
-    axis: &'static str,
-    points: &[f64],
-) -> Result<(), PlotError> {
+pub(crate) fn check_axis(panel: usize, axis: &'static str, points: &[f64]) -> Result<(), PlotError> {
     if points.len() < 2 {
-        return Err(PlotError::TooFewGridPoints {
-            panel,
-            axis,
-            found: points.len(),
-        });
+        return Err(PlotError::TooFewGridPoints { panel, axis, found: points.len() });
     }
     let mut previous = 0.0;
     for (index, &value) in points.iter().enumerate() {
         if !value.is_finite() || value <= previous {
-            return Err(PlotError::GridOrder {
-                panel,
-                axis,
-                index,
-                value,
-            });
+            return Err(PlotError::GridOrder { panel, axis, index, value });
         }
         previous = value;
     }
@@ -98,10 +75,7 @@ mod tests {
     fn thinned_values_stay_at_their_points() {
         let x: Vec<f64> = (1..=900).map(f64::from).collect();
         let y: Vec<f64> = (1..=700).map(f64::from).collect();
-        let values = y
-            .iter()
-            .flat_map(|v| x.iter().map(move |u| u * 1000.0 + v))
-            .collect();
+        let values = y.iter().flat_map(|v| x.iter().map(move |u| u * 1000.0 + v)).collect();
         let thin = Grid { x, y, values }.thinned(100);
         assert_eq!((thin.x.len(), thin.y.len()), (100, 100));
         for j in 0..100 {

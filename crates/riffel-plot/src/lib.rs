@@ -42,10 +42,7 @@
 //!
 //! Built for WebAssembly the crate holds figures as data alone: a browser draws them.
 
-#![cfg_attr(
-    target_family = "wasm",
-    expect(dead_code, reason = "drawing alone asks this of figures")
-)]
+#![cfg_attr(target_family = "wasm", expect(dead_code, reason = "drawing alone asks this of figures"))]
 
 mod bar_figure;
 mod chainage;

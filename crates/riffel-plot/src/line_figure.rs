@@ -113,10 +113,7 @@ impl LineFigure {
         if self.panels.is_empty() {
             return Err(PlotError::NoPanel);
         }
-        self.panels
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, panel)| panel.check(index))
+        self.panels.iter().enumerate().try_for_each(|(index, panel)| panel.check(index))
     }
 }
 
@@ -125,39 +122,20 @@ impl LinePanel {
         for series in &self.series {
             let (x_count, y_count) = (series.x.len(), series.y.len());
             if x_count != y_count {
-                return Err(PlotError::SeriesLength {
-                    panel,
-                    label: series.label.clone(),
-                    x_count,
-                    y_count,
-                });
+                return Err(PlotError::SeriesLength { panel, label: series.label.clone(), x_count, y_count });
             }
         }
         for area in &self.areas {
             let (x_count, y_count) = (area.x.len(), area.low.len().min(area.high.len()));
             if x_count != y_count || area.low.len() != area.high.len() {
-                return Err(PlotError::SeriesLength {
-                    panel,
-                    label: area.label.clone(),
-                    x_count,
-                    y_count,
-                });
+                return Err(PlotError::SeriesLength { panel, label: area.label.clone(), x_count, y_count });
             }
         }
-        for (axis, scale, range) in [
-            ("x", self.x_scale, self.x_range),
-            ("y", self.y_scale, self.y_range),
-        ] {
+        for (axis, scale, range) in [("x", self.x_scale, self.x_range), ("y", self.y_scale, self.y_range)] {
             if let Some((low, high)) = range
                 && !(scale.admits(low) && scale.admits(high) && low < high)
             {
-                return Err(PlotError::AxisRange {
-                    panel,
-                    axis,
-                    low,
-                    high,
-                    scale: scale.name(),
-                });
+                return Err(PlotError::AxisRange { panel, axis, low, high, scale: scale.name() });
             }
         }
         Ok(())
@@ -165,19 +143,14 @@ impl LinePanel {
 
     /// Range of the abscissa: as given, or that of the samples.
     pub(crate) fn drawn_x_range(&self) -> (f64, f64) {
-        self.x_range
-            .unwrap_or_else(|| self.x_scale.range_of(self.samples().map(|sample| sample.0)))
+        self.x_range.unwrap_or_else(|| self.x_scale.range_of(self.samples().map(|sample| sample.0)))
     }
 
     /// Range of the ordinate: as given, or that of the samples in sight with a little air.
     pub(crate) fn drawn_y_range(&self) -> (f64, f64) {
         let (low, high) = self.drawn_x_range();
-        let seen = self
-            .samples()
-            .filter(|sample| low <= sample.0 && sample.0 <= high)
-            .map(|sample| sample.1);
-        self.y_range
-            .unwrap_or_else(|| self.y_scale.with_air(self.y_scale.range_of(seen)))
+        let seen = self.samples().filter(|sample| low <= sample.0 && sample.0 <= high).map(|sample| sample.1);
+        self.y_range.unwrap_or_else(|| self.y_scale.with_air(self.y_scale.range_of(seen)))
     }
 
     /// Whether the ordinate is an angle in degrees.
@@ -187,17 +160,11 @@ impl LinePanel {
 
     /// Samples that can be drawn.
     fn samples(&self) -> impl Iterator<Item = (f64, f64)> {
-        let curve = |x: &'_ [f64], y: &'_ [f64]| {
-            x.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>()
-        };
+        let curve = |x: &'_ [f64], y: &'_ [f64]| x.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
         self.series
             .iter()
             .map(move |series| curve(&series.x, &series.y))
-            .chain(
-                self.areas
-                    .iter()
-                    .flat_map(move |area| [curve(&area.x, &area.low), curve(&area.x, &area.high)]),
-            )
+            .chain(self.areas.iter().flat_map(move |area| [curve(&area.x, &area.low), curve(&area.x, &area.high)]))
             .flatten()
             .filter(|&(x, y)| self.admits(x, y))
     }

@@ -139,10 +139,7 @@ impl MapFigure {
         if self.panels.is_empty() {
             return Err(PlotError::NoPanel);
         }
-        self.panels
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, panel)| panel.check(index))
+        self.panels.iter().enumerate().try_for_each(|(index, panel)| panel.check(index))
     }
 }
 
@@ -151,20 +148,11 @@ impl MapPanel {
         check_axis(panel, "wavelength_m", &self.wavelength_m)?;
         check_axis(panel, "speed_m_per_s", &self.speed_m_per_s)?;
         let (rows, columns) = (self.speed_m_per_s.len(), self.wavelength_m.len());
-        let grids = [
-            ("values", Some(&self.values)),
-            ("hover_values", self.hover_values.as_ref()),
-        ];
+        let grids = [("values", Some(&self.values)), ("hover_values", self.hover_values.as_ref())];
         for (what, values) in grids {
             let found = values.map_or(rows * columns, Vec::len);
             if found != rows * columns {
-                return Err(PlotError::GridShape {
-                    panel,
-                    what,
-                    found,
-                    rows,
-                    columns,
-                });
+                return Err(PlotError::GridShape { panel, what, found, rows, columns });
             }
         }
         Ok(())
@@ -172,11 +160,7 @@ impl MapPanel {
 
     /// The values as a grid.
     pub(crate) fn grid(&self) -> Grid {
-        Grid {
-            x: self.wavelength_m.clone(),
-            y: self.speed_m_per_s.clone(),
-            values: self.values.clone(),
-        }
+        Grid { x: self.wavelength_m.clone(), y: self.speed_m_per_s.clone(), values: self.values.clone() }
     }
 
     /// The steps of the colours, none where nothing grows.
@@ -193,10 +177,7 @@ impl MapPanel {
     /// Range of the axes.
     pub(crate) fn window(&self) -> Window {
         let range = |points: &[f64]| (points[0], points[points.len() - 1]);
-        Window {
-            wavelength_m: range(&self.wavelength_m),
-            speed_m_per_s: range(&self.speed_m_per_s),
-        }
+        Window { wavelength_m: range(&self.wavelength_m), speed_m_per_s: range(&self.speed_m_per_s) }
     }
 
     /// Branches besides the strongest that are named by their frequency.
@@ -207,9 +188,6 @@ impl MapPanel {
     /// Rays other than the best fit; one that would run together with it is left out.
     pub(crate) fn other_rays(&self) -> impl Iterator<Item = f64> {
         let best = self.best_fit_frequency_hz;
-        self.rays_hz
-            .iter()
-            .copied()
-            .filter(move |ray| best.is_none_or(|best| (ray / best - 1.0).abs() > 0.02))
+        self.rays_hz.iter().copied().filter(move |ray| best.is_none_or(|best| (ray / best - 1.0).abs() > 0.02))
     }
 }

@@ -23,9 +23,7 @@ impl Window {
     fn ray_length(&self, frequency_hz: f64) -> f64 {
         let width = self.wavelength_m.1 - self.wavelength_m.0;
         let height = self.speed_m_per_s.1 - self.speed_m_per_s.0;
-        self.ray(frequency_hz).map_or(0.0, |[from, to]| {
-            ((to.0 - from.0) / width).hypot((to.1 - from.1) / height)
-        })
+        self.ray(frequency_hz).map_or(0.0, |[from, to]| ((to.0 - from.0) / width).hypot((to.1 - from.1) / height))
     }
 }
 
@@ -50,16 +48,9 @@ const SHORTEST: f64 = 0.12;
 ///
 /// The series 1, 2, 5 × 10ⁿ is taken if four to seven of its rays cross the window by more than a
 /// corner, else a finer or coarser series. A window that is empty or not positive has no rays.
-pub fn constant_frequency_rays(
-    wavelength_range_m: (f64, f64),
-    speed_range_m_per_s: (f64, f64),
-) -> Vec<f64> {
-    let window = Window {
-        wavelength_m: wavelength_range_m,
-        speed_m_per_s: speed_range_m_per_s,
-    };
-    let valid =
-        |(low, high): (f64, f64)| low.is_finite() && high.is_finite() && 0.0 < low && low < high;
+pub fn constant_frequency_rays(wavelength_range_m: (f64, f64), speed_range_m_per_s: (f64, f64)) -> Vec<f64> {
+    let window = Window { wavelength_m: wavelength_range_m, speed_m_per_s: speed_range_m_per_s };
+    let valid = |(low, high): (f64, f64)| low.is_finite() && high.is_finite() && 0.0 < low && low < high;
     if !valid(wavelength_range_m) || !valid(speed_range_m_per_s) {
         return Vec::new();
     }
@@ -91,11 +82,7 @@ pub fn constant_frequency_rays(
 fn crossing(window: &Window, series: &[f64], lowest: f64, highest: f64) -> Vec<f64> {
     let decades = lowest.log10().floor() as i32..=highest.log10().ceil() as i32;
     decades
-        .flat_map(|n| {
-            series
-                .iter()
-                .map(move |factor| round_to_three_digits(factor * 10f64.powi(n)))
-        })
+        .flat_map(|n| series.iter().map(move |factor| round_to_three_digits(factor * 10f64.powi(n))))
         .filter(|&frequency| window.ray_length(frequency) > SHORTEST)
         .collect()
 }
@@ -112,10 +99,7 @@ mod tests {
 
     #[test]
     fn short_pitch_window_has_the_round_frequencies() {
-        assert_eq!(
-            constant_frequency_rays((0.020, 0.080), (5.0, 60.0)),
-            [100.0, 200.0, 500.0, 1000.0, 2000.0]
-        );
+        assert_eq!(constant_frequency_rays((0.020, 0.080), (5.0, 60.0)), [100.0, 200.0, 500.0, 1000.0, 2000.0]);
     }
 
     #[test]
@@ -129,10 +113,7 @@ mod tests {
             ((1e-6, 10.0), (1e-3, 1e3)),
         ] {
             let rays = constant_frequency_rays(wavelengths, speeds);
-            assert!(
-                (4..=7).contains(&rays.len()),
-                "{wavelengths:?} {speeds:?}: {rays:?}"
-            );
+            assert!((4..=7).contains(&rays.len()), "{wavelengths:?} {speeds:?}: {rays:?}");
             assert!(rays.windows(2).all(|pair| pair[1] > pair[0]));
         }
     }
@@ -146,16 +127,9 @@ mod tests {
 
     #[test]
     fn rays_end_on_the_border() {
-        let window = Window {
-            wavelength_m: (0.02, 0.08),
-            speed_m_per_s: (5.0, 60.0),
-        };
+        let window = Window { wavelength_m: (0.02, 0.08), speed_m_per_s: (5.0, 60.0) };
         let [from, to] = window.ray(500.0).unwrap();
         assert_eq!((from, to), ((0.02, 10.0), (0.08, 40.0)));
-        assert!(
-            window.ray(1e5).is_none()
-                && window.ray(f64::NAN).is_none()
-                && window.ray(-1.0).is_none()
-        );
+        assert!(window.ray(1e5).is_none() && window.ray(f64::NAN).is_none() && window.ray(-1.0).is_none());
     }
 }

@@ -28,9 +28,7 @@ impl Scale {
     pub(crate) fn range_of(self, values: impl Iterator<Item = f64>) -> (f64, f64) {
         let (low, high) = values
             .filter(|&value| self.admits(value))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-                (low.min(value), high.max(value))
-            });
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         match self {
             _ if low < high * (1.0 - 1e-12 * high.signum()) => (low, high),
             Scale::Linear if low > high => (0.0, 1.0),
@@ -58,8 +56,6 @@ impl Scale {
 pub(crate) fn nice_step(span: f64, count: usize) -> f64 {
     let rough = span / count.max(1) as f64;
     let decade = 10f64.powi(rough.log10().floor() as i32);
-    let factor = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|factor| factor * decade >= rough * (1.0 - 1e-9));
+    let factor = [1.0, 2.0, 5.0, 10.0].into_iter().find(|factor| factor * decade >= rough * (1.0 - 1e-9));
     factor.unwrap_or(10.0) * decade
 }

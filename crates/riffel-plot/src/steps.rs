@@ -22,12 +22,7 @@ impl Steps {
 
     /// The steps of a map, none if nothing grows. The count is kept within 1 to [`MOST_STEPS`].
     pub(crate) fn new(least: Option<f64>, count: usize) -> Option<Self> {
-        least
-            .filter(|least| -least > f64::MIN_POSITIVE)
-            .map(|least| Steps {
-                least,
-                count: count.clamp(1, MOST_STEPS),
-            })
+        least.filter(|least| -least > f64::MIN_POSITIVE).map(|least| Steps { least, count: count.clamp(1, MOST_STEPS) })
     }
 
     /// Colour of the step between the boundaries `index` and `index + 1`.
@@ -38,14 +33,6 @@ impl Steps {
     /// Values at which regions of growth begin, as positive numbers; the first is just above 0, for
     /// a value of exactly 0 is no growth.
     pub(crate) fn growth_levels(&self) -> Vec<f64> {
-        (0..self.count)
-            .map(|index| {
-                if index == 0 {
-                    -self.least * 1e-9
-                } else {
-                    -self.value(index)
-                }
-            })
-            .collect()
+        (0..self.count).map(|index| if index == 0 { -self.least * 1e-9 } else { -self.value(index) }).collect()
     }
 }

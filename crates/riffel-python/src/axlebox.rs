@@ -20,11 +20,7 @@ pub(crate) enum GivenRun<'py> {
 }
 
 /// A speed that stays the same \[m/s\], a speed for each sample \[m/s\], a reading of the odometer for each sample \[m\].
-type GivenPlace<'py> = (
-    Option<f64>,
-    Option<PyReadonlyArray1<'py, f64>>,
-    Option<PyReadonlyArray1<'py, f64>>,
-);
+type GivenPlace<'py> = (Option<f64>, Option<PyReadonlyArray1<'py, f64>>, Option<PyReadonlyArray1<'py, f64>>);
 
 /// What `riffel axlebox --json` prints. `within` is the shortest and the longest wavelength \[m\], the lowest speed \[m/s\] and
 /// the length of a block \[m\].
@@ -44,11 +40,7 @@ pub(crate) fn axlebox<'py>(
     let (speed, speeds, odometer) = place;
     let files = match run {
         GivenRun::Files(paths) => {
-            let layout = AxleBoxLayout {
-                rate,
-                speed,
-                channels,
-            };
+            let layout = AxleBoxLayout { rate, speed, channels };
             paths
                 .into_iter()
                 .map(|path| Ok((path.clone(), AxleBoxFile::open(&path, &layout)?)))
@@ -75,17 +67,8 @@ pub(crate) fn axlebox<'py>(
         }
     };
     let (shortest, longest, slowest, block) = within;
-    let request = AxleBoxRequest {
-        shortest,
-        longest,
-        slowest,
-        contact_filter,
-        keep_defects,
-        block,
-        ..AxleBoxRequest::default()
-    };
-    let answer = case.compute(py, move |case| {
-        AxleBoxAnswer::new(case, &files, &limits, &request, &|_| ())
-    })?;
+    let request =
+        AxleBoxRequest { shortest, longest, slowest, contact_filter, keep_defects, block, ..AxleBoxRequest::default() };
+    let answer = case.compute(py, move |case| AxleBoxAnswer::new(case, &files, &limits, &request, &|_| ()))?;
     document(py, &answer.map_err(of_answer)?.document())
 }

@@ -41,8 +41,7 @@ impl Begins {
             (Some(name), None) => Some(GroundRail::of_table(&name).map_err(of_case)?),
             (None, Some(decibels)) => {
                 let below = GroundRail::below(edition, limit, &decibels);
-                let refused =
-                    |rule| wrong(format!("from_limit is {decibels:?}, but must be {rule}"));
+                let refused = |rule| wrong(format!("from_limit is {decibels:?}, but must be {rule}"));
                 Some(below.map_err(refused)?)
             }
             (None, None) => None,
@@ -57,12 +56,7 @@ impl Begins {
     /// The rails under so many axle passages a day.
     pub(crate) fn starts(&self, passages_per_day: Option<f64>) -> Vec<RailStart> {
         // The rail has no name.
-        RailStart::of(
-            &[],
-            self.survey.as_ref(),
-            self.ground.as_ref(),
-            passages_per_day,
-        )
+        RailStart::of(&[], self.survey.as_ref(), self.ground.as_ref(), passages_per_day)
     }
 
     /// Why the dates of the rail do not tell how it grows, if they do not.
@@ -76,10 +70,7 @@ impl Begins {
 /// The levels of now with those before them.
 pub(crate) fn survey((now, earlier, dates): &GivenDates<'_>) -> PyResult<Survey> {
     let of = |(wavelengths, levels): &GivenLevels<'_>| {
-        let record = LabelledSpectrum {
-            labels: Vec::new(),
-            spectrum: spectrum(&owned(wavelengths), &owned(levels))?,
-        };
+        let record = LabelledSpectrum { labels: Vec::new(), spectrum: spectrum(&owned(wavelengths), &owned(levels))? };
         Survey::new(Path::new("spectrum"), vec![record], Vec::new()).map_err(of_case)
     };
     let mut now = of(now)?;
@@ -89,20 +80,14 @@ pub(crate) fn survey((now, earlier, dates): &GivenDates<'_>) -> PyResult<Survey>
     let read: Result<Vec<Date>, _> = dates.iter().map(|date| read_date(date)).collect();
     let read = read.map_err(|said| wrong(said.to_string()))?;
     let [before @ .., last] = &read[..] else {
-        return Err(wrong(
-            "dates is empty, but must be the dates of all records",
-        ));
+        return Err(wrong("dates is empty, but must be the dates of all records"));
     };
     if !read.is_sorted_by(|one, next| one < next) {
         let written = dates.join(", ");
-        return Err(wrong(format!(
-            "dates is {written}, but must be the oldest first, each later than the one before"
-        )));
+        return Err(wrong(format!("dates is {written}, but must be the oldest first, each later than the one before")));
     }
     let days = before.iter().map(|date| {
-        let span = last
-            .since(*date)
-            .map_err(|error| wrong(error.to_string()))?;
+        let span = last.since(*date).map_err(|error| wrong(error.to_string()))?;
         Ok(f64::from(span.get_days()))
     });
     let days = days.collect::<PyResult<Vec<f64>>>()?;

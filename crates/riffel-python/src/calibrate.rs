@@ -20,9 +20,7 @@ fn of_calibration(error: CalibrationError) -> PyErr {
     match error {
         CalibrationError::Plan(error) => of_case(error),
         CalibrationError::NotThere { .. } => PyFileNotFoundError::new_err(error.to_string()),
-        CalibrationError::Read { .. } | CalibrationError::Write { .. } => {
-            PyOSError::new_err(error.to_string())
-        }
+        CalibrationError::Read { .. } | CalibrationError::Write { .. } => PyOSError::new_err(error.to_string()),
         error => wrong(error.to_string()),
     }
 }
@@ -41,11 +39,7 @@ pub(crate) fn calibrate(
     let stop = Arc::new(Stop::default());
     let asked = Arc::clone(&stop);
     let work = move || -> Result<_, CalibrationError> {
-        let measured = Measured {
-            case: &plan,
-            traffic: traffic.as_deref(),
-            tables: &tables,
-        };
+        let measured = Measured { case: &plan, traffic: traffic.as_deref(), tables: &tables };
         let plan = measured.plan_for(&folder)?;
         let own = Folder::begin(&plan, &folder, restart)?;
         own.write_plan(&plan)?;
@@ -74,11 +68,7 @@ pub(crate) fn calibrate(
 
 /// What `riffel decide --json` prints.
 #[pyfunction]
-pub(crate) fn decide(
-    py: Python<'_>,
-    folder: PathBuf,
-    plan: Option<PathBuf>,
-) -> PyResult<Bound<'_, PyAny>> {
+pub(crate) fn decide(py: Python<'_>, folder: PathBuf, plan: Option<PathBuf>) -> PyResult<Bound<'_, PyAny>> {
     let work = move || {
         let (plan, chains) = riffel_calibrate::finished(&folder, plan.as_deref())?;
         DecideAnswer::new(&plan, &chains)
@@ -88,11 +78,7 @@ pub(crate) fn decide(
 
 /// Cases with the values of draws, each with the keys of its traffic.
 #[pyfunction]
-pub(crate) fn draws(
-    py: Python<'_>,
-    folder: PathBuf,
-    count: usize,
-) -> PyResult<Vec<(Case, Option<Bound<'_, PyAny>>)>> {
+pub(crate) fn draws(py: Python<'_>, folder: PathBuf, count: usize) -> PyResult<Vec<(Case, Option<Bound<'_, PyAny>>)>> {
     let work = move || {
         let (plan, chains) = riffel_calibrate::finished(&folder, None)?;
         plan.drawn(&chains, count)
@@ -123,9 +109,7 @@ impl LogPosterior {
     #[getter]
     fn parameters(&self) -> Vec<(String, String)> {
         let parameters = self.plan.posterior.parameters().iter();
-        parameters
-            .map(|it| (it.name.clone(), it.unit.clone()))
-            .collect()
+        parameters.map(|it| (it.name.clone(), it.unit.clone())).collect()
     }
 
     fn log_density(&self, py: Python<'_>, place: Vec<f64>) -> PyResult<f64> {
@@ -136,15 +120,12 @@ impl LogPosterior {
 
     fn gradient(&self, py: Python<'_>, place: Vec<f64>) -> PyResult<Option<Vec<f64>>> {
         self.check(&place)?;
-        Ok(py
-            .detach(|| self.plan.posterior.at(&place))
-            .map(|point| point.gradient))
+        Ok(py.detach(|| self.plan.posterior.at(&place)).map(|point| point.gradient))
     }
 
     fn log_likelihood(&self, py: Python<'_>, values: Vec<f64>) -> PyResult<Vec<(String, f64)>> {
         self.check(&values)?;
-        py.detach(|| self.plan.posterior.log_likelihood(&values))
-            .map_err(wrong)
+        py.detach(|| self.plan.posterior.log_likelihood(&values)).map_err(wrong)
     }
 
     fn values(&self, place: Vec<f64>) -> PyResult<Vec<f64>> {
@@ -159,9 +140,7 @@ impl LogPosterior {
 
     fn prior_quantile(&self, share: f64) -> PyResult<Vec<f64>> {
         if !(share > 0.0 && share < 1.0) {
-            return Err(wrong(format!(
-                "`share` is {share}, but must be between 0 and 1"
-            )));
+            return Err(wrong(format!("`share` is {share}, but must be between 0 and 1")));
         }
         let parameters = self.plan.posterior.parameters().iter();
         Ok(parameters.map(|it| it.prior.quantile(share)).collect())
@@ -173,10 +152,7 @@ impl LogPosterior {
         let count = self.plan.posterior.parameters().len();
         match numbers.len() == count {
             true => Ok(()),
-            false => Err(wrong(format!(
-                "{} numbers are given, but the plan has {count} parameters",
-                numbers.len()
-            ))),
+            false => Err(wrong(format!("{} numbers are given, but the plan has {count} parameters", numbers.len()))),
         }
     }
 }

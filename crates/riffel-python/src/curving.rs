@@ -30,9 +30,7 @@ impl GivenCase<'_> {
         let overrides = assignments(overrides)?;
         let case = match self {
             Self::Case(case) => case.case.curving(&overrides),
-            Self::Keys(keys) => {
-                CurvingCase::parse("", &tables::table(keys, "")?.to_string(), &overrides)
-            }
+            Self::Keys(keys) => CurvingCase::parse("", &tables::table(keys, "")?.to_string(), &overrides),
             Self::File(path) => CurvingCase::read(path, &overrides),
         };
         case.map_err(of_case)
@@ -48,16 +46,11 @@ pub(crate) fn curve<'py>(
     radii: Option<Vec<f64>>,
 ) -> PyResult<(Option<String>, Bound<'py, PyAny>)> {
     let case = case.read(overrides)?;
-    if let Some((radius, rule)) = radii
-        .as_ref()
-        .and_then(|radii| case.radius_that_no_curve_has(radii))
-    {
+    if let Some((radius, rule)) = radii.as_ref().and_then(|radii| case.radius_that_no_curve_has(radii)) {
         return Err(wrong(format!("radius is {radius} m, but must be {rule}")));
     }
     let title = case.file.title.clone();
-    let answer = interruptible(py, move || {
-        CurveAnswer::new(&case).map(|answer| answer.document(radii.as_deref()))
-    })?;
+    let answer = interruptible(py, move || CurveAnswer::new(&case).map(|answer| answer.document(radii.as_deref())))?;
     Ok((title, document(py, &answer.map_err(of_case)?)?))
 }
 
@@ -66,16 +59,10 @@ fn reading(scatter: Option<f64>, orientation: Option<&str>) -> PyResult<ProfileR
     let orientation = orientation.map(|name| {
         ProfileOrientation::named(name).ok_or_else(|| {
             let known = ProfileOrientation::ALL.map(|(name, _)| name).join(", ");
-            wrong(format!(
-                "orientation is \"{name}\", but must be one of {known}"
-            ))
+            wrong(format!("orientation is \"{name}\", but must be one of {known}"))
         })
     });
-    Ok(ProfileReading {
-        scatter,
-        orientation: orientation.transpose()?,
-        ..ProfileReading::default()
-    })
+    Ok(ProfileReading { scatter, orientation: orientation.transpose()?, ..ProfileReading::default() })
 }
 
 /// What `riffel profile FILE --json` prints, and the remarks.
@@ -106,21 +93,13 @@ pub(crate) fn profile_wear<'py>(
     gauge_height: f64,
 ) -> PyResult<Bound<'py, PyAny>> {
     let alignment = align.map(|name| {
-        alignment_named(name).ok_or_else(|| {
-            wrong(format!(
-                "align is \"{name}\", but must be flange, field-side or as-written"
-            ))
-        })
+        alignment_named(name)
+            .ok_or_else(|| wrong(format!("align is \"{name}\", but must be flange, field-side or as-written")))
     });
-    let inclination = Inclination::read(inclination).map_err(|rule| {
-        wrong(format!(
-            "inclination is \"{inclination}\", but must be {rule}"
-        ))
-    })?;
+    let inclination = Inclination::read(inclination)
+        .map_err(|rule| wrong(format!("inclination is \"{inclination}\", but must be {rule}")))?;
     if !(gauge_height > 0.0 && gauge_height.is_finite()) {
-        return Err(wrong(format!(
-            "gauge_height is {gauge_height} m, but must be above zero"
-        )));
+        return Err(wrong(format!("gauge_height is {gauge_height} m, but must be above zero")));
     }
     let settings = WearSettings {
         reading: reading(scatter, orientation)?,

@@ -40,15 +40,11 @@ pub(crate) fn diagnose<'py>(
         Some(GivenSpeeds::Ranges(ranges)) => (TrafficSpeeds::of_ranges(ranges), None),
         Some(GivenSpeeds::Traffic(traffic)) => {
             let speeds = traffic.traffic()?.passing_speeds();
-            let speeds =
-                speeds.map_err(|error| wrong(format!("traffic has no speeds: {error}")))?;
+            let speeds = speeds.map_err(|error| wrong(format!("traffic has no speeds: {error}")))?;
             (Ok(speeds), None)
         }
         None => match Diagnosis::usual_speeds(&case.case) {
-            Ok((speeds, sentence)) => (
-                Ok(speeds),
-                Some(sentence.about("neither speed nor traffic given")),
-            ),
+            Ok((speeds, sentence)) => (Ok(speeds), Some(sentence.about("neither speed nor traffic given"))),
             Err(error) => (Err(error), None),
         },
     };
@@ -57,24 +53,14 @@ pub(crate) fn diagnose<'py>(
     let name = rail.0.display().to_string();
     let rail = Record::new(py, &rail, &layout)?;
     let earlier = earlier.iter();
-    let earlier = earlier
-        .map(|given| Record::new(py, given, &layout))
-        .collect::<PyResult<Vec<_>>>()?;
+    let earlier = earlier.map(|given| Record::new(py, given, &layout)).collect::<PyResult<Vec<_>>>()?;
     let diagnosis = case.compute(py, move |case| {
         let settings = DiagnosisSettings {
             speeds,
-            spectra: SpectraChoice {
-                choose: &choose,
-                by: by.as_deref(),
-                keep_defects,
-            },
+            spectra: SpectraChoice { choose: &choose, by: by.as_deref(), keep_defects },
             torsion,
             bending,
-            instrument: if from_vehicle {
-                Instrument::Vehicle
-            } else {
-                Instrument::Trolley
-            },
+            instrument: if from_vehicle { Instrument::Vehicle } else { Instrument::Trolley },
         };
         let earlier: Vec<_> = earlier.iter().map(Record::borrowed).collect();
         Diagnosis::new(case, &rail.borrowed(), &earlier, &settings)

@@ -6,12 +6,7 @@ use pyo3::prelude::*;
 use riffel_answers::AnswerError;
 use riffel_keys::CaseError;
 
-create_exception!(
-    riffel,
-    ConvergenceError,
-    PyRuntimeError,
-    "An iteration did not reach its tolerance."
-);
+create_exception!(riffel, ConvergenceError, PyRuntimeError, "An iteration did not reach its tolerance.");
 create_exception!(
     riffel,
     ReceptanceError,
@@ -23,11 +18,7 @@ create_exception!(
 pub(crate) fn of_answer(error: AnswerError) -> PyErr {
     match error {
         AnswerError::Case(error) => of_case(error),
-        AnswerError::Argument {
-            argument,
-            value,
-            rule,
-        } => {
+        AnswerError::Argument { argument, value, rule } => {
             let name = argument.trim_start_matches('-').replace('-', "_");
             wrong(format!("{name} is {value}, but must be {rule}"))
         }
@@ -43,18 +34,13 @@ pub(crate) fn of_case(error: CaseError) -> PyErr {
             PyFileNotFoundError::new_err(message)
         }
         CaseError::Read { .. } => PyOSError::new_err(message),
-        CaseError::Data {
-            path,
-            message: sentence,
-            ..
-        } if sentence.to_string().contains("cannot read") && !path.exists() => {
+        CaseError::Data { path, message: sentence, .. }
+            if sentence.to_string().contains("cannot read") && !path.exists() =>
+        {
             PyFileNotFoundError::new_err(message)
         }
         CaseError::NotConverged(_) => ConvergenceError::new_err(message),
-        CaseError::Physics {
-            error: riffel::Error::NotConverged { .. },
-            ..
-        } => ConvergenceError::new_err(message),
+        CaseError::Physics { error: riffel::Error::NotConverged { .. }, .. } => ConvergenceError::new_err(message),
         _ => PyValueError::new_err(message),
     }
 }

@@ -33,9 +33,7 @@ impl GivenTraffic<'_> {
     pub(crate) fn traffic(&self) -> PyResult<Traffic> {
         match self {
             Self::File(path) => Traffic::read(path).map_err(of_case),
-            Self::Keys(keys) => {
-                Traffic::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case)
-            }
+            Self::Keys(keys) => Traffic::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case),
             Self::Speeds((mean, deviation)) => {
                 let speeds = SpeedDistribution::normal(*mean, *deviation);
                 Ok(Traffic::of_case(speeds.map_err(of_physics)?))
@@ -77,15 +75,10 @@ fn passages_of(
 ) -> PyResult<Vec<f64>> {
     Ok(match (passages, mgt, months) {
         (Some(passages), None, None) => owned(&passages),
-        (None, Some(mgt), None) => owned(&mgt)
-            .iter()
-            .map(|&mgt| on.growth.passages(mgt))
-            .collect(),
+        (None, Some(mgt), None) => owned(&mgt).iter().map(|&mgt| on.growth.passages(mgt)).collect(),
         (None, None, months) => {
             let per_month = on.passages_per_month().ok_or_else(|| {
-                wrong(
-                    "months needs traffic with passages_per_day or mgt_per_year under [line]; give passages or mgt",
-                )
+                wrong("months needs traffic with passages_per_day or mgt_per_year under [line]; give passages or mgt")
             })?;
             let months = months.map_or_else(|| vec![12.0], |months| owned(&months));
             months.iter().map(|months| per_month * months).collect()
@@ -115,9 +108,7 @@ pub(crate) fn forecast<'py>(
         return Err(wrong("give spectrum, ground or from_limit"));
     }
     let traffic = traffic_of(case, traffic.as_ref())?;
-    let on = case.compute(py, move |case| {
-        traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
-    })?;
+    let on = case.compute(py, move |case| traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ()))?;
     let on = on.map_err(of_case)?;
     let starts = begins.starts(on.passages_per_day);
     let forecast = starts[0].forecast(&on).map_err(of_physics)?;
@@ -127,29 +118,20 @@ pub(crate) fn forecast<'py>(
         bands.iter().map(value).collect::<Vec<_>>().into_pyarray(py)
     };
     let reaches = forecast.reaches(&limit);
-    let reach =
-        |band: &riffel::forecast::ForecastBand| reaches.iter().find(|reach| reach.0 == band);
+    let reach = |band: &riffel::forecast::ForecastBand| reaches.iter().find(|reach| reach.0 == band);
     let mut grown = Vec::with_capacity(passages.len() * bands.len());
     for &passages in &passages {
         let levels = bands.iter();
         grown.extend(levels.map(|band| forecast.level(band, passages).unwrap_or(f64::NAN)));
     }
-    let grown: Bound<'py, PyArray2<f64>> = grown
-        .into_pyarray(py)
-        .reshape([passages.len(), bands.len()])?;
+    let grown: Bound<'py, PyArray2<f64>> = grown.into_pyarray(py).reshape([passages.len(), bands.len()])?;
     let linear = forecast.linear_range(bands);
     let result = PyDict::new(py);
-    let mgt: Vec<f64> = passages
-        .iter()
-        .map(|&passages| on.growth.mgt(passages))
-        .collect();
+    let mgt: Vec<f64> = passages.iter().map(|&passages| on.growth.mgt(passages)).collect();
     let end = passages.iter().copied().fold(0.0, f64::max);
     let end = end.min(forecast.valid_to());
     let cracks = CrackedWave::all(&forecast, &on, end);
-    let findings = [
-        HardenedWave::in_words(&forecast, &on),
-        CrackedWave::in_words(&cracks, &on, end),
-    ];
+    let findings = [HardenedWave::in_words(&forecast, &on), CrackedWave::in_words(&cracks, &on, end)];
     let findings: Vec<Message> = findings.into_iter().flatten().collect();
     result.set_item("findings", in_words(&findings))?;
     result.set_item("hardening", document(py, &HardenedWave::all(&forecast))?)?;
@@ -158,16 +140,10 @@ pub(crate) fn forecast<'py>(
     result.set_item("mgt", mgt.into_pyarray(py))?;
     result.set_item("level", grown)?;
     result.set_item("wavelength", column(&|band| band.now.band.wavelength()))?;
-    result.set_item(
-        "nominal",
-        column(&|band| band.now.band.nominal_millimetres()),
-    )?;
+    result.set_item("nominal", column(&|band| band.now.band.nominal_millimetres()))?;
     result.set_item("now", column(&|band| band.now.level))?;
     result.set_item("growth_rate", column(&|band| forecast.growth_rate(band)))?;
-    result.set_item(
-        "limit",
-        column(&|band| reach(band).map_or(f64::NAN, |found| found.1)),
-    )?;
+    result.set_item("limit", column(&|band| reach(band).map_or(f64::NAN, |found| found.1)))?;
     result.set_item(
         "passages_to_limit",
         column(&|band| match reach(band).map(|found| found.2) {
@@ -215,18 +191,14 @@ pub(crate) fn fit_wear<'py>(
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
         let passages = passages.or_else(|| on.passages_in(days?));
         // The rail that leads by how each has grown, as in a forecast of these two dates.
-        let history =
-            passages.map(|ago| RailDates::new(&now, vec![(ago, before)], Elapsed::Passages));
+        let history = passages.map(|ago| RailDates::new(&now, vec![(ago, before)], Elapsed::Passages));
         now.history = history;
         let rail = rail_to_fit(case, &now, &on, Some(&limit));
         Ok::<_, CaseError>((on, passages, rail))
     })?;
     let (on, passages, rail) = found.map_err(of_case)?;
-    let passages = passages.ok_or_else(|| {
-        wrong(
-            "days needs traffic with passages_per_day or mgt_per_year under [line]; give passages",
-        )
-    })?;
+    let passages = passages
+        .ok_or_else(|| wrong("days needs traffic with passages_per_day or mgt_per_year under [line]; give passages"))?;
     let report = WearReport::new(&on, rail.as_deref(), &earlier, &later, passages);
     document(py, &report.map_err(of_case)?.document())
 }
@@ -252,9 +224,7 @@ pub(crate) fn compare<'py>(
 ) -> PyResult<(Real<'py>, Real<'py>, Vec<Bound<'py, PyDict>>)> {
     let variants = variants.iter().map(|variant| match variant {
         GivenVariant::File(path) => Variant::read(path).map_err(of_case),
-        GivenVariant::Keys(keys) => {
-            Variant::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case)
-        }
+        GivenVariant::Keys(keys) => Variant::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case),
     });
     let mut variants = variants.collect::<PyResult<Vec<_>>>()?;
     let hold: Option<Hold> = hold.map(str::parse).transpose().map_err(wrong)?;
@@ -265,14 +235,7 @@ pub(crate) fn compare<'py>(
     let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let begins = Begins::new(measured, ground, &limit, &table.edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
-        Comparison::compute(
-            case,
-            &variants,
-            &traffic,
-            &|per_day| begins.starts(per_day),
-            Some(&limit),
-            &|_| (),
-        )
+        Comparison::compute(case, &variants, &traffic, &|per_day| begins.starts(per_day), Some(&limit), &|_| ())
     })?;
     let comparison = comparison.map_err(of_case)?;
     let bands = comparison.bands.iter();
@@ -290,10 +253,7 @@ pub(crate) fn compare<'py>(
         result.set_item("months_to_limit", outcome.months_to_limit())?;
         result.set_item("limit_reached", outcome.reach().map(Reach::name))?;
         result.set_item("hold", outcome.held_name())?;
-        result.set_item(
-            "acts",
-            outcome.effect == Effect::None || outcome.effect.acts(),
-        )?;
+        result.set_item("acts", outcome.effect == Effect::None || outcome.effect.acts())?;
         let no_effect = outcome.effect.sentence().map(ToString::to_string);
         result.set_item("no_effect", no_effect)?;
         result.set_item("title", outcome.title)?;
@@ -301,9 +261,5 @@ pub(crate) fn compare<'py>(
         Ok(result)
     });
     let outcomes = outcomes.collect::<PyResult<Vec<_>>>()?;
-    Ok((
-        wavelengths.into_pyarray(py),
-        nominal.into_pyarray(py),
-        outcomes,
-    ))
+    Ok((wavelengths.into_pyarray(py), nominal.into_pyarray(py), outcomes))
 }

@@ -81,23 +81,16 @@ impl CallableReceptance {
         let returned = self.callable.call1(py, (argument,)).map_err(|error| {
             let name = error.get_type(py).name();
             let name = name.map_or_else(|_| "an error".to_owned(), |name| name.to_string());
-            let raised = fail(format!(
-                "the receptance of the {what} raised {name}: {}",
-                error.value(py)
-            ));
+            let raised = fail(format!("the receptance of the {what} raised {name}: {}", error.value(py)));
             raised.set_cause(py, Some(error));
             raised
         })?;
-        let array = py
-            .import("numpy")?
-            .call_method1("asarray", (&returned, "complex128"))
-            .map_err(|error| {
-                let raised = fail(format!(
-                    "the receptance of the {what} must return complex numbers, one for each frequency"
-                ));
-                raised.set_cause(py, Some(error));
-                raised
-            })?;
+        let array = py.import("numpy")?.call_method1("asarray", (&returned, "complex128")).map_err(|error| {
+            let raised =
+                fail(format!("the receptance of the {what} must return complex numbers, one for each frequency"));
+            raised.set_cause(py, Some(error));
+            raised
+        })?;
         let wrong_shape = |shape: &[usize]| {
             fail(format!(
                 "the receptance of the {what} returned an array of shape {shape:?}, but must return one complex \
@@ -106,10 +99,7 @@ impl CallableReceptance {
             ))
         };
         let values: PyReadonlyArray1<'_, Complex64> = array.extract().map_err(|_| {
-            let shape: Vec<usize> = array
-                .getattr("shape")
-                .and_then(|shape| shape.extract())
-                .unwrap_or_default();
+            let shape: Vec<usize> = array.getattr("shape").and_then(|shape| shape.extract()).unwrap_or_default();
             wrong_shape(&shape)
         })?;
         if values.len() != frequencies.len() {
@@ -172,8 +162,7 @@ impl Universal {
             "y" => VerticalAxis::Y,
             "z" => VerticalAxis::Z,
             other => {
-                let sentence =
-                    format!("vertical_axis is \"{other}\", but must be \"x\", \"y\" or \"z\"");
+                let sentence = format!("vertical_axis is \"{other}\", but must be \"x\", \"y\" or \"z\"");
                 return Err(PyValueError::new_err(sentence));
             }
         };
@@ -190,17 +179,11 @@ impl Universal {
             frequencies: owned(&frequencies),
             values: owned(&values),
         };
-        Ok(Self {
-            receptance: GivenReceptance::of_universal(&function).map_err(of_case)?,
-            function,
-        })
+        Ok(Self { receptance: GivenReceptance::of_universal(&function).map_err(of_case)?, function })
     }
 
     /// How pickle makes it again.
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
         let function = self.function.clone();
         let arguments = (
             function.title,
@@ -224,22 +207,16 @@ pub(crate) fn extract(
     what: &'static str,
 ) -> PyResult<(GivenReceptance, Option<Arc<CallableReceptance>>)> {
     if given.is_callable() {
-        let callable = Arc::new(CallableReceptance {
-            callable: given.clone().unbind(),
-            what,
-            failure: Mutex::new(None),
-        });
+        let callable =
+            Arc::new(CallableReceptance { callable: given.clone().unbind(), what, failure: Mutex::new(None) });
         return Ok((GivenReceptance::new(callable.clone()), Some(callable)));
     }
     if let Ok(universal) = given.cast::<Universal>() {
         return Ok((universal.get().receptance.clone(), None));
     }
-    let table: (PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, Complex64>) =
-        given.extract().map_err(|_| {
-            PyTypeError::new_err(format!(
-                "the receptance of the {what} must be a callable or a pair of arrays"
-            ))
-        })?;
+    let table: (PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, Complex64>) = given.extract().map_err(|_| {
+        PyTypeError::new_err(format!("the receptance of the {what} must be a callable or a pair of arrays"))
+    })?;
     let angular: Vec<f64> = table.0.as_array().iter().map(|f| TAU * f).collect();
     let measured = MeasuredReceptance::new(&angular, owned(&table.1)).map_err(of_physics)?;
     let given = match what {

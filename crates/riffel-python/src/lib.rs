@@ -59,9 +59,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::models::compare_models;
     #[pymodule_export]
-    use crate::network::{
-        network_chart, network_growth, network_ingest, network_plan, network_status, network_worst,
-    };
+    use crate::network::{network_chart, network_growth, network_ingest, network_plan, network_status, network_worst};
     #[pymodule_export]
     use crate::noise::noise;
     #[pymodule_export]
@@ -74,9 +72,9 @@ mod _riffel {
     use crate::records::read_date;
     #[pymodule_export]
     use crate::roughness::{
-        analyse, axis, band_pass, compare_with_limit, dominant_of_profile, dominant_of_spectra,
-        energy_mean, level, limits, mean_square, moving_peak_to_peak, moving_rms, read_roughness,
-        remove_spikes, roll_over, synthesise, third_octaves,
+        analyse, axis, band_pass, compare_with_limit, dominant_of_profile, dominant_of_spectra, energy_mean, level,
+        limits, mean_square, moving_peak_to_peak, moving_rms, read_roughness, remove_spikes, roll_over, synthesise,
+        third_octaves,
     };
     #[pymodule_export]
     use crate::simulate::{evolve, on_smooth_rail, simulate};

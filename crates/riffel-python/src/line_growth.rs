@@ -33,8 +33,7 @@ pub(crate) fn remedies<'py>(
     costs: BTreeMap<String, f64>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let traffic = traffic.map(|given| given.traffic()).transpose()?;
-    let answer = case.compute(py, move |case| {
-        RemediesAnswer::new(case, traffic.as_ref(), &|_| ())?.with_costs(&costs)
-    })?;
+    let answer =
+        case.compute(py, move |case| RemediesAnswer::new(case, traffic.as_ref(), &|_| ())?.with_costs(&costs))?;
     document(py, &answer.map_err(of_answer)?)
 }

@@ -19,8 +19,6 @@ pub(crate) fn compare_models<'py>(
     let models = models.unwrap_or_default();
     let models = FieldModel::named(models.iter().map(String::as_str));
     let models = models.map_err(|error| wrong(error.to_string()))?;
-    let answer = case.compute(py, move |case| {
-        ModelsAnswer::new(case, &ModelsRequest { models, speed }, &|_| ())
-    })?;
+    let answer = case.compute(py, move |case| ModelsAnswer::new(case, &ModelsRequest { models, speed }, &|_| ()))?;
     document(py, &answer.map_err(of_answer)?)
 }

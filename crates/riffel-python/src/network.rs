@@ -9,8 +9,8 @@ use pyo3::exceptions::{PyFileNotFoundError, PyOSError, PyUserWarning};
 use pyo3::prelude::*;
 use riffel_answers::ExpectedRates;
 use riffel_network::{
-    Aim, Budget, ExpectedGrowth, Judgement, NetworkError, Store, StoreSettings, StripChart,
-    SurveyFile, growth, plan, status, worst,
+    Aim, Budget, ExpectedGrowth, Judgement, NetworkError, Store, StoreSettings, StripChart, SurveyFile, growth, plan,
+    status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
@@ -80,9 +80,7 @@ pub(crate) fn network_growth<'py>(
     expected: Option<Expected<'py>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let expected = expected_of(py, &judged, expected)?;
-    let between = between
-        .map(|(from, to)| Ok::<_, PyErr>([day(&from)?, day(&to)?]))
-        .transpose()?;
+    let between = between.map(|(from, to)| Ok::<_, PyErr>([day(&from)?, day(&to)?])).transpose()?;
     answer(py, move || {
         let (store, judgement, section) = expecting(&judged, expected)?;
         let mut found = growth(&store, &judgement, section, between)?;
@@ -104,11 +102,7 @@ pub(crate) fn network_plan<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let expected = expected_of(py, &judged, expected)?;
     let (money, per_metre, per_site) = budget;
-    let budget = Budget {
-        money,
-        per_metre,
-        per_site,
-    };
+    let budget = Budget { money, per_metre, per_site };
     answer(py, move || {
         let (store, judgement, section) = expecting(&judged, expected)?;
         let aim = match most_track {
@@ -129,13 +123,7 @@ pub(crate) fn network_chart(
 ) -> PyResult<Bound<'_, PyAny>> {
     answer(py, move || {
         let (store, judgement, section) = opened(&judged)?;
-        StripChart::new(
-            &store,
-            &judgement,
-            section,
-            line.as_deref(),
-            rail.as_deref(),
-        )
+        StripChart::new(&store, &judgement, section, line.as_deref(), rail.as_deref())
     })
 }
 
@@ -146,10 +134,7 @@ fn opened((store, limit, section): &Judged) -> Result<(Store, Judgement, f64), N
 }
 
 /// The same with what is expected.
-fn expecting(
-    judged: &Judged,
-    expected: Option<ExpectedOf>,
-) -> Result<(Store, Judgement, f64), NetworkError> {
+fn expecting(judged: &Judged, expected: Option<ExpectedOf>) -> Result<(Store, Judgement, f64), NetworkError> {
     let (store, judgement, section) = opened(judged)?;
     let judgement = match expected {
         Some((line, growth)) => judgement.expecting(&store, line.as_deref(), growth)?,
@@ -158,31 +143,21 @@ fn expecting(
     Ok((store, judgement, section))
 }
 
-fn expected_of(
-    py: Python<'_>,
-    judged: &Judged,
-    expected: Option<Expected<'_>>,
-) -> PyResult<Option<ExpectedOf>> {
+fn expected_of(py: Python<'_>, judged: &Judged, expected: Option<Expected<'_>>) -> PyResult<Option<ExpectedOf>> {
     let Some((line, case, traffic)) = expected else {
         return Ok(None);
     };
     let (_, judgement, _) = opened(judged).map_err(of_network)?;
     let traffic = traffic.map(|given| given.traffic()).transpose()?;
     let bands = judgement.ends_of_bands();
-    let growth = case.compute(py, move |case| {
-        ExpectedRates::new(case, traffic.as_ref(), &bands)
-    })?;
+    let growth = case.compute(py, move |case| ExpectedRates::new(case, traffic.as_ref(), &bands))?;
     let growth = growth.map_err(of_answer)?;
     if let Some(reason) = &growth.without_rate {
         let said = CString::new(reason.to_string()).unwrap_or_default();
         PyErr::warn(py, &py.get_type::<PyUserWarning>(), &said, 2)?;
     }
     let growth = growth.of_bands.into_iter().map(|growth| {
-        growth.map(|growth| ExpectedGrowth {
-            median: growth.median,
-            band_50: growth.band_50,
-            band_80: growth.band_80,
-        })
+        growth.map(|growth| ExpectedGrowth { median: growth.median, band_50: growth.band_50, band_80: growth.band_80 })
     });
     Ok(Some((line, growth.collect())))
 }

@@ -67,11 +67,7 @@ pub(crate) fn noise<'py>(
         radiator: TrackRadiator {
             rail_foot,
             sleeper_area,
-            decay_rate: decay_rate
-                .as_deref()
-                .map(read_decay_rates)
-                .transpose()
-                .map_err(of_case)?,
+            decay_rate: decay_rate.as_deref().map(read_decay_rates).transpose().map_err(of_case)?,
         },
         transfer,
         limit,

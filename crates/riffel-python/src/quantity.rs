@@ -1,9 +1,7 @@
 //! Quantities as the case file writes them.
 
 use pyo3::prelude::*;
-use riffel_keys::quantity::{
-    Area, Dimension, Force, Frequency, Length, Mass, Quantity, QuantityError, Ratio, Speed,
-};
+use riffel_keys::quantity::{Area, Dimension, Force, Frequency, Length, Mass, Quantity, QuantityError, Ratio, Speed};
 
 use crate::errors::wrong;
 

@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use riffel_keys::Message;
 use riffel_keys::quantity::Quantity;
 use riffel_rail::{
-    EarlierRails, LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness,
-    ReaderFormat, RoughnessFile, Survey, coarse_sampling, unlike_a_rail,
+    EarlierRails, LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness, ReaderFormat, RoughnessFile,
+    Survey, coarse_sampling, unlike_a_rail,
 };
 
 use crate::array::owned;
@@ -17,10 +17,7 @@ use crate::errors::{of_case, wrong};
 use crate::interrupt::interruptible;
 
 /// Labels of a spectrum, its wavelengths \[m\] and levels.
-type LabelledLevels<'py> = (
-    Vec<(String, String)>,
-    (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>),
-);
+type LabelledLevels<'py> = (Vec<(String, String)>, (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>));
 
 /// What was measured: a file, the spacing and rails of a profile, or spectra.
 #[derive(FromPyObject)]
@@ -97,10 +94,7 @@ impl Record {
             GivenRoughness::Profile((spacing, given)) => {
                 let mut rails = Vec::new();
                 for (name, stretches) in given {
-                    rails.push(Rail {
-                        name: name.clone(),
-                        stretches: profiles(stretches, *spacing)?,
-                    });
+                    rails.push(Rail { name: name.clone(), stretches: profiles(stretches, *spacing)? });
                 }
                 let doubts = unlike_a_rail(&rails);
                 let warnings = coarse_sampling(*spacing).into_iter().chain(doubts);
@@ -108,11 +102,7 @@ impl Record {
             }
             GivenRoughness::Spectra(spectra) => Roughness::Spectra(labelled(spectra)?),
         };
-        Ok(Self {
-            name: name.clone(),
-            date: date.clone(),
-            roughness,
-        })
+        Ok(Self { name: name.clone(), date: date.clone(), roughness })
     }
 
     pub(crate) fn borrowed(&self) -> RailRecord<'_> {
@@ -134,10 +124,7 @@ impl Record {
 
 fn labelled(spectra: &[LabelledLevels<'_>]) -> PyResult<Vec<LabelledSpectrum>> {
     let labelled = spectra.iter().map(|(labels, (wavelengths, levels))| {
-        Ok(LabelledSpectrum {
-            labels: labels.clone(),
-            spectrum: spectrum(&owned(wavelengths), &owned(levels))?,
-        })
+        Ok(LabelledSpectrum { labels: labels.clone(), spectrum: spectrum(&owned(wavelengths), &owned(levels))? })
     });
     labelled.collect()
 }
@@ -155,9 +142,7 @@ pub(crate) fn places_of_both(
     let growing = |path| Ok::<_, PyErr>(read(py, path, layout)?.without_defects());
     let (before, now) = (growing(before)?, growing(now)?);
     let names = (earlier.0.clone(), later.0.clone());
-    let places = interruptible(py, move || {
-        Survey::at_same_places((&names.0, &before), (&names.1, &now))
-    })?;
+    let places = interruptible(py, move || Survey::at_same_places((&names.0, &before), (&names.1, &now)))?;
     places.map_err(of_case)
 }
 

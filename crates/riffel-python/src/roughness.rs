@@ -8,8 +8,8 @@ use pyo3::types::PyDict;
 use riffel::Axis;
 use riffel::diagnosis::{DominantWavelength, FineSpectrum, dominant_levels};
 use riffel::roughness::{
-    AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, Profile, RailAnalysis, RmsLimit,
-    Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+    AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, Profile, RailAnalysis, RmsLimit, Spectrum, SpikeCriterion,
+    WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_keys::Message;
 use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
@@ -28,12 +28,7 @@ type Levels<'py> = (Real<'py>, Real<'py>, Real<'py>);
 
 fn levels<'py>(py: Python<'py>, spectrum: &Spectrum) -> Levels<'py> {
     let column = |value: fn(&riffel::roughness::BandLevel) -> f64| {
-        spectrum
-            .levels()
-            .iter()
-            .map(value)
-            .collect::<Vec<_>>()
-            .into_pyarray(py)
+        spectrum.levels().iter().map(value).collect::<Vec<_>>().into_pyarray(py)
     };
     (
         column(|level| level.band.wavelength()),
@@ -53,9 +48,7 @@ pub(crate) fn axis(py: Python<'_>, min: f64, max: f64, points: usize) -> PyResul
 #[pyfunction]
 pub(crate) fn level<'py>(py: Python<'py>, mean_squares: PyReadonlyArray1<'py, f64>) -> Real<'py> {
     let levels = mean_squares.as_array();
-    let levels = levels
-        .iter()
-        .map(|&square| riffel::roughness::level(square));
+    let levels = levels.iter().map(|&square| riffel::roughness::level(square));
     levels.collect::<Vec<_>>().into_pyarray(py)
 }
 
@@ -63,9 +56,7 @@ pub(crate) fn level<'py>(py: Python<'py>, mean_squares: PyReadonlyArray1<'py, f6
 #[pyfunction]
 pub(crate) fn mean_square<'py>(py: Python<'py>, levels: PyReadonlyArray1<'py, f64>) -> Real<'py> {
     let squares = levels.as_array();
-    let squares = squares
-        .iter()
-        .map(|&level| riffel::roughness::mean_square(level));
+    let squares = squares.iter().map(|&level| riffel::roughness::mean_square(level));
     squares.collect::<Vec<_>>().into_pyarray(py)
 }
 
@@ -82,10 +73,7 @@ pub(crate) fn remove_spikes<'py>(
         (profile, removed)
     })?;
     let removed = removed.into_iter().map(|range| (range.start, range.end));
-    Ok((
-        profile.heights().to_vec().into_pyarray(py),
-        removed.collect(),
-    ))
+    Ok((profile.heights().to_vec().into_pyarray(py), removed.collect()))
 }
 
 /// What a wheel sees that rolls over, and where pits are, in samples.
@@ -98,10 +86,7 @@ pub(crate) fn roll_over<'py>(
     pit_depth: Option<f64>,
 ) -> PyResult<(Real<'py>, Vec<(usize, usize)>)> {
     let mut profile = Profile::new(0.0, spacing, owned(&heights)).map_err(of_physics)?;
-    let (radius, depth) = (
-        radius.unwrap_or(WHEEL_RADIUS),
-        pit_depth.unwrap_or(PIT_DEPTH),
-    );
+    let (radius, depth) = (radius.unwrap_or(WHEEL_RADIUS), pit_depth.unwrap_or(PIT_DEPTH));
     let (profile, pits) = interruptible(py, move || {
         let pits = profile.roll_over(radius, depth);
         (profile, pits)
@@ -135,9 +120,7 @@ pub(crate) fn band_pass<'py>(
     let profile = Profile::new(0.0, spacing, owned(&heights)).map_err(of_physics)?;
     let band = WavelengthBand::new(from, to).map_err(of_physics)?;
     if !BandPass::resolves(band, spacing) {
-        return Err(wrong(format!(
-            "samples {spacing} m apart do not resolve wavelengths of {from} m"
-        )));
+        return Err(wrong(format!("samples {spacing} m apart do not resolve wavelengths of {from} m")));
     }
     let filtered = interruptible(py, move || {
         let bank = BandPass::new(spacing, profile.heights().len(), &[band])?;
@@ -154,9 +137,7 @@ pub(crate) fn moving_rms<'py>(
     window: usize,
 ) -> PyResult<Real<'py>> {
     let borrowed = values.as_slice()?;
-    Ok(py
-        .detach(|| riffel::roughness::moving_rms(borrowed, window))
-        .into_pyarray(py))
+    Ok(py.detach(|| riffel::roughness::moving_rms(borrowed, window)).into_pyarray(py))
 }
 
 /// Peak-to-peak value of each window.
@@ -167,9 +148,7 @@ pub(crate) fn moving_peak_to_peak<'py>(
     window: usize,
 ) -> PyResult<Real<'py>> {
     let borrowed = values.as_slice()?;
-    Ok(py
-        .detach(|| riffel::roughness::moving_peak_to_peak(borrowed, window))
-        .into_pyarray(py))
+    Ok(py.detach(|| riffel::roughness::moving_peak_to_peak(borrowed, window)).into_pyarray(py))
 }
 
 /// Everything about one rail.
@@ -195,10 +174,7 @@ pub(crate) fn analyse<'py>(
     let profiles = profiles(&stretches, spacing)?;
     let analysis = interruptible(py, move || RailAnalysis::new(profiles, &settings, &|| ()))?;
     let analysis = analysis.map_err(of_physics)?;
-    let sections = analysis.grind(&GrindSettings {
-        merge,
-        shortest: grinding_length,
-    });
+    let sections = analysis.grind(&GrindSettings { merge, shortest: grinding_length });
     let result = PyDict::new(py);
     result.set_item("spikes", analysis.spikes)?;
     result.set_item("pits", analysis.pits)?;
@@ -223,21 +199,12 @@ pub(crate) fn analyse<'py>(
     let blocks = analysis.blocks.iter().map(|block| {
         let rms = block.rms.iter().chain(&block.moving_rms_max);
         let rms = rms.map(|&rms| missing(rms));
-        [block.from, block.to]
-            .into_iter()
-            .chain(rms)
-            .collect::<Vec<_>>()
+        [block.from, block.to].into_iter().chain(rms).collect::<Vec<_>>()
     });
     result.set_item("blocks", blocks.collect::<Vec<_>>())?;
-    let sections = sections.iter().map(|section| {
-        vec![
-            section.from,
-            section.to,
-            section.band.from(),
-            section.band.to(),
-            section.ratio,
-        ]
-    });
+    let sections = sections
+        .iter()
+        .map(|section| vec![section.from, section.to, section.band.from(), section.band.to(), section.ratio]);
     result.set_item("sections", sections.collect::<Vec<_>>())?;
     Ok(result)
 }
@@ -245,9 +212,9 @@ pub(crate) fn analyse<'py>(
 fn rms_limit(name: &str) -> PyResult<RmsLimit> {
     match LimitTable::find(name).map_err(of_case)?.limit {
         Limit::Rms(limit) => Ok(limit),
-        Limit::Levels(_) => Err(wrong(format!(
-            "limit is \"{name}\", but must be a table of RMS in bands of wavelength"
-        ))),
+        Limit::Levels(_) => {
+            Err(wrong(format!("limit is \"{name}\", but must be a table of RMS in bands of wavelength")))
+        }
     }
 }
 
@@ -255,14 +222,7 @@ fn rms_limit(name: &str) -> PyResult<RmsLimit> {
 #[pyfunction]
 pub(crate) fn limits(
     py: Python<'_>,
-) -> Vec<(
-    String,
-    String,
-    String,
-    String,
-    Option<Levels<'_>>,
-    Vec<(f64, f64, f64)>,
-)> {
+) -> Vec<(String, String, String, String, Option<Levels<'_>>, Vec<(f64, f64, f64)>)> {
     LimitTable::all()
         .into_iter()
         .map(|table| {
@@ -270,22 +230,10 @@ pub(crate) fn limits(
                 Limit::Levels(limit) => (Some(levels(py, limit.spectrum())), Vec::new()),
                 Limit::Rms(limit) => {
                     let bands = limit.bands().iter();
-                    (
-                        None,
-                        bands
-                            .map(|(band, rms)| (band.from(), band.to(), *rms))
-                            .collect(),
-                    )
+                    (None, bands.map(|(band, rms)| (band.from(), band.to(), *rms)).collect())
                 }
             };
-            (
-                table.name,
-                table.title.to_string(),
-                table.edition,
-                table.source,
-                of_levels,
-                of_rms,
-            )
+            (table.name, table.title.to_string(), table.edition, table.source, of_levels, of_rms)
         })
         .collect()
 }
@@ -299,22 +247,11 @@ pub(crate) fn compare_with_limit<'py>(
     limit: &str,
 ) -> PyResult<Levels<'py>> {
     let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
-    let compared = riffel_answers::level_limit(limit)
-        .map_err(of_answer)?
-        .1
-        .compare(&spectrum);
+    let compared = riffel_answers::level_limit(limit).map_err(of_answer)?.1.compare(&spectrum);
     let column = |value: fn(&riffel::roughness::LevelExcess) -> f64| {
-        compared
-            .iter()
-            .map(value)
-            .collect::<Vec<_>>()
-            .into_pyarray(py)
+        compared.iter().map(value).collect::<Vec<_>>().into_pyarray(py)
     };
-    Ok((
-        column(|band| band.band.wavelength()),
-        column(|band| band.level),
-        column(|band| band.limit),
-    ))
+    Ok((column(|band| band.band.wavelength()), column(|band| band.level), column(|band| band.limit)))
 }
 
 /// Mean of several spectra on mean squares.
@@ -323,12 +260,9 @@ pub(crate) fn energy_mean<'py>(
     py: Python<'py>,
     spectra: Vec<(PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>,
 ) -> PyResult<Levels<'py>> {
-    let spectra = spectra
-        .iter()
-        .map(|(wavelengths, levels)| spectrum(&owned(wavelengths), &owned(levels)));
+    let spectra = spectra.iter().map(|(wavelengths, levels)| spectrum(&owned(wavelengths), &owned(levels)));
     let spectra = spectra.collect::<PyResult<Vec<_>>>()?;
-    let mean =
-        Spectrum::energy_mean(&spectra).ok_or_else(|| wrong("there is no spectrum to average"))?;
+    let mean = Spectrum::energy_mean(&spectra).ok_or_else(|| wrong("there is no spectrum to average"))?;
     Ok(levels(py, &mean))
 }
 
@@ -336,17 +270,9 @@ pub(crate) fn energy_mean<'py>(
 type Dominant = (f64, f64, f64, f64, f64, Option<f64>, Option<f64>);
 
 fn named(peaks: &[DominantWavelength]) -> Vec<Dominant> {
-    let peaks = peaks.iter().map(|peak| {
-        (
-            peak.wavelength,
-            peak.from,
-            peak.to,
-            peak.level,
-            peak.prominence,
-            peak.scatter,
-            peak.false_peaks,
-        )
-    });
+    let peaks = peaks
+        .iter()
+        .map(|peak| (peak.wavelength, peak.from, peak.to, peak.level, peak.prominence, peak.scatter, peak.false_peaks));
     peaks.collect()
 }
 
@@ -367,12 +293,8 @@ pub(crate) fn dominant_of_profile(
 pub(crate) fn dominant_of_spectra(
     spectra: Vec<(PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, f64>)>,
 ) -> PyResult<Vec<Dominant>> {
-    let spectra = spectra
-        .iter()
-        .map(|(wavelengths, levels)| spectrum(&owned(wavelengths), &owned(levels)));
-    Ok(named(&dominant_levels(
-        &spectra.collect::<PyResult<Vec<_>>>()?,
-    )))
+    let spectra = spectra.iter().map(|(wavelengths, levels)| spectrum(&owned(wavelengths), &owned(levels)));
+    Ok(named(&dominant_levels(&spectra.collect::<PyResult<Vec<_>>>()?)))
 }
 
 fn in_english(messages: &[Message]) -> Vec<String> {
@@ -399,11 +321,7 @@ pub(crate) fn read_roughness<'py>(
                     .map(|stretch| (stretch.start(), stretch.heights().to_vec().into_pyarray(py)));
                 (rail.name, stretches.collect())
             });
-            (
-                Some((record.spacing, rails.collect())),
-                Vec::new(),
-                in_english(&record.warnings),
-            )
+            (Some((record.spacing, rails.collect())), Vec::new(), in_english(&record.warnings))
         }
         RoughnessFile::Spectra(spectra, warnings) => {
             let spectra = spectra.into_iter().map(|record| {
@@ -432,7 +350,5 @@ pub(crate) fn synthesise<'py>(
         rails.collect::<Result<Vec<_>, riffel::Error>>()
     })?;
     let made = made.map_err(of_physics)?.into_iter();
-    Ok(made
-        .map(|(name, spacing, heights)| (name, spacing, heights.into_pyarray(py)))
-        .collect())
+    Ok(made.map(|(name, spacing, heights)| (name, spacing, heights.into_pyarray(py))).collect())
 }

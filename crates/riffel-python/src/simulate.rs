@@ -6,8 +6,8 @@ use pyo3::types::PyDict;
 use riffel::passage::Sinusoid;
 use riffel::roughness::Profile;
 use riffel_answers::simulate::{
-    Course, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer,
-    SinusoidRequest, SmoothRailAnswer, Surface,
+    Course, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest,
+    SmoothRailAnswer, Surface,
 };
 use riffel_keys::Message;
 
@@ -33,10 +33,9 @@ enum Rail {
 impl GivenSurface<'_> {
     fn rail(&self) -> PyResult<Rail> {
         Ok(match self {
-            Self::Sinusoid((amplitude, wavelength)) => Rail::Sinusoid(Sinusoid {
-                amplitude: *amplitude,
-                wavelength: *wavelength,
-            }),
+            Self::Sinusoid((amplitude, wavelength)) => {
+                Rail::Sinusoid(Sinusoid { amplitude: *amplitude, wavelength: *wavelength })
+            }
             Self::Profile((start, spacing, heights)) => {
                 Rail::Profile(Profile::new(*start, *spacing, owned(heights)).map_err(of_physics)?)
             }
@@ -57,14 +56,10 @@ fn arrays<'py>(py: Python<'py>, courses: Vec<Course>) -> PyResult<Bound<'py, PyD
     type Column = fn(&Course) -> Option<&Vec<f64>>;
     let columns: [(&str, Column); 7] = [
         ("normal_force", |course| Some(&course.normal_force_n)),
-        ("tangential_force", |course| {
-            Some(&course.tangential_force_n)
-        }),
+        ("tangential_force", |course| Some(&course.tangential_force_n)),
         ("lateral_force", |course| course.lateral_force_n.as_ref()),
         ("creepage", |course| Some(&course.creepage)),
-        ("lateral_creepage", |course| {
-            course.lateral_creepage.as_ref()
-        }),
+        ("lateral_creepage", |course| course.lateral_creepage.as_ref()),
         ("dissipation", |course| Some(&course.dissipation_j_per_m)),
         ("approach", |course| Some(&course.approach_m)),
     ];
@@ -172,37 +167,21 @@ pub(crate) fn evolve<'py>(
     passages: u64,
     step: Option<f64>,
     contact_filter: bool,
-) -> PyResult<(
-    Bound<'py, PyAny>,
-    Vec<u64>,
-    Bound<'py, PyArray2<f64>>,
-    f64,
-    Vec<String>,
-)> {
+) -> PyResult<(Bound<'py, PyAny>, Vec<u64>, Bound<'py, PyArray2<f64>>, f64, Vec<String>)> {
     let traffic = traffic_of(case, traffic.as_ref())?;
     let usual_step = step.unwrap_or(PassageRequest::USUAL_STEP);
     let (surface, largest_step) = match surface.rail()? {
         Rail::Sinusoid(sinusoid) => {
             let slowest = traffic.speeds().iter().map(|speeds| speeds.range().0);
             let slowest = slowest.fold(f64::INFINITY, f64::min);
-            let step = SinusoidRequest::new(slowest, sinusoid, step)
-                .map_err(of_answer)?
-                .step();
+            let step = SinusoidRequest::new(slowest, sinusoid, step).map_err(of_answer)?.step();
             let bay = case.case.track.support_spacing();
-            (
-                Surface::of_sinusoid(sinusoid, bay).map_err(of_answer)?,
-                step,
-            )
+            (Surface::of_sinusoid(sinusoid, bay).map_err(of_answer)?, step)
         }
         Rail::Profile(profile) if periodic => (Surface::Ring(profile), usual_step),
         Rail::Profile(profile) => (Surface::Record(profile), usual_step),
     };
-    let request = EvolutionRequest {
-        traffic,
-        surface,
-        largest_step,
-        contact_filter,
-    };
+    let request = EvolutionRequest { traffic, surface, largest_step, contact_filter };
     let run = case.compute(py, move |case| EvolutionRun::new(case, request))?;
     let mut run = run.map_err(of_answer)?;
     let answer = loop {
@@ -219,17 +198,7 @@ pub(crate) fn evolve<'py>(
     let stages = answer.profiles.iter().map(|profile| profile.passages);
     let stages: Vec<u64> = stages.collect();
     let count = answer.profiles[0].heights_m.len();
-    let heights: Vec<f64> = answer
-        .profiles
-        .into_iter()
-        .flat_map(|profile| profile.heights_m)
-        .collect();
+    let heights: Vec<f64> = answer.profiles.into_iter().flat_map(|profile| profile.heights_m).collect();
     let heights = heights.into_pyarray(py).reshape([stages.len(), count])?;
-    Ok((
-        document,
-        stages,
-        heights,
-        answer.spacing,
-        words(&answer.remarks),
-    ))
+    Ok((document, stages, heights, answer.spacing, words(&answer.remarks)))
 }

@@ -43,16 +43,12 @@ impl Study {
             let sentence = format!("there is no plan {}", path.display());
             return Err(PyFileNotFoundError::new_err(sentence));
         }
-        interruptible(py, move || riffel_study::Study::read(&path))?
-            .map(Self::new)
-            .map_err(of_study)
+        interruptible(py, move || riffel_study::Study::read(&path))?.map(Self::new).map_err(of_study)
     }
 
     #[staticmethod]
     fn parse(py: Python<'_>, text: String, case: PathBuf) -> PyResult<Self> {
-        interruptible(py, move || riffel_study::Study::parse("plan", &text, &case))?
-            .map(Self::new)
-            .map_err(of_study)
+        interruptible(py, move || riffel_study::Study::parse("plan", &text, &case))?.map(Self::new).map_err(of_study)
     }
 
     #[staticmethod]
@@ -63,9 +59,7 @@ impl Study {
     /// The study that a folder of results records.
     #[staticmethod]
     fn open(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
-        interruptible(py, move || ResultFolder::open(&folder))?
-            .map(|(study, _)| Self::new(study))
-            .map_err(of_study)
+        interruptible(py, move || ResultFolder::open(&folder))?.map(|(study, _)| Self::new(study)).map_err(of_study)
     }
 
     #[getter]
@@ -114,12 +108,7 @@ impl Study {
                     unit => unit,
                 });
                 let description = parameter.key.description.to_string();
-                (
-                    parameter.key.key.clone(),
-                    unit,
-                    description,
-                    parameter.is_number(),
-                )
+                (parameter.key.key.clone(), unit, description, parameter.is_number())
             })
             .collect()
     }
@@ -127,11 +116,8 @@ impl Study {
     /// Values of each parameter in the samples from one number to another.
     fn design<'py>(&self, py: Python<'py>, from: u64, to: u64) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let study = self.study.clone();
-        let samples: Vec<Vec<ParameterValue>> = interruptible(py, move || {
-            (from..to.min(study.samples()))
-                .map(|sample| study.values(sample))
-                .collect()
-        })?;
+        let samples: Vec<Vec<ParameterValue>> =
+            interruptible(py, move || (from..to.min(study.samples())).map(|sample| study.values(sample)).collect())?;
         (0..self.study.parameters().len())
             .map(|index| column(py, samples.iter().map(|sample| &sample[index])))
             .collect()
@@ -140,9 +126,7 @@ impl Study {
     /// Make the folder of results, or check that it is this study's.
     fn begin(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         let study = self.study.clone();
-        interruptible(py, move || ResultFolder::begin(&study, &folder))?
-            .map(|_| ())
-            .map_err(of_study)
+        interruptible(py, move || ResultFolder::begin(&study, &folder))?.map(|_| ()).map_err(of_study)
     }
 
     /// Chunks of a shard that are missing or damaged, in order.
@@ -162,22 +146,14 @@ impl Study {
         // The caller is a task of a cluster, in a thread of its own, where no signal arrives.
         py.detach(move || {
             let folder = ResultFolder::begin(&study, &folder)?;
-            chunks
-                .into_iter()
-                .try_for_each(|chunk| folder.commit(&study.compute(chunk)))
+            chunks.into_iter().try_for_each(|chunk| folder.commit(&study.compute(chunk)))
         })
         .map_err(of_study)
     }
 
     /// Compute all pending chunks of a shard on all cores. `progress` is called with the number of samples done and
     /// of those to do.
-    fn run(
-        &self,
-        py: Python<'_>,
-        folder: PathBuf,
-        shard: &str,
-        progress: Option<Bound<'_, PyAny>>,
-    ) -> PyResult<()> {
+    fn run(&self, py: Python<'_>, folder: PathBuf, shard: &str, progress: Option<Bound<'_, PyAny>>) -> PyResult<()> {
         let study = self.study.clone();
         let chunks = self.pending(py, folder.clone(), shard)?;
         let samples = |chunk: &u64| {
@@ -231,9 +207,7 @@ impl Study {
         let place = self.place(&output)?;
         let study = self.study.clone();
         let tornado = interruptible(py, move || Tornado::new(&study, shares))?;
-        let value = |outputs: &Result<Vec<f64>, String>| {
-            outputs.as_ref().map_or(f64::NAN, |outputs| outputs[place])
-        };
+        let value = |outputs: &Result<Vec<f64>, String>| outputs.as_ref().map_or(f64::NAN, |outputs| outputs[place]);
         let values: PyResult<Vec<_>> = tornado
             .swings
             .iter()
@@ -249,16 +223,12 @@ impl Study {
 }
 
 fn parse_shard(shard: &str) -> PyResult<Shard> {
-    shard
-        .parse()
-        .map_err(|rule: String| wrong(format!("shard is \"{shard}\": {rule}")))
+    shard.parse().map_err(|rule: String| wrong(format!("shard is \"{shard}\": {rule}")))
 }
 
 impl Study {
     fn new(study: riffel_study::Study) -> Self {
-        Self {
-            study: Arc::new(study),
-        }
+        Self { study: Arc::new(study) }
     }
 
     /// Where a scalar output stands among all numbers of a sample.
@@ -275,34 +245,21 @@ impl Study {
             }
             place += length;
         }
-        let known: Vec<&str> = outputs
-            .variables()
-            .iter()
-            .map(|v| v.name.as_str())
-            .collect();
-        Err(wrong(format!(
-            "the study has no output {name}, but {}",
-            known.join(", ")
-        )))
+        let known: Vec<&str> = outputs.variables().iter().map(|v| v.name.as_str()).collect();
+        Err(wrong(format!("the study has no output {name}, but {}", known.join(", "))))
     }
 }
 
 /// What the finished chunks of a folder hold.
 #[pyfunction]
 pub(crate) fn study_summary(py: Python<'_>, folder: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let summary = interruptible(py, move || {
-        ResultFolder::open(&folder).and_then(|(_, folder)| folder.summary())
-    })?;
+    let summary = interruptible(py, move || ResultFolder::open(&folder).and_then(|(_, folder)| folder.summary()))?;
     as_dict(py, &summary.map_err(of_study)?)
 }
 
 /// Copy the finished chunks of folders into one; chunks copied, there already, and missing.
 #[pyfunction]
-pub(crate) fn merge_study(
-    py: Python<'_>,
-    into: PathBuf,
-    folders: Vec<PathBuf>,
-) -> PyResult<(u64, u64, Vec<u64>)> {
+pub(crate) fn merge_study(py: Python<'_>, into: PathBuf, folders: Vec<PathBuf>) -> PyResult<(u64, u64, Vec<u64>)> {
     let report = interruptible(py, move || {
         let folders: Vec<&Path> = folders.iter().map(PathBuf::as_path).collect();
         ResultFolder::merge(&into, &folders)
@@ -323,18 +280,9 @@ pub(crate) fn sobol_indices(
     seed: u64,
 ) -> PyResult<(Vec<[f64; 3]>, Vec<[f64; 3]>, f64, usize)> {
     let values = owned(&values);
-    let intervals = Intervals {
-        confidence,
-        resamples,
-        seed,
-    };
-    let found = interruptible(py, move || {
-        SobolIndices::new(&values, parameters, intervals)
-    })?
-    .map_err(of_study)?;
-    let row = |estimate: &riffel_study::sensitivity::Estimate| {
-        [estimate.value, estimate.low, estimate.high]
-    };
+    let intervals = Intervals { confidence, resamples, seed };
+    let found = interruptible(py, move || SobolIndices::new(&values, parameters, intervals))?.map_err(of_study)?;
+    let row = |estimate: &riffel_study::sensitivity::Estimate| [estimate.value, estimate.low, estimate.high];
     Ok((
         found.parameters.iter().map(|p| row(&p.first)).collect(),
         found.parameters.iter().map(|p| row(&p.total)).collect(),

@@ -9,9 +9,9 @@ use toml::{Table, Value};
 pub(crate) fn table(dict: &Bound<'_, PyDict>, path: &str) -> PyResult<Table> {
     let mut table = Table::new();
     for (key, item) in dict {
-        let key: String = key.extract().map_err(|_| {
-            PyTypeError::new_err(format!("keys of a case are strings, but one is {key:?}"))
-        })?;
+        let key: String = key
+            .extract()
+            .map_err(|_| PyTypeError::new_err(format!("keys of a case are strings, but one is {key:?}")))?;
         let path = match path {
             "" => key.clone(),
             path => format!("{path}.{key}"),

@@ -8,10 +8,8 @@ pub(crate) fn built_in<T>(
     parse: impl Fn(&str, &str) -> Option<T>,
     name: impl Fn(&T) -> &str,
 ) -> Vec<T> {
-    let mut tables: Vec<T> = files
-        .files()
-        .filter_map(|file| parse(file.path().to_str()?, file.contents_utf8()?))
-        .collect();
+    let mut tables: Vec<T> =
+        files.files().filter_map(|file| parse(file.path().to_str()?, file.contents_utf8()?)).collect();
     tables.sort_by(|a, b| name(a).cmp(name(b)));
     tables
 }

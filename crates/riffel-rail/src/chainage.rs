@@ -90,10 +90,7 @@ impl Chainage {
         // Positions are rounded by whoever wrote them: no more digits than they can have.
         let spacing = (even_sum / even.max(1) as f64 * 1e9).round() / 1e9;
         if spacing <= 0.0 {
-            return refuse(
-                0,
-                format!("the step of {median} m is too small for a profile"),
-            );
+            return refuse(0, format!("the step of {median} m is too small for a profile"));
         }
         let mut warnings = builder.warnings(spacing);
         if uneven {
@@ -114,12 +111,8 @@ impl Chainage {
 /// Median of the sizes of the steps, and whether most fall.
 fn typical_step(positions: &[f64]) -> (f64, bool) {
     let stride = (positions.len() / SAMPLE).max(1);
-    let steps: Vec<f64> = positions
-        .windows(2)
-        .step_by(stride)
-        .map(|pair| pair[1] - pair[0])
-        .filter(|step| step.is_finite())
-        .collect();
+    let steps: Vec<f64> =
+        positions.windows(2).step_by(stride).map(|pair| pair[1] - pair[0]).filter(|step| step.is_finite()).collect();
     let falling = 2 * steps.iter().filter(|&&step| step < 0.0).count() > steps.len();
     let mut sizes: Vec<f64> = steps.iter().map(|step| step.abs()).collect();
     sizes.sort_by(f64::total_cmp);
@@ -145,10 +138,7 @@ impl Unevenness {
         let mut quantum = f64::INFINITY;
         for place in (0..count).step_by((count / places).max(1)) {
             let rows = &positions[place * length..(place + 1) * length];
-            let mut steps: Vec<f64> = rows
-                .windows(2)
-                .map(|pair| (pair[1] - pair[0]) / step)
-                .collect();
+            let mut steps: Vec<f64> = rows.windows(2).map(|pair| (pair[1] - pair[0]) / step).collect();
             if !steps.iter().all(|step| (-1.0..2.5).contains(step)) {
                 continue;
             }
@@ -162,17 +152,11 @@ impl Unevenness {
         }
         deviations.sort_by(f64::total_cmp);
         slopes.sort_by(f64::total_cmp);
-        let at = |values: &[f64], share: f64| {
-            values.get((share * values.len() as f64) as usize).copied()
-        };
+        let at = |values: &[f64], share: f64| values.get((share * values.len() as f64) as usize).copied();
         let ends = at(&slopes, 0.95).zip(at(&slopes, 0.05));
         Self {
             deviation: at(&deviations, 0.5).unwrap_or(0.0),
-            rounding: if quantum.is_finite() {
-                quantum / 12f64.sqrt()
-            } else {
-                0.0
-            },
+            rounding: if quantum.is_finite() { quantum / 12f64.sqrt() } else { 0.0 },
             along: ends.map_or(1.0, |(long, short)| long / short.max(f64::MIN_POSITIVE)),
         }
     }
@@ -234,11 +218,7 @@ struct Builder {
 impl Builder {
     /// Take up rows by their positions; the number of even steps, and their sum \[m\].
     fn divide(&mut self, positions: &[f64], sign: f64, step: f64, uneven: bool) -> (usize, f64) {
-        let longest_step = if uneven {
-            (LONGEST_FILLED / step).max(2.5)
-        } else {
-            1.5
-        };
+        let longest_step = if uneven { (LONGEST_FILLED / step).max(2.5) } else { 1.5 };
         let mut last: Option<(usize, f64)> = None;
         let (mut even, mut even_sum) = (0usize, 0.0);
         for (row, &position) in positions.iter().enumerate() {
@@ -253,11 +233,7 @@ impl Builder {
             };
             let steps = sign * (position - before) / step;
             if uneven && (-1.0..=0.0).contains(&steps) {
-                let kind = if steps == 0.0 {
-                    &mut self.repeated
-                } else {
-                    &mut self.overtaken
-                };
+                let kind = if steps == 0.0 { &mut self.repeated } else { &mut self.overtaken };
                 kind.count(row);
                 continue;
             }
@@ -304,31 +280,20 @@ impl Builder {
                     defects.rows,
                     100.0 * MOST_DEFECTS
                 );
-                return Err(Defect {
-                    row: defects.first,
-                    message,
-                });
+                return Err(Defect { row: defects.first, message });
             }
         }
         let overtaken = self.overtaken.rows;
         if overtaken as f64 > MOST_OVERTAKEN * rows {
             let share = 100.0 * overtaken as f64 / rows;
-            let message = format!(
-                "{overtaken} rows ({share:.1} %) lie behind the row before, this one first"
-            );
-            return Err(Defect {
-                row: self.overtaken.first,
-                message,
-            });
+            let message = format!("{overtaken} rows ({share:.1} %) lie behind the row before, this one first");
+            return Err(Defect { row: self.overtaken.first, message });
         }
         Ok(())
     }
 
     fn begin(&mut self, row: usize, position: f64) {
-        self.stretches.push(Stretch {
-            start: position,
-            rows: vec![(0, row..row + 1)],
-        });
+        self.stretches.push(Stretch { start: position, rows: vec![(0, row..row + 1)] });
     }
 
     fn go_on(&mut self, row: usize, absent: usize) {
@@ -346,27 +311,12 @@ impl Builder {
         let length = fixed(self.gap_length.max(spacing), 3);
         let rows = |defects: &Count| defects.rows;
         [
-            (
-                &self.missing,
-                say!(rows_without_position, count = rows(&self.missing)),
-            ),
-            (
-                &self.repeated,
-                say!(rows_repeat_position, count = rows(&self.repeated)),
-            ),
-            (
-                &self.filled,
-                say!(rows_after_gap, count = rows(&self.filled), gap = gap),
-            ),
-            (
-                &self.gaps,
-                say!(rows_after_jump, count = rows(&self.gaps), length = length),
-            ),
+            (&self.missing, say!(rows_without_position, count = rows(&self.missing))),
+            (&self.repeated, say!(rows_repeat_position, count = rows(&self.repeated))),
+            (&self.filled, say!(rows_after_gap, count = rows(&self.filled), gap = gap)),
+            (&self.gaps, say!(rows_after_jump, count = rows(&self.gaps), length = length)),
             (&self.back, say!(rows_go_back, count = rows(&self.back))),
-            (
-                &self.overtaken,
-                say!(rows_behind, count = rows(&self.overtaken)),
-            ),
+            (&self.overtaken, say!(rows_behind, count = rows(&self.overtaken))),
         ]
         .into_iter()
         .filter(|(defects, _)| defects.rows > 0)
@@ -401,20 +351,10 @@ mod tests {
         some[2000] = f64::NAN;
         some.remove(3000);
         // A gap of 2.5 m.
-        some.iter_mut()
-            .skip(4000)
-            .for_each(|position| *position += 2.5);
+        some.iter_mut().skip(4000).for_each(|position| *position += 2.5);
         let chainage = Chainage::new(&some).unwrap();
         assert_eq!(chainage.stretches.len(), 2);
-        assert_eq!(
-            chainage.stretches[0].rows,
-            [
-                (0, 0..1000),
-                (1, 1001..2000),
-                (1, 2001..3000),
-                (1, 3000..4000)
-            ]
-        );
+        assert_eq!(chainage.stretches[0].rows, [(0, 0..1000), (1, 1001..2000), (1, 2001..3000), (1, 3000..4000)]);
         assert_eq!(chainage.warnings.len(), 4, "{:?}", chainage.warnings);
         assert_eq!(chainage.spacing, 1e-3);
     }
@@ -423,29 +363,16 @@ mod tests {
     #[test]
     fn uneven_positions_are_kept_for_resampling() {
         let jitter = |row: usize| 0.28e-3 * (row as f64 * 78.233).sin();
-        let mut some: Vec<f64> = (0..6000)
-            .map(|row| 100.0 + 1e-3 * row as f64 + jitter(row))
-            .collect();
-        some.iter_mut()
-            .skip(4000)
-            .for_each(|position| *position += 2.5);
+        let mut some: Vec<f64> = (0..6000).map(|row| 100.0 + 1e-3 * row as f64 + jitter(row)).collect();
+        some.iter_mut().skip(4000).for_each(|position| *position += 2.5);
         let chainage = Chainage::new(&some).unwrap();
-        assert!(
-            (chainage.spacing - 1e-3).abs() < 2e-6,
-            "{}",
-            chainage.spacing
-        );
+        assert!((chainage.spacing - 1e-3).abs() < 2e-6, "{}", chainage.spacing);
         assert_eq!(chainage.stretches.len(), 2);
         assert_eq!(chainage.uneven.as_deref(), Some(&some[..]));
         let words = chainage.warnings.last().unwrap().1.to_string();
-        assert!(
-            words.starts_with("positions are 0.20 mm rms off even steps of 1.000 mm"),
-            "{words}"
-        );
+        assert!(words.starts_with("positions are 0.20 mm rms off even steps of 1.000 mm"), "{words}");
         // Samples in time from a trolley that slows down.
-        let slower: Vec<f64> = (0..6000)
-            .map(|row| 0.02 * (f64::from(row) * 1e-4).sin())
-            .collect();
+        let slower: Vec<f64> = (0..6000).map(|row| 0.02 * (f64::from(row) * 1e-4).sin()).collect();
         let slower: Vec<f64> = slower.iter().map(|x| 50.0 * x).collect();
         assert!(Chainage::new(&slower).unwrap().uneven.is_some());
     }
@@ -453,16 +380,10 @@ mod tests {
     /// Positions with too few decimals are rounded and not uneven.
     #[test]
     fn rounded_positions_are_even() {
-        let some: Vec<f64> = (0..5000)
-            .map(|row| (f64::from(row) * 2.5).round() * 1e-4)
-            .collect();
+        let some: Vec<f64> = (0..5000).map(|row| (f64::from(row) * 2.5).round() * 1e-4).collect();
         let chainage = Chainage::new(&some).unwrap();
         assert!(chainage.uneven.is_none());
-        assert!(
-            (chainage.spacing - 0.25e-3).abs() < 1e-7,
-            "{}",
-            chainage.spacing
-        );
+        assert!((chainage.spacing - 0.25e-3).abs() < 1e-7, "{}", chainage.spacing);
     }
 
     #[test]
@@ -471,13 +392,7 @@ mod tests {
         (100..200).for_each(|row| repeated[2 * row] = repeated[2 * row - 1]);
         let error = Chainage::new(&repeated).unwrap_err();
         assert_eq!(error.row, 200);
-        assert!(
-            error
-                .message
-                .to_string()
-                .contains("100 rows (2.0 %) repeat"),
-            "{error:?}"
-        );
+        assert!(error.message.to_string().contains("100 rows (2.0 %) repeat"), "{error:?}");
         assert!(Chainage::new(&[5.0; 100]).is_err());
         assert!(Chainage::new(&[]).is_err());
     }

@@ -48,15 +48,12 @@ pub fn read_date(text: &str) -> Result<Date, Message> {
 ///
 /// # Errors
 /// The first text that is no date, or may be two.
-pub(super) fn read_dates<'a>(
-    texts: impl IntoIterator<Item = &'a str>,
-) -> Result<Vec<Date>, NoDate> {
+pub(super) fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Date>, NoDate> {
     let texts: Vec<&str> = texts.into_iter().collect();
     let at = |place: usize| move |message: Message| NoDate { place, message };
     let written = texts.iter().enumerate();
-    let written: Vec<DateNumbers> = written
-        .map(|(place, text)| DateNumbers::of(text).map_err(at(place)))
-        .collect::<Result<_, _>>()?;
+    let written: Vec<DateNumbers> =
+        written.map(|(place, text)| DateNumbers::of(text).map_err(at(place))).collect::<Result<_, _>>()?;
     let open = || {
         let pairs = written.iter().enumerate();
         pairs.filter_map(|(place, date)| match date {
@@ -67,16 +64,11 @@ pub(super) fn read_dates<'a>(
     let day_first = open().find(|([first, ..], _)| *first > 12);
     let month_first = open().find(|([_, second, _], _)| *second > 12);
     if let (Some((_, day)), Some((_, month))) = (day_first, month_first) {
-        return Err(at(day)(say!(
-            days_in_two_orders,
-            text = texts[day],
-            other = texts[month]
-        )));
+        return Err(at(day)(say!(days_in_two_orders, text = texts[day], other = texts[month])));
     }
     if day_first.is_none()
         && month_first.is_none()
-        && let Some(([first, second, year], place)) =
-            open().find(|([day, month, _], _)| day != month)
+        && let Some(([first, second, year], place)) = open().find(|([day, month, _], _)| day != month)
     {
         return Err(at(place)(say!(
             date_may_be_two,
@@ -104,8 +96,7 @@ pub(super) fn read_dates<'a>(
             )));
         }
         let small = |number: i16| i8::try_from(number).unwrap_or(0);
-        Date::new(year, small(month), small(day))
-            .map_err(|_| at(place)(say!(day_is_not_in_calendar, text = *text)))
+        Date::new(year, small(month), small(day)).map_err(|_| at(place)(say!(day_is_not_in_calendar, text = *text)))
     });
     dates.collect()
 }
@@ -126,9 +117,8 @@ pub(super) fn looks_like_date(text: &str) -> bool {
                           april|june|july|august|september|october|november|december|januar|februar|märz|juni|juli|oktober|\
                           dezember|janv|févr|mars|avr|avril|juin|juil|juillet|août|déc|ene|abr|ago|dic|gen|mag|giu|lug|set|ott";
     let words = words(text);
-    let is_year = |word: &String| {
-        word.len() == 4 && are_digits(word) && (word.starts_with("19") || word.starts_with("20"))
-    };
+    let is_year =
+        |word: &String| word.len() == 4 && are_digits(word) && (word.starts_with("19") || word.starts_with("20"));
     let has_month = words.iter().any(|word| is_one_of(word, MONTHS));
     matches!(words.len(), 2..=3) && has_month && words.iter().any(is_year)
         || of_day_number(text).is_none() && DateNumbers::of(text).is_ok()
@@ -136,10 +126,7 @@ pub(super) fn looks_like_date(text: &str) -> bool {
 
 /// Whether a cell is the day of a spreadsheet, or a year with or without decimals.
 pub(super) fn looks_like_point(text: &str) -> bool {
-    let (year, decimals) = text
-        .trim()
-        .split_once(['.', ','])
-        .unwrap_or((text.trim(), ""));
+    let (year, decimals) = text.trim().split_once(['.', ',']).unwrap_or((text.trim(), ""));
     let is_year = year.parse().is_ok_and(|year: i16| YEARS.contains(&year));
     of_day_number(text).is_some() || is_year && are_digits(decimals)
 }
@@ -159,9 +146,7 @@ impl DateNumbers {
             let part = |range: std::ops::Range<usize>| date[range].parse().unwrap_or(0);
             return Ok(Self::YearFirst([part(0..4), part(4..6), part(6..8)]));
         }
-        let mark = ['-', '.', '/']
-            .into_iter()
-            .find(|mark| date.contains(*mark));
+        let mark = ['-', '.', '/'].into_iter().find(|mark| date.contains(*mark));
         let mark = mark.ok_or_else(no_date)?;
         let parts: Vec<&str> = date.split(mark).collect();
         let [first, second, third] = parts[..] else {
@@ -219,10 +204,7 @@ mod tests {
             "45366.39",
             "45366,0",
         ] {
-            assert_eq!(
-                read_date(text).map(|date| date.to_string()),
-                Ok("2024-03-15".to_owned())
-            );
+            assert_eq!(read_date(text).map(|date| date.to_string()), Ok("2024-03-15".to_owned()));
         }
     }
 
@@ -231,33 +213,17 @@ mod tests {
         let words = |texts: &[&str]| {
             let dates = read_dates(texts.iter().copied());
             dates
-                .map(|dates| {
-                    dates
-                        .iter()
-                        .map(Date::to_string)
-                        .collect::<Vec<_>>()
-                        .join(" ")
-                })
+                .map(|dates| dates.iter().map(Date::to_string).collect::<Vec<_>>().join(" "))
                 .map_err(|no_date| no_date.message.to_string())
         };
-        assert_eq!(
-            words(&["03/04/2024", "25/04/2024"]).unwrap(),
-            "2024-04-03 2024-04-25"
-        );
-        assert_eq!(
-            words(&["03/04/2024", "04/25/2024"]).unwrap(),
-            "2024-03-04 2024-04-25"
-        );
+        assert_eq!(words(&["03/04/2024", "25/04/2024"]).unwrap(), "2024-04-03 2024-04-25");
+        assert_eq!(words(&["03/04/2024", "04/25/2024"]).unwrap(), "2024-03-04 2024-04-25");
         assert_eq!(words(&["05/05/2024"]).unwrap(), "2024-05-05");
         assert_eq!(
             words(&["03/04/2024", "05/06/2024"]).unwrap_err(),
             "\"03/04/2024\" may be two dates; write 2024-04-03 or 2024-03-04"
         );
-        assert!(
-            words(&["25/04/2024", "04/25/2024"])
-                .unwrap_err()
-                .contains("different orders")
-        );
+        assert!(words(&["25/04/2024", "04/25/2024"]).unwrap_err().contains("different orders"));
     }
 
     #[test]

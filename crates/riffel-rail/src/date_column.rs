@@ -8,9 +8,7 @@ use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, say};
 
 use crate::LabelledSpectrum;
-use crate::date::{
-    NoDate, looks_like_date, looks_like_point, of_day_number, read_date, read_dates,
-};
+use crate::date::{NoDate, looks_like_date, looks_like_point, of_day_number, read_date, read_dates};
 
 /// Words for a date at the head of a column.
 const DATE: &str = "date|dates|datum|datums|dato|fecha|dátum|päivämäärä|pvm|kuupäev|tarih|datetime|timestamp|zeitstempel|\
@@ -49,10 +47,8 @@ pub(super) fn date_column(heads: &[&str], cells: &dyn Fn(usize) -> Vec<String>) 
         let words = words(heads[column]);
         words.iter().any(|word| is_one_of(word, list))
     };
-    let mut columns: Vec<(usize, Vec<String>)> = (0..heads.len())
-        .filter(|&column| !is(column, OTHER))
-        .map(|column| (column, cells(column)))
-        .collect();
+    let mut columns: Vec<(usize, Vec<String>)> =
+        (0..heads.len()).filter(|&column| !is(column, OTHER)).map(|column| (column, cells(column))).collect();
     columns.retain(|(_, cells)| cells.iter().any(|cell| !cell.is_empty()));
     let find = |fits: &dyn Fn(usize, &[String]) -> bool| {
         let mut columns = columns.iter();
@@ -86,10 +82,7 @@ pub fn ends_of_dates(head: &str, cells: &[String]) -> Result<Option<[Date; 2]>, 
         (place, message)
     })?;
     dates.sort_unstable();
-    Ok(dates
-        .first()
-        .zip(dates.last())
-        .map(|(first, last)| [*first, *last]))
+    Ok(dates.first().zip(dates.last()).map(|(first, last)| [*first, *last]))
 }
 
 /// The dates in the heads of columns that stand beside each other, each with what else its head says; `None` where one has no
@@ -103,14 +96,7 @@ pub(super) fn dates_of_heads(heads: &[&str]) -> Option<Vec<(Date, String)>> {
         let mut rest = words(&rest.join(" "));
         rest.retain(|word| !is_one_of(word, "db|um|µm|mm|m"));
         let rest = rest.join(" ");
-        Some((
-            date,
-            if rest.is_empty() {
-                "rail".to_owned()
-            } else {
-                rest
-            },
-        ))
+        Some((date, if rest.is_empty() { "rail".to_owned() } else { rest }))
     };
     (heads.len() > 1).then(|| heads.iter().map(dated).collect())?
 }
@@ -121,9 +107,7 @@ pub(super) fn of_spectra(spectra: &[LabelledSpectrum]) -> Option<usize> {
     let heads: Vec<&str> = labels.map(|(head, _)| head.as_str()).collect();
     let cells = |column: usize| -> Vec<String> {
         let cells = spectra.iter().map(|one| one.labels.get(column));
-        cells
-            .map(|cell| cell.map_or_else(String::new, |cell| cell.1.clone()))
-            .collect()
+        cells.map(|cell| cell.map_or_else(String::new, |cell| cell.1.clone())).collect()
     };
     date_column(&heads, &cells)
 }
@@ -132,19 +116,13 @@ pub(super) fn of_spectra(spectra: &[LabelledSpectrum]) -> Option<usize> {
 ///
 /// # Errors
 /// The first spectrum whose date is none, or may be two.
-pub(super) fn write_dates_alike(
-    spectra: &mut [LabelledSpectrum],
-) -> Result<Option<Message>, NoDate> {
+pub(super) fn write_dates_alike(spectra: &mut [LabelledSpectrum]) -> Result<Option<Message>, NoDate> {
     let Some(column) = of_spectra(spectra) else {
         return Ok(None);
     };
     let head = spectra[0].labels[column].0.clone();
-    let texts: Vec<String> = spectra
-        .iter()
-        .map(|spectrum| spectrum.labels[column].1.clone())
-        .collect();
-    let dates =
-        read_dates(texts.iter().map(String::as_str)).map_err(|no_date| no_date.of(&head))?;
+    let texts: Vec<String> = spectra.iter().map(|spectrum| spectrum.labels[column].1.clone()).collect();
+    let dates = read_dates(texts.iter().map(String::as_str)).map_err(|no_date| no_date.of(&head))?;
     for (spectrum, date) in spectra.iter_mut().zip(dates) {
         spectrum.labels[column].1 = date.to_string();
     }
@@ -152,17 +130,9 @@ pub(super) fn write_dates_alike(
 }
 
 /// What is said of a column whose dates are the days of a spreadsheet.
-pub(super) fn day_numbers<'a>(
-    head: &str,
-    mut cells: impl Iterator<Item = &'a str>,
-) -> Option<Message> {
+pub(super) fn day_numbers<'a>(head: &str, mut cells: impl Iterator<Item = &'a str>) -> Option<Message> {
     let (cell, date) = cells.find_map(|cell| Some((cell, of_day_number(cell)?)))?;
-    Some(say!(
-        dates_are_day_numbers,
-        column = head,
-        cell = cell,
-        date = date.to_string()
-    ))
+    Some(say!(dates_are_day_numbers, column = head, cell = cell, date = date.to_string()))
 }
 
 impl NoDate {

@@ -49,22 +49,13 @@ fn parse(text: &str) -> Result<Vec<(FrequencyBand, f64)>, Refusal> {
         let hertz = value(frequency)?;
         let band = FrequencyBand::containing(hertz)
             .filter(|band| (hertz / band.centre() - 1.0).abs() <= 0.05)
-            .ok_or_else(|| {
-                at(format!(
-                    "the frequency is {hertz} Hz, but must be the centre of a one-third octave"
-                ))
-            })?;
+            .ok_or_else(|| at(format!("the frequency is {hertz} Hz, but must be the centre of a one-third octave")))?;
         let decibels = value(rate)?;
         if decibels <= 0.0 {
-            return Err(at(format!(
-                "the decay rate is {decibels} dB/m, but must be greater than zero"
-            )));
+            return Err(at(format!("the decay rate is {decibels} dB/m, but must be greater than zero")));
         }
         if rates.iter().any(|(other, _)| *other == band) {
-            return Err(at(format!(
-                "the band of {} Hz is there already: a table holds one curve",
-                band.nominal()
-            )));
+            return Err(at(format!("the band of {} Hz is there already: a table holds one curve", band.nominal())));
         }
         rates.push((band, decibels));
     }
@@ -98,18 +89,9 @@ mod tests {
             ("B5,100,3.0\nB5,100,4.5\nB5,160,5.4\n", "there already"),
             ("B5,100,3.0\nB5,125,-4.5\nB5,160,5.4\n", "greater than zero"),
             ("B5,110,3.0\nB5,125,4.5\nB5,160,5.4\n", "110 Hz"),
-            (
-                "B5,100,3.0\nB5,125,4.5 dB/m\n",
-                "column 3, `decay_rate_db_per_m`, is \"4.5 dB/m\", not a number",
-            ),
-            (
-                "B5,100,3.0\nB5,,4.5\n",
-                "column 2, `frequency_hz`, is empty",
-            ),
-            (
-                "B5,100,3.0\nB5,125,NaN\n",
-                "column 3, `decay_rate_db_per_m`, is NaN",
-            ),
+            ("B5,100,3.0\nB5,125,4.5 dB/m\n", "column 3, `decay_rate_db_per_m`, is \"4.5 dB/m\", not a number"),
+            ("B5,100,3.0\nB5,,4.5\n", "column 2, `frequency_hz`, is empty"),
+            ("B5,100,3.0\nB5,125,NaN\n", "column 3, `decay_rate_db_per_m`, is NaN"),
         ] {
             let refusal = of(rows).unwrap_err();
             assert!(refusal.contains(part), "{refusal}");

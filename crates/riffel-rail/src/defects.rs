@@ -31,19 +31,8 @@ pub fn defects_in_words(rail: &str, defects: &[RailDefect], are: DefectsAre) -> 
     let found = match count {
         0 => return None,
         1 => say!(one_defect, rail = rail.to_owned(), places = places),
-        2..=NAMED => say!(
-            some_defects,
-            rail = rail.to_owned(),
-            count = count,
-            places = places
-        ),
-        _ => say!(
-            many_defects,
-            rail = rail.to_owned(),
-            count = count,
-            places = places,
-            more = count - NAMED
-        ),
+        2..=NAMED => say!(some_defects, rail = rail.to_owned(), count = count, places = places),
+        _ => say!(many_defects, rail = rail.to_owned(), count = count, places = places, more = count - NAMED),
     };
     Some(match are {
         DefectsAre::LeftOut => say!(defects_left_out, sentence = found),
@@ -72,12 +61,10 @@ impl Record {
             rail.stretches = clean.into_stretches();
             said
         };
-        self.warnings
-            .extend(self.rails.iter_mut().filter_map(clean));
+        self.warnings.extend(self.rails.iter_mut().filter_map(clean));
         for EarlierRails { date, rails } in &mut self.earlier {
             let said = rails.iter_mut().filter_map(clean);
-            self.warnings
-                .extend(said.map(|said| said.about(date.to_string())));
+            self.warnings.extend(said.map(|said| said.about(date.to_string())));
         }
         self
     }
@@ -117,10 +104,7 @@ mod tests {
                 far(a).total_cmp(&far(b))
             });
             let warnings = survey.warnings.iter().map(ToString::to_string);
-            (
-                near.unwrap().level,
-                warnings.collect::<Vec<String>>().join("\n"),
-            )
+            (near.unwrap().level, warnings.collect::<Vec<String>>().join("\n"))
         };
         let (smooth, none) = level("smooth.csv", 0.0, false);
         let (kept, silent) = level("kept.csv", 300.0, true);
@@ -128,9 +112,6 @@ mod tests {
         assert!(kept > smooth + 10.0, "{kept} {smooth}");
         assert!((clean - smooth).abs() < 1.0, "{clean} {smooth}");
         assert!(!none.contains("weld") && !silent.contains("weld"));
-        assert!(
-            listed.contains("2 welds") && listed.contains("17.0 m") && listed.contains("41.0 m"),
-            "{listed}"
-        );
+        assert!(listed.contains("2 welds") && listed.contains("17.0 m") && listed.contains("41.0 m"), "{listed}");
     }
 }

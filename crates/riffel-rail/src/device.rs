@@ -24,9 +24,7 @@ impl Survey {
     fn device_columns(&self, earlier: Option<&Self>) -> Vec<String> {
         let changes = |column: &&str| {
             let records = earlier.into_iter().flat_map(|it| &it.records);
-            let labels = records
-                .chain(&self.records)
-                .filter_map(|it| it.label(column));
+            let labels = records.chain(&self.records).filter_map(|it| it.label(column));
             let devices: BTreeSet<&str> = labels.filter(|device| !device.is_empty()).collect();
             devices.len() > 1
         };
@@ -50,21 +48,13 @@ impl Survey {
     pub fn device_since(&self, earlier: &Self) -> Option<Message> {
         let columns = self.device_columns(Some(earlier));
         let devices = |survey: &Self| -> Vec<String> {
-            let devices = survey
-                .records
-                .iter()
-                .map(|record| device_of(record, &columns));
+            let devices = survey.records.iter().map(|record| device_of(record, &columns));
             let devices: BTreeSet<String> = devices.filter(|device| !device.is_empty()).collect();
             devices.into_iter().collect()
         };
         let (first, last) = (devices(earlier), devices(self));
         (first != last && !first.is_empty() && !last.is_empty()).then(|| {
-            say!(
-                device_changes,
-                column = columns.join("`, `"),
-                first = first.join(", "),
-                last = last.join(", ")
-            )
+            say!(device_changes, column = columns.join("`, `"), first = first.join(", "), last = last.join(", "))
         })
     }
 
@@ -96,18 +86,14 @@ impl Survey {
             return self;
         }
         let told = self.change_of_device();
-        self.warnings
-            .retain(|warning| Some(warning) != told.as_ref());
+        self.warnings.retain(|warning| Some(warning) != told.as_ref());
         let mut known = BTreeSet::from([reference.clone()]);
         let mut others: BTreeSet<String> = by_date.into_iter().flatten().collect();
         others.remove(&reference);
         let is_of_rail = |head: &String| *head == date || Some(head) == rail.as_ref();
         // Of all that is said of a record, or of its day and rail alone.
         let place = |record: &LabelledSpectrum, whole: bool| -> Vec<String> {
-            let labels = record
-                .labels
-                .iter()
-                .filter(|(head, _)| is_of_rail(head) || whole && !is_device_column(head));
+            let labels = record.labels.iter().filter(|(head, _)| is_of_rail(head) || whole && !is_device_column(head));
             labels.map(|(_, cell)| cell.clone()).collect()
         };
         while let Some((other, offsets)) = others.iter().find_map(|other| {
@@ -125,12 +111,7 @@ impl Survey {
             let mean = offsets.values().sum::<f64>() / offsets.len() as f64;
             for record in self.records.iter_mut().filter(|record| of(record) == other) {
                 let levels = record.spectrum.levels().iter();
-                let levels = levels.map(|one| {
-                    (
-                        one.band,
-                        one.level + offsets.get(&one.band).unwrap_or(&mean),
-                    )
-                });
+                let levels = levels.map(|one| (one.band, one.level + offsets.get(&one.band).unwrap_or(&mean)));
                 // Bands are those of before.
                 record.spectrum = Spectrum::new(levels).unwrap_or_else(|_| record.spectrum.clone());
             }
@@ -146,12 +127,7 @@ impl Survey {
         }
         for other in others {
             self.records.retain(|record| of(record) != other);
-            self.warnings.push(say!(
-                device_is_left_out,
-                column = &column,
-                device = other,
-                reference = &reference
-            ));
+            self.warnings.push(say!(device_is_left_out, column = &column, device = other, reference = &reference));
         }
         self
     }
@@ -165,9 +141,7 @@ fn device_of(record: &LabelledSpectrum, columns: &[String]) -> String {
 }
 
 /// What must be added to the first spectrum of pairs to have the second, in the mean by band \[dB\]; none without a band in both.
-fn offsets<'a>(
-    pairs: impl Iterator<Item = (&'a Spectrum, &'a Spectrum)>,
-) -> Option<BTreeMap<ThirdOctave, f64>> {
+fn offsets<'a>(pairs: impl Iterator<Item = (&'a Spectrum, &'a Spectrum)>) -> Option<BTreeMap<ThirdOctave, f64>> {
     let mut sums: BTreeMap<ThirdOctave, (f64, f64)> = BTreeMap::new();
     for (own, other) in pairs {
         for one in own.levels() {
@@ -177,9 +151,7 @@ fn offsets<'a>(
             }
         }
     }
-    let means = sums
-        .into_iter()
-        .map(|(band, (sum, count))| (band, sum / count));
+    let means = sums.into_iter().map(|(band, (sum, count))| (band, sum / count));
     let means: BTreeMap<ThirdOctave, f64> = means.collect();
     (!means.is_empty()).then_some(means)
 }
@@ -206,74 +178,33 @@ mod tests {
                 let bands = [0.05, 0.025].map(|it| ThirdOctave::containing(it).unwrap());
                 LabelledSpectrum {
                     labels: labels.map(|(head, cell)| (head.to_owned(), cell)).to_vec(),
-                    spectrum: Spectrum::new(vec![(bands[0], level(0)), (bands[1], level(1))])
-                        .unwrap(),
+                    spectrum: Spectrum::new(vec![(bands[0], level(0)), (bands[1], level(1))]).unwrap(),
                 }
             };
             let records = rows.iter().map(record).collect();
-            Survey::new(Path::new("rail"), records, Vec::new())
-                .unwrap()
-                .choose(&[])
-                .unwrap()
+            Survey::new(Path::new("rail"), records, Vec::new()).unwrap().choose(&[]).unwrap()
         };
         let (none, more, alone) = ([0.0, 0.0], [3.0, 2.0], [9.0, 9.0]);
-        let both = [
-            ("T1", 2024, none),
-            ("T1", 2025, none),
-            ("T2", 2025, more),
-            ("T2", 2026, more),
-        ];
+        let both = [("T1", 2024, none), ("T1", 2025, none), ("T2", 2025, more), ("T2", 2026, more)];
         let one = survey(&both).on_one_device();
         for (place, record) in one.records.iter().enumerate() {
             let year = [0.0, 1.0, 1.0, 2.0][place];
-            let levels: Vec<f64> = record
-                .spectrum
-                .levels()
-                .iter()
-                .map(|one| one.level)
-                .collect();
+            let levels: Vec<f64> = record.spectrum.levels().iter().map(|one| one.level).collect();
             let expected = [4.0 * year + 3.0, year + 2.0];
             let off = |other: &f64| levels.iter().all(|level| (level - other).abs() > 1e-12);
             assert!(levels.len() == 2 && !expected.iter().any(off), "{levels:?}");
         }
-        let said = one
-            .warnings
-            .iter()
-            .map(Message::to_string)
-            .collect::<Vec<_>>()
-            .join("; ");
-        assert!(
-            said.contains("T1 count +2.5 dB") && !said.contains("not told apart"),
-            "{said}"
-        );
+        let said = one.warnings.iter().map(Message::to_string).collect::<Vec<_>>().join("; ");
+        assert!(said.contains("T1 count +2.5 dB") && !said.contains("not told apart"), "{said}");
         // By a third that was laid on the second.
-        let chain = [
-            ("T3", 2023, alone),
-            ("T3", 2024, alone),
-            both[0],
-            both[1],
-            both[2],
-            both[3],
-        ];
+        let chain = [("T3", 2023, alone), ("T3", 2024, alone), both[0], both[1], both[2], both[3]];
         let levels = |survey: &Survey| survey.records[0].spectrum.levels().to_vec();
         let chained = levels(&survey(&chain).on_one_device());
         let plain = levels(&survey(&[("T2", 2023, more)]));
-        assert!(
-            chained
-                .iter()
-                .zip(&plain)
-                .all(|(one, other)| (one.level - other.level).abs() < 1e-12)
-        );
+        assert!(chained.iter().zip(&plain).all(|(one, other)| (one.level - other.level).abs() < 1e-12));
         let apart = survey(&[both[0], both[1], ("T2", 2026, more)]).on_one_device();
         assert_eq!(apart.records.len(), 1);
-        assert!(
-            apart
-                .warnings
-                .last()
-                .unwrap()
-                .to_string()
-                .contains("T1 is left out of growth")
-        );
+        assert!(apart.warnings.last().unwrap().to_string().contains("T1 is left out of growth"));
         // Places pair by themselves: T2 measured one more on the day of both, 20 dB rougher, under the number of the same maker.
         let places = [
             ("T1", 2024, none, "A"),
@@ -291,24 +222,11 @@ mod tests {
         }
         let of_places = of_places.on_one_device();
         let first = of_places.records[0].spectrum.levels();
-        assert!(
-            first
-                .iter()
-                .zip([2.0, 3.0])
-                .all(|(one, level)| (one.level - level).abs() < 1e-12)
-        );
+        assert!(first.iter().zip([2.0, 3.0]).all(|(one, level)| (one.level - level).abs() < 1e-12));
         let told = of_places.warnings.last().unwrap().to_string();
-        assert!(
-            told.contains("column `serial`: levels of T1 count +2.5 dB"),
-            "{told}"
-        );
+        assert!(told.contains("column `serial`: levels of T1 count +2.5 dB"), "{told}");
         // The same instruments at each date pair by themselves.
-        let pairs = [
-            ("T1", 2024, none),
-            ("T2", 2024, more),
-            ("T1", 2026, none),
-            ("T2", 2026, more),
-        ];
+        let pairs = [("T1", 2024, none), ("T2", 2024, more), ("T1", 2026, none), ("T2", 2026, more)];
         assert_eq!(survey(&pairs).on_one_device(), survey(&pairs));
     }
 }

@@ -63,10 +63,7 @@ impl ReaderFormat {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        Self::parse(
-            &path.display().to_string(),
-            &read_keys(path, "reader profile")?,
-        )
+        Self::parse(&path.display().to_string(), &read_keys(path, "reader profile")?)
     }
 
     /// Read a reader profile from TOML; `name` is the one shown in errors.
@@ -103,11 +100,7 @@ impl ReaderFormat {
                 ));
             }
             (Some(spacing), None) if spacing.si() <= 0.0 => {
-                return Err(source.invalid(
-                    "spacing",
-                    format!("is {spacing}, but must be greater than zero"),
-                    "",
-                ));
+                return Err(source.invalid("spacing", format!("is {spacing}, but must be greater than zero"), ""));
             }
             _ => {}
         }
@@ -155,27 +148,12 @@ mod tests {
         let start = "delimiter = \"comma\"\n";
         for (rest, part) in [
             ("rails = []\nspacing = 0.001", "`rails` is empty"),
-            (
-                "rails = [{ column = 1, unit = \"um\" }]",
-                "`position` is missing",
-            ),
-            (
-                "rails = [{ column = 0, unit = \"um\" }]\nspacing = 0.001",
-                "column 0",
-            ),
-            (
-                "rails = [{ column = 1, unit = \"kg\" }]\nspacing = 0.001",
-                "no length",
-            ),
-            (
-                "rails = [{ column = 1, unit = \"um\" }]\nspacing = \"-1 mm\"",
-                "greater than zero",
-            ),
+            ("rails = [{ column = 1, unit = \"um\" }]", "`position` is missing"),
+            ("rails = [{ column = 0, unit = \"um\" }]\nspacing = 0.001", "column 0"),
+            ("rails = [{ column = 1, unit = \"kg\" }]\nspacing = 0.001", "no length"),
+            ("rails = [{ column = 1, unit = \"um\" }]\nspacing = \"-1 mm\"", "greater than zero"),
             ("rail = 3", "`rail`"),
-            (
-                "rails = [{ column = 1, unit = \"um\" }]\nspacing = 0.001\nlabels = [0]",
-                "column 0",
-            ),
+            ("rails = [{ column = 1, unit = \"um\" }]\nspacing = 0.001\nlabels = [0]", "column 0"),
         ] {
             let error = ReaderFormat::parse("f.toml", &format!("{start}{rest}")).unwrap_err();
             assert!(error.to_string().contains(part), "{error}");

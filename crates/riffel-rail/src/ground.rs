@@ -23,10 +23,7 @@ impl GroundRail {
         let change = decibels_of(decibels)?;
         let wrong = |error: riffel::Error| error.to_string();
         let levels = limit.spectrum().map(|band| band.level + change);
-        Ok(Self {
-            spectrum: levels.map_err(wrong)?,
-            words: say!(below_limit, decibels = -change, edition = edition),
-        })
+        Ok(Self { spectrum: levels.map_err(wrong)?, words: say!(below_limit, decibels = -change, edition = edition) })
     }
 
     /// The levels of a limit table, such as those that grinding has to meet, by name or file.
@@ -36,10 +33,9 @@ impl GroundRail {
     pub fn of_table(name: &str) -> Result<Self, CaseError> {
         let table = LimitTable::find(name)?;
         match table.limit {
-            Limit::Levels(limit) => Ok(Self {
-                spectrum: limit.spectrum().clone(),
-                words: Message::verbatim(table.edition),
-            }),
+            Limit::Levels(limit) => {
+                Ok(Self { spectrum: limit.spectrum().clone(), words: Message::verbatim(table.edition) })
+            }
             Limit::Rms(_) => Err(CaseError::data(
                 name,
                 "holds limits of the RMS, but the spectrum of a ground rail takes one-third-octave levels",
@@ -49,10 +45,7 @@ impl GroundRail {
 
     /// Whether a name is that of a limit table rather than of a spectrum.
     pub fn is_table(name: &str) -> bool {
-        name.ends_with(".toml")
-            || LimitTable::all()
-                .iter()
-                .any(|table| table.name.eq_ignore_ascii_case(name))
+        name.ends_with(".toml") || LimitTable::all().iter().any(|table| table.name.eq_ignore_ascii_case(name))
     }
 }
 

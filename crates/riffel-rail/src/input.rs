@@ -19,15 +19,8 @@ const LARGEST_STREAM: usize = 2 << 30;
 
 /// Text in UTF-8 or Windows-1252 with line feeds. `check` refuses by the first bytes of a long file before the rest is
 /// read.
-pub(super) fn read(
-    path: &Path,
-    check: &dyn Fn(&[u8]) -> Result<(), Refusal>,
-) -> Result<Vec<u8>, CaseError> {
-    let failed = |reason| CaseError::Read {
-        what: "file",
-        path: path.to_owned(),
-        reason,
-    };
+pub(super) fn read(path: &Path, check: &dyn Fn(&[u8]) -> Result<(), Refusal>) -> Result<Vec<u8>, CaseError> {
+    let failed = |reason| CaseError::Read { what: "file", path: path.to_owned(), reason };
     let mut file: Box<dyn Read> = if let Some(table) = question::as_csv(path) {
         Box::new(Cursor::new(table.map_err(failed)?))
     } else if is_standard_input(path) {
@@ -39,17 +32,10 @@ pub(super) fn read(
     let size = size.filter(std::fs::Metadata::is_file);
     let size = size.map(|file| file.len() as usize);
     let mut bytes = Vec::new();
-    file.by_ref()
-        .take(HEAD as u64)
-        .read_to_end(&mut bytes)
-        .map_err(failed)?;
+    file.by_ref().take(HEAD as u64).read_to_end(&mut bytes).map_err(failed)?;
     let refuse = |refusal: Refusal| refusal.of(path);
-    let encoding =
-        Encoding::of(&bytes).map_err(|byte| refuse(Refusal::new(Some(byte.line), byte)))?;
-    let wide = matches!(
-        encoding,
-        Encoding::Utf16LittleEndian | Encoding::Utf16BigEndian
-    );
+    let encoding = Encoding::of(&bytes).map_err(|byte| refuse(Refusal::new(Some(byte.line), byte)))?;
+    let wide = matches!(encoding, Encoding::Utf16LittleEndian | Encoding::Utf16BigEndian);
     let mut reading = Reading::new(&bytes, wide);
     if bytes.len() == HEAD {
         if !wide {
@@ -60,11 +46,7 @@ pub(super) fn read(
         bytes.reserve(size.unwrap_or(0).saturating_sub(HEAD));
         loop {
             let from = bytes.len();
-            let read = file
-                .by_ref()
-                .take(PIECE as u64)
-                .read_to_end(&mut bytes)
-                .map_err(failed)?;
+            let read = file.by_ref().take(PIECE as u64).read_to_end(&mut bytes).map_err(failed)?;
             if read == 0 {
                 break;
             }
@@ -97,8 +79,7 @@ struct Reading {
 
 impl Reading {
     fn new(head: &[u8], wide: bool) -> Self {
-        let returns =
-            memchr::memchr(b'\n', head).is_none() && memchr::memchr(b'\r', head).is_some();
+        let returns = memchr::memchr(b'\n', head).is_none() && memchr::memchr(b'\r', head).is_some();
         let end = if returns { b'\r' } else { b'\n' };
         Self {
             end,
@@ -116,10 +97,7 @@ impl Reading {
         let piece = &bytes[from..];
         if let Some(at) = memchr::memchr(0, piece) {
             let line = self.lines + memchr::memchr_iter(self.end, &piece[..at]).count() + 1;
-            let message = format!(
-                "the file is binary: byte {} is 0x00, which no text has",
-                from + at + 1
-            );
+            let message = format!("the file is binary: byte {} is 0x00, which no text has", from + at + 1);
             return Err(Refusal::new(Some(line), message));
         }
         self.lines += memchr::memchr_iter(self.end, piece).count();
@@ -127,10 +105,7 @@ impl Reading {
             self.last = from + at + 1;
         }
         if bytes.len() - self.last > LONGEST_LINE {
-            let message = format!(
-                "is longer than {} MiB, and no row of numbers",
-                LONGEST_LINE >> 20
-            );
+            let message = format!("is longer than {} MiB, and no row of numbers", LONGEST_LINE >> 20);
             return Err(Refusal::new(Some(self.lines + 1), message));
         }
         Ok(())

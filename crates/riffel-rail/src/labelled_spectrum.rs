@@ -14,10 +14,7 @@ pub struct LabelledSpectrum {
 impl LabelledSpectrum {
     /// The spectrum of one rail of a profile.
     pub fn of_rail(name: &str, spectrum: Spectrum) -> Self {
-        Self {
-            labels: vec![("rail".to_owned(), name.to_owned())],
-            spectrum,
-        }
+        Self { labels: vec![("rail".to_owned(), name.to_owned())], spectrum }
     }
 
     /// What a column holds.

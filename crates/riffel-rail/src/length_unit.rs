@@ -17,9 +17,7 @@ impl FromStr for LengthUnit {
         if metres(text).is_some() {
             Ok(Self(text.to_owned()))
         } else {
-            Err(format!(
-                "\"{text}\" is no unit of length; write m, mm, um or km"
-            ))
+            Err(format!("\"{text}\" is no unit of length; write m, mm, um or km"))
         }
     }
 }

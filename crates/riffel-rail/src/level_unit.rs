@@ -34,26 +34,16 @@ pub(super) fn level_shift(name: &str) -> Result<f64, String> {
     let words = behind.replace('_', " ");
     let words = words.trim_matches(|c: char| c.is_whitespace() || "[](),;:".contains(c));
     let (reference, is_said) = behind_re(words);
-    let digits = reference
-        .find(|c: char| !(c.is_ascii_digit() || "eE.+-".contains(c)))
-        .unwrap_or(reference.len());
+    let digits = reference.find(|c: char| !(c.is_ascii_digit() || "eE.+-".contains(c))).unwrap_or(reference.len());
     let (number, unit) = reference.split_at(digits);
-    let factor = if number.is_empty() {
-        Some(1.0)
-    } else {
-        number.parse::<f64>().ok()
-    };
+    let factor = if number.is_empty() { Some(1.0) } else { number.parse::<f64>().ok() };
     let unit = Unit::parse(unit).ok().filter(|_| !unit.trim().is_empty());
     let length = unit.filter(|unit| unit.exponents == Exponents::new(0, 1, 0));
     let has_number = !number.is_empty();
     match (factor, length) {
-        (Some(factor), Some(length)) if factor > 0.0 => {
-            Ok(decibels_of_micrometres(factor * length.factor))
-        }
+        (Some(factor), Some(length)) if factor > 0.0 => Ok(decibels_of_micrometres(factor * length.factor)),
         // "dB left" names a rail; "dB(A)" weighs sound.
-        _ if !is_said && !has_number && unit.is_none() && !reference.eq_ignore_ascii_case("a") => {
-            Ok(0.0)
-        }
+        _ if !is_said && !has_number && unit.is_none() && !reference.eq_ignore_ascii_case("a") => Ok(0.0),
         _ if is_said && reference.is_empty() => Ok(0.0),
         _ => wrong(&format!("in dB {words}")),
     }
@@ -77,13 +67,7 @@ fn behind_decibel(name: &str) -> Option<&str> {
     };
     name.char_indices()
         .map(|(at, _)| at)
-        .find(|&at| {
-            name[at..]
-                .get(..2)
-                .is_some_and(|word| word.eq_ignore_ascii_case("db"))
-                && is_word(at)
-                && ends(at)
-        })
+        .find(|&at| name[at..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case("db")) && is_word(at) && ends(at))
         .map(|at| &name[at + 2..])
 }
 
@@ -143,10 +127,7 @@ mod tests {
             ("level [%]", "in %"),
         ] {
             let sentence = level_shift(name).unwrap_err();
-            assert!(
-                sentence.starts_with(&format!("column `{name}` is {what};")),
-                "{sentence}"
-            );
+            assert!(sentence.starts_with(&format!("column `{name}` is {what};")), "{sentence}");
         }
     }
 }

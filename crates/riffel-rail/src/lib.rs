@@ -74,9 +74,7 @@ pub use line_place::LinePlace;
 pub use part::RecordPart;
 pub use plausibility::{check_felt, levels_unlike_a_rail, unlike_a_rail};
 pub use rail::{EarlierRails, Rail};
-pub use rail_name::{
-    are_opposite, find_rail, is_rail_column, name_in_words, rail_in_words, rail_of_channel,
-};
+pub use rail_name::{are_opposite, find_rail, is_rail_column, name_in_words, rail_in_words, rail_of_channel};
 pub use rail_record::{RailRecord, RailRoughness};
 pub use rail_spectrum::RailSpectrum;
 pub use recipe::{DEFAULT_RECIPE, RecipeFile};

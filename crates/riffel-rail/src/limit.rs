@@ -76,10 +76,7 @@ impl LimitTable {
     /// [`CaseError`] for a name that is not known, or with the key and the line of the file.
     pub fn find(name: &str) -> Result<Self, CaseError> {
         let known = Self::all();
-        if let Some(table) = known
-            .iter()
-            .find(|table| table.name.eq_ignore_ascii_case(name))
-        {
+        if let Some(table) = known.iter().find(|table| table.name.eq_ignore_ascii_case(name)) {
             return Ok(table.clone());
         }
         let path = Path::new(name);
@@ -87,10 +84,7 @@ impl LimitTable {
             let names: Vec<&str> = known.iter().map(|table| table.name.as_str()).collect();
             return Err(CaseError::data(
                 path,
-                format!(
-                    "no limit table has this name; there are {}, or a file that ends in .toml",
-                    names.join(", ")
-                ),
+                format!("no limit table has this name; there are {}, or a file that ends in .toml", names.join(", ")),
             ));
         }
         Self::parse(name, &read_keys(path, "limit table")?)
@@ -98,11 +92,7 @@ impl LimitTable {
 
     /// All tables that come with Riffel, by name.
     pub fn all() -> Vec<Self> {
-        built_in(
-            &FILES,
-            |name, text| Self::parse(name, text).ok(),
-            |table| &table.name,
-        )
+        built_in(&FILES, |name, text| Self::parse(name, text).ok(), |table| &table.name)
     }
 
     /// Read a table from TOML; `name` is the one shown in errors.
@@ -135,15 +125,8 @@ impl LimitTable {
 
 fn levels(source: &KeyFile, written: &[LevelKeys]) -> Result<Limit, CaseError> {
     let refuse = |error: riffel::Error| source.invalid("level", error.to_string(), "");
-    let levels: Result<Vec<_>, _> = written
-        .iter()
-        .map(|level| {
-            Ok((
-                ThirdOctave::containing(level.wavelength.si())?,
-                level.level_db,
-            ))
-        })
-        .collect();
+    let levels: Result<Vec<_>, _> =
+        written.iter().map(|level| Ok((ThirdOctave::containing(level.wavelength.si())?, level.level_db))).collect();
     let spectrum = Spectrum::new(levels.map_err(refuse)?).map_err(refuse)?;
     Ok(Limit::Levels(LevelLimit::new(spectrum)))
 }
@@ -153,12 +136,7 @@ fn bands(source: &KeyFile, written: &LimitKeys) -> Result<Limit, CaseError> {
     let bands: Result<Vec<_>, _> = written
         .band
         .iter()
-        .map(|band| {
-            Ok((
-                WavelengthBand::new(band.from.si(), band.to.si())?,
-                band.rms.si(),
-            ))
-        })
+        .map(|band| Ok((WavelengthBand::new(band.from.si(), band.to.si())?, band.rms.si())))
         .collect();
     let share = written.share_of_length.map_or(0.0, |share| share.si());
     let limit = RmsLimit::new(bands.map_err(refuse)?, share).map_err(refuse)?;
@@ -174,10 +152,7 @@ mod tests {
     fn every_file_reads_and_names_edition_and_source_and_has_a_title_in_every_language() {
         assert_eq!(LimitTable::all().len(), FILES.files().count());
         for table in LimitTable::all() {
-            assert!(
-                table.edition.len() > 5 && table.source.len() > 40,
-                "{table:?}"
-            );
+            assert!(table.edition.len() > 5 && table.source.len() > 40, "{table:?}");
             let [english, german] = Language::ALL.map(|language| table.title.text(language));
             assert_ne!(english, german);
         }
@@ -216,18 +191,9 @@ mod tests {
         let head = "name = \"n\"\ntitle = \"t\"\nedition = \"e\"\nsource = \"s\"\n";
         for (rest, part) in [
             ("", "either [[level]] or [[band]]"),
-            (
-                "[[level]]\nwavelength = \"-20 mm\"\nlevel_db = 1.0",
-                "`level`",
-            ),
-            (
-                "[[band]]\nfrom = \"30 mm\"\nto = \"10 mm\"\nrms = \"3 um\"",
-                "must be above the shortest",
-            ),
-            (
-                "[[band]]\nfrom = \"10 mm\"\nto = \"30 mm\"\nrms = \"3 kg\"",
-                "kg",
-            ),
+            ("[[level]]\nwavelength = \"-20 mm\"\nlevel_db = 1.0", "`level`"),
+            ("[[band]]\nfrom = \"30 mm\"\nto = \"10 mm\"\nrms = \"3 um\"", "must be above the shortest"),
+            ("[[band]]\nfrom = \"10 mm\"\nto = \"30 mm\"\nrms = \"3 kg\"", "kg"),
         ] {
             let error = LimitTable::parse("l.toml", &format!("{head}{rest}")).unwrap_err();
             assert!(error.to_string().contains(part), "{error}");

@@ -63,12 +63,7 @@ fn parse(text: &str) -> Result<Vec<LinePlace>, Refusal> {
         let ends = column(names, FROM).zip(column(names, TO));
         let ends = ends.or_else(|| column(names, POSITION).map(|position| (position, position)));
         let (from, to) = ends.ok_or(())?;
-        Ok::<_, ()>(Columns {
-            from,
-            to,
-            kind: column(names, KIND).ok_or(())?,
-            name: column(names, NAME),
-        })
+        Ok::<_, ()>(Columns { from, to, kind: column(names, KIND).ok_or(())?, name: column(names, NAME) })
     };
     let is_row = |columns: &Columns, row: &Row<'_>| row.number(columns.from).is_ok();
     let table = HeadedTable::find(text, find, is_row).map_err(|_| {
@@ -83,11 +78,7 @@ fn parse(text: &str) -> Result<Vec<LinePlace>, Refusal> {
         let unit = table.unit_below(column).or_else(|| length_in(name));
         let unit = unit.unwrap_or("m");
         let at = |message: String| Refusal::new(Some(row.line), message);
-        let size = metres(unit).ok_or_else(|| {
-            at(format!(
-                "the column `{name}` is in {unit}, which is no length"
-            ))
-        })?;
+        let size = metres(unit).ok_or_else(|| at(format!("the column `{name}` is in {unit}, which is no length")))?;
         let value = row.number(column);
         let value = value.map_err(|end| at(format!("the column `{name}` {end}")))?;
         Ok(size * value)
@@ -121,22 +112,13 @@ mod tests {
     }
 
     fn place(from: f64, to: f64, kind: &str, name: &str) -> LinePlace {
-        LinePlace {
-            from,
-            to,
-            kind: kind.to_owned(),
-            name: name.to_owned(),
-        }
+        LinePlace { from, to, kind: kind.to_owned(), name: name.to_owned() }
     }
 
     #[test]
     fn places_and_lengths_are_read_in_their_unit_along_the_line() {
-        let lengths =
-            of("from_km,to_km,kind,name\n12.4,12.1,curve,R 300\n12.0,12.05,station,Mitte\n");
-        let expected = [
-            place(12_000.0, 12_050.0, "station", "Mitte"),
-            place(12_100.0, 12_400.0, "curve", "R 300"),
-        ];
+        let lengths = of("from_km,to_km,kind,name\n12.4,12.1,curve,R 300\n12.0,12.05,station,Mitte\n");
+        let expected = [place(12_000.0, 12_050.0, "station", "Mitte"), place(12_100.0, 12_400.0, "curve", "R 300")];
         let lengths = lengths.unwrap();
         let close = |one: f64, other: f64| (one - other).abs() < 1e-9 * other;
         for (read, expected) in lengths.iter().zip(&expected) {
@@ -146,10 +128,7 @@ mod tests {
         assert_eq!(lengths.len(), 2);
         // A German table without names; one place is where it is.
         let welds = of("Ort [m];Art\n62,5;Schweißung\n12,25;Stoß\n").unwrap();
-        let expected = [
-            place(12.25, 12.25, "Stoß", ""),
-            place(62.5, 62.5, "Schweißung", ""),
-        ];
+        let expected = [place(12.25, 12.25, "Stoß", ""), place(62.5, 62.5, "Schweißung", "")];
         assert_eq!(welds, expected);
     }
 
@@ -158,15 +137,9 @@ mod tests {
         for (text, part) in [
             ("position_m,left_um\n1,2\n", "a column `kind`"),
             ("from,kind\n1,weld\n", "or `from` and `to`"),
-            (
-                "position,kind\n1,weld\nx,weld\n",
-                "the column `position` is \"x\", not a number",
-            ),
+            ("position,kind\n1,weld\nx,weld\n", "the column `position` is \"x\", not a number"),
             ("position,kind\n1,\n", "the column `kind` is empty"),
-            (
-                "position,kind\n[kg],\n1,weld\n",
-                "is in kg, which is no length",
-            ),
+            ("position,kind\n[kg],\n1,weld\n", "is in kg, which is no length"),
         ] {
             let refusal = of(text).unwrap_err();
             assert!(refusal.contains(part), "{refusal}");

@@ -26,8 +26,7 @@ const SIZE: &str = "abs|absolute|absolutwert|betrag|absolu|absoluto|assoluto|rec
                     effektiv|efficace|eficaz|envelope|env|hüllkurve|huellkurve|enveloppe|envolvente|inviluppo|peak|peaks|\
                     spitze|spitzenwert|p2p|crest|kurtosis|power|psd|energy|energie|squared|quadrat|magnitude|max|maximum|minimum";
 /// Means and differences of several columns.
-const OF_SEVERAL: &str =
-    "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|sum|summe|delta";
+const OF_SEVERAL: &str = "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|sum|summe|delta";
 /// Derivatives.
 const DERIVATIVE: &str = "derivative|slope|gradient|jerk|ableitung|steigung|ruck|dérivée|pente|derivada|pendiente|derivata|\
                           pendenza";
@@ -68,8 +67,7 @@ const FILTERED: [&str; 33] = [
     "running",
 ];
 /// Whole words for it.
-const FILTERS: &str =
-    "bp|lp|hp|bpf|lpf|hpf|band|berechnet|calc|calculated|abgeleitet|calculé|calculado|calcolato";
+const FILTERS: &str = "bp|lp|hp|bpf|lpf|hpf|band|berechnet|calc|calculated|abgeleitet|calculé|calculado|calcolato";
 
 /// Words for what no filter has touched.
 const RAW: &str = "unfiltered|raw|roh|ungefiltert|brut|grezzo|crudo";
@@ -92,10 +90,7 @@ pub(crate) fn why_no_rail(names: &[&str]) -> Vec<Option<Message>> {
         name.has(OF_SEVERAL) && !originals.is_empty()
             || name.is_filtered() && originals.iter().any(|other| name.is_made_of(other))
     };
-    all.iter()
-        .zip(by_itself)
-        .map(|(name, why)| why.or_else(|| computed(name).then(|| say!(it_is_computed))))
-        .collect()
+    all.iter().zip(by_itself).map(|(name, why)| why.or_else(|| computed(name).then(|| say!(it_is_computed)))).collect()
 }
 
 /// What a level of a column that is called `name` does not tell, where a filter has touched it; `column` are the words for it.
@@ -106,9 +101,7 @@ pub(crate) fn filter_remark(name: &str, column: Value) -> Option<Message> {
 
 /// Whether the words of a name are those of a scatter, a count or a limit.
 pub(crate) fn is_statistic(name: &[String]) -> bool {
-    let is_norm = |pair: &[String]| {
-        is_one_of(&pair[0], "en|din") && pair[1].starts_with(|c: char| c.is_ascii_digit())
-    };
+    let is_norm = |pair: &[String]| is_one_of(&pair[0], "en|din") && pair[1].starts_with(|c: char| c.is_ascii_digit());
     name.iter().any(|word| is_one_of(word, STATISTIC)) || name.windows(2).any(is_norm)
 }
 
@@ -154,9 +147,7 @@ impl Name {
     fn by_itself(&self, all: &[Self]) -> Option<Message> {
         let is_vertical = |other: &Self| other.axis.as_deref() == Some("z");
         let is_other_axis = matches!(self.axis.as_deref(), Some("x" | "y"))
-            && all
-                .iter()
-                .any(|other| is_vertical(other) && other.words == self.words);
+            && all.iter().any(|other| is_vertical(other) && other.words == self.words);
         if self.has(CHORD) {
             Some(say!(it_is_a_chord_offset))
         } else if self.has(GEOMETRY) && !self.has(LINES) {
@@ -186,22 +177,10 @@ mod tests {
     fn only_what_a_rail_is_felt_or_measured_by_is_kept() {
         for (rails, others) in [
             ("left_um,right_um", "left_rms_um,mean_um,right_filtered_um"),
-            (
-                "left_um,right_filtered_um",
-                "cant_mm,versine left [mm],sagitta_um,mid-ordinate [um]",
-            ),
-            (
-                "z_filtered_um",
-                "chord offset 200 mm [um],Pfeilhöhe rechts [mm]",
-            ),
-            (
-                "gauge corner left [mm],left [mm]",
-                "gauge [mm],lateral left [mm],twist3m",
-            ),
-            (
-                "acc_z_g,acc left y [g]",
-                "acc_x_g,acc_y_g,acc_z_bandpass_30_300_Hz_g,acc_z_abs_g",
-            ),
+            ("left_um,right_filtered_um", "cant_mm,versine left [mm],sagitta_um,mid-ordinate [um]"),
+            ("z_filtered_um", "chord offset 200 mm [um],Pfeilhöhe rechts [mm]"),
+            ("gauge corner left [mm],left [mm]", "gauge [mm],lateral left [mm],twist3m"),
+            ("acc_z_g,acc left y [g]", "acc_x_g,acc_y_g,acc_z_bandpass_30_300_Hz_g,acc_z_abs_g"),
             (
                 "acceleration_axlebox_left_m_per_s2",
                 "acceleration_wagon_floor_m_per_s2,acceleration_left_lowpass_m_per_s2",
@@ -211,32 +190,19 @@ mod tests {
                 "Beschleunigung quer [m/s²],Beschleunigung links gefiltert [m/s²],Effektivwert links [m/s²],\
                  acc bogie frame left [g],acc car body [g],Hüllkurve links [g]",
             ),
-            (
-                "accélération gauche [m/s²]",
-                "accélération gauche efficace [m/s²],plancher [m/s²]",
-            ),
-            (
-                "aceleración izquierda [m/s²]",
-                "aceleración izquierda (valor absoluto) [m/s²]",
-            ),
+            ("accélération gauche [m/s²]", "accélération gauche efficace [m/s²],plancher [m/s²]"),
+            ("aceleración izquierda [m/s²]", "aceleración izquierda (valor absoluto) [m/s²]"),
             (
                 "gauche [um],sinistra [um],linkerspoorstaaf [um]",
                 "gauche glissant 1m [um],sinistra media mobile [um],linkerspoorstaaf voortschrijdend [um],sinistra running [um]",
             ),
-            (
-                "left unfiltered [g]",
-                "left filt. [g],left HP 10 Hz [g],left envelope [g],left peak [g]",
-            ),
+            ("left unfiltered [g]", "left filt. [g],left HP 10 Hz [g],left envelope [g],left peak [g]"),
             // What is all computed is there all the same, but sizes never are.
             ("left mean um,right mean um", "left RMS um"),
         ] {
             let names: Vec<&str> = rails.split(',').chain(others.split(',')).collect();
-            let kept: Vec<&str> = names
-                .iter()
-                .zip(why_no_rail(&names))
-                .filter(|(_, why)| why.is_none())
-                .map(|(name, _)| *name)
-                .collect();
+            let kept: Vec<&str> =
+                names.iter().zip(why_no_rail(&names)).filter(|(_, why)| why.is_none()).map(|(name, _)| *name).collect();
             assert_eq!(kept.join(","), rails);
         }
     }

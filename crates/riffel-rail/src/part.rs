@@ -151,14 +151,9 @@ impl RecordPart {
     ///
     /// # Errors
     /// As [`RoughnessFile::part`].
-    pub fn of_spectra(
-        &self,
-        path: &Path,
-        spectra: Vec<LabelledSpectrum>,
-    ) -> Result<Vec<LabelledSpectrum>, CaseError> {
-        if let Some((name, position)) = [("--from", self.from), ("--to", self.to)]
-            .into_iter()
-            .find_map(|(name, position)| Some((name, position?)))
+    pub fn of_spectra(&self, path: &Path, spectra: Vec<LabelledSpectrum>) -> Result<Vec<LabelledSpectrum>, CaseError> {
+        if let Some((name, position)) =
+            [("--from", self.from), ("--to", self.to)].into_iter().find_map(|(name, position)| Some((name, position?)))
         {
             let message = say!(spectra_have_no_positions, key = name, position = position);
             return Err(CaseError::data(path, message));
@@ -175,9 +170,7 @@ impl RecordPart {
         let names: Vec<String> = rails.iter().map(|(rail, _)| rail.clone()).collect();
         let own = named(&names, name);
         let chosen = rails.into_iter().find(|(rail, _)| Some(rail) == own);
-        chosen
-            .map(|(_, survey)| survey.records)
-            .ok_or_else(|| no_rail(path, name, &names))
+        chosen.map(|(_, survey)| survey.records).ok_or_else(|| no_rail(path, name, &names))
     }
 }
 
@@ -198,9 +191,7 @@ mod tests {
     }
 
     fn refusal(part: &RecordPart) -> String {
-        part.of_rails(Path::new("file"), rails())
-            .unwrap_err()
-            .to_string()
+        part.of_rails(Path::new("file"), rails()).unwrap_err().to_string()
     }
 
     #[test]
@@ -212,11 +203,8 @@ mod tests {
         };
         let taken = part.of_rails(Path::new("file"), rails()).unwrap();
         assert_eq!(taken.len(), 1);
-        let ends: Vec<(f64, usize)> = taken[0]
-            .stretches
-            .iter()
-            .map(|stretch| (stretch.start(), stretch.heights().len()))
-            .collect();
+        let ends: Vec<(f64, usize)> =
+            taken[0].stretches.iter().map(|stretch| (stretch.start(), stretch.heights().len())).collect();
         assert_eq!(ends, [(140.0, 1000), (200.0, 2000)]);
         let all = RecordPart::default();
         assert_eq!(all.of_rails(Path::new("file"), rails()).unwrap(), rails());
@@ -224,27 +212,14 @@ mod tests {
 
     #[test]
     fn what_is_not_there_is_refused_with_what_is() {
-        let low = RecordPart {
-            rail: Some("low".to_owned()),
-            ..RecordPart::default()
-        };
+        let low = RecordPart { rail: Some("low".to_owned()), ..RecordPart::default() };
         assert!(refusal(&low).contains("no rail \"low\" in the file; there are left, right"));
-        let gap = RecordPart {
-            from: Some(Quantity::new(160.0)),
-            to: Some(Quantity::new(190.0)),
-            ..RecordPart::default()
-        };
+        let gap =
+            RecordPart { from: Some(Quantity::new(160.0)), to: Some(Quantity::new(190.0)), ..RecordPart::default() };
         let message = refusal(&gap);
-        assert!(
-            message.contains("between 160 m and 190 m")
-                && message.contains("100.000 m to 250.000 m"),
-            "{message}"
-        );
-        let turned = RecordPart {
-            from: Some(Quantity::new(190.0)),
-            to: Some(Quantity::new(160.0)),
-            ..RecordPart::default()
-        };
+        assert!(message.contains("between 160 m and 190 m") && message.contains("100.000 m to 250.000 m"), "{message}");
+        let turned =
+            RecordPart { from: Some(Quantity::new(190.0)), to: Some(Quantity::new(160.0)), ..RecordPart::default() };
         assert!(refusal(&turned).contains("must rise"));
     }
 }

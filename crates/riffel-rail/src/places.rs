@@ -27,8 +27,7 @@ impl Survey {
         earlier: (&Path, &RoughnessFile),
         later: (&Path, &RoughnessFile),
     ) -> Result<Option<[Self; 2]>, CaseError> {
-        let (RoughnessFile::Profile(before), RoughnessFile::Profile(now)) = (earlier.1, later.1)
-        else {
+        let (RoughnessFile::Profile(before), RoughnessFile::Profile(now)) = (earlier.1, later.1) else {
             return Ok(None);
         };
         // One rail may have a name of its own in each file.
@@ -39,9 +38,8 @@ impl Survey {
         }
         let at_both = |path, record: &Record| {
             let rails = record.rails.iter();
-            let records: Vec<Vec<LabelledSpectrum>> = rails
-                .map(|rail| at_places(path, rail, &both))
-                .collect::<Result<_, _>>()?;
+            let records: Vec<Vec<LabelledSpectrum>> =
+                rails.map(|rail| at_places(path, rail, &both)).collect::<Result<_, _>>()?;
             Self::new(path, records.concat(), record.warnings.clone())
         };
         Ok(Some([at_both(earlier.0, before)?, at_both(later.0, now)?]))
@@ -84,15 +82,10 @@ fn numbers(stretch: &Profile) -> std::ops::Range<i64> {
 }
 
 /// The spectra of the places of a rail.
-fn at_places(
-    path: &Path,
-    rail: &Rail,
-    wanted: &BTreeSet<(&str, i64)>,
-) -> Result<Vec<LabelledSpectrum>, CaseError> {
+fn at_places(path: &Path, rail: &Rail, wanted: &BTreeSet<(&str, i64)>) -> Result<Vec<LabelledSpectrum>, CaseError> {
     let mut records = Vec::new();
     for stretch in &rail.stretches {
-        let places =
-            numbers(stretch).filter(|&number| wanted.contains(&(rail.name.as_str(), number)));
+        let places = numbers(stretch).filter(|&number| wanted.contains(&(rail.name.as_str(), number)));
         for number in places {
             let from = number as f64 * PLACE;
             let part = stretch.between(from, from + PLACE).into_iter().collect();

@@ -44,11 +44,7 @@ pub(super) fn check_spacing(spacing: f64, unit: Option<(&str, f64)>) -> Result<(
     let (known, factor) = unit.unwrap_or(("m", 1.0));
     let fits = |other: f64| (SPACING.0..=SPACING.1).contains(&(spacing / factor * other));
     let likely = ["m", "mm", "um", "km"].into_iter().find(|&name| {
-        let size = if name == "km" {
-            Some(1e3)
-        } else {
-            UNITS.iter().find(|unit| unit.0 == name).map(|unit| unit.1)
-        };
+        let size = if name == "km" { Some(1e3) } else { UNITS.iter().find(|unit| unit.0 == name).map(|unit| unit.1) };
         name != known && size.is_some_and(fits)
     });
     let mut message = format!(
@@ -62,17 +58,10 @@ pub(super) fn check_spacing(spacing: f64, unit: Option<(&str, f64)>) -> Result<(
                 "give --position-unit {likely}, or write the unit in the head of the column, as in position [{likely}]"
             ))
         }
-        (Some(likely), None) => Some(format!(
-            "did you mean --spacing \"{} {likely}\"?",
-            short(spacing)
-        )),
+        (Some(likely), None) => Some(format!("did you mean --spacing \"{} {likely}\"?", short(spacing))),
         (None, _) => None,
     };
-    Err(Refusal {
-        line: None,
-        message: message.into(),
-        help: help.map(Into::into),
-    })
+    Err(Refusal { line: None, message: message.into(), help: help.map(Into::into) })
 }
 
 /// Heights \[m\] that somebody gave as numbers, where they are unlike a rail: they are taken, and asked about.
@@ -122,11 +111,7 @@ pub(super) fn check_heights(rails: &[(&Rail, &str, f64)]) -> Result<(), Refusal>
             message += &format!("; they look like {likely}");
             format!("give --height-unit {likely}, or write the unit in the head of the column, as in height [{likely}]")
         });
-        return Err(Refusal {
-            line: None,
-            message: message.into(),
-            help: help.map(Into::into),
-        });
+        return Err(Refusal { line: None, message: message.into(), help: help.map(Into::into) });
     }
     Ok(())
 }
@@ -142,13 +127,9 @@ pub(super) fn check_levels(levels: impl Iterator<Item = f64>) -> Result<(), Refu
         return Ok(());
     }
     // 1 m is 120 dB over 1 µm, 1 mm 60 dB, and 1 nm 60 dB under it.
-    let likely = [
-        (120.0, "dB re 1 m"),
-        (60.0, "dB re 1 mm"),
-        (-60.0, "dB re 1 nm"),
-    ]
-    .into_iter()
-    .find(|(shift, _)| (-40.0..=40.0).contains(&(median + shift)));
+    let likely = [(120.0, "dB re 1 m"), (60.0, "dB re 1 mm"), (-60.0, "dB re 1 nm")]
+        .into_iter()
+        .find(|(shift, _)| (-40.0..=40.0).contains(&(median + shift)));
     let looks = likely.map_or_else(String::new, |(shift, name)| {
         format!("; they look like {name}, to which {shift:+} dB is to be added")
     });
@@ -164,11 +145,7 @@ pub(super) fn check_levels(levels: impl Iterator<Item = f64>) -> Result<(), Refu
 ///
 /// # Errors
 /// The sentence.
-pub fn check_felt(
-    rail: &str,
-    levels: impl Iterator<Item = f64>,
-    known: WavelengthBand,
-) -> Result<(), String> {
+pub fn check_felt(rail: &str, levels: impl Iterator<Item = f64>, known: WavelengthBand) -> Result<(), String> {
     let squares: Vec<f64> = levels.map(|level| 10f64.powf(level / 10.0)).collect();
     let rms = 1e-6 * squares.iter().sum::<f64>().sqrt();
     let least = RMS.0 * (squares.len() as f64 / BANDS).sqrt();
@@ -198,11 +175,7 @@ fn block_mean_squares(stretches: &[Profile]) -> Vec<f64> {
         let spacing = stretch.spacing();
         let width = |length: f64| ((length / spacing / 2.0).round() as usize).max(1);
         // A window of a single sample is the height itself.
-        let short = if WINDOWS.0 < 2.0 * spacing {
-            0
-        } else {
-            width(WINDOWS.0)
-        };
+        let short = if WINDOWS.0 < 2.0 * spacing { 0 } else { width(WINDOWS.0) };
         let long = width(WINDOWS.1);
         let heights = stretch.heights();
         let mut sums = Vec::with_capacity(heights.len() + 1);
@@ -223,12 +196,9 @@ fn block_mean_squares(stretches: &[Profile]) -> Vec<f64> {
         for block in (0..heights.len()).step_by(samples) {
             let end = (block + samples).min(heights.len());
             // Some of the samples tell the size.
-            let squares = (block..end)
-                .step_by((samples / 64).max(1))
-                .map(|at| (mean(at, short) - mean(at, long)).powi(2));
-            let (count, total) = squares.fold((0, 0.0), |(count, total), square| {
-                (count + 1, total + square)
-            });
+            let squares =
+                (block..end).step_by((samples / 64).max(1)).map(|at| (mean(at, short) - mean(at, long)).powi(2));
+            let (count, total) = squares.fold((0, 0.0), |(count, total), square| (count + 1, total + square));
             blocks.push(total / f64::from(count.max(1)));
         }
     }
@@ -240,11 +210,7 @@ fn short(value: f64) -> String {
     if (1e-3..1e5).contains(&value.abs()) {
         let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 5);
         let text = format!("{value:.*}", decimals as usize);
-        if text.contains('.') {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            text
-        }
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
     } else {
         format!("{value:.2e}")
     }
@@ -256,9 +222,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn rail(amplitude: f64, wavelength: f64) -> Rail {
-        let height = |n: i32| {
-            amplitude * (TAU * f64::from(n) * 1e-3 / wavelength).sin() + 1e-3 * f64::from(n) * 1e-3
-        };
+        let height = |n: i32| amplitude * (TAU * f64::from(n) * 1e-3 / wavelength).sin() + 1e-3 * f64::from(n) * 1e-3;
         Rail {
             name: "left".to_owned(),
             stretches: vec![Profile::new(0.0, 1e-3, (0..20_000).map(height).collect()).unwrap()],
@@ -272,11 +236,7 @@ mod tests {
         // Windows are shorter at the ends.
         let inner = &blocks[2..blocks.len() - 2];
         for square in inner {
-            assert!(
-                (square.sqrt() / (10e-6 / 2f64.sqrt()) - 1.0).abs() < 0.1,
-                "{}",
-                square.sqrt()
-            );
+            assert!((square.sqrt() / (10e-6 / 2f64.sqrt()) - 1.0).abs() < 0.1, "{}", square.sqrt());
         }
     }
 
@@ -290,17 +250,11 @@ mod tests {
             assert_eq!(check(amplitude, "um", 1e-6), Ok(()));
             // Written in mm and read in µm, and the other way round.
             let wrong = check(1e-3 * amplitude, "um", 1e-6).unwrap_err();
-            assert!(
-                wrong.contains("so smooth") && wrong.ends_with("look like mm"),
-                "{wrong}"
-            );
+            assert!(wrong.contains("so smooth") && wrong.ends_with("look like mm"), "{wrong}");
         }
         for amplitude in [2e-6, 10e-6, 450e-6] {
             let wrong = check(1e3 * amplitude, "mm", 1e-3).unwrap_err();
-            assert!(
-                wrong.contains("so rough") && wrong.ends_with("look like um"),
-                "{wrong}"
-            );
+            assert!(wrong.contains("so rough") && wrong.ends_with("look like um"), "{wrong}");
         }
     }
 
@@ -308,25 +262,10 @@ mod tests {
     fn steps_in_the_wrong_unit_are_no_record() {
         assert!(check_spacing(1e-3, Some(("m", 1.0))).is_ok());
         let wrong = check_spacing(1.0, Some(("m", 1.0))).unwrap_err();
-        assert!(
-            wrong.message.to_string().contains("look like mm"),
-            "{}",
-            wrong.message.to_string()
-        );
+        assert!(wrong.message.to_string().contains("look like mm"), "{}", wrong.message.to_string());
         let wrong = check_spacing(1e-6, Some(("mm", 1e-3))).unwrap_err();
-        assert!(
-            wrong.message.to_string().contains("look like m"),
-            "{}",
-            wrong.message.to_string()
-        );
-        assert!(
-            check_spacing(1.0, None)
-                .unwrap_err()
-                .help
-                .unwrap()
-                .to_string()
-                .contains("1 mm")
-        );
+        assert!(wrong.message.to_string().contains("look like m"), "{}", wrong.message.to_string());
+        assert!(check_spacing(1.0, None).unwrap_err().help.unwrap().to_string().contains("1 mm"));
     }
 
     /// What a sensor at rest makes is no rail, whatever bands are known of it; the smoothest rail is one.
@@ -347,10 +286,6 @@ mod tests {
     fn levels_of_another_reference_are_named() {
         assert!(check_levels([-20.0, 5.0, 12.0].into_iter()).is_ok());
         let wrong = check_levels([-130.0, -120.0, -110.0].into_iter()).unwrap_err();
-        assert!(
-            wrong.message.to_string().contains("dB re 1 m,"),
-            "{}",
-            wrong.message.to_string()
-        );
+        assert!(wrong.message.to_string().contains("dB re 1 m,"), "{}", wrong.message.to_string());
     }
 }

@@ -58,10 +58,7 @@ fn usual(name: &str) -> Option<usize> {
         return None;
     };
     let numbered = ["rail", "schiene"].iter();
-    let word = numbered
-        .filter_map(|prefix| word.strip_prefix(prefix))
-        .next()
-        .unwrap_or(word);
+    let word = numbered.filter_map(|prefix| word.strip_prefix(prefix)).next().unwrap_or(word);
     USUAL.iter().position(|words| is_one_of(word, words))
 }
 
@@ -78,9 +75,7 @@ pub fn are_opposite(name: &str, other: &str) -> bool {
 pub fn rail_of_channel(name: &str) -> Option<usize> {
     let mut found = words(name).into_iter().filter_map(|word| {
         let is_number = word.bytes().all(|byte| byte.is_ascii_digit());
-        USUAL
-            .iter()
-            .position(|words| !is_number && is_one_of(&word, words))
+        USUAL.iter().position(|words| !is_number && is_one_of(&word, words))
     });
     let first = found.next()?;
     found.all(|other| other == first).then_some(first)
@@ -180,15 +175,9 @@ mod tests {
 
     #[test]
     fn a_rail_has_one_name_over_the_dates() {
-        let mut rails = [
-            (2024, "links"),
-            (2024, "rechts"),
-            (2025, "1"),
-            (2025, "left"),
-            (2026, "left"),
-            (2026, "right"),
-        ]
-        .map(|(year, name)| (jiff::civil::date(year, 6, 1), name.to_owned()));
+        let mut rails =
+            [(2024, "links"), (2024, "rechts"), (2025, "1"), (2025, "left"), (2026, "left"), (2026, "right")]
+                .map(|(year, name)| (jiff::civil::date(year, 6, 1), name.to_owned()));
         name_alike(rails.iter_mut().map(|(date, name)| (*date, name)).collect());
         let names: Vec<&str> = rails.iter().map(|(_, name)| name.as_str()).collect();
         // In 2025 one is called left and the other 1.

@@ -14,9 +14,6 @@ pub struct RailSpectrum {
 impl From<Spectrum> for RailSpectrum {
     /// A rail without a name.
     fn from(spectrum: Spectrum) -> Self {
-        Self {
-            rail: None,
-            spectrum,
-        }
+        Self { rail: None, spectrum }
     }
 }

@@ -133,51 +133,30 @@ impl RecipeFile {
                 slope: noise.slope_db_per_decade,
                 longest: noise.longest.si(),
             }),
-            spikes: written
-                .spike
-                .iter()
-                .map(|spike| irregularity(spike.at, spike.height, spike.width))
-                .collect(),
-            pits: written
-                .pit
-                .iter()
-                .map(|pit| irregularity(pit.at, pit.depth, pit.width))
-                .collect(),
+            spikes: written.spike.iter().map(|spike| irregularity(spike.at, spike.height, spike.width)).collect(),
+            pits: written.pit.iter().map(|pit| irregularity(pit.at, pit.depth, pit.width)).collect(),
             dropouts: written
                 .dropout
                 .iter()
-                .map(|dropout| Dropout {
-                    from: dropout.from.si(),
-                    to: dropout.to.si(),
-                })
+                .map(|dropout| Dropout { from: dropout.from.si(), to: dropout.to.si() })
                 .collect(),
         };
         written.check(&source)?;
         // What the generator refuses it refuses for all rails alike; what is left is the number of samples.
-        recipe
-            .check()
-            .map_err(|error| source.invalid("spacing", error.to_string(), ""))?;
+        recipe.check().map_err(|error| source.invalid("spacing", error.to_string(), ""))?;
         let seeds = (0..).map(|rail| recipe.seed.wrapping_add(rail));
         let rails = written.rails.iter().zip(seeds).map(|(name, seed)| {
-            let recipe = Recipe {
-                seed,
-                ..recipe.clone()
-            };
+            let recipe = Recipe { seed, ..recipe.clone() };
             (name.clone(), recipe)
         });
-        Ok(Self {
-            rails: rails.collect(),
-        })
+        Ok(Self { rails: rails.collect() })
     }
 }
 
 impl RecipeKeys {
     /// What must be above zero is so.
     fn check(&self, source: &KeyFile) -> Result<(), CaseError> {
-        let mut lengths = vec![
-            ("length".to_owned(), self.length),
-            ("spacing".to_owned(), self.spacing),
-        ];
+        let mut lengths = vec![("length".to_owned(), self.length), ("spacing".to_owned(), self.spacing)];
         if let Some(noise) = &self.noise {
             lengths.push(("noise.wavelength".to_owned(), noise.wavelength));
             lengths.push(("noise.longest".to_owned(), noise.longest));
@@ -195,11 +174,7 @@ impl RecipeKeys {
         }
         for (key, length) in lengths {
             if length.si() <= 0.0 {
-                let rule = say!(
-                    is_but_must_be,
-                    value = length,
-                    rule = say!(greater_than_zero)
-                );
+                let rule = say!(is_but_must_be, value = length, rule = say!(greater_than_zero));
                 return Err(source.invalid(&key, rule, ""));
             }
         }
@@ -207,16 +182,8 @@ impl RecipeKeys {
     }
 }
 
-fn irregularity(
-    at: Quantity<Length>,
-    height: Quantity<Length>,
-    width: Quantity<Length>,
-) -> Irregularity {
-    Irregularity {
-        at: at.si(),
-        height: height.si(),
-        width: width.si(),
-    }
+fn irregularity(at: Quantity<Length>, height: Quantity<Length>, width: Quantity<Length>) -> Irregularity {
+    Irregularity { at: at.si(), height: height.si(), width: width.si() }
 }
 
 #[cfg(test)]
@@ -235,27 +202,15 @@ mod tests {
     #[test]
     fn wrong_recipes_are_refused() {
         for (text, part) in [
-            (
-                "length = 0\nspacing = 0.001",
-                "`length` is 0 m, but must be greater than zero",
-            ),
+            ("length = 0\nspacing = 0.001", "`length` is 0 m, but must be greater than zero"),
             (
                 "length = 1\nspacing = 0.001\n[[pit]]\nat = 0.5\ndepth = \"-3 um\"\nwidth = 0.01\n",
                 "`pit[0].depth` is -3e-6 m",
             ),
-            (
-                "length = \"1e9 m\"\nspacing = \"1 mm\"",
-                "`spacing`: length over spacing",
-            ),
+            ("length = \"1e9 m\"\nspacing = \"1 mm\"", "`spacing`: length over spacing"),
             ("length = \"10 m\"", "`spacing` is missing"),
-            (
-                "length = 1\nspacing = 0.001\nrails = []",
-                "`rails` is empty",
-            ),
-            (
-                "length = 1\nspacing = 0.001\n[[spike]]\nat = 1\nheight = 1\n",
-                "width",
-            ),
+            ("length = 1\nspacing = 0.001\nrails = []", "`rails` is empty"),
+            ("length = 1\nspacing = 0.001\n[[spike]]\nat = 1\nheight = 1\n", "width"),
         ] {
             let error = RecipeFile::parse("r.toml", text).unwrap_err();
             assert!(error.to_string().contains(part), "{error}");

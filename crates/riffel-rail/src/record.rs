@@ -117,27 +117,13 @@ impl Record {
         let date = dates.iter().copied().max().flatten();
         if let (Some(last), [_, ..]) = (date, &earlier[..]) {
             let before: Value = earlier.iter().map(|one| one.date.to_string()).collect();
-            warnings.push(say!(
-                rails_of_last_date,
-                last = last.to_string(),
-                before = before
-            ));
+            warnings.push(say!(rails_of_last_date, last = last.to_string(), before = before));
         }
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
         let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
         let end = |profile: &Profile| profile.position(profile.heights().len() - 1);
         let to = all().map(end).fold(f64::NEG_INFINITY, f64::max);
-        Ok(Self {
-            format,
-            spacing,
-            from,
-            to,
-            falling,
-            rails,
-            date,
-            earlier,
-            warnings,
-        })
+        Ok(Self { format, spacing, from, to, falling, rails, date, earlier, warnings })
     }
 
     /// Mean length of the rails \[m\].
@@ -170,9 +156,7 @@ impl Labelled {
     ) -> Result<Vec<Self>, Refusal> {
         let cells = |column: usize| -> Vec<String> {
             let records = records.iter();
-            records
-                .filter_map(|(cells, _)| cells.get(column).cloned())
-                .collect()
+            records.filter_map(|(cells, _)| cells.get(column).cloned()).collect()
         };
         let names: Vec<&str> = heads.iter().map(String::as_str).collect();
         let time = date_column(&names, &cells);
@@ -204,12 +188,7 @@ impl Labelled {
             };
             let day = date.filter(|_| !one_date).map(|date| date.to_string());
             let words = [day.as_deref().unwrap_or_default(), &rail];
-            Self {
-                words: words.join(" ").trim().to_owned(),
-                rail,
-                date,
-                rows,
-            }
+            Self { words: words.join(" ").trim().to_owned(), rail, date, rows }
         });
         Ok(labelled.collect())
     }
@@ -222,16 +201,9 @@ fn of_heads(format: &ReaderFormat) -> Option<Vec<(Date, String)>> {
 }
 
 /// Rails as they were last, each by its name, and before, the earliest date first.
-fn latest_and_earlier(
-    mut rails: Vec<Rail>,
-    dates: &[Option<Date>],
-) -> (Vec<Rail>, Vec<EarlierRails>) {
+fn latest_and_earlier(mut rails: Vec<Rail>, dates: &[Option<Date>]) -> (Vec<Rail>, Vec<EarlierRails>) {
     let dated = rails.iter_mut().zip(dates);
-    name_alike(
-        dated
-            .filter_map(|(rail, date)| Some(((*date)?, &mut rail.name)))
-            .collect(),
-    );
+    name_alike(dated.filter_map(|(rail, date)| Some(((*date)?, &mut rail.name))).collect());
     let mut last: BTreeMap<String, Option<Date>> = BTreeMap::new();
     for (rail, date) in rails.iter().zip(dates) {
         let known = last.entry(rail.name.clone()).or_default();
@@ -246,9 +218,7 @@ fn latest_and_earlier(
             _ => latest.push(rail),
         }
     }
-    let earlier = before
-        .into_iter()
-        .map(|(date, rails)| EarlierRails { date, rails });
+    let earlier = before.into_iter().map(|(date, rails)| EarlierRails { date, rails });
     (latest, earlier.collect())
 }
 
@@ -262,10 +232,7 @@ fn read_record(
     let (rows, label) = (&record.rows, &record.words[..]);
     let count = rows.columns.first().map_or(0, Vec::len);
     if count < 2 {
-        return Err(Refusal::new(
-            None,
-            "the file has less than two rows of numbers, which are no profile",
-        ));
+        return Err(Refusal::new(None, "the file has less than two rows of numbers, which are no profile"));
     }
     let of_label = match label {
         "" => String::new(),
@@ -277,20 +244,13 @@ fn read_record(
             let positions = columns.next().map_or(&[][..], Vec::as_slice);
             let scale = size(column);
             let metres: Vec<f64> = positions.iter().map(|position| scale * position).collect();
-            Chainage::new(&metres).map_err(|defect| {
-                Refusal::new(
-                    Some(rows.line(defect.row)),
-                    of_label.clone() + &defect.message,
-                )
-            })?
+            Chainage::new(&metres)
+                .map_err(|defect| Refusal::new(Some(rows.line(defect.row)), of_label.clone() + &defect.message))?
         }
         (None, spacing) => Chainage {
             spacing: spacing.map_or(0.0, |spacing| spacing.si()),
             falling: false,
-            stretches: vec![Stretch {
-                start: 0.0,
-                rows: vec![(0, 0..count)],
-            }],
+            stretches: vec![Stretch { start: 0.0, rows: vec![(0, 0..count)] }],
             uneven: None,
             warnings: Vec::new(),
         },
@@ -318,13 +278,7 @@ fn read_record(
             (name, label) => format!("{label} {name}"),
         };
         let name = name.trim_start().to_owned();
-        let reader = RailReader {
-            name: &name,
-            heights,
-            scale: size(column),
-            chainage: &chainage,
-            rows,
-        };
+        let reader = RailReader { name: &name, heights, scale: size(column), chainage: &chainage, rows };
         let (stretches, remarks) = reader.read()?;
         warnings.extend(remarks);
         rails.push(Rail { name, stretches });
@@ -386,11 +340,7 @@ impl RailReader<'_> {
             ));
         }
         if dropped > 0.0 {
-            let said = say!(
-                short_stretches_left_out,
-                length = fixed(dropped, 3),
-                shortest = number(SHORTEST)
-            );
+            let said = say!(short_stretches_left_out, length = fixed(dropped, 3), shortest = number(SHORTEST));
             remarks.push(self.about(said));
         }
         self.remark_missing(longest_fill, &mut remarks);
@@ -399,21 +349,14 @@ impl RailReader<'_> {
 
     /// First position and heights \[m\] by rising position; not a number where samples are missing.
     fn assemble(&self, stretch: &Stretch) -> (f64, Vec<f64>) {
-        let samples = stretch
-            .rows
-            .iter()
-            .map(|(absent, rows)| absent + rows.len());
+        let samples = stretch.rows.iter().map(|(absent, rows)| absent + rows.len());
         let mut heights = Vec::with_capacity(samples.sum());
         if let Some(positions) = &self.chainage.uneven {
             return self.assemble_uneven(stretch, positions);
         }
         for (absent, rows) in &stretch.rows {
             heights.extend(std::iter::repeat_n(f64::NAN, *absent));
-            heights.extend(
-                self.heights[rows.clone()]
-                    .iter()
-                    .map(|height| self.scale * height),
-            );
+            heights.extend(self.heights[rows.clone()].iter().map(|height| self.scale * height));
         }
         if !self.chainage.falling {
             return (stretch.start, heights);
@@ -432,10 +375,7 @@ impl RailReader<'_> {
             places.reverse();
             heights.reverse();
         }
-        (
-            places[0],
-            resampled(&places, &heights, self.chainage.spacing),
-        )
+        (places[0], resampled(&places, &heights, self.chainage.spacing))
     }
 
     /// What is said of this rail.
@@ -444,18 +384,10 @@ impl RailReader<'_> {
     }
 
     fn remark_missing(&self, longest_fill: usize, remarks: &mut Vec<Message>) {
-        let mut missing = self
-            .heights
-            .iter()
-            .enumerate()
-            .filter(|(_, height)| height.is_nan());
+        let mut missing = self.heights.iter().enumerate().filter(|(_, height)| height.is_nan());
         if let Some((first, _)) = missing.next() {
             let longest = number(longest_fill);
-            let said = say!(
-                heights_missing,
-                count = missing.count() + 1,
-                longest = longest
-            );
+            let said = say!(heights_missing, count = missing.count() + 1, longest = longest);
             let line = number(self.rows.line(first));
             remarks.push(self.about(say!(first_at_line, sentence = said, line = line)));
         }
@@ -463,16 +395,9 @@ impl RailReader<'_> {
 
     /// A sensor that says nothing, or that is at its end.
     fn check_range(&self, remarks: &mut Vec<Message>) -> Result<(), Refusal> {
-        let finite = || {
-            self.heights
-                .iter()
-                .copied()
-                .filter(|height| height.is_finite())
-        };
+        let finite = || self.heights.iter().copied().filter(|height| height.is_finite());
         let (low, high) = finite()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
-                (low.min(height), high.max(height))
-            });
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| (low.min(height), high.max(height)));
         if low >= high {
             let what = if low == high {
                 format!("every height is {low}: the sensor gave nothing")
@@ -497,14 +422,10 @@ impl RailReader<'_> {
         let quantum = self.quantum();
         for run in runs_at(self.heights, low, high) {
             // A wave that is only rounded comes to its crest in the smallest of steps.
-            let beside =
-                |at: Option<&f64>, edge: f64| at.is_none_or(|at| (at - edge).abs() > 2.5 * quantum);
+            let beside = |at: Option<&f64>, edge: f64| at.is_none_or(|at| (at - edge).abs() > 2.5 * quantum);
             let edge = self.heights[run.start];
             let before = run.start.checked_sub(1).and_then(|at| self.heights.get(at));
-            if run.len() >= CLIPPED_RUN
-                && beside(before, edge)
-                && beside(self.heights.get(run.end), edge)
-            {
+            if run.len() >= CLIPPED_RUN && beside(before, edge) && beside(self.heights.get(run.end), edge) {
                 samples += run.len();
                 first.get_or_insert(run.start);
             }
@@ -514,19 +435,10 @@ impl RailReader<'_> {
         };
         let line = self.rows.line(first);
         let share = samples as f64 / self.heights.len() as f64;
-        let what = say!(
-            heights_clipped,
-            samples = number(samples),
-            low = low,
-            high = high,
-            run = number(CLIPPED_RUN)
-        );
+        let what = say!(heights_clipped, samples = number(samples), low = low, high = high, run = number(CLIPPED_RUN));
         if share > MOST_CLIPPED {
             let share = 100.0 * share;
-            let message = format!(
-                "rail {}: {what} over {share:.1} % of the record, here first",
-                self.name
-            );
+            let message = format!("rail {}: {what} over {share:.1} % of the record, here first", self.name);
             return Err(Refusal::new(Some(line), message));
         }
         let line = number(line);
@@ -552,9 +464,7 @@ fn runs_at(heights: &[f64], low: f64, high: f64) -> impl Iterator<Item = std::op
     std::iter::from_fn(move || {
         let ends = |height: &f64| *height == low || *height == high;
         let start = at + heights[at..].iter().position(ends)?;
-        let same = heights[start..]
-            .iter()
-            .take_while(|&&height| height == heights[start]);
+        let same = heights[start..].iter().take_while(|&&height| height == heights[start]);
         at = start + same.count();
         Some(start..at)
     })

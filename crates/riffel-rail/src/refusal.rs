@@ -13,19 +13,10 @@ pub(super) struct Refusal {
 
 impl Refusal {
     pub(super) fn new(line: Option<usize>, message: impl Into<Message>) -> Self {
-        Self {
-            line,
-            message: message.into(),
-            help: None,
-        }
+        Self { line, message: message.into(), help: None }
     }
 
     pub(super) fn of(self, path: &Path) -> CaseError {
-        CaseError::Data {
-            path: path.to_owned(),
-            line: self.line,
-            message: self.message,
-            help: self.help,
-        }
+        CaseError::Data { path: path.to_owned(), line: self.line, message: self.message, help: self.help }
     }
 }

@@ -20,10 +20,7 @@ pub(super) fn resampled(positions: &[f64], heights: &[f64], spacing: f64) -> Vec
         if at + 1 == positions.len() {
             return slope(at - 1, at);
         }
-        let (before, behind) = (
-            positions[at] - positions[at - 1],
-            positions[at + 1] - positions[at],
-        );
+        let (before, behind) = (positions[at] - positions[at - 1], positions[at + 1] - positions[at]);
         let (left, right) = (slope(at - 1, at), slope(at, at + 1));
         let parabola = (behind * left + before * right) / (before + behind);
         match (left.is_finite(), right.is_finite()) {
@@ -48,8 +45,7 @@ pub(super) fn resampled(positions: &[f64], heights: &[f64], spacing: f64) -> Vec
             // Hermite's cubic on the unit interval.
             let (begin, end) = (step * tangent(at), step * tangent(at + 1));
             let rise = to - from;
-            from + t
-                * (begin + t * (3.0 * rise - 2.0 * begin - end + t * (begin + end - 2.0 * rise)))
+            from + t * (begin + t * (3.0 * rise - 2.0 * begin - end + t * (begin + end - 2.0 * rise)))
         })
         .collect()
 }
@@ -62,9 +58,7 @@ mod tests {
     /// Steps of 1 mm with deterministic jitter of up to 0.3 mm either way.
     fn uneven(count: usize) -> Vec<f64> {
         let jitter = |n: usize| 0.3e-3 * (n as f64 * 12.9898).sin();
-        (0..count)
-            .map(|n| 5.0 + 1e-3 * n as f64 + jitter(n))
-            .collect()
+        (0..count).map(|n| 5.0 + 1e-3 * n as f64 + jitter(n)).collect()
     }
 
     /// A wave of 20 mm comes back with the error of the tangents, (2π/20)³/6 times a seventh; without resampling the error
@@ -77,9 +71,7 @@ mod tests {
         let even = resampled(&positions, &heights, 1e-3);
         let error = |heights: &[f64]| {
             let errors = heights.iter().enumerate().skip(2).take(1990);
-            errors
-                .map(|(n, height)| (height - wave(positions[0] + 1e-3 * n as f64)).abs())
-                .fold(0.0, f64::max)
+            errors.map(|(n, height)| (height - wave(positions[0] + 1e-3 * n as f64)).abs()).fold(0.0, f64::max)
         };
         assert!(error(&even) < 5e-3, "{}", error(&even));
         assert!(error(&heights) > 5e-2);

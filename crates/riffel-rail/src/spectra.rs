@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_keys::table::{
-    DecimalMark, Kind, Row, Table, foreign_unit, is_mark, is_one_of, length_in, rows, words,
-};
+use riffel_keys::table::{DecimalMark, Kind, Row, Table, foreign_unit, is_mark, is_one_of, length_in, rows, words};
 use riffel_keys::{Message, say};
 
 use crate::date_column::{dates_of_heads, write_dates_alike};
@@ -18,8 +16,7 @@ use crate::profile_columns::{left_out_sentence, names_a_rail};
 use crate::refusal::Refusal;
 
 /// Names of the column of wavelengths.
-const WAVELENGTH: &str =
-    "wavelength|lambda|λ|wellenlaenge|wellenlänge|longueur|longitud|lunghezza|golflengte";
+const WAVELENGTH: &str = "wavelength|lambda|λ|wellenlaenge|wellenlänge|longueur|longitud|lunghezza|golflengte";
 /// Names of the column of levels.
 const LEVEL: &str = "level|db|pegel|niveau|roughness";
 /// Names of what lies about the levels of a rail, and is none where there are others.
@@ -60,8 +57,7 @@ impl Columns {
     pub(super) fn of(header: &[String], table: &Table) -> Option<Self> {
         // Text under the head of a rail is refused with its first cell.
         let is_numeric = |index: usize| {
-            table.kind(index).is_of_numbers()
-                || table.kind(index) == Kind::Text && names_a_rail(table, index)
+            table.kind(index).is_of_numbers() || table.kind(index) == Kind::Text && names_a_rail(table, index)
         };
         let named = |index: usize, known: &str| {
             let own = words(&header[index]);
@@ -72,34 +68,24 @@ impl Columns {
             return Self::wide(header, table.decimal);
         };
         // The column of wavelengths is none of levels, whatever else its name says.
-        let others: Vec<usize> = (0..header.len())
-            .filter(|&index| index != wavelength && !table.is_index(index))
-            .collect();
+        let others: Vec<usize> =
+            (0..header.len()).filter(|&index| index != wavelength && !table.is_index(index)).collect();
         let of = |is: &dyn Fn(usize) -> bool, columns: &[usize]| -> Option<Vec<usize>> {
             let kept: Vec<usize> = columns.iter().copied().filter(|&index| is(index)).collect();
             (!kept.is_empty()).then_some(kept)
         };
-        let is_level =
-            |index: usize| named(index, LEVEL) || is_numeric(index) && names_a_rail(table, index);
+        let is_level = |index: usize| named(index, LEVEL) || is_numeric(index) && names_a_rail(table, index);
         let levels = of(&is_level, &others).or_else(|| of(&|index| is_numeric(index), &others))?;
         // Limits, scatter and extremes stand beside the levels of rails.
         let levels = of(&|index| !is_statistic(&words(&header[index])), &levels).unwrap_or(levels);
         let levels = of(&|index| !named(index, EXTREME), &levels).unwrap_or(levels);
-        let is_left_out = |index: usize| {
-            is_numeric(index) && (is_statistic(&words(&header[index])) || named(index, EXTREME))
-        };
+        let is_left_out =
+            |index: usize| is_numeric(index) && (is_statistic(&words(&header[index])) || named(index, EXTREME));
         let labels = others.into_iter();
         let labels = labels.filter(|&index| !levels.contains(&index) && !is_left_out(index));
         let labels: Vec<usize> = labels.collect();
-        let is_other = |index: &usize| {
-            *index != wavelength && !levels.contains(index) && !labels.contains(index)
-        };
-        Some(Self::Long {
-            wavelength,
-            others: (0..header.len()).filter(is_other).collect(),
-            levels,
-            labels,
-        })
+        let is_other = |index: &usize| *index != wavelength && !levels.contains(index) && !labels.contains(index);
+        Some(Self::Long { wavelength, others: (0..header.len()).filter(is_other).collect(), levels, labels })
     }
 
     /// Columns of numbers that were left out, a sentence for each.
@@ -123,9 +109,7 @@ impl Columns {
         let named: Vec<(usize, f64, Option<f64>)> = header
             .iter()
             .enumerate()
-            .filter_map(|(index, name)| {
-                band_name(name, decimal).map(|(number, unit)| (index, number, unit))
-            })
+            .filter_map(|(index, name)| band_name(name, decimal).map(|(number, unit)| (index, number, unit)))
             .collect();
         // The corner may say it for all, as in "site \ wavelength mm".
         let bands: Vec<usize> = named.iter().map(|band| band.0).collect();
@@ -146,13 +130,7 @@ impl Columns {
         };
         let least = if unit.is_some() { LEAST.0 } else { LEAST.1 };
         let all = named.len() >= least && named.iter().all(|(_, number, _)| is_band(*number));
-        all.then(|| Self::Wide {
-            bands: named
-                .iter()
-                .map(|(index, number, _)| (*index, *number))
-                .collect(),
-            unit,
-        })
+        all.then(|| Self::Wide { bands: named.iter().map(|(index, number, _)| (*index, *number)).collect(), unit })
     }
 }
 
@@ -161,16 +139,11 @@ impl Columns {
 fn band_name(name: &str, decimal: DecimalMark) -> Option<(f64, Option<f64>)> {
     let begin = name.find(|c: char| c.is_ascii_digit())?;
     const KNOWN: &str = "l|lambda|λ|band|w|wavelength|level|pegel|db";
-    if !words(&name[..begin])
-        .iter()
-        .all(|word| is_one_of(word, KNOWN))
-    {
+    if !words(&name[..begin]).iter().all(|word| is_one_of(word, KNOWN)) {
         return None;
     }
     let rest = &name[begin..];
-    let length = rest
-        .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ','))
-        .unwrap_or(rest.len());
+    let length = rest.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ',')).unwrap_or(rest.len());
     let mark = char::from(decimal.byte());
     let number = rest[..length].replace([mark, ','], ".");
     let behind = words(&rest[length..]);
@@ -203,24 +176,14 @@ fn band_of(length: f64) -> Result<ThirdOctave, String> {
 impl<'a> Rows<'a> {
     /// `text` is that in which the table was found under a header.
     pub(super) fn new(text: &'a [u8], table: &'a Table, header: &'a [String]) -> Self {
-        Self {
-            text,
-            table,
-            header,
-        }
+        Self { text, table, header }
     }
 
     fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Refusal>> {
         let (table, columns) = (self.table, self.header.len());
-        let rows = rows(
-            self.text,
-            table.header_lines,
-            table.delimiter,
-            Some(table.decimal),
-        );
+        let rows = rows(self.text, table.header_lines, table.delimiter, Some(table.decimal));
         rows.map(move |mut row| {
-            while row.cells.len() > columns && row.cells.last().is_some_and(|cell| cell.is_empty())
-            {
+            while row.cells.len() > columns && row.cells.last().is_some_and(|cell| cell.is_empty()) {
                 row.cells.pop();
             }
             let has = row.cells.len();
@@ -240,10 +203,7 @@ impl<'a> Rows<'a> {
 
     fn no_number(&self, row: &Row<'_>, index: usize) -> Refusal {
         let (name, cell) = (&self.header[index], row.text(index));
-        Refusal::new(
-            Some(row.line),
-            format!("column `{name}` is \"{cell}\", not a finite number"),
-        )
+        Refusal::new(Some(row.line), format!("column `{name}` is \"{cell}\", not a finite number"))
     }
 
     /// A refusal of the header.
@@ -254,28 +214,18 @@ impl<'a> Rows<'a> {
 
 /// Read the rows of a table, and what is said of its columns. With a row for each band, those whose other columns agree make
 /// a spectrum.
-pub(super) fn read(
-    rows: &Rows<'_>,
-    columns: &Columns,
-) -> Result<(Vec<LabelledSpectrum>, Vec<Message>), Refusal> {
+pub(super) fn read(rows: &Rows<'_>, columns: &Columns) -> Result<(Vec<LabelledSpectrum>, Vec<Message>), Refusal> {
     let (lines, mut spectra): (Vec<usize>, Vec<LabelledSpectrum>) = match columns {
-        Columns::Long {
-            wavelength,
-            levels,
-            labels,
-            ..
-        } => read_long(rows, *wavelength, levels, labels)?,
+        Columns::Long { wavelength, levels, labels, .. } => read_long(rows, *wavelength, levels, labels)?,
         Columns::Wide { bands, unit } => read_wide(rows, bands, *unit)?,
     }
     .into_iter()
     .unzip();
     refuse_octaves(&spectra)?;
-    let levels = spectra
-        .iter()
-        .flat_map(|spectrum| spectrum.spectrum.levels());
+    let levels = spectra.iter().flat_map(|spectrum| spectrum.spectrum.levels());
     plausibility::check_levels(levels.map(|level| level.level))?;
-    let dates = write_dates_alike(&mut spectra)
-        .map_err(|no_date| Refusal::new(Some(lines[no_date.place]), no_date.message))?;
+    let dates =
+        write_dates_alike(&mut spectra).map_err(|no_date| Refusal::new(Some(lines[no_date.place]), no_date.message))?;
     let remarks = columns.left_out(rows).into_iter().chain(dates);
     Ok((spectra, remarks.collect()))
 }
@@ -284,11 +234,7 @@ pub(super) fn read(
 fn refuse_octaves(spectra: &[LabelledSpectrum]) -> Result<(), Refusal> {
     const FEWEST: usize = 4;
     let are_octaves = |spectrum: &LabelledSpectrum| {
-        let bands = spectrum
-            .spectrum
-            .levels()
-            .iter()
-            .map(|level| level.band.index());
+        let bands = spectrum.spectrum.levels().iter().map(|level| level.band.index());
         let mut bands: Vec<i32> = bands.collect();
         bands.sort_unstable();
         bands.len() >= FEWEST && bands.windows(2).all(|pair| pair[1] - pair[0] == 3)
@@ -354,9 +300,7 @@ fn read_long(
             let levels = spectra.entry(place).or_default();
             if levels.iter().any(|(other, _)| *other == band) {
                 let wavelength = band.nominal_millimetres();
-                return Err(at(format!(
-                    "{wavelength} mm is there twice in one spectrum"
-                )));
+                return Err(at(format!("{wavelength} mm is there twice in one spectrum")));
             }
             levels.push((band, value));
         }
@@ -395,16 +339,11 @@ fn read_wide(
     for &(index, number) in bands {
         let band = band_of(unit * number).map_err(wrong)?;
         if found.iter().any(|(_, other)| *other == band) {
-            return Err(wrong(format!(
-                "{} mm is there twice",
-                band.nominal_millimetres()
-            )));
+            return Err(wrong(format!("{} mm is there twice", band.nominal_millimetres())));
         }
         found.push((index, band));
     }
-    let others: Vec<usize> = (0..header.len())
-        .filter(|index| found.iter().all(|(band, _)| band != index))
-        .collect();
+    let others: Vec<usize> = (0..header.len()).filter(|index| found.iter().all(|(band, _)| band != index)).collect();
     let names: Vec<String> = others.iter().map(|&index| header[index].clone()).collect();
     rows.rows()
         .map(|row| {
@@ -425,16 +364,9 @@ fn read_wide(
         .collect()
 }
 
-fn labelled(
-    names: &[String],
-    labels: &[String],
-    levels: Vec<(ThirdOctave, f64)>,
-) -> Result<LabelledSpectrum, Refusal> {
+fn labelled(names: &[String], labels: &[String], levels: Vec<(ThirdOctave, f64)>) -> Result<LabelledSpectrum, Refusal> {
     let spectrum = Spectrum::new(levels).map_err(|error| Refusal::new(None, error.to_string()))?;
-    Ok(LabelledSpectrum {
-        labels: names.iter().cloned().zip(labels.iter().cloned()).collect(),
-        spectrum,
-    })
+    Ok(LabelledSpectrum { labels: names.iter().cloned().zip(labels.iter().cloned()).collect(), spectrum })
 }
 
 /// Size of the unit of the wavelength \[m\] from the name of its column, which must say it.
@@ -444,9 +376,7 @@ fn unit(name: &str) -> Result<f64, String> {
         (_, Some(foreign)) => Err(format!(
             "column `{name}` is in {foreign}, which is no length known here; call it wavelength_m or wavelength_mm"
         )),
-        (None, None) => Err(format!(
-            "column `{name}` has no unit; call it wavelength_m or wavelength_mm"
-        )),
+        (None, None) => Err(format!("column `{name}` has no unit; call it wavelength_m or wavelength_mm")),
     }
 }
 

@@ -67,16 +67,11 @@ impl TransferTable {
     /// [`CaseError`] for a name that is not known, a table of the other part, or with the key and the line of the file.
     pub fn find(name: &str, part: TransferPart) -> Result<Self, CaseError> {
         let known = Self::all();
-        let named = known
-            .iter()
-            .find(|table| table.name.eq_ignore_ascii_case(name));
+        let named = known.iter().find(|table| table.name.eq_ignore_ascii_case(name));
         let path = Path::new(name);
         let table = match named {
             Some(table) => table.clone(),
-            None if path
-                .extension()
-                .is_some_and(|extension| extension == "toml") =>
-            {
+            None if path.extension().is_some_and(|extension| extension == "toml") => {
                 Self::parse(name, &read_keys(path, "table of transfer functions")?)?
             }
             None => {
@@ -98,19 +93,12 @@ impl TransferTable {
             TransferPart::Track => ["a vehicle", "a track"],
             TransferPart::Vehicle => ["a track", "a vehicle"],
         };
-        Err(CaseError::data(
-            path,
-            format!("is the transfer function of {is}, but must be one of {must}"),
-        ))
+        Err(CaseError::data(path, format!("is the transfer function of {is}, but must be one of {must}")))
     }
 
     /// All tables that come with Riffel, by name.
     pub fn all() -> Vec<Self> {
-        built_in(
-            &FILES,
-            |name, text| Self::parse(name, text).ok(),
-            |table| &table.name,
-        )
+        built_in(&FILES, |name, text| Self::parse(name, text).ok(), |table| &table.name)
     }
 
     /// Read a table from TOML; `name` is the one shown in errors.
@@ -130,16 +118,11 @@ impl TransferTable {
                         "`level.frequency` is {}, but must be the centre of a one-third octave",
                         level.frequency
                     );
-                    source.invalid(
-                        "level",
-                        &message,
-                        "write 1000 Hz, 1250 Hz, 1600 Hz and so on",
-                    )
+                    source.invalid("level", &message, "write 1000 Hz, 1250 Hz, 1600 Hz and so on")
                 })?;
             levels.push((band, level.level_db));
         }
-        let function = TransferFunction::new(levels)
-            .map_err(|error| source.invalid("level", error.to_string(), ""))?;
+        let function = TransferFunction::new(levels).map_err(|error| source.invalid("level", error.to_string(), ""))?;
         Ok(Self {
             name: written.name,
             title: written.title,
@@ -161,11 +144,7 @@ mod tests {
         for table in TransferTable::all() {
             assert!(table.source.contains("2015/996"), "{table:?}");
             for band in FrequencyBand::all() {
-                assert!(
-                    table.function.level(band).is_some(),
-                    "{}: {band:?}",
-                    table.name
-                );
+                assert!(table.function.level(band).is_some(), "{}: {band:?}", table.name);
             }
         }
     }
@@ -175,23 +154,13 @@ mod tests {
         let table = TransferTable::find("CNOSSOS-monobloc-hard-pads", TransferPart::Track)?;
         assert_eq!(table.function.level(FrequencyBand::new(30)), Some(102.5));
         let other = TransferTable::find(&table.name, TransferPart::Vehicle).unwrap_err();
-        assert!(
-            other.to_string().contains("must be one of a vehicle"),
-            "{other}"
-        );
+        assert!(other.to_string().contains("must be one of a vehicle"), "{other}");
         let unknown = TransferTable::find("slab", TransferPart::Track).unwrap_err();
-        assert!(
-            unknown.to_string().contains("cnossos-wooden-sleepers"),
-            "{unknown}"
-        );
-        let head =
-            "name = \"n\"\ntitle = \"t\"\npart = \"track\"\nedition = \"e\"\nsource = \"s\"\n";
+        assert!(unknown.to_string().contains("cnossos-wooden-sleepers"), "{unknown}");
+        let head = "name = \"n\"\ntitle = \"t\"\npart = \"track\"\nedition = \"e\"\nsource = \"s\"\n";
         for (rest, part) in [
             ("level = []", "must have a band"),
-            (
-                "[[level]]\nfrequency = \"1120 Hz\"\nlevel_db = 1.0",
-                "1120 Hz",
-            ),
+            ("[[level]]\nfrequency = \"1120 Hz\"\nlevel_db = 1.0", "1120 Hz"),
             ("[[level]]\nfrequency = \"20 mm\"\nlevel_db = 1.0", "mm"),
         ] {
             let error = TransferTable::parse("t.toml", &format!("{head}{rest}")).unwrap_err();

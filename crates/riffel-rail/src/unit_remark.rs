@@ -25,11 +25,7 @@ impl Kind {
                         roughness|rauheit|rauigkeit|z|ordinate";
         const POSITIONS: &str = "position|positions|chainage|station|distance|abscissa|abszisse|abscisse|location|weg|\
                         strecke|pk|x|kilometrierung";
-        if is_one_of(word, HEIGHTS) {
-            Some(Self::Height)
-        } else {
-            is_one_of(word, POSITIONS).then_some(Self::Position)
-        }
+        if is_one_of(word, HEIGHTS) { Some(Self::Height) } else { is_one_of(word, POSITIONS).then_some(Self::Position) }
     }
 }
 
@@ -73,8 +69,7 @@ impl UnitRemarks {
             let words = words(clause);
             for (place, word) in words.iter().enumerate() {
                 // A unit behind a number belongs to it.
-                let of_number =
-                    place > 0 && words[place - 1].ends_with(|c: char| c.is_ascii_digit());
+                let of_number = place > 0 && words[place - 1].ends_with(|c: char| c.is_ascii_digit());
                 let Some(unit) = length_word(word).filter(|_| !of_number) else {
                     continue;
                 };
@@ -132,10 +127,7 @@ mod tests {
         ] {
             let units = UnitRemarks::of(&[(1, remark.to_owned())], 2);
             assert_eq!(units.unit(Kind::Height).map(|stated| stated.unit), height);
-            assert_eq!(
-                units.unit(Kind::Position).map(|stated| stated.unit),
-                position
-            );
+            assert_eq!(units.unit(Kind::Position).map(|stated| stated.unit), position);
         }
     }
 }

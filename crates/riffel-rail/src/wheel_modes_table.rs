@@ -75,10 +75,7 @@ impl WheelModesTable {
             |(name, _)| name,
         );
         let path = Path::new(name);
-        if let Some((_, (file, text))) = known
-            .iter()
-            .find(|(known, _)| known.eq_ignore_ascii_case(name))
-        {
+        if let Some((_, (file, text))) = known.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)) {
             let mut computed = COMPUTED.lock().unwrap_or_else(PoisonError::into_inner);
             if let Some(table) = computed.get(file) {
                 return Ok(table.clone());
@@ -87,19 +84,13 @@ impl WheelModesTable {
             computed.insert(file.clone(), table.clone());
             return Ok(table);
         }
-        if path
-            .extension()
-            .is_some_and(|extension| extension == "toml")
-        {
+        if path.extension().is_some_and(|extension| extension == "toml") {
             return Self::parse(name, &read_keys(path, "table of wheel modes")?);
         }
         let names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
         Err(CaseError::data(
             path,
-            format!(
-                "no wheel has this name; there are {}, or a file that ends in .toml",
-                names.join(", ")
-            ),
+            format!("no wheel has this name; there are {}, or a file that ends in .toml", names.join(", ")),
         ))
     }
 
@@ -145,10 +136,7 @@ impl WheelModesTable {
             }
             let displacements = [mode.radial_at_contact, mode.radial_of_tread];
             let all = mode.axial.iter().chain(&displacements);
-            if let Some(value) = all
-                .copied()
-                .find(|value| value.is_nan() || value.abs() > LARGEST)
-            {
+            if let Some(value) = all.copied().find(|value| value.is_nan() || value.abs() > LARGEST) {
                 let rule = "of displacements up to 1/√kg, those of a generalised mass of 1 kg";
                 return refused("mode", value, rule);
             }
@@ -164,13 +152,7 @@ impl WheelModesTable {
         let modes: Vec<WheelMode> = modes.collect();
         let modes = WheelModes::new(rolling_radius, width, &radii, &modes, &Air::default())
             .map_err(|error| source.invalid("mode", error.to_string(), ""))?;
-        Ok(Self {
-            name: written.name,
-            title: written.title,
-            source: written.source,
-            rolling_radius,
-            modes,
-        })
+        Ok(Self { name: written.name, title: written.title, source: written.source, rolling_radius, modes })
     }
 }
 
@@ -184,10 +166,7 @@ mod tests {
         assert_eq!(table.rolling_radius, 0.46);
         assert!(table.source.contains("wheel_modes.py"));
         let unknown = WheelModesTable::find("curved-web").unwrap_err();
-        assert!(
-            unknown.to_string().contains("straight-web-920"),
-            "{unknown}"
-        );
+        assert!(unknown.to_string().contains("straight-web-920"), "{unknown}");
         Ok(())
     }
 
@@ -202,24 +181,12 @@ mod tests {
         for (from, to, part) in [
             ("1e-4", "1.0", "damping ratio"),
             ("[0.0, 0.05]", "[0.0]", "finite displacement"),
-            (
-                "\"200 mm\", \"460 mm\"",
-                "\"460 mm\", \"200 mm\"",
-                "increase",
-            ),
+            ("\"200 mm\", \"460 mm\"", "\"460 mm\", \"200 mm\"", "increase"),
             ("2 kHz", "2 mm", "mm"),
             ("2 kHz", "2 MHz", "between 20 and 20000 Hz"),
-            (
-                "\"460 mm\"\ntread",
-                "\"460\"\ntread",
-                "`rolling_radius` is 460, but",
-            ),
+            ("\"460 mm\"\ntread", "\"460\"\ntread", "`rolling_radius` is 460, but"),
             ("135 mm", "135 cm", "`tread_width` is 1.35, but"),
-            (
-                "\"200 mm\", \"460 mm\"",
-                "\"200 mm\", \"260 mm\"",
-                "`radius` is 0.26, but",
-            ),
+            ("\"200 mm\", \"460 mm\"", "\"200 mm\", \"260 mm\"", "`radius` is 0.26, but"),
             ("contact = 0.05", "contact = 45.7", "`mode` is 45.7, but"),
             ("nodal_diameters = 2", "nodal_diameters = -2", "-2"),
             (mode, "mode = []\n", "does not ring"),

@@ -52,21 +52,15 @@ impl WheelRoughness {
 
     /// All tables that come with Riffel, by name.
     pub fn all() -> Vec<Self> {
-        built_in(
-            &FILES,
-            |name, text| Self::parse(name, text).ok()?,
-            |table| &table.name,
-        )
+        built_in(&FILES, |name, text| Self::parse(name, text).ok()?, |table| &table.name)
     }
 
     fn parse(name: &str, text: &str) -> Result<Option<Self>, CaseError> {
         let table = LimitTable::parse(name, text)?;
         Ok(match table.limit {
-            Limit::Levels(levels) => Some(Self {
-                name: table.name,
-                title: table.title.to_string(),
-                spectrum: levels.spectrum().clone(),
-            }),
+            Limit::Levels(levels) => {
+                Some(Self { name: table.name, title: table.title.to_string(), spectrum: levels.spectrum().clone() })
+            }
             Limit::Rms(_) => None,
         })
     }

@@ -67,19 +67,11 @@ const REFUSED: [(&str, Writing); 46] = [
     ("two signs", |v| format!("--{:.2}", v.abs())),
     ("equals", |v| format!("={v:.2}")),
     ("formula", |v| format!("z={v:.2}")),
-    ("other decimal mark", |v| {
-        format!("{v:.2}").replace('.', ",")
-    }),
-    ("decimal mark of Arabic", |v| {
-        format!("{v:.2}").replace('.', "\u{66b}")
-    }),
-    ("apostrophe and other mark", |v| {
-        format!("'{v:.2}").replace('.', ",")
-    }),
+    ("other decimal mark", |v| format!("{v:.2}").replace('.', ",")),
+    ("decimal mark of Arabic", |v| format!("{v:.2}").replace('.', "\u{66b}")),
+    ("apostrophe and other mark", |v| format!("'{v:.2}").replace('.', ",")),
     ("two points", |v| format!("{v:.2}").replace('.', "..")),
-    ("letter for zero", |v| {
-        format!("{v:.2}").replace('0', "O").replace('1', "l")
-    }),
+    ("letter for zero", |v| format!("{v:.2}").replace('0', "O").replace('1', "l")),
     ("full width", |v| wide(v)),
     ("power of ten in words", |v| format!("{v:.2}·10^0")),
     ("rail before", |v| format!("R {v:.2}")),
@@ -128,9 +120,7 @@ fn read_as(kind: &str, text: &str) -> Result<Vec<f64>, String> {
                 right.unwrap().stretches[0].heights().to_vec()
             }
             RoughnessFile::Spectra(spectra, _) => {
-                let right = spectra
-                    .iter()
-                    .find(|one| one.label("rail") == Some("right_db"));
+                let right = spectra.iter().find(|one| one.label("rail") == Some("right_db"));
                 let levels = right.unwrap().spectrum.levels();
                 levels.iter().map(|level| level.level).collect()
             }
@@ -152,16 +142,11 @@ fn read_as(kind: &str, text: &str) -> Result<Vec<f64>, String> {
 /// A table of some kind whose right rail is written in a way, and whose decimal mark is `mark`.
 fn table(kind: &str, write: Writing, mark: &str) -> String {
     let own = |value: f64| format!("{value:.3}").replace('.', mark);
-    let bands = [
-        200.0, 160.0, 125.0, 100.0, 80.0, 63.0, 50.0, 40.0, 31.5, 25.0,
-    ];
+    let bands = [200.0, 160.0, 125.0, 100.0, 80.0, 63.0, 50.0, 40.0, 31.5, 25.0];
     let (head, count) = match kind {
         "profile" => ("x_m;left_um;right_um", 1200),
         "spectrum" => ("wavelength_mm;left_db;right_db", bands.len()),
-        _ => (
-            "time_s;acceleration_left_m_per_s2;acceleration_right_m_per_s2;speed_km_per_h",
-            1200,
-        ),
+        _ => ("time_s;acceleration_left_m_per_s2;acceleration_right_m_per_s2;speed_km_per_h", 1200),
     };
     let rows = (0..count).map(|row| {
         let (left, right) = (own(value(row + 40)), write(value(row)));
@@ -226,21 +211,14 @@ fn a_position_is_read_or_refused_however_it_is_written() {
         (|x| format!("km {:.6}", 12.4 + 1e-3 * x), 12_400.0),
         (|x| format!("26.0+{:.3}", 100.0 + x), 26_100.0),
         (|x| format!("26,0+{:.3}", 100.0 + x), 26_100.0),
-        (
-            |x| format!("mi:{:.9}", (16_093.44 + x) / 1609.344),
-            16_093.44,
-        ),
+        (|x| format!("mi:{:.9}", (16_093.44 + x) / 1609.344), 16_093.44),
         (|x| format!("'{:.3}", 5.0 + x), 5.0),
         (|x| format!("12'{:07.3}", 400.0 + x), 12_400.0),
     ];
     for (write, begin) in read {
         let (from, to) = of(write).unwrap();
         // Miles are written to 2 µm.
-        assert!(
-            (from - begin).abs() < 1e-5 && (to - begin - 1.199).abs() < 1e-5,
-            "{}",
-            write(0.0)
-        );
+        assert!((from - begin).abs() < 1e-5 && (to - begin - 1.199).abs() < 1e-5, "{}", write(0.0));
     }
     let refused: [Writing; 8] = [
         |x| format!("26.00+{:.3}", 100.0 + x),
@@ -254,10 +232,7 @@ fn a_position_is_read_or_refused_however_it_is_written() {
     ];
     for write in refused {
         let (refusal, cell) = (of(write).unwrap_err(), write(0.0));
-        assert!(
-            refusal.contains("column 1") && refusal.contains(&cell),
-            "{cell}: {refusal}"
-        );
+        assert!(refusal.contains("column 1") && refusal.contains(&cell), "{cell}: {refusal}");
     }
 }
 
@@ -267,20 +242,14 @@ fn a_clock_is_read_where_a_time_is_wanted() {
     let clock = |seconds: f64| {
         let whole = seconds.floor() as u64;
         let (hours, minutes) = (whole / 3600 % 24, whole / 60 % 60);
-        format!(
-            "{hours:02}:{minutes:02}:{:08.5}",
-            seconds - (whole / 60 * 60) as f64
-        )
+        format!("{hours:02}:{minutes:02}:{:08.5}", seconds - (whole / 60 * 60) as f64)
     };
     let run = |head: &str, write: &dyn Fn(f64) -> String| {
         let rows = (0..1200).map(|row| {
             let speed = 72.0 + 0.01 * row as f64;
             format!("{};{:.2};{speed}\n", write(1e-3 * row as f64), value(row))
         });
-        let text = format!(
-            "{head};acceleration_right_m_per_s2;speed_km_per_h\n{}",
-            rows.collect::<String>()
-        );
+        let text = format!("{head};acceleration_right_m_per_s2;speed_km_per_h\n{}", rows.collect::<String>());
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         std::fs::write(&path, text).unwrap();
@@ -304,39 +273,19 @@ fn a_clock_is_read_where_a_time_is_wanted() {
         ("time_s", &day(10_794.0)),
         ("Uhrzeit", &day(9999.0)),
         ("clock", &day(86_399.5)),
-        ("timestamp", &|t| {
-            format!("2026-06-01 {}", clock(86_399.9 + t))
-        }),
-        ("timestamp", &|t| {
-            format!("2026-06-01T{}Z", clock(36_000.0 + t))
-        }),
-        ("time", &|t| {
-            format!("\"{}\"", clock(36_000.0 + t).replace('.', ","))
-        }),
+        ("timestamp", &|t| format!("2026-06-01 {}", clock(86_399.9 + t))),
+        ("timestamp", &|t| format!("2026-06-01T{}Z", clock(36_000.0 + t))),
+        ("time", &|t| format!("\"{}\"", clock(36_000.0 + t).replace('.', ","))),
     ];
     for (head, write) in read {
-        let (places, said) =
-            run(head, write).unwrap_or_else(|it| panic!("{head} {}: {it}", write(0.0)));
+        let (places, said) = run(head, write).unwrap_or_else(|it| panic!("{head} {}: {it}", write(0.0)));
         assert!(said.is_empty(), "{head} {}: {said:?}", write(0.0));
-        let off = places
-            .iter()
-            .zip(&plain)
-            .map(|(one, other)| (one - other).abs());
+        let off = places.iter().zip(&plain).map(|(one, other)| (one - other).abs());
         // Clocks are written to 10 µs, in which the train runs 0.2 mm; the rate is their mean.
         let farthest = off.fold(0.0, f64::max);
-        assert!(
-            places.len() == 1200 && farthest < 1e-3,
-            "{head} {}: {farthest}",
-            write(0.0)
-        );
+        assert!(places.len() == 1200 && farthest < 1e-3, "{head} {}: {farthest}", write(0.0));
     }
-    for (cell, line) in [
-        ("24:00:00", 2),
-        ("02:60:00", 2),
-        ("02:59", 2),
-        ("2:59:54 pm", 2),
-        ("later", 502),
-    ] {
+    for (cell, line) in [("24:00:00", 2), ("02:60:00", 2), ("02:59", 2), ("2:59:54 pm", 2), ("later", 502)] {
         let write = |t: f64| match t > 0.4999 || line == 2 {
             true => cell.to_owned(),
             false => clock(36_000.0 + t),

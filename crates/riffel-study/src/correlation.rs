@@ -17,9 +17,7 @@ impl GaussianCopula {
     /// The copula of pairs with their coefficients, all others 0; none if that is no correlation matrix.
     pub(crate) fn new(parameters: usize, pairs: &[([usize; 2], f64)]) -> Option<Self> {
         let coefficient = |i: usize, j: usize| {
-            let pair = pairs
-                .iter()
-                .find(|(pair, _)| *pair == [i, j] || *pair == [j, i]);
+            let pair = pairs.iter().find(|(pair, _)| *pair == [i, j] || *pair == [j, i]);
             match pair {
                 _ if i == j => 1.0,
                 Some((_, coefficient)) => *coefficient,
@@ -79,22 +77,12 @@ mod tests {
                 point.iter().map(|&u| normal::quantile(u)).collect()
             })
             .collect();
-        let correlation =
-            |i: usize, j: usize| scores.iter().map(|z| z[i] * z[j]).sum::<f64>() / samples as f64;
+        let correlation = |i: usize, j: usize| scores.iter().map(|z| z[i] * z[j]).sum::<f64>() / samples as f64;
         // Five standard errors.
         let tolerance = 5.0 / (samples as f64).sqrt();
-        for (i, j, expected) in [
-            (0, 1, 0.7),
-            (0, 2, -0.4),
-            (1, 2, 0.0),
-            (0, 3, 0.0),
-            (1, 1, 1.0),
-        ] {
+        for (i, j, expected) in [(0, 1, 0.7), (0, 2, -0.4), (1, 2, 0.0), (0, 3, 0.0), (1, 1, 1.0)] {
             let found = correlation(i, j);
-            assert!(
-                (found - expected).abs() < 1.5 * tolerance,
-                "{i} {j}: {found}"
-            );
+            assert!((found - expected).abs() < 1.5 * tolerance, "{i} {j}: {found}");
         }
     }
 

@@ -65,25 +65,13 @@ impl Distribution {
     pub fn quantile(&self, u: f64) -> f64 {
         match *self {
             Self::Uniform { min, max } => (min + u * (max - min)).clamp(min, max),
-            Self::Normal {
-                mean,
-                standard_deviation,
-                min,
-                max,
-            } => {
+            Self::Normal { mean, standard_deviation, min, max } => {
                 let ends = [min, max].map(|end| (end - mean) / standard_deviation);
                 (mean + standard_deviation * cut_normal(u, ends)).clamp(min, max)
             }
-            Self::Lognormal {
-                log_mean,
-                log_deviation,
-                min,
-                max,
-            } => {
+            Self::Lognormal { log_mean, log_deviation, min, max } => {
                 let ends = [min, max].map(|end| (end.ln() - log_mean) / log_deviation);
-                (log_mean + log_deviation * cut_normal(u, ends))
-                    .exp()
-                    .clamp(min, max)
+                (log_mean + log_deviation * cut_normal(u, ends)).exp().clamp(min, max)
             }
             Self::Triangular { min, mode, max } => {
                 let width = max - min;
@@ -115,10 +103,8 @@ mod tests {
     /// Mean and standard deviation by the midpoint rule over the quantiles.
     fn moments(distribution: Distribution) -> (f64, f64) {
         let count = 200_000;
-        let values =
-            (0..count).map(|k| distribution.quantile((f64::from(k) + 0.5) / f64::from(count)));
-        let (sum, squares) =
-            values.fold((0.0, 0.0), |(sum, squares), x| (sum + x, squares + x * x));
+        let values = (0..count).map(|k| distribution.quantile((f64::from(k) + 0.5) / f64::from(count)));
+        let (sum, squares) = values.fold((0.0, 0.0), |(sum, squares), x| (sum + x, squares + x * x));
         let mean = sum / f64::from(count);
         (mean, (squares / f64::from(count) - mean * mean).sqrt())
     }
@@ -129,50 +115,23 @@ mod tests {
     fn moments_are_those_of_the_books() {
         let infinite = (f64::NEG_INFINITY, f64::INFINITY);
         let (density, below): (f64, f64) = (0.241_970_724_519_143_37, 0.682_689_492_137_085_9);
-        let normal = |(min, max)| Distribution::Normal {
-            mean: 3.0,
-            standard_deviation: 2.0,
-            min,
-            max,
-        };
+        let normal = |(min, max)| Distribution::Normal { mean: 3.0, standard_deviation: 2.0, min, max };
         let cases = [
-            (
-                Distribution::Uniform { min: 1.0, max: 4.0 },
-                2.5,
-                3.0 / 12f64.sqrt(),
-            ),
+            (Distribution::Uniform { min: 1.0, max: 4.0 }, 2.5, 3.0 / 12f64.sqrt()),
             (normal(infinite), 3.0, 2.0),
             // Cut at one standard deviation: σ²(1 − 2φ(1)/(Φ(1) − Φ(−1))).
+            (normal((1.0, 5.0)), 3.0, 2.0 * (1.0 - 2.0 * density / below).sqrt()),
+            (Distribution::lognormal_of_moments(5.0, 1.5, (0.0, f64::INFINITY)), 5.0, 1.5),
             (
-                normal((1.0, 5.0)),
-                3.0,
-                2.0 * (1.0 - 2.0 * density / below).sqrt(),
-            ),
-            (
-                Distribution::lognormal_of_moments(5.0, 1.5, (0.0, f64::INFINITY)),
-                5.0,
-                1.5,
-            ),
-            (
-                Distribution::Triangular {
-                    min: 0.0,
-                    mode: 1.0,
-                    max: 4.0,
-                },
+                Distribution::Triangular { min: 0.0, mode: 1.0, max: 4.0 },
                 5.0 / 3.0,
                 ((0.0 + 1.0 + 16.0 - 0.0 - 0.0 - 4.0) / 18f64).sqrt(),
             ),
         ];
         for (distribution, mean, deviation) in cases {
             let found = moments(distribution);
-            assert!(
-                (found.0 - mean).abs() < 1e-4 * deviation,
-                "{distribution:?} {found:?}"
-            );
-            assert!(
-                (found.1 - deviation).abs() < 5e-4 * deviation,
-                "{distribution:?} {found:?}"
-            );
+            assert!((found.0 - mean).abs() < 1e-4 * deviation, "{distribution:?} {found:?}");
+            assert!((found.1 - deviation).abs() < 5e-4 * deviation, "{distribution:?} {found:?}");
         }
     }
 
@@ -181,18 +140,11 @@ mod tests {
     fn a_far_tail_keeps_its_digits() {
         for sign in [1.0, -1.0] {
             let ends = if sign > 0.0 { (8.0, 9.0) } else { (-9.0, -8.0) };
-            let tail = Distribution::Normal {
-                mean: 0.0,
-                standard_deviation: 1.0,
-                min: ends.0,
-                max: ends.1,
-            };
+            let tail = Distribution::Normal { mean: 0.0, standard_deviation: 1.0, min: ends.0, max: ends.1 };
             // P(Z > z | Z > 8): the median is at φ(z)/z = φ(8)/16 nearly, z = 8.083 to 1e-3.
             let median = sign * tail.quantile(0.5);
             assert!((median - 8.0847).abs() < 2e-3, "{median}");
-            let quantiles: Vec<f64> = (1..100)
-                .map(|k| tail.quantile(f64::from(k) / 100.0))
-                .collect();
+            let quantiles: Vec<f64> = (1..100).map(|k| tail.quantile(f64::from(k) / 100.0)).collect();
             assert!(quantiles.is_sorted() && quantiles[0] < quantiles[98]);
         }
     }

@@ -52,9 +52,7 @@ pub enum StudyError {
 
     /// The folder holds the results of another plan or case.
     #[error("{folder} holds the results of another plan", folder = folder.display())]
-    #[diagnostic(help(
-        "its plan.toml and case.toml say of which; give another folder for this one"
-    ))]
+    #[diagnostic(help("its plan.toml and case.toml say of which; give another folder for this one"))]
     OtherPlan {
         /// The folder.
         folder: PathBuf,

@@ -26,27 +26,18 @@ pub(crate) fn fingerprint(
     keys.remove("title");
     keys.remove("case");
     add(keys.to_string().as_bytes());
-    let mut keys = riffel_case::case_keys(case_name, case_text)?
-        .table()
-        .clone();
+    let mut keys = riffel_case::case_keys(case_name, case_text)?.table().clone();
     keys.remove("title");
     add(keys.to_string().as_bytes());
     for (name, bytes) in data {
         add(name.as_bytes());
         add(bytes);
     }
-    Ok(hash
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect())
+    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
 }
 
 /// A file of data as the case names it, relative to the folder of the case.
-pub(crate) fn read_data(
-    folder: &Path,
-    names: &[String],
-) -> Result<Vec<(String, Vec<u8>)>, CaseError> {
+pub(crate) fn read_data(folder: &Path, names: &[String]) -> Result<Vec<(String, Vec<u8>)>, CaseError> {
     names
         .iter()
         .map(|name| {

@@ -21,12 +21,9 @@ mod tests {
     /// Values of Abramowitz & Stegun (1964), Table 26.5, and the inverse against the function itself.
     #[test]
     fn quantiles_and_probabilities_agree() {
-        for (u, z) in [
-            (0.5, 0.0),
-            (0.975, 1.959_963_984_540_054),
-            (0.995, 2.575_829_303_548_901),
-            (1e-6, -4.753_424_308_822_899),
-        ] {
+        for (u, z) in
+            [(0.5, 0.0), (0.975, 1.959_963_984_540_054), (0.995, 2.575_829_303_548_901), (1e-6, -4.753_424_308_822_899)]
+        {
             assert!((quantile(u) - z).abs() < 1e-9, "{u}: {}", quantile(u));
         }
         for step in -70..=70 {

@@ -24,9 +24,7 @@ impl Shard {
 
     /// The shard `index`, from 1, of `count`; none unless 1 ≤ `index` ≤ `count`.
     pub fn new(index: u64, count: u64) -> Option<Self> {
-        (1..=count)
-            .contains(&index)
-            .then_some(Self { index, count })
+        (1..=count).contains(&index).then_some(Self { index, count })
     }
 
     /// Whether a chunk belongs to it.
@@ -46,9 +44,7 @@ impl FromStr for Shard {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let parts = text.split_once('/');
-        let parts = parts.and_then(|(index, count)| {
-            Some((index.trim().parse().ok()?, count.trim().parse().ok()?))
-        });
+        let parts = parts.and_then(|(index, count)| Some((index.trim().parse().ok()?, count.trim().parse().ok()?)));
         parts
             .and_then(|(index, count)| Self::new(index, count))
             .ok_or_else(|| "write i/n with i from 1 to n, as in 3/8".to_owned())
@@ -103,13 +99,7 @@ impl Study {
         progress: &(dyn Fn() + Sync),
         stop: &Stop,
     ) -> Result<(), StudyError> {
-        let work = Mutex::new(Work {
-            chunks: chunks.iter(),
-            rest: 0..0,
-            chunk: 0,
-            open: BTreeMap::new(),
-            error: None,
-        });
+        let work = Mutex::new(Work { chunks: chunks.iter(), rest: 0..0, chunk: 0, open: BTreeMap::new(), error: None });
         rayon::broadcast(|_| {
             while let Some((chunk, sample)) = self.next_of(&work, stop) {
                 let computed = self.sample(sample);
@@ -138,23 +128,14 @@ impl Study {
             let chunk = *work.chunks.next()?;
             let samples = self.samples_of(chunk);
             let count = (samples.end - samples.start) as usize;
-            let open = Open {
-                samples: vec![None; count],
-                missing: count,
-            };
+            let open = Open { samples: vec![None; count], missing: count };
             work.open.insert(chunk, open);
             (work.chunk, work.rest) = (chunk, samples);
         }
     }
 
     /// Put a sample into its chunk; the chunk, if it was the last one.
-    fn put(
-        &self,
-        work: &Mutex<Work<'_>>,
-        chunk: u64,
-        sample: u64,
-        computed: Sample,
-    ) -> Option<Chunk> {
+    fn put(&self, work: &Mutex<Work<'_>>, chunk: u64, sample: u64, computed: Sample) -> Option<Chunk> {
         let mut work = lock(work);
         let open = work.open.get_mut(&chunk)?;
         let place = (sample - self.samples_of(chunk).start) as usize;
@@ -165,10 +146,7 @@ impl Study {
         }
         let finished = work.open.remove(&chunk)?;
         drop(work);
-        Some(Chunk {
-            index: chunk,
-            samples: finished.samples.into_iter().flatten().collect(),
-        })
+        Some(Chunk { index: chunk, samples: finished.samples.into_iter().flatten().collect() })
     }
 }
 
@@ -185,10 +163,7 @@ mod tests {
     fn shards_share_the_chunks() {
         let shards: Vec<Shard> = (1..=7).filter_map(|index| Shard::new(index, 7)).collect();
         for chunk in 0..50 {
-            assert_eq!(
-                shards.iter().filter(|shard| shard.contains(chunk)).count(),
-                1
-            );
+            assert_eq!(shards.iter().filter(|shard| shard.contains(chunk)).count(), 1);
         }
         assert_eq!("3/8".parse(), Ok(Shard { index: 3, count: 8 }));
         for wrong in ["0/8", "9/8", "3", "3/0", "-1/2", "a/b"] {

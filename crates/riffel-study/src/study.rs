@@ -66,13 +66,7 @@ impl Study {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         let data = read_data(folder, &data_files(&plan, &case))?;
         let name = path.display().to_string();
-        Ok(Self {
-            fingerprint: fingerprint(&plan, &name, &case_text, &data)?,
-            plan,
-            case,
-            case_text,
-            data,
-        })
+        Ok(Self { fingerprint: fingerprint(&plan, &name, &case_text, &data)?, plan, case, case_text, data })
     }
 
     /// Number of samples.
@@ -110,9 +104,7 @@ impl Study {
     pub fn values(&self, sample: u64) -> Vec<ParameterValue> {
         let point = self.plan.point(sample);
         let parameters = self.parameters().iter().zip(point);
-        parameters
-            .map(|(parameter, share)| parameter.value(share))
-            .collect()
+        parameters.map(|(parameter, share)| parameter.value(share)).collect()
     }
 
     /// Compute a sample, on one thread.
@@ -121,10 +113,7 @@ impl Study {
     /// 0.25 ms on the free beam.
     pub fn sample(&self, sample: u64) -> Sample {
         let parameters = self.values(sample);
-        Sample {
-            outputs: self.evaluate(&parameters),
-            parameters,
-        }
+        Sample { outputs: self.evaluate(&parameters), parameters }
     }
 
     /// All outputs for values of the parameters, or why there are none.
@@ -132,46 +121,27 @@ impl Study {
     /// # Errors
     /// A sentence: the case refuses a value, or an output is not a finite number.
     pub fn evaluate(&self, values: &[ParameterValue]) -> Result<Vec<f64>, String> {
-        let settings: Vec<Setting> = self
-            .parameters()
-            .iter()
-            .zip(values)
-            .map(|(parameter, value)| parameter.setting(value))
-            .collect();
-        let case = self
-            .outputs()
-            .on(&self.case, &settings)
-            .map_err(|error| error.to_string())?;
+        let settings: Vec<Setting> =
+            self.parameters().iter().zip(values).map(|(parameter, value)| parameter.setting(value)).collect();
+        let case = self.outputs().on(&self.case, &settings).map_err(|error| error.to_string())?;
         self.outputs().evaluate(&case)
     }
 
     /// Compute a chunk, sample after sample on one thread.
     pub fn compute(&self, chunk: u64) -> Chunk {
-        Chunk {
-            index: chunk,
-            samples: self
-                .samples_of(chunk)
-                .map(|sample| self.sample(sample))
-                .collect(),
-        }
+        Chunk { index: chunk, samples: self.samples_of(chunk).map(|sample| self.sample(sample)).collect() }
     }
 }
 
 /// The files of data that the case reads in any sample.
 fn data_files(plan: &Plan, case: &Case) -> Vec<String> {
     const KEY: &str = "track.measurement.file";
-    let varied = plan
-        .parameters
-        .iter()
-        .find(|parameter| parameter.key.key == KEY);
+    let varied = plan.parameters.iter().find(|parameter| parameter.key.key == KEY);
     match varied.map(|parameter| &parameter.spread) {
         Some(Spread::Values(values)) => values.iter().map(ToString::to_string).collect(),
         _ => {
             let measurement = case.file.track.measurement.as_ref();
-            measurement
-                .map(|measurement| measurement.file.clone())
-                .into_iter()
-                .collect()
+            measurement.map(|measurement| measurement.file.clone()).into_iter().collect()
         }
     }
 }

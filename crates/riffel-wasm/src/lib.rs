@@ -14,11 +14,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use riffel_page::Fault;
 
-static EXCHANGE: Mutex<Exchange> = Mutex::new(Exchange {
-    path_length: 0,
-    asked: Vec::new(),
-    reply: Vec::new(),
-});
+static EXCHANGE: Mutex<Exchange> = Mutex::new(Exchange { path_length: 0, asked: Vec::new(), reply: Vec::new() });
 
 struct Exchange {
     path_length: usize,
@@ -51,10 +47,7 @@ pub extern "C" fn answer() -> u32 {
     let (path, question) = exchange.asked.split_at(exchange.path_length);
     let (status, reply) = match answer_to(path, question) {
         Ok(reply) => (200, reply),
-        Err(fault) => (
-            fault.status().into(),
-            riffel_page::written(&fault).unwrap_or_default(),
-        ),
+        Err(fault) => (fault.status().into(), riffel_page::written(&fault).unwrap_or_default()),
     };
     exchange.reply = reply;
     status
@@ -83,16 +76,10 @@ pub extern "C" fn release() -> *const u8 {
 
 fn answer_to(path: &[u8], question: &[u8]) -> Result<Vec<u8>, Fault> {
     const NOT_FOUND: u16 = 404;
-    let asked = std::str::from_utf8(path)
-        .ok()
-        .and_then(|path| riffel_page::read(path, question));
+    let asked = std::str::from_utf8(path).ok().and_then(|path| riffel_page::read(path, question));
     let Some(asked) = asked else {
         let message = "this file does not hold that part of the page".to_owned();
-        return Err(Fault::refused(
-            NOT_FOUND,
-            message,
-            "the page of `riffel serve` has it",
-        ));
+        return Err(Fault::refused(NOT_FOUND, message, "the page of `riffel serve` has it"));
     };
     Ok(asked?.answer()?.bytes)
 }

@@ -37,11 +37,7 @@ impl Weighter<Asked, Arc<Reply>> for Size {
 
 impl Default for Answered {
     fn default() -> Self {
-        Self(Arc::new(Cache::with_weighter(
-            MOST_ANSWERS,
-            MOST_BYTES,
-            Size,
-        )))
+        Self(Arc::new(Cache::with_weighter(MOST_ANSWERS, MOST_BYTES, Size)))
     }
 }
 
@@ -77,15 +73,9 @@ mod tests {
         let question = Bytes::from_static(question.as_bytes());
         let answer = || {
             std::thread::sleep(takes);
-            Ok(Reply {
-                content_type: "application/json",
-                attached: false,
-                bytes: vec![0; size],
-            })
+            Ok(Reply { content_type: "application/json", attached: false, bytes: vec![0; size] })
         };
-        answered
-            .keep("/api/line", question.clone(), &Wanted::default(), answer)
-            .unwrap();
+        answered.keep("/api/line", question.clone(), &Wanted::default(), answer).unwrap();
         assert!(answered.to("/api/map", &question).is_none());
         answered.to("/api/line", &question).is_some()
     }
@@ -94,12 +84,7 @@ mod tests {
     fn what_took_long_is_kept_within_bounds() {
         let answered = Answered::default();
         assert!(kept(&answered, "long", WORTH_KEEPING, 1000));
-        assert!(!kept(
-            &answered,
-            "large",
-            WORTH_KEEPING,
-            usize::try_from(MOST_BYTES).unwrap()
-        ));
+        assert!(!kept(&answered, "large", WORTH_KEEPING, usize::try_from(MOST_BYTES).unwrap()));
         assert!(answered.0.weight() <= MOST_BYTES);
     }
 
@@ -116,18 +101,9 @@ mod tests {
                 })
             }
         };
-        let reply = || Reply {
-            content_type: "application/json",
-            attached: false,
-            bytes: Vec::new(),
-        };
+        let reply = || Reply { content_type: "application/json", attached: false, bytes: Vec::new() };
         let queue = Queue::new(1);
-        assert!(
-            queue
-                .run(None, asked(Err(Fault::bad("wrong"))))
-                .await
-                .is_err()
-        );
+        assert!(queue.run(None, asked(Err(Fault::bad("wrong")))).await.is_err());
         assert!(answered.to("/api/line", &question).is_none());
         let closing = queue.clone();
         let given_up = asked(Ok(reply()));

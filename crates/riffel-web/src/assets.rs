@@ -110,16 +110,8 @@ static BUILT: LazyLock<Built> = LazyLock::new(|| {
     let version = fingerprint(FILES.iter().map(|(_, _, text)| *text));
     let page = PAGE
         .replace("{assets}", &format!("/assets/{version}"))
-        .replace(
-            "{plotly}",
-            &format!("/assets/{plotly_version}/plotly.min.js"),
-        );
-    Built {
-        page_tag: format!("\"{}\"", fingerprint([page.as_str()])),
-        page,
-        version,
-        plotly_version,
-    }
+        .replace("{plotly}", &format!("/assets/{plotly_version}/plotly.min.js"));
+    Built { page_tag: format!("\"{}\"", fingerprint([page.as_str()])), page, version, plotly_version }
 });
 
 /// The first 64 bits of SHA-256 of some texts.
@@ -129,22 +121,14 @@ fn fingerprint<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
         hash.update(text.len().to_le_bytes());
         hash.update(text);
     }
-    hash.finalize()[..8]
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The page. Its files carry their content in their address, so it alone is asked for anew.
 pub(crate) async fn page(headers: HeaderMap) -> Response {
     let built = &*BUILT;
-    let known = headers
-        .get(header::IF_NONE_MATCH)
-        .is_some_and(|tag| tag.as_bytes() == built.page_tag.as_bytes());
-    let tags = [
-        (header::ETAG, built.page_tag.as_str()),
-        (header::CACHE_CONTROL, "no-cache"),
-    ];
+    let known = headers.get(header::IF_NONE_MATCH).is_some_and(|tag| tag.as_bytes() == built.page_tag.as_bytes());
+    let tags = [(header::ETAG, built.page_tag.as_str()), (header::CACHE_CONTROL, "no-cache")];
     if known {
         return (StatusCode::NOT_MODIFIED, tags).into_response();
     }
@@ -158,17 +142,11 @@ pub(crate) async fn file(Path((version, name)): Path<(String, String)>) -> Respo
     let found = if name == "plotly.min.js" && version == built.plotly_version {
         Some((SCRIPT, plotly_js()))
     } else {
-        FILES
-            .iter()
-            .find(|(known, ..)| *known == name && version == built.version)
-            .map(|&(_, kind, text)| (kind, text))
+        FILES.iter().find(|(known, ..)| *known == name && version == built.version).map(|&(_, kind, text)| (kind, text))
     };
     let Some((kind, text)) = found else {
         return StatusCode::NOT_FOUND.into_response();
     };
-    let headers = [
-        (header::CONTENT_TYPE, kind),
-        (header::CACHE_CONTROL, "public, max-age=31536000, immutable"),
-    ];
+    let headers = [(header::CONTENT_TYPE, kind), (header::CACHE_CONTROL, "public, max-age=31536000, immutable")];
     (headers, text).into_response()
 }

@@ -44,8 +44,7 @@ impl Calibrations {
     pub(crate) fn of(&self, page: &str) -> Result<Arc<Calibration>, Fault> {
         let calibrations = locked(&self.0);
         let own = calibrations.iter().find(|(other, _)| other == page);
-        own.map(|(_, calibration)| calibration.clone())
-            .ok_or_else(gone)
+        own.map(|(_, calibration)| calibration.clone()).ok_or_else(gone)
     }
 
     /// That of a page, begun if there is none.
@@ -54,11 +53,7 @@ impl Calibrations {
             return Ok(calibration);
         }
         let folder = uploads.folder()?;
-        let calibration = Arc::new(Calibration {
-            folder,
-            data: NumberedFiles::default(),
-            drawn: Mutex::default(),
-        });
+        let calibration = Arc::new(Calibration { folder, data: NumberedFiles::default(), drawn: Mutex::default() });
         let mut calibrations = locked(&self.0);
         if calibrations.len() >= MOST {
             calibrations.remove(0);
@@ -81,9 +76,5 @@ impl Calibration {
 }
 
 fn gone() -> Fault {
-    Fault::refused(
-        StatusCode::GONE,
-        say!(the_calibration_is_no_longer_here),
-        say!(choose_its_data_once_more),
-    )
+    Fault::refused(StatusCode::GONE, say!(the_calibration_is_no_longer_here), say!(choose_its_data_once_more))
 }

@@ -9,11 +9,7 @@ use crate::told::Told;
 
 /// There is no such file any more.
 pub(crate) fn file_is_gone() -> Fault {
-    Fault::refused(
-        StatusCode::GONE,
-        say!(the_file_is_no_longer_here),
-        say!(choose_it_once_more),
-    )
+    Fault::refused(StatusCode::GONE, say!(the_file_is_no_longer_here), say!(choose_it_once_more))
 }
 
 /// A file of a page cannot be written: most often the disk is full.
@@ -44,9 +40,7 @@ impl IntoResponse for Refusal {
         let status = status.unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
         let mut response = (status, Told(fault)).into_response();
         if let Some(seconds) = retry_after {
-            response
-                .headers_mut()
-                .insert(header::RETRY_AFTER, HeaderValue::from(seconds));
+            response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from(seconds));
         }
         response
     }

@@ -86,9 +86,7 @@ pub fn page_file(case: &str, module: &[u8]) -> Result<String, PageFileError> {
     of_this_release(module)?;
     let mut elements = String::new();
     let mut element = |attributes: &str, text: &str| {
-        elements.push_str(&format!(
-            "<script type=\"text/plain\" {attributes}>{text}</script>\n"
-        ));
+        elements.push_str(&format!("<script type=\"text/plain\" {attributes}>{text}</script>\n"));
     };
     element("id=\"vocabulary\"", &in_element(&VOCABULARY));
     element("id=\"case-inside\"", &in_element(&json!(keys).to_string()));
@@ -106,26 +104,15 @@ pub fn page_file(case: &str, module: &[u8]) -> Result<String, PageFileError> {
     );
     let replaced = [
         ("<link rel=\"stylesheet\" href=\"{assets}/page.css\">", head),
-        (
-            "<script type=\"module\" src=\"{assets}/main.js\"></script>\n",
-            String::new(),
-        ),
-        (
-            "{assets}/icon.svg",
-            format!("data:image/svg+xml;base64,{icon}"),
-        ),
+        ("<script type=\"module\" src=\"{assets}/main.js\"></script>\n", String::new()),
+        ("{assets}/icon.svg", format!("data:image/svg+xml;base64,{icon}")),
         ("content=\"{plotly}\"", "content=\"\"".to_owned()),
-        (
-            "</body>",
-            format!("{elements}<script>\n{BEGIN}</script>\n</body>"),
-        ),
+        ("</body>", format!("{elements}<script>\n{BEGIN}</script>\n</body>")),
     ];
-    Ok(replaced
-        .iter()
-        .fold(assets::PAGE.to_owned(), |page, (from, to)| {
-            debug_assert!(page.contains(from), "{from}");
-            page.replacen(from, to, 1)
-        }))
+    Ok(replaced.iter().fold(assets::PAGE.to_owned(), |page, (from, to)| {
+        debug_assert!(page.contains(from), "{from}");
+        page.replacen(from, to, 1)
+    }))
 }
 
 /// `Ok` for the module of this release.
@@ -152,15 +139,8 @@ fn of_this_release(module: &[u8]) -> Result<(), PageFileError> {
 /// The keys of a case that the page takes.
 fn keys_of(case: &str) -> Result<toml::Table, PageFileError> {
     let given = CaseText::Toml(case.to_owned());
-    given.read().map_err(|fault| PageFileError::Case {
-        message: fault.message(),
-        help: fault.help(),
-    })?;
-    case.parse()
-        .map_err(|error: toml::de::Error| PageFileError::Case {
-            message: error.to_string(),
-            help: None,
-        })
+    given.read().map_err(|fault| PageFileError::Case { message: fault.message(), help: fault.help() })?;
+    case.parse().map_err(|error: toml::de::Error| PageFileError::Case { message: error.to_string(), help: None })
 }
 
 /// The modules of the page that `main.js` leads to, with names that an import map knows.
@@ -220,15 +200,11 @@ mod tests {
 
     #[test]
     fn modules_of_another_release_are_refused() {
-        let refused =
-            |release: &str| page_file(riffel_case::NOMINAL_CASE, &module_of(release)).unwrap_err();
+        let refused = |release: &str| page_file(riffel_case::NOMINAL_CASE, &module_of(release)).unwrap_err();
         let other = refused("answers of riffel 0.0.1;");
         assert!(other.help().is_some());
         let own = env!("CARGO_PKG_VERSION");
-        assert_eq!(
-            other.to_string(),
-            format!("the WebAssembly module is of riffel 0.0.1, the program of {own}")
-        );
+        assert_eq!(other.to_string(), format!("the WebAssembly module is of riffel 0.0.1, the program of {own}"));
         assert!(matches!(refused(""), PageFileError::Module));
     }
 
@@ -242,10 +218,7 @@ mod tests {
         let style = assets::text("page.css");
         assert!(!style.contains("url(") && !style.contains("@import"));
         // No text ends the element that it stands in.
-        assert_eq!(
-            page.matches("<script").count(),
-            page.matches("</script>").count()
-        );
+        assert_eq!(page.matches("<script").count(), page.matches("</script>").count());
         let names: Vec<_> = modules().into_iter().map(|(name, _)| name).collect();
         for (name, text) in modules() {
             for import in text.split(" from 'riffel/").skip(1) {
@@ -261,9 +234,7 @@ mod tests {
         let title = "title = \"</script><script>alert(1)//\"";
         let case = riffel_case::NOMINAL_CASE.replacen("title = ", &format!("{title} # "), 1);
         let page = page_of(&case).unwrap();
-        assert!(
-            !page.contains("alert(1)//</") && page.contains("\\u003c/script>\\u003cscript>alert")
-        );
+        assert!(!page.contains("alert(1)//</") && page.contains("\\u003c/script>\\u003cscript>alert"));
     }
 
     #[test]

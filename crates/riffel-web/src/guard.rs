@@ -28,18 +28,9 @@ const HEADERS: [(HeaderName, &str); 7] = [
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::REFERRER_POLICY, "no-referrer"),
     (header::X_FRAME_OPTIONS, "DENY"),
-    (
-        HeaderName::from_static("cross-origin-resource-policy"),
-        "same-origin",
-    ),
-    (
-        HeaderName::from_static("cross-origin-opener-policy"),
-        "same-origin",
-    ),
-    (
-        HeaderName::from_static("permissions-policy"),
-        "camera=(), microphone=(), geolocation=()",
-    ),
+    (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+    (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
+    (HeaderName::from_static("permissions-policy"), "camera=(), microphone=(), geolocation=()"),
 ];
 
 /// Check a request, pass it on and put the headers on its answer.
@@ -52,9 +43,7 @@ pub(crate) async fn guard(request: Request, next: Next) -> Response {
     for (name, value) in HEADERS {
         headers.insert(name, HeaderValue::from_static(value));
     }
-    headers
-        .entry(header::CACHE_CONTROL)
-        .or_insert(HeaderValue::from_static("no-store"));
+    headers.entry(header::CACHE_CONTROL).or_insert(HeaderValue::from_static("no-store"));
     response
 }
 
@@ -95,20 +84,11 @@ fn is_this_machine(host: &str) -> bool {
         Some((name, port)) if !port.ends_with(']') => (name, Some(port)),
         _ => (host, None),
     };
-    let port_is_a_number =
-        port.is_none_or(|port| !port.is_empty() && port.bytes().all(|byte| byte.is_ascii_digit()));
-    let bare = name
-        .strip_prefix('[')
-        .and_then(|name| name.strip_suffix(']'));
+    let port_is_a_number = port.is_none_or(|port| !port.is_empty() && port.bytes().all(|byte| byte.is_ascii_digit()));
+    let bare = name.strip_prefix('[').and_then(|name| name.strip_suffix(']'));
     let is_address = bare.map_or_else(
-        || {
-            name.parse::<IpAddr>()
-                .is_ok_and(|address| address.is_ipv4())
-        },
-        |name| {
-            name.parse::<IpAddr>()
-                .is_ok_and(|address| address.is_ipv6())
-        },
+        || name.parse::<IpAddr>().is_ok_and(|address| address.is_ipv4()),
+        |name| name.parse::<IpAddr>().is_ok_and(|address| address.is_ipv6()),
     );
     port_is_a_number && (name.eq_ignore_ascii_case("localhost") || is_address)
 }
@@ -124,15 +104,9 @@ mod tests {
 
     #[test]
     fn only_numbers_and_localhost_are_this_machine() {
-        for host in [
-            "127.0.0.1:8311",
-            "127.0.0.1",
-            "localhost:8311",
-            "LOCALHOST",
-            "[::1]:8311",
-            "[::1]",
-            "192.168.1.7:80",
-        ] {
+        for host in
+            ["127.0.0.1:8311", "127.0.0.1", "localhost:8311", "LOCALHOST", "[::1]:8311", "[::1]", "192.168.1.7:80"]
+        {
             assert!(is_this_machine(host), "{host}");
         }
         for host in [

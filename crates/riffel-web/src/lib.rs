@@ -67,13 +67,10 @@ impl Page {
 
 /// The page as a service.
 pub(crate) fn router(page: Page) -> Router {
-    let questions = QUESTIONS
-        .into_iter()
-        .fold(Router::new(), |router, (path, reader)| {
-            let answer =
-                move |page, asker, asked| api::questions::post(path, reader, page, asker, asked);
-            router.route(path, post(answer))
-        });
+    let questions = QUESTIONS.into_iter().fold(Router::new(), |router, (path, reader)| {
+        let answer = move |page, asker, asked| api::questions::post(path, reader, page, asker, asked);
+        router.route(path, post(answer))
+    });
     questions
         .route("/", get(assets::page))
         .route("/assets/{version}/{name}", get(assets::file))
@@ -105,10 +102,5 @@ pub(crate) fn router(page: Page) -> Router {
 }
 
 async fn nothing_here() -> Response {
-    Refusal(Fault::refused(
-        StatusCode::NOT_FOUND,
-        "there is nothing here".to_owned(),
-        "",
-    ))
-    .into_response()
+    Refusal(Fault::refused(StatusCode::NOT_FOUND, "there is nothing here".to_owned(), "")).into_response()
 }

@@ -47,9 +47,7 @@ impl Coming<'_> {
 impl Drop for Coming<'_> {
     fn drop(&mut self) {
         let mut numbered = self.records.numbered();
-        numbered
-            .files
-            .retain(|(number, name)| *number != self.number || name.is_some());
+        numbered.files.retain(|(number, name)| *number != self.number || name.is_some());
     }
 }
 
@@ -62,27 +60,19 @@ impl NumberedFiles {
     pub(crate) fn reserve(&self) -> Result<Coming<'_>, Fault> {
         let mut numbered = self.numbered();
         if numbered.files.len() >= MOST {
-            return Err(Fault::bad(say!(
-                there_are_such_files_already_which,
-                most = MOST
-            )));
+            return Err(Fault::bad(say!(there_are_such_files_already_which, most = MOST)));
         }
         numbered.last += 1;
         let number = numbered.last;
         numbered.files.push((number, None));
-        Ok(Coming {
-            records: self,
-            number,
-        })
+        Ok(Coming { records: self, number })
     }
 
     /// The name of the file of a number.
     pub(crate) fn file(&self, number: u32) -> Result<String, Fault> {
         let numbered = self.numbered();
         let mut files = numbered.files.iter();
-        files
-            .find_map(|(own, name)| name.clone().filter(|_| *own == number))
-            .ok_or_else(file_is_gone)
+        files.find_map(|(own, name)| name.clone().filter(|_| *own == number)).ok_or_else(file_is_gone)
     }
 
     /// Remove a record from its folder; one that is not there is removed already.

@@ -49,29 +49,18 @@ impl PlanChanges {
     pub(crate) fn made(&self, document: &Json) -> Result<String, Fault> {
         let defect = |_| Fault::defect(say!(the_plan_cannot_be_read));
         let text = document["text"].as_str().unwrap_or_default();
-        let mut plan: Table =
-            toml::from_str(text).map_err(|_| Fault::defect(say!(the_plan_cannot_be_read)))?;
-        let told: Vec<Told> =
-            serde_json::from_value(document["parameters"].clone()).map_err(defect)?;
-        let sampler = [
-            ("chains", CHAINS),
-            ("warmup", WARMUP),
-            ("draws", self.draws.unwrap_or(DRAWS)),
-            ("seed", SEED),
-        ];
+        let mut plan: Table = toml::from_str(text).map_err(|_| Fault::defect(say!(the_plan_cannot_be_read)))?;
+        let told: Vec<Told> = serde_json::from_value(document["parameters"].clone()).map_err(defect)?;
+        let sampler = [("chains", CHAINS), ("warmup", WARMUP), ("draws", self.draws.unwrap_or(DRAWS)), ("seed", SEED)];
         let sampler = sampler.map(|(key, value)| (key.to_owned(), Value::Integer(value)));
-        plan.insert(
-            "sampler".to_owned(),
-            Value::Table(sampler.into_iter().collect()),
-        );
+        plan.insert("sampler".to_owned(), Value::Table(sampler.into_iter().collect()));
         if let Some(Value::Array(parameters)) = plan.get_mut("parameter") {
             let given = std::mem::take(parameters).into_iter().zip(told);
-            let kept =
-                given.filter_map(|(parameter, told)| match self.parameters.get(&told.name) {
-                    None => Some(Ok(parameter)),
-                    Some(change) if change.left_out => None,
-                    Some(change) => Some(change.made(parameter, &told.distribution)),
-                });
+            let kept = given.filter_map(|(parameter, told)| match self.parameters.get(&told.name) {
+                None => Some(Ok(parameter)),
+                Some(change) if change.left_out => None,
+                Some(change) => Some(change.made(parameter, &told.distribution)),
+            });
             *parameters = kept.collect::<Result<Vec<Value>, Fault>>()?;
         }
         toml::to_string(&plan).map_err(|_| Fault::defect(say!(the_plan_cannot_be_written)))
@@ -80,14 +69,11 @@ impl PlanChanges {
 
 impl ParameterChange {
     fn made(&self, mut parameter: Value, distribution: &str) -> Result<Value, Fault> {
-        let prior = parameter
-            .get_mut(distribution)
-            .and_then(Value::as_table_mut);
+        let prior = parameter.get_mut(distribution).and_then(Value::as_table_mut);
         let prior = prior.ok_or_else(|| Fault::defect(say!(the_plan_cannot_be_read)))?;
         for (key, value) in &self.prior {
             let value = Value::try_from(value).ok();
-            let value =
-                value.filter(|value| value.is_str() || value.is_integer() || value.is_float());
+            let value = value.filter(|value| value.is_str() || value.is_integer() || value.is_float());
             let value = value.ok_or_else(|| Fault::bad(say!(of_a_prior_must_be_a, key = key)))?;
             prior.insert(key.clone(), value);
         }
@@ -105,13 +91,8 @@ mod tests {
         let text = "case = \"case.toml\"\n[[parameter]]\nkey = \"a\"\nlognormal = { median = 2.0, factor = 2 }\n\
                     [[parameter]]\nkey = \"b\"\nnormal = { mean = \"3 m\", standard_deviation = \"1 m\" }\n\
                     [[parameter]]\nkey = \"c\"\nuniform = { min = 0, max = 1 }\n";
-        let told =
-            |name: &str, distribution: &str| json!({ "name": name, "distribution": distribution });
-        let told = [
-            told("a", "lognormal"),
-            told("b", "normal"),
-            told("c", "uniform"),
-        ];
+        let told = |name: &str, distribution: &str| json!({ "name": name, "distribution": distribution });
+        let told = [told("a", "lognormal"), told("b", "normal"), told("c", "uniform")];
         let document = json!({ "text": text, "parameters": told });
         let made = |changes: Json| {
             let changes: PlanChanges = serde_json::from_value(changes).unwrap();
@@ -120,15 +101,13 @@ mod tests {
         let plan: Table = toml::from_str(&made(json!({})).unwrap()).unwrap();
         assert_eq!(plan["sampler"]["draws"].as_integer(), Some(DRAWS));
         assert_eq!(plan["parameter"].as_array().unwrap().len(), 3);
-        let changes = json!({ "draws": 40, "parameters": { "a": { "left_out": true }, "b": { "prior": { "mean": "5 m" } } } });
+        let changes =
+            json!({ "draws": 40, "parameters": { "a": { "left_out": true }, "b": { "prior": { "mean": "5 m" } } } });
         let plan: Table = toml::from_str(&made(changes).unwrap()).unwrap();
         let parameters = plan["parameter"].as_array().unwrap();
         assert_eq!(parameters.len(), 2);
         assert_eq!(parameters[0]["normal"]["mean"].as_str(), Some("5 m"));
-        assert_eq!(
-            parameters[0]["normal"]["standard_deviation"].as_str(),
-            Some("1 m")
-        );
+        assert_eq!(parameters[0]["normal"]["standard_deviation"].as_str(), Some("1 m"));
         assert_eq!(plan["sampler"]["draws"].as_integer(), Some(40));
         let nested = json!({ "parameters": { "b": { "prior": { "mean": [1] } } } });
         assert!(made(nested).unwrap_err().message().contains("`mean`"));

@@ -75,11 +75,7 @@ struct Memory {
 
 impl Memory {
     fn of(child: &Child) -> Self {
-        Self {
-            system: System::new(),
-            process: Pid::from_u32(child.id()),
-            next: Instant::now(),
-        }
+        Self { system: System::new(), process: Pid::from_u32(child.id()), next: Instant::now() }
     }
 
     /// Whether the process takes more than so many bytes; not before the next look is due.
@@ -112,25 +108,15 @@ impl Drop for Running {
 
 impl Program {
     pub(crate) fn new(command: Vec<OsString>) -> Self {
-        Self {
-            command,
-            most_memory: MOST_MEMORY,
-        }
+        Self { command, most_memory: MOST_MEMORY }
     }
 
     /// The answer to a question on the files of a folder.
-    pub(crate) fn ask(
-        &self,
-        folder: &Path,
-        name: &str,
-        question: &Value,
-        wanted: &Wanted,
-    ) -> Result<Value, Fault> {
+    pub(crate) fn ask(&self, folder: &Path, name: &str, question: &Value, wanted: &Wanted) -> Result<Value, Fault> {
         let own = std::process::id().to_string();
         let arguments = ["ask", "--translations", "--page", &own, name];
         let printed = self.run(folder, &arguments, question, wanted)?;
-        serde_json::from_str(&printed)
-            .map_err(|_| Fault::defect("the program printed something else than a document"))
+        serde_json::from_str(&printed).map_err(|_| Fault::defect("the program printed something else than a document"))
     }
 
     /// What the program prints when it is run with the arguments in the folder, and a document on standard input.
@@ -141,17 +127,13 @@ impl Program {
         input: &Value,
         wanted: &Wanted,
     ) -> Result<String, Fault> {
-        let failed =
-            |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
+        let failed = |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
         // Files, not pipes: nobody has to read while it runs.
         let place = tempfile::tempdir_in(folder).map_err(disk)?;
         let file = |name| place.path().join(name);
         let (input_file, out, err) = (file("in"), file("out"), file("err"));
         fs::write(&input_file, input.to_string()).map_err(disk)?;
-        let (program, first) = self
-            .command
-            .split_first()
-            .ok_or_else(|| Fault::defect("the program is not known"))?;
+        let (program, first) = self.command.split_first().ok_or_else(|| Fault::defect("the program is not known"))?;
         let child = Command::new(program)
             .args(first)
             .args(arguments)
@@ -173,10 +155,7 @@ impl Program {
             if memory.exceeds(self.most_memory) {
                 return Err(Fault::refused(
                     StatusCode::PAYLOAD_TOO_LARGE,
-                    say!(
-                        the_file_takes_more_memory_than,
-                        memory = self.most_memory >> 20
-                    ),
+                    say!(the_file_takes_more_memory_than, memory = self.most_memory >> 20),
                     say!(riffel_roughness_reads_it_without_a),
                 ));
             }
@@ -199,8 +178,7 @@ impl Program {
 fn has_room(folder: &Path) -> Result<(), Fault> {
     static PROBE: [u8; 1 << 16] = [0; 1 << 16];
     let file = tempfile::tempfile_in(folder);
-    file.and_then(|mut file| file.write_all(&PROBE))
-        .map_err(disk)
+    file.and_then(|mut file| file.write_all(&PROBE)).map_err(disk)
 }
 
 /// How far a run has last said to be.
@@ -214,21 +192,10 @@ fn fault_of(words: &str) -> Fault {
     let lines = words.lines().rev();
     let mut lines = lines.filter_map(|line| serde_json::from_str::<Line>(line).ok());
     match lines.next().map(|line| line.error) {
-        Some(ErrorDocument { message, .. })
-            if NO_ROOM.iter().any(|words| message.contains(words)) =>
-        {
-            disk(message)
+        Some(ErrorDocument { message, .. }) if NO_ROOM.iter().any(|words| message.contains(words)) => disk(message),
+        Some(ErrorDocument { message, help, known }) => {
+            Fault::refused(StatusCode::UNPROCESSABLE_ENTITY, message, help.unwrap_or_default()).with_translations(known)
         }
-        Some(ErrorDocument {
-            message,
-            help,
-            known,
-        }) => Fault::refused(
-            StatusCode::UNPROCESSABLE_ENTITY,
-            message,
-            help.unwrap_or_default(),
-        )
-        .with_translations(known),
         None => Fault::defect(say!(the_program_broke_off)),
     }
 }
@@ -242,16 +209,8 @@ mod tests {
     #[test]
     fn whoever_takes_too_much_memory_is_ended() {
         let place = tempfile::tempdir().unwrap();
-        let program = Program {
-            most_memory: 50 << 20,
-            ..Program::new(vec!["tail".into()])
-        };
-        let fault = program.run(
-            place.path(),
-            &["/dev/zero"],
-            &Value::Null,
-            &Wanted::default(),
-        );
+        let program = Program { most_memory: 50 << 20, ..Program::new(vec!["tail".into()]) };
+        let fault = program.run(place.path(), &["/dev/zero"], &Value::Null, &Wanted::default());
         let fault = serde_json::to_value(fault.unwrap_err()).unwrap();
         let message = fault["message"].as_str().unwrap();
         assert!(message.contains("more memory than the 50 MiB"), "{message}");
@@ -273,8 +232,7 @@ mod tests {
     #[test]
     fn a_full_disk_is_no_defect() {
         let full = std::io::Error::from_raw_os_error(28).to_string();
-        let error =
-            serde_json::json!({ "error": { "message": format!("cannot write a.zarr: {full}") } });
+        let error = serde_json::json!({ "error": { "message": format!("cannot write a.zarr: {full}") } });
         let fault = fault_of(&error.to_string());
         assert_eq!(fault.status(), StatusCode::INSUFFICIENT_STORAGE);
         assert!(fault.help().unwrap().contains("TMPDIR"));

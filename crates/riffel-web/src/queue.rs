@@ -61,17 +61,12 @@ impl Wanted {
     /// True while the answer is waited for.
     pub(crate) fn still(&self) -> bool {
         let closing = self.0.closing.as_ref();
-        !self.0.dropped.load(Ordering::Relaxed)
-            && !closing.is_some_and(|closing| closing.load(Ordering::Relaxed))
+        !self.0.dropped.load(Ordering::Relaxed) && !closing.is_some_and(|closing| closing.load(Ordering::Relaxed))
     }
 
     /// The work is so far.
     pub(crate) fn tell(&self, progress: Progress) {
-        let mut told = self
-            .0
-            .progress
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
+        let mut told = self.0.progress.lock().unwrap_or_else(PoisonError::into_inner);
         *told = progress;
     }
 
@@ -153,10 +148,7 @@ impl Queue {
         let outcome = tokio::time::timeout(self.time_limit, self.wait_and_work(wanted, work)).await;
         drop(waiting);
         let outcome = outcome.unwrap_or_else(|_| {
-            Err(Fault::busy(say!(
-                the_answer_took_longer_than_s,
-                seconds = self.time_limit.as_secs_f64()
-            )))
+            Err(Fault::busy(say!(the_answer_took_longer_than_s, seconds = self.time_limit.as_secs_f64())))
         });
         Ok(outcome?)
     }
@@ -180,8 +172,7 @@ impl Queue {
             let result = run_while(move || waits.still(), || work(&wanted));
             wanted.or_dropped(result.unwrap_or_else(|| Err(Fault::superseded())))
         });
-        task.await
-            .unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))
+        task.await.unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))
     }
 
     /// A request becomes the newest for its subject, and the one before it is dropped.

@@ -33,9 +33,9 @@ pub(crate) struct Asker(Option<String>);
 impl Asker {
     /// The name of the page, which owns its file.
     pub(crate) fn owner(&self) -> Result<String, Fault> {
-        self.0.clone().ok_or_else(|| {
-            Fault::bad("a request about a file must say which page it comes from (X-Riffel-Page)")
-        })
+        self.0
+            .clone()
+            .ok_or_else(|| Fault::bad("a request about a file must say which page it comes from (X-Riffel-Page)"))
     }
 
     /// Name of one kind of answer for this page, of which only the newest is wanted.
@@ -47,14 +47,9 @@ impl Asker {
 impl<S: Sync> axum::extract::FromRequestParts<S> for Asker {
     type Rejection = std::convert::Infallible;
 
-    async fn from_request_parts(
-        parts: &mut axum::http::request::Parts,
-        _: &S,
-    ) -> Result<Self, Self::Rejection> {
+    async fn from_request_parts(parts: &mut axum::http::request::Parts, _: &S) -> Result<Self, Self::Rejection> {
         let page = parts.headers.get(PAGE).and_then(|page| page.to_str().ok());
-        Ok(Self(
-            page.filter(|page| page.len() <= 64).map(str::to_owned),
-        ))
+        Ok(Self(page.filter(|page| page.len() <= 64).map(str::to_owned)))
     }
 }
 
@@ -79,18 +74,13 @@ impl<S: Sync> FromRequest<S> for AskedJson {
                 "send the header Content-Type: application/json",
             )));
         }
-        let bytes = tokio::time::timeout(READING_TIME, read(request.into_body()))
-            .await
-            .map_err(|_| {
-                Fault::refused(
-                    StatusCode::REQUEST_TIMEOUT,
-                    say!(
-                        the_request_did_not_come_within,
-                        seconds = READING_TIME.as_secs()
-                    ),
-                    "",
-                )
-            })??;
+        let bytes = tokio::time::timeout(READING_TIME, read(request.into_body())).await.map_err(|_| {
+            Fault::refused(
+                StatusCode::REQUEST_TIMEOUT,
+                say!(the_request_did_not_come_within, seconds = READING_TIME.as_secs()),
+                "",
+            )
+        })??;
         Ok(Self(bytes))
     }
 }
@@ -99,10 +89,7 @@ async fn read(body: Body) -> Result<Bytes, Fault> {
     to_bytes(body, LARGEST_REQUEST).await.map_err(|_| {
         Fault::refused(
             StatusCode::PAYLOAD_TOO_LARGE,
-            say!(
-                the_request_is_larger_than_kib,
-                size = LARGEST_REQUEST / 1024
-            ),
+            say!(the_request_is_larger_than_kib, size = LARGEST_REQUEST / 1024),
             say!(a_case_is_a_few_hundred),
         )
     })

@@ -112,11 +112,7 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<PathBuf, S
     let connections = Arc::new(Semaphore::new(MOST_CONNECTIONS));
     let graceful = GracefulShutdown::new();
 
-    let shown = if bound.ip().is_unspecified() {
-        SocketAddr::new([127, 0, 0, 1].into(), bound.port())
-    } else {
-        bound
-    };
+    let shown = if bound.ip().is_unspecified() { SocketAddr::new([127, 0, 0, 1].into(), bound.port()) } else { bound };
     let url = format!("http://{shown}/");
     ready(&url);
     if options.open {

@@ -121,12 +121,7 @@ impl Uploads {
         let file = File::open(&path).map_err(disk)?;
         file.take(HEAD).read_to_end(&mut head).map_err(disk)?;
         Encoding::of(&head).map_err(|binary| Fault::bad(binary.to_string()))?;
-        let upload = Arc::new(Upload {
-            folder,
-            name,
-            bytes,
-            earlier: NumberedFiles::default(),
-        });
+        let upload = Arc::new(Upload { folder, name, bytes, earlier: NumberedFiles::default() });
         let mut files = self.files();
         files.retain(|(other, _)| *other != page);
         if files.len() >= MOST_FILES {
@@ -158,12 +153,7 @@ impl Uploads {
     }
 
     /// Write what comes to a new file; its size in bytes.
-    async fn store(
-        &self,
-        path: &Path,
-        announced: Option<u64>,
-        mut body: Body,
-    ) -> Result<u64, Fault> {
+    async fn store(&self, path: &Path, announced: Option<u64>, mut body: Body) -> Result<u64, Fault> {
         let inner = &*self.0;
         let too_large = || {
             Fault::refused(
@@ -238,11 +228,7 @@ impl Uploads {
 
     /// The file of a page.
     pub(crate) fn of(&self, page: &str) -> Result<Arc<Upload>, Fault> {
-        self.files()
-            .iter()
-            .find(|(other, _)| other == page)
-            .map(|(_, upload)| upload.clone())
-            .ok_or_else(file_is_gone)
+        self.files().iter().find(|(other, _)| other == page).map(|(_, upload)| upload.clone()).ok_or_else(file_is_gone)
     }
 
     fn files(&self) -> std::sync::MutexGuard<'_, Vec<(String, Arc<Upload>)>> {
@@ -282,10 +268,7 @@ fn remove_the_forsaken(place: &Path) {
 /// True if nobody holds the lock of the folder.
 fn is_forsaken(folder: &Path) -> bool {
     let lock: PathBuf = folder.join(LOCK);
-    File::options()
-        .write(true)
-        .open(lock)
-        .is_ok_and(|lock| lock.try_lock().is_ok())
+    File::options().write(true).open(lock).is_ok_and(|lock| lock.try_lock().is_ok())
 }
 
 #[cfg(test)]
@@ -316,14 +299,8 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let uploads = Uploads::within(place.path(), 1000).unwrap();
         let inside = || fs::read_dir(uploads.0.folder.path()).unwrap().count();
-        let receive = |bytes: usize, announced| {
-            uploads.receive(
-                "a".to_owned(),
-                "csv",
-                announced,
-                Body::from(vec![b'1'; bytes]),
-            )
-        };
+        let receive =
+            |bytes: usize, announced| uploads.receive("a".to_owned(), "csv", announced, Body::from(vec![b'1'; bytes]));
         assert!(receive(1001, None).await.is_err());
         assert!(receive(10, Some(1001)).await.is_err());
         assert_eq!(inside(), 1, "the lock alone");
@@ -360,8 +337,7 @@ mod tests {
             let upload = uploads.of("a")?;
             let files = (upload.folder(), &upload.earlier);
             let body = Body::from(vec![b'1'; bytes]);
-            let received =
-                uploads.receive_numbered(files.0, files.1, "earlier", "../../txt", (None, body));
+            let received = uploads.receive_numbered(files.0, files.1, "earlier", "../../txt", (None, body));
             received.await
         };
         assert!(earlier(1).await.is_err(), "beside no record");

@@ -30,9 +30,7 @@ impl Workspace {
         debug_assert!(is_own(name), "{name} may be that of a file of the user");
         let mut file = NamedTempFile::new_in(self.path()).map_err(disk)?;
         file.write_all(text.as_bytes()).map_err(disk)?;
-        file.persist(self.path().join(name))
-            .map(|_| ())
-            .map_err(|error| disk(error.error))
+        file.persist(self.path().join(name)).map(|_| ()).map_err(|error| disk(error.error))
     }
 
     /// A file that the program has written.
@@ -50,24 +48,15 @@ impl Workspace {
         let name = name.or_else(|| names.find(is_free)).unwrap_or(plain);
         let place = self.path().join(&name);
         // Not every disk has links.
-        fs::hard_link(file, &place)
-            .or_else(|_| fs::copy(file, &place).map(|_| ()))
-            .map_err(disk)?;
+        fs::hard_link(file, &place).or_else(|_| fs::copy(file, &place).map(|_| ())).map_err(disk)?;
         Ok(name)
     }
 }
 
 /// True for the names of what is written beside the files of the user, on systems that tell capital letters and on others.
 fn is_own(name: &str) -> bool {
-    const OWN: [&str; 7] = [
-        "case.toml",
-        "traffic.toml",
-        "plan.toml",
-        "decision.toml",
-        "report.html",
-        "posterior",
-        "along",
-    ];
+    const OWN: [&str; 7] =
+        ["case.toml", "traffic.toml", "plan.toml", "decision.toml", "report.html", "posterior", "along"];
     let name = name.to_lowercase();
     let is_action = name.starts_with("action-") && name.ends_with(".toml");
     OWN.contains(&&*name) || is_action || name.starts_with('.')

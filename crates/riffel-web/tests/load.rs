@@ -42,26 +42,16 @@ impl Served {
         let running = running.get_or_insert_with(|| {
             let (ready, address) = channel();
             let thread = std::thread::spawn(move || {
-                let options = Options {
-                    address: [127, 0, 0, 1].into(),
-                    port: 0,
-                    open: false,
-                    program: vec!["riffel".into()],
-                };
+                let options =
+                    Options { address: [127, 0, 0, 1].into(), port: 0, open: false, program: vec!["riffel".into()] };
                 serve(options, |url| ready.send(url.to_owned()).unwrap())
             });
             let url = address.recv().unwrap();
             let host = url.trim_start_matches("http://").trim_end_matches('/');
-            Running {
-                users: 0,
-                host: host.to_owned(),
-                thread,
-            }
+            Running { users: 0, host: host.to_owned(), thread }
         });
         running.users += 1;
-        Self {
-            host: running.host.clone(),
-        }
+        Self { host: running.host.clone() }
     }
 
     fn connect(&self) -> TcpStream {
@@ -109,10 +99,8 @@ fn answer(stream: &mut TcpStream) -> std::io::Result<(u16, Vec<u8>)> {
     }
     let head = String::from_utf8_lossy(&head).to_ascii_lowercase();
     let status = head.split(' ').nth(1).and_then(|word| word.parse().ok());
-    let length = head
-        .lines()
-        .find_map(|line| line.strip_prefix("content-length: "))
-        .and_then(|length| length.parse().ok());
+    let length =
+        head.lines().find_map(|line| line.strip_prefix("content-length: ")).and_then(|length| length.parse().ok());
     let mut body = vec![0; length.unwrap_or(0)];
     stream.read_exact(&mut body)?;
     Ok((status.unwrap_or(0), body))
@@ -136,23 +124,16 @@ fn resident_megabytes() -> Option<f64> {
 #[test]
 fn many_pages_at_once_get_answers_or_are_told_to_wait() {
     let served = Served::new();
-    let seconds = std::env::var("RIFFEL_LOAD_SECONDS")
-        .ok()
-        .and_then(|seconds| seconds.parse().ok());
+    let seconds = std::env::var("RIFFEL_LOAD_SECONDS").ok().and_then(|seconds| seconds.parse().ok());
     let time = Duration::from_secs(seconds.unwrap_or(4));
     // A hand on a slider is no faster.
-    let pause = std::env::var("RIFFEL_LOAD_PAUSE_MS")
-        .ok()
-        .and_then(|pause| pause.parse().ok());
+    let pause = std::env::var("RIFFEL_LOAD_PAUSE_MS").ok().and_then(|pause| pause.parse().ok());
     let pause = Duration::from_millis(pause.unwrap_or(100));
     let begun = Instant::now();
     // What a page asks: mostly small maps and points, now and then a whole map or a picture.
     let small = format!("{{\"case\":{}}}", case(61, 56));
     let whole = format!("{{\"case\":{}}}", case(241, 221));
-    let point = format!(
-        "{{\"case\":{},\"wavelength_m\":0.05,\"speed_m_per_s\":30.0}}",
-        case(241, 221)
-    );
+    let point = format!("{{\"case\":{},\"wavelength_m\":0.05,\"speed_m_per_s\":30.0}}", case(241, 221));
     let questions = [
         ("/api/map", &small),
         ("/api/point", &point),
@@ -176,9 +157,7 @@ fn many_pages_at_once_get_answers_or_are_told_to_wait() {
                         }
                         let (path, body) = questions[turn % questions.len()];
                         let asked = Instant::now();
-                        stream
-                            .write_all(&served.request(path, client, body))
-                            .unwrap();
+                        stream.write_all(&served.request(path, client, body)).unwrap();
                         let (status, bytes) = answer(&mut stream).unwrap();
                         match status {
                             200 if std::ptr::eq(body, small) && path == "/api/map" => {
@@ -196,21 +175,14 @@ fn many_pages_at_once_get_answers_or_are_told_to_wait() {
             .collect();
         std::thread::sleep(warm_up);
         let first = resident_megabytes();
-        let results: Vec<_> = clients
-            .into_iter()
-            .map(|client| client.join().unwrap())
-            .collect();
+        let results: Vec<_> = clients.into_iter().map(|client| client.join().unwrap()).collect();
         let busy: usize = results.iter().map(|result| result.1).sum();
         let times: Vec<Duration> = results.into_iter().flat_map(|result| result.0).collect();
         (times, first, resident_megabytes(), busy)
     });
     let mut times = times;
     times.sort();
-    assert!(
-        times.len() > CLIENTS,
-        "every client got a small map: {}",
-        times.len()
-    );
+    assert!(times.len() > CLIENTS, "every client got a small map: {}", times.len());
     let share = |share: f64| 1e3 * times[((times.len() - 1) as f64 * share) as usize].as_secs_f64();
     println!(
         "{CLIENTS} clients, {:.0} s: {} small maps, no error, median {:.1} ms, 95 % within {:.1} ms, 99 % within {:.1} ms, {busy} told to wait; memory {first:?} → {last:?} MB",
@@ -222,10 +194,7 @@ fn many_pages_at_once_get_answers_or_are_told_to_wait() {
     );
     if let (Some(first), Some(last)) = (first, last) {
         // Allocators keep some of what was given back; a leak of one map a request would be gigabytes.
-        assert!(
-            last < 1.5 * first + 60.0,
-            "memory grew from {first} to {last} MB"
-        );
+        assert!(last < 1.5 * first + 60.0, "memory grew from {first} to {last} MB");
     }
 }
 
@@ -249,22 +218,11 @@ fn whoever_hangs_up_frees_a_worker() {
         stream.write_all(&served.request(path, page, body)).unwrap();
         stream
     };
-    for path in [
-        "/api/stability",
-        "/api/map",
-        "/api/line",
-        "/api/damage",
-        "/api/remedies",
-    ] {
+    for path in ["/api/stability", "/api/map", "/api/line", "/api/damage", "/api/remedies"] {
         let begun = Instant::now();
-        assert_eq!(
-            answer(&mut ask(path, 2000, &long(path, 2000))).unwrap().0,
-            200
-        );
+        assert_eq!(answer(&mut ask(path, 2000, &long(path, 2000))).unwrap().0, 200);
         let whole = begun.elapsed();
-        let asked: Vec<TcpStream> = (3000..3000 + workers)
-            .map(|page| ask(path, page, &long(path, page)))
-            .collect();
+        let asked: Vec<TcpStream> = (3000..3000 + workers).map(|page| ask(path, page, &long(path, page))).collect();
         // Work is under way once as long a part of it has gone by as it has taken to begin.
         std::thread::sleep(whole / 10);
         drop(asked);
@@ -287,28 +245,20 @@ fn whoever_sends_a_head_byte_by_byte_is_cut_off_and_holds_up_nobody() {
     let slow: Vec<TcpStream> = (0..100)
         .map(|_| {
             let mut stream = served.connect();
-            stream
-                .write_all(b"POST /api/map HTTP/1.1\r\nHost: 127")
-                .unwrap();
+            stream.write_all(b"POST /api/map HTTP/1.1\r\nHost: 127").unwrap();
             stream
         })
         .collect();
     let mut quick = served.connect();
     let body = format!("{{\"case\":{}}}", case(61, 56));
-    quick
-        .write_all(&served.request("/api/map", 1000, &body))
-        .unwrap();
+    quick.write_all(&served.request("/api/map", 1000, &body)).unwrap();
     assert_eq!(answer(&mut quick).unwrap().0, 200);
     for mut stream in slow {
-        stream
-            .set_read_timeout(Some(Duration::from_secs(60)))
-            .unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         let mut rest = Vec::new();
         // An answer that says so, or just the end; but an end.
         let end = stream.read_to_end(&mut rest);
-        assert!(
-            end.is_ok() || end.is_err_and(|error| error.kind() != std::io::ErrorKind::WouldBlock)
-        );
+        assert!(end.is_ok() || end.is_err_and(|error| error.kind() != std::io::ErrorKind::WouldBlock));
     }
 }
 
@@ -335,8 +285,6 @@ fn a_body_that_is_too_large_or_never_comes_is_refused() {
 
     let mut waiting = served.connect();
     waiting.write_all(head.as_bytes()).unwrap();
-    waiting
-        .set_read_timeout(Some(Duration::from_secs(60)))
-        .unwrap();
+    waiting.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
     assert_eq!(answer(&mut waiting).unwrap().0, 408);
 }

@@ -21,11 +21,8 @@ where
     current[0] = 1.0;
     for k in 0..NODES {
         let scale = if k == 0 { 1.0 } else { 2.0 } / NODES as f64;
-        let coefficient: V = values
-            .iter()
-            .enumerate()
-            .map(|(j, &value)| value * (scale * (k as f64 * angle(j)).cos()))
-            .sum();
+        let coefficient: V =
+            values.iter().enumerate().map(|(j, &value)| value * (scale * (k as f64 * angle(j)).cos())).sum();
         for (power, factor) in powers.iter_mut().zip(current) {
             *power += coefficient * factor;
         }

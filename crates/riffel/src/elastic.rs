@@ -25,10 +25,7 @@ impl ElasticMaterial {
                 rule: "must lie between -1 and 0.5",
             });
         }
-        Ok(Self {
-            youngs_modulus,
-            poisson_ratio,
-        })
+        Ok(Self { youngs_modulus, poisson_ratio })
     }
 
     /// Young's modulus E \[Pa\].

@@ -67,9 +67,7 @@ pub enum Error {
     },
 
     /// An iteration that did not reach its tolerance.
-    #[error(
-        "{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; {remedy}"
-    )]
+    #[error("{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; {remedy}")]
     NotConverged {
         /// What was to be solved.
         problem: &'static str,
@@ -173,9 +171,7 @@ pub enum Error {
     },
 
     /// A profile that ends before the motion has forgotten its beginning.
-    #[error(
-        "the profile is {length:.3} m long, but the motion remembers {memory:.3} m of rail; give a longer one"
-    )]
+    #[error("the profile is {length:.3} m long, but the motion remembers {memory:.3} m of rail; give a longer one")]
     ProfileTooShort {
         /// Length of the profile \[m\].
         length: f64,
@@ -218,37 +214,19 @@ pub enum Error {
 
 impl Error {
     /// `Ok` for a finite value above zero.
-    pub(crate) fn unless_positive(
-        quantity: &'static str,
-        value: f64,
-        unit: &'static str,
-    ) -> Result<(), Self> {
+    pub(crate) fn unless_positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Self> {
         if value.is_finite() && value > 0.0 {
             return Ok(());
         }
-        Err(Self::OutOfRange {
-            quantity,
-            value,
-            unit,
-            rule: "must be finite and greater than zero",
-        })
+        Err(Self::OutOfRange { quantity, value, unit, rule: "must be finite and greater than zero" })
     }
 
     /// `Ok` for a finite value of zero or more.
-    pub(crate) fn unless_not_negative(
-        quantity: &'static str,
-        value: f64,
-        unit: &'static str,
-    ) -> Result<(), Self> {
+    pub(crate) fn unless_not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Self> {
         if value.is_finite() && value >= 0.0 {
             return Ok(());
         }
-        Err(Self::OutOfRange {
-            quantity,
-            value,
-            unit,
-            rule: "must be finite and not negative",
-        })
+        Err(Self::OutOfRange { quantity, value, unit, rule: "must be finite and not negative" })
     }
 }
 
@@ -256,9 +234,7 @@ impl Error {
 pub fn readable(value: f64) -> String {
     const TYPED: usize = 9;
     let exact = value.to_string();
-    let digits = exact
-        .trim_start_matches(['-', '0', '.'])
-        .trim_end_matches('0');
+    let digits = exact.trim_start_matches(['-', '0', '.']).trim_end_matches('0');
     if digits.bytes().filter(u8::is_ascii_digit).count() <= TYPED {
         return exact;
     }

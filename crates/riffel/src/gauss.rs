@@ -22,9 +22,7 @@ pub(crate) fn panels(edges: &[f64]) -> impl Iterator<Item = (f64, f64)> {
 pub(crate) fn equal_panels([from, to]: [f64; 2], longest: f64) -> Vec<f64> {
     let count = ((to - from) / longest).ceil().max(1.0);
     let step = (to - from) / count;
-    (0..=count as usize)
-        .map(|edge| from + step * edge as f64)
-        .collect()
+    (0..=count as usize).map(|edge| from + step * edge as f64).collect()
 }
 
 #[cfg(test)]

@@ -2,11 +2,7 @@
 
 /// Minimum of a unimodal function by golden-section search (Kiefer 1953) to an absolute tolerance, or to rounding where that
 /// is wider: 80 steps take 2e-17 of the bracket.
-pub(crate) fn golden_section(
-    [mut low, mut high]: [f64; 2],
-    tolerance: f64,
-    f: impl Fn(f64) -> f64,
-) -> f64 {
+pub(crate) fn golden_section([mut low, mut high]: [f64; 2], tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
     const MOST_STEPS: usize = 80;
     let ratio = (5f64.sqrt() - 1.0) / 2.0;
     let (mut inner_low, mut inner_high) = (high - ratio * (high - low), low + ratio * (high - low));

@@ -66,11 +66,7 @@ mod tests {
     #[test]
     fn wear_of_a_sharp_curve() {
         let depth = 0.5 * 2.5e-9 * 333.0 / (7850.0 * 0.012);
-        let wear = MeanWear {
-            depth,
-            axle_mass: 10_200.0,
-            bounds_growth: true,
-        };
+        let wear = MeanWear { depth, axle_mass: 10_200.0, bounds_growth: true };
         assert!((1e3 * wear.depth_per_100_mgt() - 43.3).abs() < 0.1);
         assert_eq!(wear.amplitude_limit(0.0), None);
         assert_eq!(wear.amplitude_limit(-1e-6), None);

@@ -30,11 +30,7 @@ pub struct PlaceOfWear {
 impl PlaceOfWear {
     /// The rule for a contact of semi-axis a₀ along the rail \[m\] and tractive ratio τ \[-\].
     pub fn new(phase: DissipationPhase, semi_axis: f64, tractive_ratio: f64) -> Self {
-        Self {
-            phase,
-            semi_axis,
-            tractive_ratio,
-        }
+        Self { phase, semi_axis, tractive_ratio }
     }
 
     /// Angle \[rad\] by which the dissipation at a point of the rail lags W₁, at the wavelength

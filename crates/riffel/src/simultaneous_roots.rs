@@ -26,10 +26,7 @@ pub(crate) fn polish(polynomial: impl Fn(Complex64) -> Complex64, roots: &mut [C
         let mut largest = 0f64;
         for index in 0..roots.len() {
             let root = roots[index];
-            let others = roots
-                .iter()
-                .enumerate()
-                .filter(|&(other, _)| other != index);
+            let others = roots.iter().enumerate().filter(|&(other, _)| other != index);
             let distances: Complex64 = others.map(|(_, other)| root - other).product();
             let step = polynomial(root) / distances;
             roots[index] = root - step;
@@ -49,8 +46,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn complex() -> impl Strategy<Value = Complex64> {
-        (-6.0..6.0f64, -3.1..3.1f64)
-            .prop_map(|(size, angle)| Complex64::from_polar(10f64.powf(size), angle))
+        (-6.0..6.0f64, -3.1..3.1f64).prop_map(|(size, angle)| Complex64::from_polar(10f64.powf(size), angle))
     }
 
     proptest! {

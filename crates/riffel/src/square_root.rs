@@ -40,10 +40,7 @@ mod tests {
     fn both_sides_of_the_cut() {
         let above = square_root(Complex64::new(-4.0, 0.0));
         let below = square_root(Complex64::new(-4.0, -0.0));
-        assert_eq!(
-            (above, below),
-            (Complex64::new(0.0, 2.0), Complex64::new(0.0, -2.0))
-        );
+        assert_eq!((above, below), (Complex64::new(0.0, 2.0), Complex64::new(0.0, -2.0)));
         assert_eq!(square_root(Complex64::ZERO), Complex64::ZERO);
     }
 }

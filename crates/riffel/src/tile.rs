@@ -21,18 +21,12 @@ pub struct SplitComplex {
 
 impl SplitComplex {
     /// Zeros.
-    pub const ZERO: Self = Self {
-        re: [0.0; TILE],
-        im: [0.0; TILE],
-    };
+    pub const ZERO: Self = Self { re: [0.0; TILE], im: [0.0; TILE] };
 
     /// A tile with a function of the place.
     pub fn from_fn(value: impl Fn(usize) -> Complex64) -> Self {
         let values: [Complex64; TILE] = std::array::from_fn(value);
-        Self {
-            re: values.map(|value| value.re),
-            im: values.map(|value| value.im),
-        }
+        Self { re: values.map(|value| value.re), im: values.map(|value| value.im) }
     }
 
     /// Set every number to a function of the real number in the same place.

@@ -27,10 +27,7 @@ impl<S: Simd> Vector<S> {
 
     #[inline(always)]
     pub(crate) fn zero(simd: S) -> Self {
-        Self {
-            re: simd.splat_f64s(0.0),
-            im: simd.splat_f64s(0.0),
-        }
+        Self { re: simd.splat_f64s(0.0), im: simd.splat_f64s(0.0) }
     }
 
     #[inline(always)]
@@ -40,10 +37,7 @@ impl<S: Simd> Vector<S> {
 
     #[inline(always)]
     pub(crate) fn plus(self, simd: S, other: Self) -> Self {
-        Self {
-            re: simd.add_f64s(self.re, other.re),
-            im: simd.add_f64s(self.im, other.im),
-        }
+        Self { re: simd.add_f64s(self.re, other.re), im: simd.add_f64s(self.im, other.im) }
     }
 
     #[inline(always)]
@@ -57,41 +51,24 @@ impl<S: Simd> Vector<S> {
     #[inline(always)]
     pub(crate) fn times_plus(self, simd: S, other: Self, sum: Self) -> Self {
         Self {
-            re: simd.negate_mul_add_e_f64s(
-                self.im,
-                other.im,
-                simd.mul_add_e_f64s(self.re, other.re, sum.re),
-            ),
-            im: simd.mul_add_e_f64s(
-                self.im,
-                other.re,
-                simd.mul_add_e_f64s(self.re, other.im, sum.im),
-            ),
+            re: simd.negate_mul_add_e_f64s(self.im, other.im, simd.mul_add_e_f64s(self.re, other.re, sum.re)),
+            im: simd.mul_add_e_f64s(self.im, other.re, simd.mul_add_e_f64s(self.re, other.im, sum.im)),
         }
     }
 
     #[inline(always)]
     pub(crate) fn scaled(self, simd: S, factor: S::f64s) -> Self {
-        Self {
-            re: simd.mul_f64s(self.re, factor),
-            im: simd.mul_f64s(self.im, factor),
-        }
+        Self { re: simd.mul_f64s(self.re, factor), im: simd.mul_f64s(self.im, factor) }
     }
 
     #[inline(always)]
     pub(crate) fn negative(self, simd: S) -> Self {
-        Self {
-            re: simd.neg_f64s(self.re),
-            im: simd.neg_f64s(self.im),
-        }
+        Self { re: simd.neg_f64s(self.re), im: simd.neg_f64s(self.im) }
     }
 
     #[inline(always)]
     pub(crate) fn conj(self, simd: S) -> Self {
-        Self {
-            re: self.re,
-            im: simd.neg_f64s(self.im),
-        }
+        Self { re: self.re, im: simd.neg_f64s(self.im) }
     }
 
     #[inline(always)]

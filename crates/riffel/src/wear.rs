@@ -48,12 +48,7 @@ impl EnergyWear {
         Error::unless_positive("wear coefficient", coefficient, "kg/J")?;
         Error::unless_positive("density", density, "kg/m3")?;
         Error::unless_positive("lateral semi-axis", semi_axis_lateral, "m")?;
-        Ok(Self {
-            coefficient,
-            density,
-            width: 2.0 * semi_axis_lateral,
-            regime: None,
-        })
+        Ok(Self { coefficient, density, width: 2.0 * semi_axis_lateral, regime: None })
     }
 
     /// The law where the contacts of traffic are spread evenly over a band of a width w \[m\], in place of 2b: each line of it is
@@ -75,18 +70,12 @@ impl EnergyWear {
 
     /// The law with so many times the coefficient.
     pub(crate) fn times(self, factor: f64) -> Self {
-        Self {
-            coefficient: factor * self.coefficient,
-            ..self
-        }
+        Self { coefficient: factor * self.coefficient, ..self }
     }
 
     /// The law of a coefficient that changes with energy and load about the mean state.
     pub(crate) fn by_regime(self, regime: WearRegime) -> Self {
-        Self {
-            regime: Some(regime),
-            ..self
-        }
+        Self { regime: Some(regime), ..self }
     }
 
     /// How its wear answers beside energy; none where it is in proportion to energy alone.

@@ -160,10 +160,7 @@ fn tgamma_area(x: f64) -> [f64; 2] {
     let above = (x - CORNER) / WIDTH;
     let soft = above.max(0.0) + (-above.abs()).exp().ln_1p();
     let share = 1.0 / (1.0 + (-above).exp());
-    [
-        rounded + CATASTROPHIC * WIDTH * soft,
-        slope + CATASTROPHIC * share,
-    ]
+    [rounded + CATASTROPHIC * WIDTH * soft, slope + CATASTROPHIC * share]
 }
 
 /// k, d ln k/d ln v and d ln k/d ln p at a sliding speed \[m/s\] and a pressure \[Pa\], corners rounded over a tenth of each.
@@ -182,11 +179,7 @@ fn archard_map(speed: f64, pressure: f64) -> [f64; 3] {
     let severe = (SEVERE / MILD).ln();
     let below = MILD.ln() + severe * (begins - ends);
     let above = SEIZING.ln() - below;
-    [
-        (below + above * seizes).exp(),
-        (1.0 - seizes) * severe * (of_begin - of_end),
-        above * of_seizing,
-    ]
+    [(below + above * seizes).exp(), (1.0 - seizes) * severe * (of_begin - of_end), above * of_seizing]
 }
 
 #[cfg(test)]
@@ -196,19 +189,12 @@ mod tests {
     /// Printed values away from corners: 5.3x below, 55.1 on the plateau, 55.1 + 61.9(x − 77.2) above.
     #[test]
     fn regimes_of_tgamma_over_area() {
-        for (x, expected, tolerance) in [
-            (1.0, 5.3, 1e-4),
-            (30.0, 55.12, 5e-3),
-            (150.0, 55.12 + 61.9 * 72.8, 1e-3),
-        ] {
+        for (x, expected, tolerance) in [(1.0, 5.3, 1e-4), (30.0, 55.12, 5e-3), (150.0, 55.12 + 61.9 * 72.8, 1e-3)] {
             let [rate, slope] = tgamma_area(x);
             assert!((rate / expected - 1.0).abs() < tolerance, "{x}: {rate}");
             let step = 1e-5 * x;
             let difference = (tgamma_area(x + step)[0] - tgamma_area(x - step)[0]) / (2.0 * step);
-            assert!(
-                (slope - difference).abs() < 1e-5 * slope.abs().max(1e-3),
-                "{x}: {slope} {difference}"
-            );
+            assert!((slope - difference).abs() < 1e-5 * slope.abs().max(1e-3), "{x}: {slope} {difference}");
         }
         // The plateau is left with what the rounded corners leave, 2 % of proportion.
         assert!(30.0 * tgamma_area(30.0)[1] < 0.02 * tgamma_area(30.0)[0]);
@@ -216,21 +202,15 @@ mod tests {
 
     #[test]
     fn regimes_of_the_archard_map() {
-        for (speed, pressure, expected) in [
-            (0.05, 1e9, 5e-4),
-            (0.37, 1e9, 35e-4),
-            (2.0, 1e9, 5e-4),
-            (0.37, 4e9, 350e-4),
-        ] {
+        for (speed, pressure, expected) in
+            [(0.05, 1e9, 5e-4), (0.37, 1e9, 35e-4), (2.0, 1e9, 5e-4), (0.37, 4e9, 350e-4)]
+        {
             let [k, by_speed, by_pressure] = archard_map(speed, pressure);
             assert!((k / expected - 1.0).abs() < 0.05, "{speed}: {k}");
             let ln = |speed, pressure| archard_map(speed, pressure)[0].ln();
             let step: f64 = 1e-5;
-            let of_speed = (ln(speed * step.exp(), pressure) - ln(speed * (-step).exp(), pressure))
-                / (2.0 * step);
-            let of_pressure = (ln(speed, pressure * step.exp())
-                - ln(speed, pressure * (-step).exp()))
-                / (2.0 * step);
+            let of_speed = (ln(speed * step.exp(), pressure) - ln(speed * (-step).exp(), pressure)) / (2.0 * step);
+            let of_pressure = (ln(speed, pressure * step.exp()) - ln(speed, pressure * (-step).exp())) / (2.0 * step);
             assert!((by_speed - of_speed).abs() < 1e-6 && (by_pressure - of_pressure).abs() < 1e-6);
         }
     }

@@ -3,9 +3,7 @@
 use std::fs;
 
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Rgb, Scale, Series};
-use riffel_validation::decay_rate::{
-    FIT, MEASUREMENT, MeasuredBand, fit_in_words, table_by_assumption, table_by_band,
-};
+use riffel_validation::decay_rate::{FIT, MEASUREMENT, MeasuredBand, fit_in_words, table_by_assumption, table_by_band};
 
 use crate::marked::between_marks;
 use crate::{Outcome, root};
@@ -15,9 +13,7 @@ const PICTURE: &str = "docs/src/images/decay-rate.png";
 
 /// Lower limit of the vertical decay rate \[dB/m\] of a track for type tests, from 250 Hz by band:
 /// ISO 3095:2013, Figure 3.
-const LIMIT: [f64; 14] = [
-    2.0, 2.0, 6.0, 6.0, 6.0, 2.19, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8,
-];
+const LIMIT: [f64; 14] = [2.0, 2.0, 6.0, 6.0, 6.0, 2.19, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8, 0.8];
 
 const GREY: Rgb = Rgb(200, 200, 200);
 const BLUE: Rgb = Rgb(0, 114, 178);
@@ -25,16 +21,9 @@ const VERMILION: Rgb = Rgb(213, 94, 0);
 
 /// The page with its generated parts as they should be; the words between them are kept.
 pub(crate) fn page() -> Result<String, String> {
-    let page = fs::read_to_string(root().join(PAGE))
-        .map_err(|error| format!("cannot read {PAGE}: {error}"))?;
-    let parts = [
-        ("fit", fit_in_words()),
-        ("by band", table_by_band()),
-        ("by assumption", table_by_assumption()),
-    ];
-    parts.iter().try_fold(page, |page, (name, text)| {
-        between_marks(PAGE, &page, name, text)
-    })
+    let page = fs::read_to_string(root().join(PAGE)).map_err(|error| format!("cannot read {PAGE}: {error}"))?;
+    let parts = [("fit", fit_in_words()), ("by band", table_by_band()), ("by assumption", table_by_assumption())];
+    parts.iter().try_fold(page, |page, (name, text)| between_marks(PAGE, &page, name, text))
 }
 
 /// Draw the figure of the page. Like the picture of the README it is not compared.
@@ -76,19 +65,9 @@ fn decay_rates() -> LinePanel {
         line("median", quartile(2), LineStyle::Solid, BLUE),
         Series {
             x: frequencies().split_off(limited),
-            ..line(
-                "ISO 3095 limit",
-                LIMIT.to_vec(),
-                LineStyle::Dashed,
-                Rgb::BLACK,
-            )
+            ..line("ISO 3095 limit", LIMIT.to_vec(), LineStyle::Dashed, Rgb::BLACK)
         },
-        line(
-            "computed",
-            FIT.decay_rates.clone(),
-            LineStyle::Solid,
-            VERMILION,
-        ),
+        line("computed", FIT.decay_rates.clone(), LineStyle::Solid, VERMILION),
     ]);
     LinePanel {
         y_label: "decay rate [dB/m]".to_owned(),
@@ -126,13 +105,7 @@ fn over_frequency() -> LinePanel {
 }
 
 fn line(label: &str, y: Vec<f64>, style: LineStyle, color: Rgb) -> Series {
-    Series {
-        label: label.to_owned(),
-        x: frequencies(),
-        y,
-        style,
-        color: Some(color),
-    }
+    Series { label: label.to_owned(), x: frequencies(), y, style, color: Some(color) }
 }
 
 fn frequencies() -> Vec<f64> {

@@ -56,8 +56,7 @@ type Outcome = Result<(), String>;
 /// A sentence, where the program or a page it is part of cannot be read.
 pub fn pages(program: &Path) -> Result<Vec<(&'static str, String)>, String> {
     let written = |text: serde_json::Result<String>| {
-        text.map(|text| text + "\n")
-            .map_err(|error| format!("a schema cannot be written: {error}"))
+        text.map(|text| text + "\n").map_err(|error| format!("a schema cannot be written: {error}"))
     };
     let case = written(serde_json::to_string_pretty(&riffel_case::json_schema()))?;
     let traffic = written(serde_json::to_string_pretty(&riffel_case::traffic_schema()))?;
@@ -97,8 +96,7 @@ pub fn check(program: &Path) -> Result<(), String> {
 pub fn write(program: &Path) -> Result<(), String> {
     let validation = [("docs/src/validation.md", validation())];
     for (path, text) in pages(program)?.into_iter().chain(validation) {
-        fs::write(root().join(path), text)
-            .map_err(|error| format!("cannot write {path}: {error}"))?;
+        fs::write(root().join(path), text).map_err(|error| format!("cannot write {path}: {error}"))?;
     }
     pictures(program)?;
     decay_rate::picture()?;
@@ -114,9 +112,7 @@ fn root() -> PathBuf {
 
 /// Draw a picture of the book.
 fn draw(path: &str, figure: &LineFigure) -> Outcome {
-    let picture = figure
-        .picture()
-        .and_then(|picture| picture.png(DEFAULT_PNG_SCALE));
+    let picture = figure.picture().and_then(|picture| picture.png(DEFAULT_PNG_SCALE));
     let picture = picture.map_err(|error| format!("cannot draw {path}: {error}"))?;
     fs::write(root().join(path), picture).map_err(|error| format!("cannot write {path}: {error}"))
 }
@@ -163,69 +159,21 @@ const PICTURES: [(&str, &str, &str); 22] = [
         "evolution.png",
     ),
     ("map cases/nominal.toml", "map.png", "nominal-map.png"),
-    (
-        "map cases/discrete-supports.toml --bay",
-        "bay-map.png",
-        "bay-map.png",
-    ),
+    ("map cases/discrete-supports.toml --bay", "bay-map.png", "bay-map.png"),
     ("map cases/curve.toml", "map.png", "curve-map.png"),
-    (
-        "map cases/metro-curve.toml --wheels",
-        "map.png",
-        "metro-curve-wheels.png",
-    ),
-    (
-        "map cases/metro-curve.toml --wheels",
-        "growth.png",
-        "metro-curve-growth.png",
-    ),
-    (
-        "map cases/class-roaring-rails.toml",
-        "map.png",
-        "class-roaring-rails.png",
-    ),
-    (
-        "map cases/class-rutting.toml",
-        "map.png",
-        "class-rutting.png",
-    ),
-    (
-        "map cases/class-contact-fatigue.toml",
-        "map.png",
-        "class-contact-fatigue.png",
-    ),
-    (
-        "map cases/class-booted-sleeper.toml",
-        "map.png",
-        "class-booted-sleeper.png",
-    ),
-    (
-        "map cases/class-soft-slab.toml",
-        "map.png",
-        "class-soft-slab.png",
-    ),
+    ("map cases/metro-curve.toml --wheels", "map.png", "metro-curve-wheels.png"),
+    ("map cases/metro-curve.toml --wheels", "growth.png", "metro-curve-growth.png"),
+    ("map cases/class-roaring-rails.toml", "map.png", "class-roaring-rails.png"),
+    ("map cases/class-rutting.toml", "map.png", "class-rutting.png"),
+    ("map cases/class-contact-fatigue.toml", "map.png", "class-contact-fatigue.png"),
+    ("map cases/class-booted-sleeper.toml", "map.png", "class-booted-sleeper.png"),
+    ("map cases/class-soft-slab.toml", "map.png", "class-soft-slab.png"),
     ("curve cases/bogie.toml", "curve.png", "bogie-curve.png"),
-    (
-        "profile cases/profiles.toml --wheelset",
-        "wheelset.png",
-        "contact-geometry.png",
-    ),
+    ("profile cases/profiles.toml --wheelset", "wheelset.png", "contact-geometry.png"),
     ("wheelset cases/curve.toml", "modes.png", "curve-modes.png"),
-    (
-        "compare cases/wheelset-coach.toml --models",
-        "models.png",
-        "models.png",
-    ),
-    (
-        "compare cases/wheelset-coach.toml --models frederick-1987",
-        "complex-plane.png",
-        "complex-plane.png",
-    ),
-    (
-        "receptance cases/discrete-supports.toml",
-        "receptance.png",
-        "receptance.png",
-    ),
+    ("compare cases/wheelset-coach.toml --models", "models.png", "models.png"),
+    ("compare cases/wheelset-coach.toml --models frederick-1987", "complex-plane.png", "complex-plane.png"),
+    ("receptance cases/discrete-supports.toml", "receptance.png", "receptance.png"),
 ];
 
 /// The pictures that commands make for README and book.
@@ -236,11 +184,8 @@ fn pictures(program: &Path) -> Outcome {
     for (command, written, name) in PICTURES {
         let words = command.split_whitespace().chain(["-o", "target/generate"]);
         riffel(program, &words.collect::<Vec<&str>>())?;
-        fs::copy(
-            results.join(written),
-            root().join("docs/src/images").join(name),
-        )
-        .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
+        fs::copy(results.join(written), root().join("docs/src/images").join(name))
+            .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
     }
     study_pictures(program)
 }
@@ -254,11 +199,8 @@ fn study_pictures(program: &Path) -> Outcome {
     riffel(program, &["study", "cases/sensitivity.toml", "-o", RESULTS])?;
     riffel(program, &["study", "sensitivity", RESULTS, "-o", FIGURES])?;
     for name in ["sobol-indices.png", "tornado.png", "growth-bands.png"] {
-        fs::copy(
-            root().join(FIGURES).join(name),
-            root().join("docs/src/images").join(name),
-        )
-        .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
+        fs::copy(root().join(FIGURES).join(name), root().join("docs/src/images").join(name))
+            .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
     }
     Ok(())
 }
@@ -275,33 +217,19 @@ fn validation() -> String {
 }
 
 fn command_line(program: &Path) -> Result<String, String> {
-    let mut text = String::from(
-        "# The command line\n\nWritten by `cargo xtask generate` from the program's own help.\n",
-    );
+    let mut text =
+        String::from("# The command line\n\nWritten by `cargo xtask generate` from the program's own help.\n");
     text.push_str(&section(program, "riffel", &["--help"])?);
     for command in COMMANDS {
-        text.push_str(&section(
-            program,
-            &format!("riffel {command}"),
-            &[command, "--help"],
-        )?);
+        text.push_str(&section(program, &format!("riffel {command}"), &[command, "--help"])?);
     }
     for (of, commands) in [
         ("study", &["merge", "sensitivity"][..]),
         ("calibrate", &["check"]),
-        (
-            "network",
-            &[
-                "ingest", "status", "worst", "growth", "plan", "chart", "check",
-            ],
-        ),
+        ("network", &["ingest", "status", "worst", "growth", "plan", "chart", "check"]),
     ] {
         for command in commands {
-            text.push_str(&section(
-                program,
-                &format!("riffel {of} {command}"),
-                &[of, command, "--help"],
-            )?);
+            text.push_str(&section(program, &format!("riffel {of} {command}"), &[of, command, "--help"])?);
         }
     }
     Ok(text)
@@ -309,10 +237,7 @@ fn command_line(program: &Path) -> Result<String, String> {
 
 fn section(program: &Path, title: &str, arguments: &[&str]) -> Result<String, String> {
     let help = riffel(program, arguments)?;
-    Ok(format!(
-        "\n## `{title}`\n\n```text\n{}\n```\n",
-        help.trim_end()
-    ))
+    Ok(format!("\n## `{title}`\n\n```text\n{}\n```\n", help.trim_end()))
 }
 
 /// What the program prints.

@@ -11,17 +11,13 @@ const PAGE: &str = "docs/src/models.md";
 
 /// The chapter with the descriptions of all models.
 pub(crate) fn page() -> Result<String, String> {
-    let page = fs::read_to_string(root().join(PAGE))
-        .map_err(|error| format!("cannot read {PAGE}: {error}"))?;
+    let page = fs::read_to_string(root().join(PAGE)).map_err(|error| format!("cannot read {PAGE}: {error}"))?;
     let models = FieldModel::ALL.map(described).join("\n");
     between_marks(PAGE, &page, "models", models.trim_end())
 }
 
 fn described(model: &FieldModel) -> String {
-    let mut text = format!(
-        "### {}\n\n`{}`: {}\n\n",
-        model.title, model.name, model.source
-    );
+    let mut text = format!("### {}\n\n`{}`: {}\n\n", model.title, model.name, model.source);
     text += "| joint | what stands there |\n|---|---|\n";
     for joint in Joint::ALL {
         text += &format!("| {} | {} |\n", joint.name(), model.joints.words(joint));

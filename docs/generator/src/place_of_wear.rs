@@ -13,8 +13,7 @@ const PICTURE: &str = "docs/src/images/place-of-wear.png";
 
 /// The page with its generated part as it should be; the words around it are kept.
 pub(crate) fn page() -> Result<String, String> {
-    let page = fs::read_to_string(root().join(PAGE))
-        .map_err(|error| format!("cannot read {PAGE}: {error}"))?;
+    let page = fs::read_to_string(root().join(PAGE)).map_err(|error| format!("cannot read {PAGE}: {error}"))?;
     between_marks(PAGE, &page, "place of wear", &table())
 }
 
@@ -30,10 +29,7 @@ fn figure() -> LineFigure {
                   where that sits at the edge of the window or nothing grows. Right: growth rate per passage on \
                   the ridge, positive where corrugation grows. exp(+iωt), braking positive."
             .to_owned(),
-        panels: TRACTIVE_RATIOS
-            .iter()
-            .flat_map(|&ratio| [frequency(ratio), growth(ratio)])
-            .collect(),
+        panels: TRACTIVE_RATIOS.iter().flat_map(|&ratio| [frequency(ratio), growth(ratio)]).collect(),
         arrangement: Arrangement::SideBySide,
     }
 }
@@ -42,12 +38,10 @@ fn frequency(ratio: f64) -> LinePanel {
     let value = |reading: &Reading| {
         let points = reading.ridge.points.iter();
         points
-            .map(
-                |point| match point.at_edge || point.normalized_dissipation > 0.0 {
-                    true => f64::NAN,
-                    false => point.frequency,
-                },
-            )
+            .map(|point| match point.at_edge || point.normalized_dissipation > 0.0 {
+                true => f64::NAN,
+                false => point.frequency,
+            })
             .collect()
     };
     LinePanel {
@@ -67,24 +61,14 @@ fn growth(ratio: f64) -> LinePanel {
     for series in &mut panel.series {
         series.label.clear();
     }
-    LinePanel {
-        y_label: "growth per passage [10⁻⁶]".to_owned(),
-        ..panel
-    }
+    LinePanel { y_label: "growth per passage [10⁻⁶]".to_owned(), ..panel }
 }
 
 /// A curve for each contact over speed.
 fn panel(ratio: f64, value: &dyn Fn(&Reading) -> Vec<f64>) -> LinePanel {
     use LineStyle::{Dashed, Dotted, Solid};
-    let looks = [
-        (Dashed, OKABE_ITO[1]),
-        (Dotted, OKABE_ITO[2]),
-        (Dashed, OKABE_ITO[3]),
-        (Solid, OKABE_ITO[0]),
-    ];
-    let readings = READINGS
-        .iter()
-        .filter(|reading| reading.tractive_ratio == ratio);
+    let looks = [(Dashed, OKABE_ITO[1]), (Dotted, OKABE_ITO[2]), (Dashed, OKABE_ITO[3]), (Solid, OKABE_ITO[0])];
+    let readings = READINGS.iter().filter(|reading| reading.tractive_ratio == ratio);
     LinePanel {
         subtitle: format!("τ = {ratio}"),
         x_label: "speed V [m/s]".to_owned(),
@@ -93,12 +77,7 @@ fn panel(ratio: f64, value: &dyn Fn(&Reading) -> Vec<f64>) -> LinePanel {
             .zip(looks)
             .map(|(reading, (style, color))| Series {
                 label: reading.contact.replace(['*', '`'], ""),
-                x: reading
-                    .ridge
-                    .points
-                    .iter()
-                    .map(|point| point.speed)
-                    .collect(),
+                x: reading.ridge.points.iter().map(|point| point.speed).collect(),
                 y: value(reading),
                 style,
                 color: Some(color),

@@ -27,11 +27,7 @@ pub(crate) fn page() -> String {
         }
         text.push_str("\n\n| key | value | | source |\n|---|---|---|---|\n");
         for value in &preset.values {
-            let _ = writeln!(
-                text,
-                "| `{}` | {} | {} | {} |",
-                value.key, value.value, value.badge, value.source
-            );
+            let _ = writeln!(text, "| `{}` | {} | {} | {} |", value.key, value.value, value.badge, value.source);
         }
     }
     text

@@ -18,9 +18,7 @@ pub(super) fn draw(seed: u64, sample: usize, choice: usize, choices: usize) -> f
 
 /// A number from 0 to 1 of a seed and a choice: splitmix64 (Steele, Lea & Flood 2014).
 fn shift(seed: u64, choice: usize) -> f64 {
-    let mut z = seed
-        .wrapping_add(choice as u64 + 1)
-        .wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let mut z = seed.wrapping_add(choice as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     (z ^ (z >> 31)) as f64 / 2f64.powi(64)
@@ -51,21 +49,14 @@ mod tests {
             for sample in 0..1000 {
                 counts[(10.0 * draw(1, sample, choice, 7)) as usize] += 1;
             }
-            assert!(
-                counts.iter().all(|count| (90..=110).contains(count)),
-                "{choice} {counts:?}"
-            );
+            assert!(counts.iter().all(|count| (90..=110).contains(count)), "{choice} {counts:?}");
         }
         assert_ne!(draw(1, 0, 0, 7), draw(2, 0, 0, 7));
     }
 
     #[test]
     fn quantiles_are_those_of_tables() {
-        for (share, z) in [
-            (0.5, 0.0),
-            (0.9, 1.281_551_565_545),
-            (0.025, -1.959_963_984_540),
-        ] {
+        for (share, z) in [(0.5, 0.0), (0.9, 1.281_551_565_545), (0.025, -1.959_963_984_540)] {
             assert!((normal_quantile(share) - z).abs() < 1e-11);
         }
     }

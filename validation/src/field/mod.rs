@@ -119,15 +119,9 @@ pub enum Measured {
 ///
 /// # Errors
 /// [`AnswerError`] for a site whose files cannot be read.
-pub fn field(
-    samples: usize,
-    seed: u64,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<FieldDocument, AnswerError> {
-    let cases: Result<Vec<SiteDocument>, AnswerError> = sites()?
-        .iter()
-        .map(|site| Ok(SiteDocument::of(site, samples, seed, progress)?))
-        .collect();
+pub fn field(samples: usize, seed: u64, progress: &(dyn Fn(usize) + Sync)) -> Result<FieldDocument, AnswerError> {
+    let cases: Result<Vec<SiteDocument>, AnswerError> =
+        sites()?.iter().map(|site| Ok(SiteDocument::of(site, samples, seed, progress)?)).collect();
     let mut cases = cases?;
     cases.sort_by(|a, b| a.name.cmp(&b.name));
     let outcomes: Vec<&OutcomeDocument> = cases.iter().flat_map(|case| &case.outcomes).collect();
@@ -135,13 +129,7 @@ pub fn field(
     let known = |value: f64| (count > 0.0).then_some(value / count);
     let log_score = known(outcomes.iter().map(|outcome| outcome.log_score).sum());
     let inside_share = known(outcomes.iter().filter(|outcome| outcome.inside).count() as f64);
-    Ok(FieldDocument {
-        riffel_version: env!("CARGO_PKG_VERSION"),
-        seed,
-        log_score,
-        inside_share,
-        cases,
-    })
+    Ok(FieldDocument { riffel_version: env!("CARGO_PKG_VERSION"), seed, log_score, inside_share, cases })
 }
 
 /// Runs of a site beside its own samples: without the wave's geometry, and one for each outcome with other keys.
@@ -150,14 +138,7 @@ pub fn field(
 /// [`AnswerError`] for a site whose files cannot be read.
 pub fn runs(samples: usize) -> Result<usize, AnswerError> {
     let sites = sites()?;
-    let runs = sites.iter().map(|site| {
-        2 + site
-            .file
-            .outcomes
-            .iter()
-            .filter(|outcome| !outcome.set.is_empty())
-            .count()
-    });
+    let runs = sites.iter().map(|site| 2 + site.file.outcomes.iter().filter(|outcome| !outcome.set.is_empty()).count());
     Ok(samples * runs.sum::<usize>())
 }
 
@@ -166,22 +147,14 @@ fn sites() -> Result<Vec<Site>, AnswerError> {
         let path = folder.path().join(file);
         let found = folder.get_file(&path).and_then(|file| file.contents_utf8());
         found.map(str::to_owned).ok_or_else(|| {
-            AnswerError::from(CaseError::data(
-                "validation/field",
-                format!("{} is missing", path.display()),
-            ))
+            AnswerError::from(CaseError::data("validation/field", format!("{} is missing", path.display())))
         })
     };
     SITES
         .dirs()
         .map(|folder| {
             let name = folder.path().display().to_string();
-            Site::read(
-                &name,
-                &text(folder, "case.toml")?,
-                &text(folder, "traffic.toml")?,
-                &text(folder, "site.toml")?,
-            )
+            Site::read(&name, &text(folder, "case.toml")?, &text(folder, "traffic.toml")?, &text(folder, "site.toml")?)
         })
         .collect()
 }
@@ -214,10 +187,7 @@ impl Predicted {
     fn of(samples: &[Result<Sample, CaseError>]) -> Self {
         /// Of what grows in fewer samples no wavelength is told.
         const OFTEN: f64 = 0.5;
-        let unstable: Vec<f64> = samples
-            .iter()
-            .filter_map(|sample| sample.as_ref().ok()?.unstable)
-            .collect();
+        let unstable: Vec<f64> = samples.iter().filter_map(|sample| sample.as_ref().ok()?.unstable).collect();
         let known: Vec<&Sample> = samples.iter().filter_map(stable).collect();
         let growing: Vec<&&Sample> = known.iter().filter(|sample| sample.grows()).collect();
         let grows = growing.len() as f64 >= OFTEN * known.len() as f64;
@@ -236,19 +206,13 @@ impl Predicted {
             mean_wear_mm_per_100_mgt: of_all(&|sample| Some(sample.mean_wear)),
             unstable_samples: unstable.len(),
             unstable_frequency_hz: Banded::of_samples(unstable),
-            share_that_decays: (!known.is_empty())
-                .then(|| 1.0 - growing.len() as f64 / known.len() as f64),
+            share_that_decays: (!known.is_empty()).then(|| 1.0 - growing.len() as f64 / known.len() as f64),
         }
     }
 }
 
 impl SiteDocument {
-    fn of(
-        site: &Site,
-        count: usize,
-        seed: u64,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, CaseError> {
+    fn of(site: &Site, count: usize, seed: u64, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, CaseError> {
         let plain = [("contact.wave_geometry".to_owned(), Value::Boolean(false))];
         let samples = samples_of(site, count, seed, &[], progress);
         let without = samples_of(site, count, seed, &plain, progress);
@@ -270,10 +234,8 @@ impl SiteDocument {
         let decays = predicted.share_that_decays.unwrap_or(0.0);
         let mut reasons: Vec<String> = site.file.reason.iter().cloned().collect();
         if let Some(error) = samples.iter().find_map(|sample| sample.as_ref().err()) {
-            reasons.push(format!(
-                "{} of {count} samples have no mean state, the first because: {error}",
-                count - known
-            ));
+            reasons
+                .push(format!("{} of {count} samples have no mean state, the first because: {error}", count - known));
         }
         let unstable = predicted.unstable_samples;
         if let Some(frequency) = &predicted.unstable_frequency_hz {
@@ -283,10 +245,7 @@ impl SiteDocument {
             ));
         }
         if known > unstable && predicted.wavelength_mm.is_none() {
-            reasons.push(format!(
-                "nothing grows in {:.0} % of the samples",
-                100.0 * decays
-            ));
+            reasons.push(format!("nothing grows in {:.0} % of the samples", 100.0 * decays));
         }
         Ok(Self {
             name: site.name.clone(),
@@ -322,17 +281,12 @@ impl OutcomeDocument {
                 Quantity::Frequency => grows.then_some(sample.frequency),
                 Quantity::Growth => Some(sample.growth),
                 Quantity::GrowthPerMonth => sample.growth_per_month,
-                Quantity::Ratio => changed
-                    .get(place)
-                    .and_then(stable)
-                    .filter(|_| grows)
-                    .map(|changed| changed.growth / sample.growth),
+                Quantity::Ratio => {
+                    changed.get(place).and_then(stable).filter(|_| grows).map(|changed| changed.growth / sample.growth)
+                }
             });
         }
-        let met = values
-            .iter()
-            .filter(|value| measured.is_met_by(**value))
-            .count();
+        let met = values.iter().filter(|value| measured.is_met_by(**value)).count();
         // Half a sample beside those drawn: what was not seen in n samples is not impossible.
         let log_score = ((met as f64 + 0.5) / (values.len() as f64 + 1.0)).ln();
         let predicted = Banded::of_samples(values);
@@ -369,9 +323,7 @@ impl Measured {
     fn is_met_by(self, value: f64) -> bool {
         match self {
             Self::Number(measured) => (measured / THIRD..=measured * THIRD).contains(&value),
-            Self::Ends([low, high]) => {
-                low.is_none_or(|low| value >= low) && high.is_none_or(|high| value <= high)
-            }
+            Self::Ends([low, high]) => low.is_none_or(|low| value >= low) && high.is_none_or(|high| value <= high),
         }
     }
 
@@ -389,11 +341,7 @@ impl Measured {
 mod tests {
     use super::*;
 
-    const BAND: Banded = Banded {
-        median: 2.0,
-        band_50: [1.5, 3.0],
-        band_80: [1.0, 4.0],
-    };
+    const BAND: Banded = Banded { median: 2.0, band_50: [1.5, 3.0], band_80: [1.0, 4.0] };
 
     #[test]
     fn numbers_and_ends_are_held_against_bands() {
@@ -411,10 +359,7 @@ mod tests {
     fn every_site_can_be_run() {
         let one = field(2, 1, &|_| ()).unwrap();
         let other = field(2, 1, &|_| ()).unwrap();
-        assert_eq!(
-            serde_json::to_string(&one).unwrap(),
-            serde_json::to_string(&other).unwrap()
-        );
+        assert_eq!(serde_json::to_string(&one).unwrap(), serde_json::to_string(&other).unwrap());
         assert!(one.cases.len() >= 10, "{}", one.cases.len());
         for site in &one.cases {
             assert!(site.samples > 0, "{}: {:?}", site.name, site.reason);

@@ -40,21 +40,11 @@ impl Sample {
         self.growth > Self::NONE
     }
 
-    pub(super) fn of(
-        site: &Site,
-        seed: u64,
-        sample: usize,
-        set: &[(String, Value)],
-    ) -> Result<Self, CaseError> {
+    pub(super) fn of(site: &Site, seed: u64, sample: usize, set: &[(String, Value)]) -> Result<Self, CaseError> {
         let traffic = site.traffic(seed, sample, set)?;
         let name = format!("validation/field/{}/traffic.toml", site.name);
         let traffic = Traffic::parse(&name, &traffic.to_string())?;
-        let on = traffic.on(
-            &site.case,
-            &bands_of(&site.case),
-            &Variant::none(""),
-            &|_| (),
-        )?;
+        let on = traffic.on(&site.case, &bands_of(&site.case), &Variant::none(""), &|_| ())?;
         let growth = &on.growth;
         let (wavelengths, rates) = (growth.wavelengths(), growth.rates());
         let peaks = peaks(rates);
@@ -78,18 +68,15 @@ impl Sample {
 /// In the mean over the axles \[m/s\].
 fn mean_speed(growth: &TrafficGrowth) -> f64 {
     let vehicles = growth.vehicles().iter();
-    vehicles
-        .map(|vehicle| vehicle.share * vehicle.speeds.mean())
-        .sum()
+    vehicles.map(|vehicle| vehicle.share * vehicle.speeds.mean()).sum()
 }
 
 /// Places of the local maxima, the highest first; the highest of all where there is no other.
 fn peaks(rates: &[f64]) -> Vec<usize> {
     let at = |place: usize| rates.get(place).copied().unwrap_or(f64::NEG_INFINITY);
     let before = |place: usize| place.checked_sub(1).map_or(f64::NEG_INFINITY, at);
-    let mut peaks: Vec<usize> = (0..rates.len())
-        .filter(|&place| at(place) >= before(place) && at(place) > at(place + 1))
-        .collect();
+    let mut peaks: Vec<usize> =
+        (0..rates.len()).filter(|&place| at(place) >= before(place) && at(place) > at(place + 1)).collect();
     peaks.sort_by(|&a, &b| rates[b].total_cmp(&rates[a]));
     peaks
 }

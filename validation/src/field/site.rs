@@ -98,31 +98,19 @@ pub(super) struct Site {
 
 impl Site {
     /// A site of the texts of its three files.
-    pub(super) fn read(
-        name: &str,
-        case: &str,
-        traffic: &str,
-        site: &str,
-    ) -> Result<Self, AnswerError> {
+    pub(super) fn read(name: &str, case: &str, traffic: &str, site: &str) -> Result<Self, AnswerError> {
         let named = |file: &str| format!("validation/field/{name}/{file}");
         let file: SiteFile = KeyFile::parse(&named("site.toml"), site)?.deserialize()?;
         Ok(Self {
             name: name.to_owned(),
             file,
             case: Case::parse(&named("case.toml"), case, &[])?.sharing_parts(),
-            traffic: KeyFile::parse(&named("traffic.toml"), traffic)?
-                .table()
-                .clone(),
+            traffic: KeyFile::parse(&named("traffic.toml"), traffic)?.table().clone(),
         })
     }
 
     /// The traffic of a sample, with further keys of the case under every vehicle.
-    pub(super) fn traffic(
-        &self,
-        seed: u64,
-        sample: usize,
-        set: &[(String, Value)],
-    ) -> Result<Table, CaseError> {
+    pub(super) fn traffic(&self, seed: u64, sample: usize, set: &[(String, Value)]) -> Result<Table, CaseError> {
         let choices = &self.file.choices;
         let mut traffic = self.traffic.clone();
         for (place, choice) in choices.iter().enumerate() {
@@ -140,29 +128,15 @@ impl Choice {
     /// The value of a draw.
     fn value(&self, draw: f64) -> Result<Value, CaseError> {
         let number = match self {
-            Self {
-                values: Some(values),
-                ..
-            } if !values.is_empty() => {
+            Self { values: Some(values), .. } if !values.is_empty() => {
                 let place = (draw * values.len() as f64) as usize;
                 return Ok(values[place.min(values.len() - 1)].clone());
             }
-            Self {
-                min: Some(min),
-                max: Some(max),
-                logarithmic: true,
-                ..
-            } => min * (max / min).powf(draw),
-            Self {
-                min: Some(min),
-                max: Some(max),
-                ..
-            } => min + draw * (max - min),
-            Self {
-                mean: Some(mean),
-                standard_deviation: Some(deviation),
-                ..
-            } => mean + deviation * normal_quantile(draw),
+            Self { min: Some(min), max: Some(max), logarithmic: true, .. } => min * (max / min).powf(draw),
+            Self { min: Some(min), max: Some(max), .. } => min + draw * (max - min),
+            Self { mean: Some(mean), standard_deviation: Some(deviation), .. } => {
+                mean + deviation * normal_quantile(draw)
+            }
             _ => {
                 let message = format!(
                     "the choice `{}` is no distribution: give min and max, mean and standard_deviation, or values",
@@ -189,11 +163,7 @@ fn put(traffic: &mut Table, key: &str, value: &Value) {
 
 fn each(traffic: &mut Table, path: &[&str], value: &Value) {
     let vehicles = traffic.get_mut("vehicle").and_then(Value::as_array_mut);
-    for vehicle in vehicles
-        .into_iter()
-        .flatten()
-        .filter_map(Value::as_table_mut)
-    {
+    for vehicle in vehicles.into_iter().flatten().filter_map(Value::as_table_mut) {
         insert(vehicle, path, value);
     }
 }

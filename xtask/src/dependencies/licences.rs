@@ -33,40 +33,25 @@ pub(crate) fn third_party_licences(package: &str, target: &str) -> Result<String
             names.push(name.clone());
         }
     }
-    let mut texts: Vec<_> = owners
-        .into_values()
-        .map(|(text, names)| (names, text))
-        .collect();
+    let mut texts: Vec<_> = owners.into_values().map(|(text, names)| (names, text)).collect();
     texts.sort();
     for (names, terms) in texts {
         let line = "─".repeat(80);
-        let _ = write!(
-            text,
-            "\n{line}\n{}\n{line}\n\n{}\n",
-            names.join(", "),
-            terms.trim_end()
-        );
+        let _ = write!(text, "\n{line}\n{}\n{line}\n\n{}\n", names.join(", "), terms.trim_end());
     }
     Ok(text)
 }
 
 /// The texts that a package comes under.
 fn terms(package: &Package) -> Result<Vec<String>, String> {
-    let folder = package
-        .manifest_path
-        .parent()
-        .ok_or("a manifest without folder")?;
+    let folder = package.manifest_path.parent().ok_or("a manifest without folder")?;
     let failed = |error| format!("cannot read {folder}: {error}");
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder).map_err(failed)? {
         let entry = entry.map_err(failed)?;
         let name = entry.file_name().to_string_lossy().to_uppercase();
         let is_file = entry.file_type().map_err(failed)?.is_file();
-        if is_file
-            && BEGINNINGS
-                .iter()
-                .any(|beginning| name.starts_with(beginning))
-        {
+        if is_file && BEGINNINGS.iter().any(|beginning| name.starts_with(beginning)) {
             paths.push(entry.path());
         }
     }
@@ -75,10 +60,7 @@ fn terms(package: &Package) -> Result<Vec<String>, String> {
         return of_spdx(package);
     }
     let read = |path| fs::read(path).map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    paths
-        .into_iter()
-        .map(|path| read(path).map_err(failed))
-        .collect()
+    paths.into_iter().map(|path| read(path).map_err(failed)).collect()
 }
 
 /// The texts of the licences that a package states, for one that brings none.
@@ -93,15 +75,10 @@ fn of_spdx(package: &Package) -> Result<Vec<String>, String> {
         true => String::new(),
         false => format!(" by {}", package.authors.join(", ")),
     };
-    let ids = licence
-        .requirements()
-        .filter_map(|asked| asked.req.license.id());
+    let ids = licence.requirements().filter_map(|asked| asked.req.license.id());
     Ok(ids
         .map(|id| {
-            let head = format!(
-                "{}{by} brings no text of its own; that of {} reads:",
-                package.name, id.full_name
-            );
+            let head = format!("{}{by} brings no text of its own; that of {} reads:", package.name, id.full_name);
             format!("{head}\n\n{}", id.text())
         })
         .collect())

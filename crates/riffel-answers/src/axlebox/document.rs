@@ -74,11 +74,7 @@ impl Section {
 pub(super) fn document(answer: &AxleBoxAnswer) -> AxleBoxDocument<'_> {
     AxleBoxDocument {
         riffel_version: env!("CARGO_PKG_VERSION"),
-        files: answer
-            .files
-            .iter()
-            .map(|path| path.display().to_string())
-            .collect(),
+        files: answer.files.iter().map(|path| path.display().to_string()).collect(),
         rails: answer.rails.iter().map(rail).collect(),
         wheels: &answer.wheels,
         remarks: answer.remarks.iter().map(ToString::to_string).collect(),
@@ -109,10 +105,7 @@ fn rail(answer: &AxleBoxRail) -> RailDocument<'_> {
         bands: bands(&rail.name, &analysis.bands),
         verdicts: &rail.verdicts,
         defects: DefectDocument::all(&rail.name, &analysis.defects),
-        grind: (rail.sections.iter())
-            .map(|section| Section::new(section, analysis))
-            .collect(),
-        grind_share_of_length: line_length(analysis.measured_within(&rail.sections))
-            / analysis.length(),
+        grind: (rail.sections.iter()).map(|section| Section::new(section, analysis)).collect(),
+        grind_share_of_length: line_length(analysis.measured_within(&rail.sections)) / analysis.length(),
     }
 }

@@ -33,28 +33,18 @@ fn spectra(answer: &AxleBoxAnswer, limits: &[LimitTable]) -> LinePanel {
         .map(|(index, rail)| {
             // Black is the limit's.
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
-            levels(
-                &rail.rail.name,
-                &rail.rail.analysis.spectrum,
-                LineStyle::Solid,
-                color,
-            )
+            levels(&rail.rail.name, &rail.rail.analysis.spectrum, LineStyle::Solid, color)
         })
         .collect();
     series.extend(limit_curves(limits));
-    LinePanel {
-        areas: answer.rails.first().map(pads).into_iter().collect(),
-        ..level_panel(series, Language::English)
-    }
+    LinePanel { areas: answer.rails.first().map(pads).into_iter().collect(), ..level_panel(series, Language::English) }
 }
 
 fn pads(rail: &AxleBoxRail) -> Area {
     let levels = || rail.levels.iter();
     Area {
         label: format!("{}, pads unknown", rail.rail.name),
-        x: levels()
-            .map(|level| 1e3 * level.band.wavelength())
-            .collect(),
+        x: levels().map(|level| 1e3 * level.band.wavelength()).collect(),
         low: levels().map(|level| level.range[0]).collect(),
         high: levels().map(|level| level.range[1]).collect(),
         color: Rgb(220, 220, 220),

@@ -90,16 +90,9 @@ impl Heard {
         if length < 4.0 * settings.longest_wavelength {
             return Ok(());
         }
-        let settings = AnalysisSettings {
-            felt: Some(known),
-            ..settings.clone()
-        };
+        let settings = AnalysisSettings { felt: Some(known), ..settings.clone() };
         let without = wheel.as_mut().and_then(|found| found.without.take());
-        let levels = AnalysisSettings {
-            bands: Vec::new(),
-            section_levels: false,
-            ..settings.clone()
-        };
+        let levels = AnalysisSettings { bands: Vec::new(), section_levels: false, ..settings.clone() };
         let without = without.map(|rail| RailAnalysis::new(vec![rail], &levels, &|| ()));
         let without = without.transpose()?.map(|analysis| analysis.spectrum);
         self.wheel.extend(wheel.map(|found| (length, found)));
@@ -115,15 +108,8 @@ impl Heard {
         self.fastest = self.fastest.max(fastest);
         self.speed += mean * length;
         self.length += length;
-        let (from, to) = (
-            self.known.from().min(known.from()),
-            self.known.to().max(known.to()),
-        );
-        self.known = if self.parts.len() == 1 {
-            known
-        } else {
-            WavelengthBand::new(from, to)?
-        };
+        let (from, to) = (self.known.from().min(known.from()), self.known.to().max(known.to()));
+        self.known = if self.parts.len() == 1 { known } else { WavelengthBand::new(from, to)? };
         Ok(())
     }
 }
@@ -185,20 +171,14 @@ pub(super) fn listen(
     let asked = WavelengthBand::new(request.shortest, request.longest)?;
     let (mut runs, mut places) = (Vec::new(), Vec::new());
     for name in file.channels() {
-        let place = heard
-            .iter()
-            .position(|one| one.name == *name)
-            .unwrap_or_else(|| {
-                heard.push(Heard::new(name, asked));
-                heard.len() - 1
-            });
+        let place = heard.iter().position(|one| one.name == *name).unwrap_or_else(|| {
+            heard.push(Heard::new(name, asked));
+            heard.len() - 1
+        });
         runs.push(Run::new(&transfer, settings)?);
         places.push(place);
     }
-    let at_fault = |error: riffel::Error| CaseError::Physics {
-        input: path.display().to_string(),
-        error,
-    };
+    let at_fault = |error: riffel::Error| CaseError::Physics { input: path.display().to_string(), error };
     let mut take = |finished: Vec<(usize, FeltProfile)>| -> Result<(), riffel::Error> {
         let name = |place: usize| heard[place].name.clone();
         for (place, felt, wheel) in taken_off(case, finished, &name)? {

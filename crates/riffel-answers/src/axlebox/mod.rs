@@ -15,9 +15,7 @@ use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message, fixed, number, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{
-    AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defects_in_words, rail_in_words,
-};
+use riffel_rail::{AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defects_in_words, rail_in_words};
 
 pub use document::AxleBoxDocument;
 pub use wheels::{WheelMark, WheelMarkKind};
@@ -132,9 +130,7 @@ impl AxleBoxAnswer {
         let mut ends: Vec<(&[String], RunEnd)> = Vec::new();
         for given in files {
             let (path, file) = given;
-            let is_same = |(names, _): &&(&[String], RunEnd)| {
-                names.iter().any(|name| file.channels().contains(name))
-            };
+            let is_same = |(names, _): &&(&[String], RunEnd)| names.iter().any(|name| file.channels().contains(name));
             let before = ends.iter().rev().find(is_same).map(|(_, end)| *end);
             let heard_of = listen(case, given, limits, request, progress, before, &mut heard)?;
             let (warnings, longest, end) = heard_of;
@@ -150,11 +146,8 @@ impl AxleBoxAnswer {
         let Some((path, _)) = files.first().filter(|_| heard.iter().all(Heard::is_empty)) else {
             return Self::judged(case, files, limits, request, heard, remarks);
         };
-        let slow = say!(
-            train_is_too_slow,
-            slowest = fixed(3.6 * request.slowest, 1),
-            longest = number(request.longest)
-        );
+        let slow =
+            say!(train_is_too_slow, slowest = fixed(3.6 * request.slowest, 1), longest = number(request.longest));
         Err(CaseError::data(path, slow).into())
     }
 
@@ -195,9 +188,7 @@ impl AxleBoxAnswer {
                 known,
                 rail: RailAnswer {
                     sections: analysis.grind(&request.grinding),
-                    verdicts: verdicts
-                        .map(|verdict| verdict.on_rail(&name).of(words.as_ref()))
-                        .collect(),
+                    verdicts: verdicts.map(|verdict| verdict.on_rail(&name).of(words.as_ref())).collect(),
                     name,
                     analysis,
                 },
@@ -208,30 +199,18 @@ impl AxleBoxAnswer {
             true => DefectsAre::Judged,
             false => DefectsAre::OutOfLevels,
         };
-        let defects = rails.iter().flat_map(|AxleBoxRail { rail, .. }| {
-            defects_in_words(&rail.name, &rail.analysis.defects, are)
-        });
+        let defects =
+            rails.iter().flat_map(|AxleBoxRail { rail, .. }| defects_in_words(&rail.name, &rail.analysis.defects, are));
         remarks.extend(defects);
         remarks.extend(validity(case, request));
-        Ok(Self {
-            files: files.iter().map(|(path, _)| path.clone()).collect(),
-            rails,
-            wheels,
-            remarks,
-        })
+        Ok(Self { files: files.iter().map(|(path, _)| path.clone()).collect(), rails, wheels, remarks })
     }
 
     /// First and last place of all channels \[m\].
     pub fn ends(&self) -> [f64; 2] {
-        let stretches = || {
-            self.rails
-                .iter()
-                .flat_map(|rail| &rail.rail.analysis.stretches)
-        };
+        let stretches = || self.rails.iter().flat_map(|rail| &rail.rail.analysis.stretches);
         let from = stretches().map(|ends| ends.0).fold(f64::INFINITY, f64::min);
-        let to = stretches()
-            .map(|ends| ends.1)
-            .fold(f64::NEG_INFINITY, f64::max);
+        let to = stretches().map(|ends| ends.1).fold(f64::NEG_INFINITY, f64::max);
         [from, to]
     }
 
@@ -266,13 +245,7 @@ impl AxleBoxAnswer {
     /// Those of the file.
     pub fn pads_csv(&self, file: &mut impl Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
-        writer.write_record([
-            "rail",
-            "wavelength_m",
-            "level_db",
-            "lowest_db",
-            "highest_db",
-        ])?;
+        writer.write_record(["rail", "wavelength_m", "level_db", "lowest_db", "highest_db"])?;
         for rail in &self.rails {
             for level in &rail.levels {
                 let [lowest, highest] = level.range;

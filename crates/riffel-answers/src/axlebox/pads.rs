@@ -17,11 +17,7 @@ const LINES: u32 = 16;
 
 /// The levels of a spectrum with those that pads of half and of twice the stiffness make of the same accelerations, at the mean
 /// speed, where the energy of a band is spread evenly over it.
-pub(super) fn ranges(
-    case: &Case,
-    spectrum: &Spectrum,
-    speed: f64,
-) -> Result<Vec<LevelRange>, AnswerError> {
+pub(super) fn ranges(case: &Case, spectrum: &Spectrum, speed: f64) -> Result<Vec<LevelRange>, AnswerError> {
     let transfer = |case: &Case| AxleBoxTransfer::new(case.places(), case.known_frequencies());
     let own = transfer(case);
     let pad = case.file.track.pad.as_ref().and_then(|pad| pad.stiffness);
@@ -32,20 +28,11 @@ pub(super) fn ranges(
         }
     }
     let levels = spectrum.levels().iter().map(|level| {
-        let changes = others
-            .iter()
-            .map(|other| change(&own, other, level.band, speed));
+        let changes = others.iter().map(|other| change(&own, other, level.band, speed));
         let range = changes.fold([level.level; 2], |[low, high], change| {
-            [
-                low.min(level.level + change),
-                high.max(level.level + change),
-            ]
+            [low.min(level.level + change), high.max(level.level + change)]
         });
-        LevelRange {
-            band: level.band,
-            level: level.level,
-            range,
-        }
+        LevelRange { band: level.band, level: level.level, range }
     });
     Ok(levels.collect())
 }

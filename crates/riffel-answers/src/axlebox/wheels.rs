@@ -85,9 +85,7 @@ pub(super) fn taken_off(
 /// What is to be said of the level that waves that may be the wheel's make the most uncertain, if any by half a decibel.
 pub(super) fn bound(name: &str, levels: &[LevelRange], parts: &[PartWithout]) -> Option<Message> {
     let lower = |level: &LevelRange| lower(parts, level.band);
-    let most = levels
-        .iter()
-        .max_by(|one, other| lower(one).total_cmp(&lower(other)))?;
+    let most = levels.iter().max_by(|one, other| lower(one).total_cmp(&lower(other)))?;
     (lower(most) > 0.5).then(|| {
         say!(
             level_of_wheel_or_rail,
@@ -100,24 +98,15 @@ pub(super) fn bound(name: &str, levels: &[LevelRange], parts: &[PartWithout]) ->
 }
 
 /// What turns with the wheel of a channel, in its pieces of line with their lengths \[m\], and a sentence on it.
-pub(super) fn marks(
-    name: &str,
-    pieces: &[(f64, WheelPattern)],
-) -> (Vec<WheelMark>, Option<Message>) {
+pub(super) fn marks(name: &str, pieces: &[(f64, WheelPattern)]) -> (Vec<WheelMark>, Option<Message>) {
     let is_wheel = pieces.iter().any(|(_, found)| found.is_wheel);
-    let pieces: Vec<&(f64, WheelPattern)> = pieces
-        .iter()
-        .filter(|(_, found)| found.is_wheel == is_wheel)
-        .collect();
+    let pieces: Vec<&(f64, WheelPattern)> = pieces.iter().filter(|(_, found)| found.is_wheel == is_wheel).collect();
     let length: f64 = pieces.iter().map(|(length, _)| length).sum();
     if pieces.is_empty() {
         return (Vec::new(), None);
     }
     let mean = |of: &dyn Fn(&WheelPattern) -> f64| {
-        let sum: f64 = pieces
-            .iter()
-            .map(|(length, found)| length * of(found))
-            .sum();
+        let sum: f64 = pieces.iter().map(|(length, found)| length * of(found)).sum();
         sum / length
     };
     let circumference = mean(&|found| found.circumference);
@@ -155,22 +144,12 @@ pub(super) fn marks(
     let (waves, amplitude) = (order.to_string(), fixed(1e6 * most.sqrt(), 1));
     let wavelength = significant(1e3 * circumference / order as f64, 3);
     if !is_wheel {
-        let said = say!(
-            wheel_or_rail,
-            channel = channel(),
-            order = waves,
-            amplitude = amplitude,
-            wavelength = wavelength
-        );
+        let said =
+            say!(wheel_or_rail, channel = channel(), order = waves, amplitude = amplitude, wavelength = wavelength);
         return (Vec::new(), Some(said));
     }
-    let said = say!(
-        wheel_is_not_round,
-        channel = channel(),
-        order = waves,
-        amplitude = amplitude,
-        wavelength = wavelength
-    );
+    let said =
+        say!(wheel_is_not_round, channel = channel(), order = waves, amplitude = amplitude, wavelength = wavelength);
     let told = orders.iter().filter(|(_, power)| *power >= TOLD * most);
     let marks = told.map(|(order, power)| WheelMark {
         name: channel(),

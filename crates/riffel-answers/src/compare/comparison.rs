@@ -69,16 +69,9 @@ pub enum Effect {
 
 impl Effect {
     /// Of a variant on the case that it makes, by growth before and after.
-    fn of(
-        variant: &Variant,
-        changed: &Case,
-        before: &TrafficGrowth,
-        after: &TrafficGrowth,
-    ) -> Self {
-        let idle: Vec<(&str, Message)> = variant
-            .keys()
-            .filter_map(|key| Some((key, changed.idle_because(key)?)))
-            .collect();
+    fn of(variant: &Variant, changed: &Case, before: &TrafficGrowth, after: &TrafficGrowth) -> Self {
+        let idle: Vec<(&str, Message)> =
+            variant.keys().filter_map(|key| Some((key, changed.idle_because(key)?))).collect();
         let all = idle.len() == variant.settings.len() && variant.speed == SpeedChange::default();
         let mut reasons: Vec<(Vec<Message>, &Message)> = Vec::new();
         for (key, reason) in &idle {
@@ -91,28 +84,17 @@ impl Effect {
         let title = &variant.title;
         let reasons = reasons.into_iter().map(|(keys, reason)| {
             let (count, keys) = (keys.len(), keys.into_iter().collect::<Value>());
-            say!(
-                keys_have_no_effect,
-                keys = keys,
-                count = count,
-                reason = reason.clone()
-            )
+            say!(keys_have_no_effect, keys = keys, count = count, reason = reason.clone())
         });
         let reasons = reasons.reduce(Message::followed_by);
         let same = before.vehicles().len() == after.vehicles().len()
-            && before
-                .vehicles()
-                .iter()
-                .zip(after.vehicles())
-                .all(|(before, after)| before.growth == after.growth);
+            && before.vehicles().iter().zip(after.vehicles()).all(|(before, after)| before.growth == after.growth);
         match (same, all, reasons) {
-            (true, true, Some(reasons)) => {
-                Self::CannotAct(say!(variant_cannot_act, title = title, reasons = reasons))
-            }
+            (true, true, Some(reasons)) => Self::CannotAct(say!(variant_cannot_act, title = title, reasons = reasons)),
             (true, ..) => Self::ChangesNothing(say!(variant_changes_nothing, title = title)),
-            (false, _, reasons) => Self::Acts(
-                reasons.map(|reasons| say!(variant_acts_in_part, title = title, reasons = reasons)),
-            ),
+            (false, _, reasons) => {
+                Self::Acts(reasons.map(|reasons| say!(variant_acts_in_part, title = title, reasons = reasons)))
+            }
         }
     }
 
@@ -174,8 +156,7 @@ impl Comparison {
             let is_base = base.is_none();
             let untold = base.is_some_and(|base| {
                 let unexplained = |rail: &RailForecast| rail.unexplained(&model, None);
-                base.leading()
-                    .is_some_and(|rail| !unexplained(rail).is_empty())
+                base.leading().is_some_and(|rail| !unexplained(rail).is_empty())
             });
             if untold {
                 rails.clear();
@@ -220,11 +201,7 @@ impl Comparison {
                 remarks: on.remarks,
             });
         }
-        Ok(Self {
-            bands,
-            model,
-            outcomes,
-        })
+        Ok(Self { bands, model, outcomes })
     }
 
     /// The case as it is.
@@ -256,9 +233,7 @@ impl Outcome {
 
     /// Months that some axle passages take, if the axles a day are known.
     pub fn months(&self, passages: f64) -> Option<f64> {
-        let per_day = self
-            .passages_per_day
-            .filter(|_| self.without_time.is_none())?;
+        let per_day = self.passages_per_day.filter(|_| self.without_time.is_none())?;
         Some(passages / per_day / DAYS_PER_MONTH)
     }
 
@@ -282,29 +257,17 @@ impl Outcome {
 
 impl FastestLine {
     /// That of a variant of which nothing is told.
-    const UNTOLD: Self = Self {
-        wavelength: f64::NAN,
-        rate: f64::NAN,
-        at_edge: false,
-    };
+    const UNTOLD: Self = Self { wavelength: f64::NAN, rate: f64::NAN, at_edge: false };
 
     /// Of the bands of the case; of a rail whose growth was measured, the wavelength that grows fastest on it.
     fn of(growth: &TrafficGrowth, case: &Case, rail: Option<&RailForecast>) -> Self {
         let own = rail.and_then(|rail| rail.start.growth.as_ref()?.fastest());
         let near = own.and_then(|own| growth.fastest_near(own.band.wavelength()));
         if let (Some(own), Some(rate)) = (own, near) {
-            return Self {
-                wavelength: own.band.wavelength(),
-                rate,
-                at_edge: false,
-            };
+            return Self { wavelength: own.band.wavelength(), rate, at_edge: false };
         }
         // Every traffic has a line.
         let (wavelength, rate, at_edge) = case.fastest_under(growth).unwrap_or_default();
-        Self {
-            wavelength,
-            rate,
-            at_edge,
-        }
+        Self { wavelength, rate, at_edge }
     }
 }

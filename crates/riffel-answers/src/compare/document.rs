@@ -101,12 +101,7 @@ pub(super) fn document<'a>(answer: &'a CompareAnswer, case: &'a Case) -> Compare
         ground: answer.ground.as_ref().map(|ground| &ground.words),
         limit: rail.map(|_| answer.table.edition.as_str()),
         unexplained: answer.unexplained(),
-        outcomes: answer
-            .comparison
-            .outcomes
-            .iter()
-            .map(|outcome| of(answer, case, outcome))
-            .collect(),
+        outcomes: answer.comparison.outcomes.iter().map(|outcome| of(answer, case, outcome)).collect(),
         over_posterior: answer.over_posterior.as_ref(),
     }
 }
@@ -152,12 +147,9 @@ fn of<'a>(answer: &'a CompareAnswer, case: &Case, outcome: &'a Outcome) -> Outco
             .collect(),
         rail: outcome.leading().and_then(RailForecast::name),
         rails: rails(outcome),
-        reach: ReachDocument::new(
-            outcome.reach().map(Reach::name),
-            passages_to_limit,
-            &outcome.growth,
-            |passages| outcome.months(passages),
-        ),
+        reach: ReachDocument::new(outcome.reach().map(Reach::name), passages_to_limit, &outcome.growth, |passages| {
+            outcome.months(passages)
+        }),
         change_of_time_to_limit: passages_to_limit
             .zip(base.passages_to_limit().filter(|passages| *passages > 0.0))
             .map(|(own, base)| own / base - 1.0),
@@ -173,12 +165,9 @@ fn rails(outcome: &Outcome) -> Vec<RailDocument<'_>> {
             let passages = rail.reach.and_then(Reach::passages);
             RailDocument {
                 rail: rail.name(),
-                reach: ReachDocument::new(
-                    rail.reach.map(Reach::name),
-                    passages,
-                    &outcome.growth,
-                    |passages| outcome.months(passages),
-                ),
+                reach: ReachDocument::new(rail.reach.map(Reach::name), passages, &outcome.growth, |passages| {
+                    outcome.months(passages)
+                }),
                 linear_range_passages: linear_range(rail),
             }
         })
@@ -193,23 +182,13 @@ fn linear_range(rail: &RailForecast) -> Option<f64> {
 pub(super) fn band_table(answer: &CompareAnswer, file: &mut impl Write) -> io::Result<()> {
     let bands = answer.comparison.bands.iter();
     let wavelengths: Vec<f64> = bands.map(|band| band.wavelength()).collect();
-    rate_table(
-        answer,
-        &wavelengths,
-        |outcome, place| outcome.growth.band_rate(place),
-        file,
-    )
+    rate_table(answer, &wavelengths, |outcome, place| outcome.growth.band_rate(place), file)
 }
 
 /// One row for each line, a column for each outcome.
 pub(super) fn line_table(answer: &CompareAnswer, file: &mut impl Write) -> io::Result<()> {
     let wavelengths = answer.comparison.base().growth.wavelengths();
-    rate_table(
-        answer,
-        &wavelengths,
-        |outcome, place| outcome.growth.rates()[place],
-        file,
-    )
+    rate_table(answer, &wavelengths, |outcome, place| outcome.growth.rates()[place], file)
 }
 
 fn rate_table(
@@ -226,13 +205,7 @@ fn rate_table(
     writer.write_record(&header)?;
     for (place, wavelength) in wavelengths.iter().enumerate() {
         let mut row = vec![*wavelength];
-        row.extend(
-            answer
-                .comparison
-                .outcomes
-                .iter()
-                .map(|outcome| rate(outcome, place)),
-        );
+        row.extend(answer.comparison.outcomes.iter().map(|outcome| rate(outcome, place)));
         writer.serialize(row)?;
     }
     writer.flush()

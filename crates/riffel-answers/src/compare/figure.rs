@@ -18,12 +18,7 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
         .map(|(index, outcome)| Series {
             label: title_of(outcome).text(language),
             x: wavelengths.clone(),
-            y: outcome
-                .growth
-                .rates()
-                .iter()
-                .map(|rate| per_million(*rate))
-                .collect(),
+            y: outcome.growth.rates().iter().map(|rate| per_million(*rate)).collect(),
             style: LineStyle::Solid,
             color: Some(color(index)),
         })
@@ -50,12 +45,7 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
         };
         let mut ended = Vec::new();
         let spectrum = &leading.start.levels.spectrum;
-        let mut levels = vec![curve(
-            &now.text(language),
-            spectrum,
-            LineStyle::Dotted,
-            Rgb::BLACK,
-        )];
+        let mut levels = vec![curve(&now.text(language), spectrum, LineStyle::Dotted, Rgb::BLACK)];
         levels.extend(outcomes().filter_map(|(index, outcome)| {
             // All of one rail, the one that leads in the case as it is.
             let mut rails = outcome.rails.iter();
@@ -69,27 +59,15 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
             // Where the wheel leaves the rail now, there is nothing but the spectrum now.
             (until > 0.0).then(|| Series {
                 label: title_of(outcome).text(language),
-                x: bands
-                    .clone()
-                    .map(|band| 1e3 * band.now.band.wavelength())
-                    .collect(),
+                x: bands.clone().map(|band| 1e3 * band.now.band.wavelength()).collect(),
                 y: bands.map(|band| band.level(until)).collect(),
                 style: LineStyle::Solid,
                 color: Some(color(index)),
             })
         }));
-        levels.push(curve(
-            &answer.table.edition,
-            answer.limit.spectrum(),
-            LineStyle::Dashed,
-            Rgb::BLACK,
-        ));
+        levels.push(curve(&answer.table.edition, answer.limit.spectrum(), LineStyle::Dashed, Rgb::BLACK));
         panels.push(level_panel(levels, language));
-        caption.push(say!(
-            levels_after,
-            passages = when(Some(passages)),
-            tonnes = number(base.growth.mgt(passages))
-        ));
+        caption.push(say!(levels_after, passages = when(Some(passages)), tonnes = number(base.growth.mgt(passages))));
         if let Some(rail) = answer.rail(leading) {
             caption.push(say!(levels_of_rail_as_it_is, rail = rail));
         }
@@ -100,11 +78,7 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
     }
     let caption: Vec<String> = caption.iter().map(|one| sentence(one, language)).collect();
     LineFigure {
-        title: case
-            .file
-            .title
-            .clone()
-            .unwrap_or_else(|| say!(comparison).text(language)),
+        title: case.file.title.clone().unwrap_or_else(|| say!(comparison).text(language)),
         caption: caption.join(" "),
         panels,
         arrangement: Arrangement::Stacked,

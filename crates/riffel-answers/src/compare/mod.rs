@@ -19,9 +19,7 @@ pub use comparison::{Comparison, Effect, FastestLine, Outcome};
 pub use document::CompareDocument;
 pub use over_posterior::compare_over;
 
-use crate::forecast::{
-    RailForecast, RailStart, not_forecast, number_alone, per_million, reached, three_digits,
-};
+use crate::forecast::{RailForecast, RailStart, not_forecast, number_alone, per_million, reached, three_digits};
 use crate::{AnswerError, OverPosterior, unlikely_wear, wear_spread};
 
 /// What is asked of variants.
@@ -77,20 +75,8 @@ impl CompareAnswer {
     /// # Errors
     /// [`AnswerError::Case`] with the key at fault, [`AnswerError::OutsideWindow`] where no rail has a band in the
     /// window of the case.
-    pub fn new(
-        case: &Case,
-        request: CompareRequest,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, AnswerError> {
-        let CompareRequest {
-            variants,
-            traffic,
-            speeds,
-            hold,
-            survey,
-            ground,
-            limit: (table, limit),
-        } = request;
+    pub fn new(case: &Case, request: CompareRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+        let CompareRequest { variants, traffic, speeds, hold, survey, ground, limit: (table, limit) } = request;
         let mut warnings = Vec::new();
         let survey = survey.map(|survey| survey.latest().0);
         let of_survey = survey.iter().filter(|_| ground.is_none());
@@ -111,12 +97,11 @@ impl CompareAnswer {
                 }));
             }
         }
-        let comparison =
-            Comparison::compute(case, &variants, &traffic, &starts, Some(&limit), progress)?;
+        let comparison = Comparison::compute(case, &variants, &traffic, &starts, Some(&limit), progress)?;
         let per_day = comparison.base().passages_per_day;
-        let without_growth = survey.as_ref().and_then(|survey| {
-            RailStart::without_growth(&starts(per_day), survey, ground.is_some(), per_day)
-        });
+        let without_growth = survey
+            .as_ref()
+            .and_then(|survey| RailStart::without_growth(&starts(per_day), survey, ground.is_some(), per_day));
         warnings.extend(not_forecast(&rails, &comparison.base().rails, case));
         Ok(Self {
             wear_spread: wear_spread(case),
@@ -137,8 +122,7 @@ impl CompareAnswer {
     /// What the draws of a calibration say of each variant; nothing without one.
     pub fn over_posterior_in_words(&self) -> Vec<Message> {
         let over = self.over_posterior.iter();
-        over.flat_map(|over| over_posterior::in_words(self, over))
-            .collect()
+        over.flat_map(|over| over_posterior::in_words(self, over)).collect()
     }
 
     /// The figure of the comparison.
@@ -221,9 +205,7 @@ impl CompareAnswer {
     pub(crate) fn unexplained(&self) -> Vec<Message> {
         let per_day = self.comparison.base().passages_per_day;
         let rail = self.leading();
-        rail.map_or_else(Vec::new, |rail| {
-            rail.unexplained(&self.comparison.model, per_day)
-        })
+        rail.map_or_else(Vec::new, |rail| rail.unexplained(&self.comparison.model, per_day))
     }
 
     /// How the rail that leads grew, which its forecast goes by, and whether the model explains it; else empty.
@@ -239,11 +221,7 @@ impl CompareAnswer {
 
     /// Heads of the table without that of the titles: those of what is known of some outcome.
     pub fn header(&self) -> Vec<Message> {
-        let mut header = vec![
-            say!(fastest_in_millimetres),
-            say!(decibels_per_million_passages),
-            say!(change_head),
-        ];
+        let mut header = vec![say!(fastest_in_millimetres), say!(decibels_per_million_passages), say!(change_head)];
         if self.holds() {
             header.push(say!(held_head));
         }
@@ -267,11 +245,7 @@ impl CompareAnswer {
             row[2] = say!(cannot_be_told);
             return row;
         }
-        let FastestLine {
-            wavelength,
-            rate,
-            at_edge,
-        } = outcome.fastest;
+        let FastestLine { wavelength, rate, at_edge } = outcome.fastest;
         let nothing = || Message::verbatim("");
         let change = outcome.change_from(self.comparison.base());
         let wavelength = number_alone(format_args!("{:.1}", 1e3 * wavelength));
@@ -284,9 +258,7 @@ impl CompareAnswer {
             match &outcome.effect {
                 Effect::CannotAct(_) => say!(cannot_act),
                 Effect::ChangesNothing(_) => say!(changes_nothing),
-                _ => change.map_or_else(nothing, |change| {
-                    number_alone(format_args!("{:+.0} %", 100.0 * change))
-                }),
+                _ => change.map_or_else(nothing, |change| number_alone(format_args!("{:+.0} %", 100.0 * change))),
             },
         ];
         if self.holds() {
@@ -303,9 +275,7 @@ impl CompareAnswer {
             row.push(name_in_words(rail.unwrap_or_default()));
         }
         if let Some(reach) = outcome.reach() {
-            let mgt = reach
-                .passages()
-                .map(|passages| outcome.growth.mgt(passages));
+            let mgt = reach.passages().map(|passages| outcome.growth.mgt(passages));
             row.push(reached(reach));
             row.push(mgt.map_or_else(nothing, |mgt| number_alone(three_digits(mgt))));
         }

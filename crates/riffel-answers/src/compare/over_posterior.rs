@@ -17,10 +17,7 @@ pub fn compare_over(
 ) -> Result<OverPosterior, AnswerError> {
     draws.over(progress, |drawn| {
         let request = CompareRequest {
-            traffic: drawn
-                .traffic
-                .as_ref()
-                .map_or_else(|| request.traffic.clone(), Traffic::clone),
+            traffic: drawn.traffic.as_ref().map_or_else(|| request.traffic.clone(), Traffic::clone),
             ..request.clone()
         };
         let answer = CompareAnswer::new(&drawn.case, request, &|_| ())?;
@@ -43,11 +40,7 @@ pub(super) fn in_words(answer: &CompareAnswer, over: &OverPosterior) -> Vec<Mess
             ));
         }
         if let Some(months) = number("months_to_limit") {
-            sentences.push(say!(
-                variant_months_over_posterior,
-                title = &outcome.title,
-                months = months.times(1.0, 1)
-            ));
+            sentences.push(say!(variant_months_over_posterior, title = &outcome.title, months = months.times(1.0, 1)));
         }
     }
     sentences

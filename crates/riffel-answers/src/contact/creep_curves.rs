@@ -37,11 +37,7 @@ impl CreepCurves {
     ///
     /// # Errors
     /// [`CaseError::Physics`] where the exact theory converges nowhere, or a creepage is negative.
-    pub fn new(
-        theories: &RollingTheories,
-        mut creepages: Vec<f64>,
-        progress: impl Fn(),
-    ) -> Result<Self, CaseError> {
+    pub fn new(theories: &RollingTheories, mut creepages: Vec<f64>, progress: impl Fn()) -> Result<Self, CaseError> {
         let load = theories.hertz.normal_force();
         let mut exact = Vec::with_capacity(creepages.len());
         let mut left_out = Vec::new();
@@ -76,31 +72,13 @@ impl CreepCurves {
             let ratio = |&creepage| theories.tractive_ratio(force(creepage));
             creepages.iter().map(ratio).collect()
         };
-        let by = |law: &dyn CreepLaw| {
-            over(&|creepage| {
-                law.forces(load, Creepages::longitudinal(creepage))
-                    .longitudinal
-            })
-        };
-        let curve = |key, label, tractive_ratios| CreepCurve {
-            key,
-            label,
-            tractive_ratios,
-        };
+        let by =
+            |law: &dyn CreepLaw| over(&|creepage| law.forces(load, Creepages::longitudinal(creepage)).longitudinal);
+        let curve = |key, label, tractive_ratios| CreepCurve { key, label, tractive_ratios };
         let laws = theories.laws.laws.iter();
-        let mut laws: Vec<CreepCurve> = laws
-            .map(|(entry, law)| curve(entry.name, entry.label, by(&**law)))
-            .collect();
-        laws.push(curve(
-            CreepLawName::HALF_SPACE.name(),
-            "half-space (exact)",
-            exact,
-        ));
-        Ok(Self {
-            creepages,
-            laws,
-            left_out,
-        })
+        let mut laws: Vec<CreepCurve> = laws.map(|(entry, law)| curve(entry.name, entry.label, by(&**law))).collect();
+        laws.push(curve(CreepLawName::HALF_SPACE.name(), "half-space (exact)", exact));
+        Ok(Self { creepages, laws, left_out })
     }
 }
 
@@ -146,11 +124,7 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
     let percent = from_origin(&curves.creepages, TO_PERCENT);
     let laws = curves.laws.iter().enumerate().map(|(place, law)| {
         let (style, color) = look(law, place);
-        Series {
-            style,
-            color: Some(color),
-            ..line(law.label, &percent, &from_origin(&law.tractive_ratios, 1.0))
-        }
+        Series { style, color: Some(color), ..line(law.label, &percent, &from_origin(&law.tractive_ratios, 1.0)) }
     });
     let mean_state = patch.along_rail().then(|| Series {
         label: "mean state".to_owned(),
@@ -181,8 +155,8 @@ mod tests {
     #[test]
     fn every_law_has_a_curve() -> Result<(), CaseError> {
         let coarse = ["contact.grid=16".to_owned()];
-        let theories = CaseContact::of(&Case::parse("nominal", NOMINAL_CASE, &coarse)?)
-            .and_then(RollingTheories::new)?;
+        let theories =
+            CaseContact::of(&Case::parse("nominal", NOMINAL_CASE, &coarse)?).and_then(RollingTheories::new)?;
         let mut curves = CreepCurves::new(&theories, vec![1e-3, 2e-3], || ())?;
         assert_eq!(curves.laws.len(), riffel::contact::CREEP_LAWS.len() + 1);
         let more = curves.laws[..3].to_vec();
@@ -192,12 +166,7 @@ mod tests {
         for (law, drawn) in curves.laws.iter().zip(&series) {
             assert_eq!(law.label, drawn.label);
             let black = drawn.color == Some(OKABE_ITO[0]);
-            assert_eq!(
-                black,
-                law.key == CreepLawName::HALF_SPACE.name(),
-                "{}",
-                law.key
-            );
+            assert_eq!(black, law.key == CreepLawName::HALF_SPACE.name(), "{}", law.key);
         }
         Ok(())
     }

@@ -87,20 +87,13 @@ impl FrequencyResponseDocument {
         let each = |value: &dyn Fn(&OutputResponse) -> serde_json::Value| -> Map {
             let of_input = |outputs: &[OutputResponse]| -> Map {
                 let outputs = outputs.iter();
-                outputs
-                    .map(|output| (output.key.to_owned(), value(output)))
-                    .collect()
+                outputs.map(|output| (output.key.to_owned(), value(output))).collect()
             };
             let inputs = response.inputs.iter();
-            inputs
-                .map(|input| (input.key.to_owned(), of_input(&input.outputs).into()))
-                .collect()
+            inputs.map(|input| (input.key.to_owned(), of_input(&input.outputs).into())).collect()
         };
         let pairs = |values: &[Complex64]| -> serde_json::Value {
-            values
-                .iter()
-                .map(|value| serde_json::Value::from(vec![value.re, value.im]))
-                .collect()
+            values.iter().map(|value| serde_json::Value::from(vec![value.re, value.im])).collect()
         };
         let wave = &response.wave;
         let mut error = each(&|output| output.errors.clone().into());
@@ -126,10 +119,7 @@ pub(super) fn document(
     response: Option<&FrequencyResponse>,
 ) -> ContactDocument {
     let KalkerCoefficients { c11, c22, c23, c33 } = patch.laws.kalker;
-    let laws = curves
-        .laws
-        .iter()
-        .map(|law| (law.key.to_owned(), law.tractive_ratios.clone().into()));
+    let laws = curves.laws.iter().map(|law| (law.key.to_owned(), law.tractive_ratios.clone().into()));
     ContactDocument {
         semi_axis_longitudinal_m: patch.hertz.semi_axis_longitudinal(),
         semi_axis_lateral_m: patch.hertz.semi_axis_lateral(),
@@ -138,10 +128,7 @@ pub(super) fn document(
         stiffness_n_per_m: patch.hertz.stiffness(),
         kalker: KalkerDocument { c11, c22, c23, c33 },
         steady: SteadyDocument::new(&patch.steady),
-        creep_curve: CreepCurveDocument {
-            creepage: curves.creepages.clone(),
-            tractive_ratio: laws.collect(),
-        },
+        creep_curve: CreepCurveDocument { creepage: curves.creepages.clone(), tractive_ratio: laws.collect() },
         frequency_response: response.map(FrequencyResponseDocument::new),
     }
 }

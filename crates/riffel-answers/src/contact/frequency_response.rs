@@ -60,34 +60,12 @@ type Output = (
     fn(&GridError) -> f64,
 );
 
-const FORCE: Output = (
-    "force",
-    "force",
-    |by| by.force[0],
-    |by| by.force[0],
-    |error| error.force,
-);
-const LONGITUDINAL_FORCE: Output = (
-    "longitudinal_force",
-    "longitudinal force",
-    |by| by.force[0],
-    |by| by.force[0],
-    |error| error.force,
-);
-const LATERAL_FORCE: Output = (
-    "lateral_force",
-    "lateral force",
-    |by| by.force[1],
-    |by| by.force[1],
-    |error| error.force,
-);
-const DISSIPATION: Output = (
-    "dissipation",
-    "dissipation",
-    |by| by.energy,
-    |by| by.energy,
-    |error| error.energy,
-);
+const FORCE: Output = ("force", "force", |by| by.force[0], |by| by.force[0], |error| error.force);
+const LONGITUDINAL_FORCE: Output =
+    ("longitudinal_force", "longitudinal force", |by| by.force[0], |by| by.force[0], |error| error.force);
+const LATERAL_FORCE: Output =
+    ("lateral_force", "lateral force", |by| by.force[1], |by| by.force[1], |error| error.force);
+const DISSIPATION: Output = ("dissipation", "dissipation", |by| by.energy, |by| by.energy, |error| error.energy);
 const RAIL_DISSIPATION: Output = (
     "rail_dissipation",
     "energy left on rail",
@@ -98,24 +76,13 @@ const RAIL_DISSIPATION: Output = (
 );
 
 /// Key and name of an input, and its derivative.
-type Input = (
-    &'static str,
-    &'static str,
-    fn(&ContactResponse) -> Option<ContactDerivative>,
-);
+type Input = (&'static str, &'static str, fn(&ContactResponse) -> Option<ContactDerivative>);
 
 const LOAD: Input = ("load", "load", |response| Some(response.by_load));
-const CREEPAGE: Input = ("creepage", "creepage", |response| {
-    Some(response.by_longitudinal)
-});
-const LONGITUDINAL: Input = (
-    "longitudinal_creepage",
-    "longitudinal creepage",
-    |response| Some(response.by_longitudinal),
-);
-const LATERAL: Input = ("lateral_creepage", "lateral creepage", |response| {
-    response.by_lateral
-});
+const CREEPAGE: Input = ("creepage", "creepage", |response| Some(response.by_longitudinal));
+const LONGITUDINAL: Input =
+    ("longitudinal_creepage", "longitudinal creepage", |response| Some(response.by_longitudinal));
+const LATERAL: Input = ("lateral_creepage", "lateral creepage", |response| response.by_lateral);
 const SPIN: Input = ("spin", "spin", |response| response.by_spin);
 
 impl FrequencyResponse {
@@ -123,11 +90,7 @@ impl FrequencyResponse {
     ///
     /// # Errors
     /// [`CaseError::Physics`] where the grid does not resolve a wavelength or the theory does not converge.
-    pub fn new(
-        theories: &RollingTheories,
-        ratios: Vec<f64>,
-        progress: impl Fn(),
-    ) -> Result<Self, CaseError> {
+    pub fn new(theories: &RollingTheories, ratios: Vec<f64>, progress: impl Fn()) -> Result<Self, CaseError> {
         let normalized = theories.along_rail();
         let oscillating = match normalized {
             true => OscillatingCreepages::Longitudinal,
@@ -138,8 +101,7 @@ impl FrequencyResponse {
         let wavelengths = [f64::INFINITY].into_iter().chain(ratios.iter().copied());
         let wavelengths: Vec<f64> = wavelengths.map(|ratio| ratio * semi_axis).collect();
         let half_space = &theories.half_space;
-        let mut responses =
-            half_space.responses(&theories.state, &wavelengths, oscillating, progress);
+        let mut responses = half_space.responses(&theories.state, &wavelengths, oscillating, progress);
         let slow = responses.remove(0);
         let slow = slow.map_err(refused("the mean state of the case"))?;
         let responses: Vec<ContactResponse> = responses
@@ -151,12 +113,7 @@ impl FrequencyResponse {
             true => (&[CREEPAGE, LOAD], &[FORCE, DISSIPATION, RAIL_DISSIPATION]),
             false => (
                 &[LONGITUDINAL, LATERAL, SPIN, LOAD],
-                &[
-                    LONGITUDINAL_FORCE,
-                    LATERAL_FORCE,
-                    DISSIPATION,
-                    RAIL_DISSIPATION,
-                ],
+                &[LONGITUDINAL_FORCE, LATERAL_FORCE, DISSIPATION, RAIL_DISSIPATION],
             ),
         };
         let inputs = inputs.iter().filter_map(|&(key, name, input)| {
@@ -177,20 +134,11 @@ impl FrequencyResponse {
                     slow: slowly(&slow) / scale,
                 }
             });
-            Some(InputResponse {
-                key,
-                name,
-                outputs: outputs.collect(),
-            })
+            Some(InputResponse { key, name, outputs: outputs.collect() })
         });
         let inputs = inputs.collect();
         let wave = WaveResponse::new(theories, &responses, &ratios)?;
-        Ok(Self {
-            inputs,
-            ratios,
-            normalized,
-            wave,
-        })
+        Ok(Self { inputs, ratios, normalized, wave })
     }
 
     /// Wavelengths in semi-axes λ/a, some equally spaced in their logarithm.
@@ -227,11 +175,7 @@ pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::
     writer.write_record(&header)?;
     for (index, &ratio) in response.ratios.iter().enumerate() {
         let mut row = vec![ratio];
-        row.extend(
-            columns
-                .iter()
-                .flat_map(|(_, values)| [values[index].re, values[index].im]),
-        );
+        row.extend(columns.iter().flat_map(|(_, values)| [values[index].re, values[index].im]));
         row.extend(response.wave.row(index));
         writer.serialize(row)?;
     }
@@ -242,11 +186,7 @@ pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::
 pub(super) fn panels(response: &FrequencyResponse) -> Vec<LinePanel> {
     let mut panels: Vec<LinePanel> = match response.normalized {
         true => normalized_panels(response).into(),
-        false => response
-            .inputs
-            .iter()
-            .map(|input| input_panel(&response.ratios, input))
-            .collect(),
+        false => response.inputs.iter().map(|input| input_panel(&response.ratios, input)).collect(),
     };
     panels.push(response.wave.panel(&response.ratios));
     panels
@@ -268,21 +208,12 @@ fn input_panel(ratios: &[f64], input: &InputResponse) -> LinePanel {
         };
         let all = outputs.iter().flat_map(|output| &output.values);
         let largest = all.map(|value| value.norm()).fold(slow, f64::max);
-        let curves = outputs
-            .into_iter()
-            .zip(colors)
-            .filter_map(|(output, color)| {
-                let moduli: Vec<f64> = output
-                    .values
-                    .iter()
-                    .map(|value| value.norm() / slow)
-                    .collect();
-                let highest = moduli.iter().copied().fold(0.0, f64::max);
-                (slow > NONE * largest && highest > NONE).then(|| Series {
-                    color: Some(OKABE_ITO[color]),
-                    ..line(output.name, ratios, &moduli)
-                })
-            });
+        let curves = outputs.into_iter().zip(colors).filter_map(|(output, color)| {
+            let moduli: Vec<f64> = output.values.iter().map(|value| value.norm() / slow).collect();
+            let highest = moduli.iter().copied().fold(0.0, f64::max);
+            (slow > NONE * largest && highest > NONE)
+                .then(|| Series { color: Some(OKABE_ITO[color]), ..line(output.name, ratios, &moduli) })
+        });
         curves.collect::<Vec<_>>()
     };
     const FORCE_COLORS: [usize; 2] = [0, 4];
@@ -318,16 +249,8 @@ fn normalized_panels(response: &FrequencyResponse) -> [LinePanel; 2] {
                 let colors = [OKABE_ITO[0], OKABE_ITO[2], OKABE_ITO[1]];
                 let outputs = input.outputs.iter().zip(colors);
                 outputs.map(move |(output, color)| {
-                    let label = if named {
-                        format!("{} by {}", output.name, input.name)
-                    } else {
-                        String::new()
-                    };
-                    Series {
-                        style,
-                        color: Some(color),
-                        ..line(&label, &response.ratios, &value(&output.values))
-                    }
+                    let label = if named { format!("{} by {}", output.name, input.name) } else { String::new() };
+                    Series { style, color: Some(color), ..line(&label, &response.ratios, &value(&output.values)) }
                 })
             })
             .collect(),
@@ -335,10 +258,7 @@ fn normalized_panels(response: &FrequencyResponse) -> [LinePanel; 2] {
     };
     let moduli = |values: &[Complex64]| values.iter().map(|value| value.norm()).collect();
     let outputs = response.inputs.iter().flat_map(|input| &input.outputs);
-    let largest = outputs
-        .flat_map(|output| &output.values)
-        .map(|value| value.norm())
-        .fold(0.0, f64::max);
+    let largest = outputs.flat_map(|output| &output.values).map(|value| value.norm()).fold(0.0, f64::max);
     /// Room for the names above the curves, which end at 1.
     const HIGHEST: f64 = 2.4;
     [
@@ -348,10 +268,7 @@ fn normalized_panels(response: &FrequencyResponse) -> [LinePanel; 2] {
             y_range: Some((0.0, HIGHEST.max(1.05 * largest))),
             ..panel(true, &moduli)
         },
-        LinePanel {
-            y_label: "phase [°]".to_owned(),
-            ..panel(false, &|values| phases(&response.ratios, values))
-        },
+        LinePanel { y_label: "phase [°]".to_owned(), ..panel(false, &|values| phases(&response.ratios, values)) },
     ]
 }
 

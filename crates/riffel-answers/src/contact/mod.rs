@@ -44,27 +44,16 @@ impl ContactAnswer {
     ///
     /// # Errors
     /// [`CaseError::Physics`] where a wavelength is not resolved or the exact theory does not converge.
-    pub fn new(
-        theories: RollingTheories,
-        request: ContactRequest,
-        progress: impl Fn(),
-    ) -> Result<Self, CaseError> {
+    pub fn new(theories: RollingTheories, request: ContactRequest, progress: impl Fn()) -> Result<Self, CaseError> {
         let ratios = request.ratios;
         let ratios = ratios.unwrap_or_else(FrequencyResponse::default_ratios);
         let creepages = request.creepages;
         let creepages = creepages.unwrap_or_else(|| theories.default_creepages());
         // First what is refused soonest.
-        let response = theories
-            .check_slope()
-            .is_ok()
-            .then(|| FrequencyResponse::new(&theories, ratios, &progress))
-            .transpose()?;
+        let response =
+            theories.check_slope().is_ok().then(|| FrequencyResponse::new(&theories, ratios, &progress)).transpose()?;
         let curves = CreepCurves::new(&theories, creepages, &progress)?;
-        Ok(Self {
-            theories,
-            curves,
-            response,
-        })
+        Ok(Self { theories, curves, response })
     }
 
     /// The contact as data: what `riffel contact --json` prints.
@@ -74,11 +63,7 @@ impl ContactAnswer {
 
     /// Creep curves, and modulus and phase of the responses.
     pub fn figure(&self) -> LineFigure {
-        let Self {
-            theories,
-            curves,
-            response,
-        } = self;
+        let Self { theories, curves, response } = self;
         let mut panels = vec![creep_curves::panel(curves, theories)];
         panels.extend(response.iter().flat_map(frequency_response::panels));
         LineFigure {
@@ -173,10 +158,5 @@ fn line(label: &str, x: &[f64], y: &[f64]) -> Series {
     let mut samples: Vec<(f64, f64)> = x.iter().copied().zip(y.iter().copied()).collect();
     samples.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (x, y) = samples.into_iter().unzip();
-    Series {
-        label: label.to_owned(),
-        x,
-        y,
-        ..Series::default()
-    }
+    Series { label: label.to_owned(), x, y, ..Series::default() }
 }

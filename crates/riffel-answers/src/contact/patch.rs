@@ -22,10 +22,7 @@ pub(super) fn figure(patch: &RollingTheories) -> LineFigure {
     let highest = TO_MEGAPASCALS * patch.friction * patch.hertz.peak_pressure();
     LineFigure {
         title: "Contact patch in steady rolling".to_owned(),
-        caption: format!(
-            "Half-space theory; material enters on the right, at x = +a. {}",
-            parameters(patch)
-        ),
+        caption: format!("Half-space theory; material enters on the right, at x = +a. {}", parameters(patch)),
         panels: vec![
             LinePanel {
                 subtitle: "tractions on the centre line".to_owned(),
@@ -60,31 +57,13 @@ fn semi_axes(patch: &RollingTheories) -> [f64; 2] {
 fn tractions(patch: &RollingTheories) -> Vec<Series> {
     let [a, _] = semi_axes(patch);
     // The number of rows is even: the one just beside the centre line.
-    let beside = patch
-        .elements()
-        .map(|element| element.centre.1)
-        .filter(|&y| y > 0.0)
-        .fold(f64::INFINITY, f64::min);
-    let row: Vec<ContactElement> = patch
-        .elements()
-        .filter(|element| element.centre.1 == beside)
-        .collect();
+    let beside = patch.elements().map(|element| element.centre.1).filter(|&y| y > 0.0).fold(f64::INFINITY, f64::min);
+    let row: Vec<ContactElement> = patch.elements().filter(|element| element.centre.1 == beside).collect();
     // On the edge of the patch the pressure vanishes.
-    let x: Vec<f64> = row
-        .iter()
-        .map(|element| TO_MILLIMETRES * element.centre.0)
-        .chain([-a, a])
-        .collect();
+    let x: Vec<f64> = row.iter().map(|element| TO_MILLIMETRES * element.centre.0).chain([-a, a]).collect();
     let stress = |label, style, value: fn(&ContactElement) -> f64| {
-        let y: Vec<f64> = row
-            .iter()
-            .map(|element| TO_MEGAPASCALS * value(element))
-            .chain([0.0, 0.0])
-            .collect();
-        Series {
-            style,
-            ..line(label, &x, &y)
-        }
+        let y: Vec<f64> = row.iter().map(|element| TO_MEGAPASCALS * value(element)).chain([0.0, 0.0]).collect();
+        Series { style, ..line(label, &x, &y) }
     };
 
     // Along the rail, or of both components.
@@ -92,10 +71,7 @@ fn tractions(patch: &RollingTheories) -> Vec<Series> {
         true => |element| element.traction.0,
         false => |element| element.traction.0.hypot(element.traction.1),
     };
-    vec![
-        stress("bound μp", LineStyle::Dashed, |element| element.bound),
-        stress("traction", LineStyle::Solid, traction),
-    ]
+    vec![stress("bound μp", LineStyle::Dashed, |element| element.bound), stress("traction", LineStyle::Solid, traction)]
 }
 
 /// The elements that stick and those that slip, and the outline of the patch.
@@ -115,15 +91,9 @@ fn stick_and_slip(patch: &RollingTheories) -> Vec<Series> {
     let marks = |label: &str, slips: bool, color: usize| {
         // A wide zone is legible with fewer marks.
         let zone = patch.elements().filter(|element| element.slips == slips);
-        let every = if zone.count() > WIDE_ZONE * every * every {
-            2 * every
-        } else {
-            every
-        };
+        let every = if zone.count() > WIDE_ZONE * every * every { 2 * every } else { every };
         let shown = |places: &[f64], place: f64| {
-            places
-                .binary_search_by(|other| other.total_cmp(&place))
-                .is_ok_and(|index| index % every == every / 2)
+            places.binary_search_by(|other| other.total_cmp(&place)).is_ok_and(|index| index % every == every / 2)
         };
         let (x, y) = patch
             .elements()
@@ -132,23 +102,12 @@ fn stick_and_slip(patch: &RollingTheories) -> Vec<Series> {
             .filter(|&(x, y)| shown(&columns, x) && shown(&rows, y))
             .map(|(x, y)| (TO_MILLIMETRES * x, TO_MILLIMETRES * y))
             .unzip();
-        Series {
-            label: label.to_owned(),
-            x,
-            y,
-            style: LineStyle::Markers,
-            color: Some(OKABE_ITO[color]),
-        }
+        Series { label: label.to_owned(), x, y, style: LineStyle::Markers, color: Some(OKABE_ITO[color]) }
     };
     vec![
         marks("stick", false, 1),
         marks("slip", true, 2),
-        Series {
-            x: outline.0,
-            y: outline.1,
-            color: Some(OKABE_ITO[0]),
-            ..Series::default()
-        },
+        Series { x: outline.0, y: outline.1, color: Some(OKABE_ITO[0]), ..Series::default() },
     ]
 }
 
@@ -163,21 +122,9 @@ pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
 /// The elements of the patch, one row for each.
 pub(super) fn table(patch: &RollingTheories, file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
-    writer.write_record([
-        "x_m",
-        "y_m",
-        "traction_longitudinal_pa",
-        "traction_lateral_pa",
-        "bound_pa",
-        "slips",
-    ])?;
+    writer.write_record(["x_m", "y_m", "traction_longitudinal_pa", "traction_lateral_pa", "bound_pa", "slips"])?;
     for element in patch.elements() {
-        writer.serialize((
-            element.centre,
-            element.traction,
-            element.bound,
-            element.slips,
-        ))?;
+        writer.serialize((element.centre, element.traction, element.bound, element.slips))?;
     }
     writer.flush()
 }

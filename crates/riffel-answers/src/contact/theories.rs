@@ -1,8 +1,6 @@
 //! The contact of a case by all theories.
 
-use riffel::contact::{
-    ContactElement, CreepEllipse, CreepLaw, HalfSpace, HalfSpaceRolling, JohnsonVermeulen,
-};
+use riffel::contact::{ContactElement, CreepEllipse, CreepLaw, HalfSpace, HalfSpaceRolling, JohnsonVermeulen};
 use riffel::{Carter3d, HertzContact};
 use riffel_case::{CaseContact, CreepLaws, SteadyContact};
 use riffel_keys::CaseError;
@@ -97,9 +95,7 @@ impl RollingTheories {
         const POINTS: u32 = 40;
         const BEYOND_FULL_SLIP: f64 = 1.2;
         let last = BEYOND_FULL_SLIP * self.full_slip_creepage();
-        (1..=POINTS)
-            .map(|index| last * f64::from(index) / f64::from(POINTS))
-            .collect()
+        (1..=POINTS).map(|index| last * f64::from(index) / f64::from(POINTS)).collect()
     }
 }
 

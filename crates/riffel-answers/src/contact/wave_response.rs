@@ -25,13 +25,7 @@ pub struct WaveResponse {
 
 impl WaveResponse {
     /// Columns of tables.
-    pub(super) const COLUMNS: [&str; 5] = [
-        "wave_energy_re",
-        "wave_energy_im",
-        "wave_force_re",
-        "wave_force_im",
-        "phi",
-    ];
+    pub(super) const COLUMNS: [&str; 5] = ["wave_energy_re", "wave_energy_im", "wave_force_re", "wave_force_im", "phi"];
 
     pub(super) fn new(
         theories: &RollingTheories,
@@ -41,26 +35,16 @@ impl WaveResponse {
         let filter = CurvatureFilter::of(&theories.hertz).map_err(refused("the ellipse"))?;
         let wavenumber = |ratio: &f64| TAU / (ratio * theories.hertz.semi_axis_longitudinal());
         let steady = theories.half_space.steady(&theories.state);
-        let (energy, [along, across]) = (
-            steady.energy_per_metre(),
-            [steady.forces.longitudinal, steady.forces.lateral],
-        );
+        let (energy, [along, across]) =
+            (steady.energy_per_metre(), [steady.forces.longitudinal, steady.forces.lateral]);
         let force = along.hypot(across);
-        let by = || {
-            responses
-                .iter()
-                .filter_map(|response| response.by_curvature)
-        };
-        let share =
-            |force_1: [Complex64; 2]| (force_1[0] * along + force_1[1] * across) / (force * force);
+        let by = || responses.iter().filter_map(|response| response.by_curvature);
+        let share = |force_1: [Complex64; 2]| (force_1[0] * along + force_1[1] * across) / (force * force);
         let errors = || by().filter_map(|by| by.error);
         Ok(Self {
             energy: by().map(|by| by.at_rail(0.0) / energy).collect(),
             force: by().map(|by| share(by.force)).collect(),
-            phi: ratios
-                .iter()
-                .map(|ratio| filter.share(wavenumber(ratio)))
-                .collect(),
+            phi: ratios.iter().map(|ratio| filter.share(wavenumber(ratio))).collect(),
             errors: [
                 errors().map(|error| error.energy / energy).collect(),
                 errors().map(|error| error.force / force).collect(),
@@ -74,26 +58,15 @@ impl WaveResponse {
     }
 
     pub(super) fn panel(&self, ratios: &[f64]) -> LinePanel {
-        let parts = |values: &[Complex64], part: fn(&Complex64) -> f64| -> Vec<f64> {
-            values.iter().map(part).collect()
-        };
+        let parts =
+            |values: &[Complex64], part: fn(&Complex64) -> f64| -> Vec<f64> { values.iter().map(part).collect() };
         let curves = [
-            (
-                "energy left on rail, in phase with the wave",
-                parts(&self.energy, |t| t.re),
-                1,
-            ),
-            (
-                "the same, behind it by a quarter of a wave",
-                parts(&self.energy, |t| -t.im),
-                4,
-            ),
+            ("energy left on rail, in phase with the wave", parts(&self.energy, |t| t.re), 1),
+            ("the same, behind it by a quarter of a wave", parts(&self.energy, |t| -t.im), 4),
             ("sliding everywhere, Φ", self.phi.clone(), 2),
         ];
-        let series = curves.map(|(name, values, color)| Series {
-            color: Some(OKABE_ITO[color]),
-            ..line(name, ratios, &values)
-        });
+        let series =
+            curves.map(|(name, values, color)| Series { color: Some(OKABE_ITO[color]), ..line(name, ratios, &values) });
         LinePanel {
             subtitle: "geometry of a wave, under constant load and slip speed".to_owned(),
             x_label: "wavelength λ/a [-]".to_owned(),

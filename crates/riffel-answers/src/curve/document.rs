@@ -1,8 +1,6 @@
 //! A vehicle in its curve as data.
 
-use riffel::curving::{
-    BodyState, FrameState, SecondContact, VehicleState, WheelState, WheelsetState,
-};
+use riffel::curving::{BodyState, FrameState, SecondContact, VehicleState, WheelState, WheelsetState};
 use riffel_keys::Message;
 use serde::Serialize;
 
@@ -145,17 +143,11 @@ impl CurveDocument {
         Self {
             equilibrium: Equilibrium::new(&answer.state, answer.vehicle.curve.speed),
             continuation: steps
-                .map(|step| Step {
-                    fraction: step.fraction,
-                    residual: step.residual,
-                    iterations: step.iterations,
-                })
+                .map(|step| Step { fraction: step.fraction, residual: step.residual, iterations: step.iterations })
                 .collect(),
             other_equilibria: others
                 .map(|other| {
-                    let of = |value: fn(&WheelsetState) -> f64| {
-                        other.wheelsets.iter().map(value).collect()
-                    };
+                    let of = |value: fn(&WheelsetState) -> f64| other.wheelsets.iter().map(value).collect();
                     Other {
                         lateral_shift_m: of(|wheelset| wheelset.lateral_shift),
                         yaw_rad: of(|wheelset| wheelset.yaw),
@@ -173,9 +165,7 @@ impl Equilibrium {
     pub(super) fn new(state: &VehicleState, speed: f64) -> Self {
         let wheelsets = state.wheelsets.iter().enumerate();
         Self {
-            wheelsets: wheelsets
-                .map(|(index, wheelset)| Wheelset::new(index + 1, wheelset))
-                .collect(),
+            wheelsets: wheelsets.map(|(index, wheelset)| Wheelset::new(index + 1, wheelset)).collect(),
             wheels: state.wheels.iter().map(Wheel::new).collect(),
             frame: match &state.frames[..] {
                 [lone] => Some(Frame::new(lone)),

@@ -40,12 +40,7 @@ impl CurveAnswer {
         let state = states.next().expect("at least one equilibrium");
         let mut remarks = case.remarks_of_profiles()?;
         remarks.extend(remarks::of(case, &vehicle, &state));
-        Ok(Self {
-            remarks,
-            vehicle,
-            state,
-            others: states.collect(),
-        })
+        Ok(Self { remarks, vehicle, state, others: states.collect() })
     }
 
     /// The vehicle in curves of other radii \[m\], none of them zero, each at the lateral acceleration of the case; by default

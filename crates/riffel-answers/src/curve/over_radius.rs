@@ -36,9 +36,7 @@ impl OverRadius {
         let [tightest, widest] = REACH;
         let usual = || -> Vec<f64> {
             let place = |index: usize| index as f64 / (RADII - 1) as f64;
-            (0..RADII)
-                .map(|index| radius * tightest * (widest / tightest).powf(place(index)))
-                .collect()
+            (0..RADII).map(|index| radius * tightest * (widest / tightest).powf(place(index))).collect()
         };
         let listed = radii.is_some();
         let radii = radii.map_or_else(usual, <[f64]>::to_vec);
@@ -48,21 +46,10 @@ impl OverRadius {
                 speed: (of_curve / radius).abs().sqrt() * vehicle.curve.speed,
                 ..vehicle.curve
             };
-            let moved = VehicleInCurve {
-                curve,
-                ..vehicle.clone()
-            };
-            Point {
-                curve,
-                state: moved.equilibrium().ok(),
-            }
+            let moved = VehicleInCurve { curve, ..vehicle.clone() };
+            Point { curve, state: moved.equilibrium().ok() }
         });
-        Self {
-            radius: radius.abs(),
-            running_gear: vehicle.running_gear,
-            listed,
-            points: points.collect(),
-        }
+        Self { radius: radius.abs(), running_gear: vehicle.running_gear, listed, points: points.collect() }
     }
 
     /// The equilibrium at each radius.
@@ -72,10 +59,7 @@ impl OverRadius {
             .map(|point| AtRadius {
                 radius_m: point.curve.radius,
                 speed_m_per_s: point.curve.speed,
-                equilibrium: point
-                    .state
-                    .as_ref()
-                    .map(|state| Equilibrium::new(state, point.curve.speed)),
+                equilibrium: point.state.as_ref().map(|state| Equilibrium::new(state, point.curve.speed)),
             })
             .collect()
     }
@@ -113,37 +97,25 @@ impl OverRadius {
             };
             for wheel in &state.wheels {
                 let wheelset = &state.wheelsets[wheel.wheelset - 1];
-                let mut row = |contact: usize,
-                               creepages: Creepages,
-                               place: [f64; 2],
-                               forces: CreepForces,
-                               rest: [f64; 4]| {
-                    let [normal_force, track_lateral_force, tractive_ratio, t_gamma] = rest;
-                    writer.serialize((
-                        (point.curve.radius, point.curve.speed, wheel.wheelset),
-                        (wheel.rail.name(), contact),
-                        [
-                            wheelset.lateral_shift,
-                            wheelset.yaw,
-                            wheelset.angle_of_attack,
-                        ],
-                        [creepages.longitudinal, creepages.lateral, creepages.spin],
-                        place,
-                        [normal_force, forces.longitudinal, forces.lateral],
-                        [track_lateral_force, tractive_ratio, t_gamma],
-                    ))
-                };
+                let mut row =
+                    |contact: usize, creepages: Creepages, place: [f64; 2], forces: CreepForces, rest: [f64; 4]| {
+                        let [normal_force, track_lateral_force, tractive_ratio, t_gamma] = rest;
+                        writer.serialize((
+                            (point.curve.radius, point.curve.speed, wheel.wheelset),
+                            (wheel.rail.name(), contact),
+                            [wheelset.lateral_shift, wheelset.yaw, wheelset.angle_of_attack],
+                            [creepages.longitudinal, creepages.lateral, creepages.spin],
+                            place,
+                            [normal_force, forces.longitudinal, forces.lateral],
+                            [track_lateral_force, tractive_ratio, t_gamma],
+                        ))
+                    };
                 row(
                     1,
                     wheel.creepages,
                     [wheel.contact_angle, wheel.rolling_radius],
                     wheel.creep_forces,
-                    [
-                        wheel.normal_force,
-                        wheel.track_lateral_force,
-                        wheel.tractive_ratio,
-                        wheel.t_gamma,
-                    ],
+                    [wheel.normal_force, wheel.track_lateral_force, wheel.tractive_ratio, wheel.t_gamma],
                 )?;
                 if let Some(second) = &wheel.second_contact {
                     row(
@@ -151,12 +123,7 @@ impl OverRadius {
                         second.creepages,
                         [second.contact_angle, second.rolling_radius],
                         second.creep_forces,
-                        [
-                            second.normal_force,
-                            second.track_lateral_force,
-                            second.tractive_ratio,
-                            second.t_gamma,
-                        ],
+                        [second.normal_force, second.track_lateral_force, second.tractive_ratio, second.t_gamma],
                     )?;
                 }
             }
@@ -186,9 +153,7 @@ impl OverRadius {
                  √R{of_case}."
             ),
             panels: vec![
-                self.of_wheelsets("lateral shift y [mm]", |state, index| {
-                    1e3 * state.wheelsets[index].lateral_shift
-                }),
+                self.of_wheelsets("lateral shift y [mm]", |state, index| 1e3 * state.wheelsets[index].lateral_shift),
                 self.of_wheelsets("angle of attack [mrad]", |state, index| {
                     1e3 * state.wheelsets[index].angle_of_attack
                 }),
@@ -202,9 +167,7 @@ impl OverRadius {
     fn of_wheelsets(&self, label: &str, value: impl Fn(&VehicleState, usize) -> f64) -> LinePanel {
         let series = (0..self.running_gear.wheelsets()).map(|index| {
             let style = [LineStyle::Solid, LineStyle::Dashed][index % 2];
-            self.series(&format!("wheelset {}", index + 1), style, |state| {
-                value(state, index)
-            })
+            self.series(&format!("wheelset {}", index + 1), style, |state| value(state, index))
         });
         self.panel(label, series.collect())
     }
@@ -219,12 +182,7 @@ impl OverRadius {
         self.panel(label, series.collect())
     }
 
-    fn series(
-        &self,
-        label: &str,
-        style: LineStyle,
-        value: impl Fn(&VehicleState) -> f64,
-    ) -> Series {
+    fn series(&self, label: &str, style: LineStyle, value: impl Fn(&VehicleState) -> f64) -> Series {
         let at = |point: &Point| {
             let state = point.state.as_ref();
             (point.curve.radius.abs(), state.map_or(f64::NAN, &value))
@@ -234,13 +192,7 @@ impl OverRadius {
             true => LineStyle::Markers,
             false => style,
         };
-        Series {
-            label: label.to_owned(),
-            x,
-            y,
-            style,
-            color: None,
-        }
+        Series { label: label.to_owned(), x, y, style, color: None }
     }
 
     fn panel(&self, label: &str, series: Vec<Series>) -> LinePanel {
@@ -252,10 +204,7 @@ impl OverRadius {
             series,
             marks: match self.listed {
                 true => Vec::new(),
-                false => vec![Mark {
-                    x: self.radius,
-                    label: String::new(),
-                }],
+                false => vec![Mark { x: self.radius, label: String::new() }],
             },
             ..LinePanel::default()
         }
@@ -267,8 +216,7 @@ fn share_of_friction(wheel: &WheelState) -> f64 {
     match &wheel.second_contact {
         None => wheel.tractive_ratio,
         Some(second) => {
-            (wheel.tractive_ratio * wheel.normal_force
-                + second.tractive_ratio * second.normal_force)
+            (wheel.tractive_ratio * wheel.normal_force + second.tractive_ratio * second.normal_force)
                 / (wheel.normal_force + second.normal_force)
         }
     }

@@ -13,34 +13,20 @@ const PLAY: f64 = 0.01;
 const EARLIER: f64 = 1e-4;
 
 /// Remarks on an equilibrium.
-pub(super) fn of(
-    case: &CurvingCase,
-    vehicle: &VehicleInCurve,
-    state: &VehicleState,
-) -> Vec<Message> {
+pub(super) fn of(case: &CurvingCase, vehicle: &VehicleInCurve, state: &VehicleState) -> Vec<Message> {
     let mut remarks = Vec::new();
     let profiles = case.file.profiles.as_ref();
-    let without_flange =
-        profiles.is_some_and(|profiles| profiles.wheel == "cone" && profiles.flange.is_none());
+    let without_flange = profiles.is_some_and(|profiles| profiles.wheel == "cone" && profiles.flange.is_none());
     let farthest = state
         .wheelsets
         .iter()
         .map(|wheelset| wheelset.lateral_shift)
-        .fold(0.0_f64, |most, shift| {
-            if shift.abs() > most.abs() {
-                shift
-            } else {
-                most
-            }
-        });
+        .fold(0.0_f64, |most, shift| if shift.abs() > most.abs() { shift } else { most });
     if without_flange && farthest.abs() > PLAY {
         let shift = 1e3 * farthest;
         remarks.push(say!(wheelset_beyond_flange, shift = fixed(shift, 1)));
     }
-    let linear = vehicle
-        .creep
-        .iter()
-        .any(|creep| matches!(creep, Creep::Linear { .. }));
+    let linear = vehicle.creep.iter().any(|creep| matches!(creep, Creep::Linear { .. }));
     let most = state
         .wheels
         .iter()
@@ -57,10 +43,7 @@ pub(super) fn of(
         let second = wheel.second_contact.map_or(0.0, |second| second.t_gamma);
         wheel.t_gamma.min(second)
     };
-    let least = state
-        .wheels
-        .iter()
-        .min_by(|one, other| wear_of(one).total_cmp(&wear_of(other)));
+    let least = state.wheels.iter().min_by(|one, other| wear_of(one).total_cmp(&wear_of(other)));
     if let Some(wheel) = least.filter(|wheel| wear_of(wheel) < 0.0) {
         remarks.push(say!(
             t_gamma_below_zero,
@@ -91,10 +74,7 @@ fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Message> {
         let hertz = hertz.ok()?;
         Some(2.0 * hertz.semi_axis_lateral())
     };
-    let widths = state
-        .wheels
-        .iter()
-        .filter_map(|wheel| Some((wheel, width(wheel)?)));
+    let widths = state.wheels.iter().filter_map(|wheel| Some((wheel, width(wheel)?)));
     let (wheel, width) = widths.max_by(|one, other| one.1.total_cmp(&other.1))?;
     (width > EllipticContact::WIDEST).then(|| {
         say!(
@@ -109,11 +89,8 @@ fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Message> {
 /// The geometry of the contacts is that without yaw: what yaw does to the play of the most yawed wheelset.
 fn flange_under_yaw(case: &CurvingCase, state: &VehicleState) -> Option<Message> {
     let wheelset_on_track = case.wheelset_on_track().ok()?;
-    let (index, wheelset) = state
-        .wheelsets
-        .iter()
-        .enumerate()
-        .max_by(|one, other| one.1.yaw.abs().total_cmp(&other.1.yaw.abs()))?;
+    let (index, wheelset) =
+        state.wheelsets.iter().enumerate().max_by(|one, other| one.1.yaw.abs().total_cmp(&other.1.yaw.abs()))?;
     let rail = match wheelset.lateral_shift > 0.0 {
         true => Rail::Right,
         false => Rail::Left,

@@ -16,11 +16,7 @@ pub fn candidate_row(finding: &Finding, candidate: &Candidate, language: Languag
     [
         finding.name(candidate).text(language),
         language.numbers(&format!("{:.3}", candidate.share)),
-        candidate
-            .frequency
-            .map_or_else(String::new, |frequency| format!("{frequency:.0}")),
-        candidate
-            .wavelengths
-            .map_or_else(String::new, |range| language.numbers(&millimetres(range))),
+        candidate.frequency.map_or_else(String::new, |frequency| format!("{frequency:.0}")),
+        candidate.wavelengths.map_or_else(String::new, |range| language.numbers(&millimetres(range))),
     ]
 }

@@ -19,11 +19,7 @@ struct Wheel {
 impl Wheels {
     /// Of a case. The contacts that carry less than half of their wheel, and wheels on which the loop has no mean state, are left out.
     pub(super) fn of(case: &Case) -> Self {
-        let alone = || Wheel {
-            name: None,
-            rail: None,
-            case: case.clone(),
-        };
+        let alone = || Wheel { name: None, rail: None, case: case.clone() };
         // A vehicle without an equilibrium has no case either.
         let Ok(Some(WheelsOfCurve { wheels, .. })) = case.sharing_parts().wheels_of_curve() else {
             return Self(vec![alone()]);
@@ -45,10 +41,7 @@ impl Wheels {
 
     /// What the wheels are called.
     pub(super) fn names(&self) -> Vec<Message> {
-        self.0
-            .iter()
-            .filter_map(|wheel| wheel.name.clone())
-            .collect()
+        self.0.iter().filter_map(|wheel| wheel.name.clone()).collect()
     }
 
     /// Growth under each wheel that may have made a wavelength \[m\] on a rail of this name: where that says low or high, under
@@ -120,26 +113,14 @@ pub(super) fn wheelset_modes(case: &Case) -> Vec<(MechanismKind, f64)> {
 
 /// Of the modes of each kind those that may make a wavelength \[m\] at the speeds of the traffic, at least the nearest: an axle has
 /// many, and those far away are no candidates.
-pub(super) fn near(
-    modes: &[(MechanismKind, f64)],
-    wavelength: f64,
-    speeds: &TrafficSpeeds,
-) -> Vec<Mechanism> {
+pub(super) fn near(modes: &[(MechanismKind, f64)], wavelength: f64, speeds: &TrafficSpeeds) -> Vec<Mechanism> {
     /// Of a frequency: twice what stiffness and mass of an axle leave open, and more.
     const WITHIN: f64 = 1.3;
     let (lowest, highest) = (speeds.slowest() / wavelength, speeds.fastest() / wavelength);
     let distance = |frequency: f64| (lowest / frequency).max(frequency / highest).max(1.0);
     let mut mechanisms = Vec::new();
-    for kind in [
-        MechanismKind::WheelsetTorsion,
-        MechanismKind::WheelsetBending,
-    ] {
-        let of_kind = || {
-            modes
-                .iter()
-                .filter(|mode| mode.0 == kind)
-                .map(|mode| mode.1)
-        };
+    for kind in [MechanismKind::WheelsetTorsion, MechanismKind::WheelsetBending] {
+        let of_kind = || modes.iter().filter(|mode| mode.0 == kind).map(|mode| mode.1);
         let nearest = of_kind().map(distance).fold(f64::INFINITY, f64::min);
         let kept = of_kind().filter(|&frequency| distance(frequency) <= nearest.max(WITHIN));
         mechanisms.extend(kept.map(|frequency| Mechanism::of_frequency(kind, frequency)));
@@ -171,8 +152,6 @@ fn density(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthD
             shortest = fixed(1e3 * shortest, 0)
         ));
     }
-    let covered = case
-        .covering(from, to)
-        .map_err(|error| error.without_key())?;
+    let covered = case.covering(from, to).map_err(|error| error.without_key())?;
     Ok(GrowthDensity::new(&covered.feedback, from, to, speeds))
 }

@@ -118,11 +118,7 @@ impl DiagnosisDocument {
                 .iter()
                 .map(|finding| Dominant::new(finding, speeds.slowest(), speeds.fastest()))
                 .collect(),
-            defects: diagnosis
-                .defects
-                .iter()
-                .map(|(rail, defect)| DefectDocument::new(rail, defect))
-                .collect(),
+            defects: diagnosis.defects.iter().map(|(rail, defect)| DefectDocument::new(rail, defect)).collect(),
             warnings: diagnosis.warnings.clone(),
         }
     }
@@ -137,11 +133,7 @@ impl Dominant {
         Self {
             rail: finding.measured.rail.clone(),
             places: places
-                .map(|place| PlaceDocument {
-                    from_m: place.from,
-                    to_m: place.to,
-                    level_db: place.level,
-                })
+                .map(|place| PlaceDocument { from_m: place.from, to_m: place.to, level_db: place.level })
                 .collect(),
             all_along: finding.measured.all_along,
             wavelength_m: peak.wavelength,
@@ -155,22 +147,12 @@ impl Dominant {
             false_peaks: peak.false_peaks,
             harmonic_of_m: peak.harmonic_of.map(|harmonic| harmonic.1),
             sideband_of_m: finding.sideband.map(|sideband| sideband.of),
-            rails: rails
-                .map(|(name, level)| Rail {
-                    name: name.clone(),
-                    level_db: *level,
-                })
-                .collect(),
+            rails: rails.map(|(name, level)| Rail { name: name.clone(), level_db: *level }).collect(),
             course: course.map(|course| CourseDocument {
-                records: course
-                    .points
-                    .iter()
-                    .map(|point| point.label.clone())
-                    .collect(),
+                records: course.points.iter().map(|point| point.label.clone()).collect(),
                 levels_db: course.points.iter().map(|point| point.level).collect(),
                 energy_mean_levels_db: finding.measured.energy_levels.clone(),
-                ground_before: (course.since > 0)
-                    .then(|| course.points[course.since].label.clone()),
+                ground_before: (course.since > 0).then(|| course.points[course.since].label.clone()),
                 slope_db: course.slope.map(|slope| slope.mean),
                 slope_scatter_db: course.slope.map(|slope| slope.scatter),
                 per: course.unit.name(),
@@ -178,15 +160,8 @@ impl Dominant {
                 sentence: course_in_words(course),
             }),
             summary: finding.summary(),
-            candidates: finding
-                .candidates
-                .iter()
-                .map(|candidate| CandidateDocument::new(finding, candidate))
-                .collect(),
-            measurements: finding
-                .measurements()
-                .map(|one| as_sentence(&one))
-                .collect(),
+            candidates: finding.candidates.iter().map(|candidate| CandidateDocument::new(finding, candidate)).collect(),
+            measurements: finding.measurements().map(|one| as_sentence(&one)).collect(),
         }
     }
 }
@@ -195,8 +170,7 @@ impl CandidateDocument {
     fn new(finding: &Finding, candidate: &Candidate) -> Self {
         Self {
             mechanism: mechanism_name(candidate.kind),
-            of: (finding.wheel(candidate).cloned())
-                .or_else(|| candidate.of.clone().map(Message::verbatim)),
+            of: (finding.wheel(candidate).cloned()).or_else(|| candidate.of.clone().map(Message::verbatim)),
             share: candidate.share,
             frequency_hz: candidate.frequency,
             wavelength_min_m: candidate.wavelengths.map(|range| range.0),

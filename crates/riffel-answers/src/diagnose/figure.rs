@@ -16,22 +16,14 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineF
                 let bands = spectrum.bands().iter();
                 let points = bands.map(|band| (1e3 * band.wavelength, level(band)));
                 let (x, y) = points.unzip();
-                Series {
-                    x,
-                    y,
-                    ..Series::default()
-                }
+                Series { x, y, ..Series::default() }
             };
             let colors = [5, 1, 2, 3, 6, 7].map(|index| OKABE_ITO[index % OKABE_ITO.len()]);
             let mut series: Vec<Series> = spectra
                 .iter()
                 .enumerate()
                 .map(|(index, (name, spectrum))| Series {
-                    label: if spectra.len() > 1 {
-                        name.text(language)
-                    } else {
-                        say!(measured_word).text(language)
-                    },
+                    label: if spectra.len() > 1 { name.text(language) } else { say!(measured_word).text(language) },
                     color: Some(colors[index % colors.len()]),
                     ..curve(spectrum, |band| band.level)
                 })
@@ -45,20 +37,13 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineF
             (series, say!(fine_level_axis), say!(how_fine_bands_are))
         }
         Curves::Levels(groups) => {
-            let series = groups
-                .iter()
-                .enumerate()
-                .map(|(index, (name, mean))| Series {
-                    label: name.text(language),
-                    x: mean
-                        .levels()
-                        .iter()
-                        .map(|level| 1e3 * level.band.wavelength())
-                        .collect(),
-                    y: mean.levels().iter().map(|level| level.level).collect(),
-                    color: Some(OKABE_ITO[index % OKABE_ITO.len()]),
-                    ..Series::default()
-                });
+            let series = groups.iter().enumerate().map(|(index, (name, mean))| Series {
+                label: name.text(language),
+                x: mean.levels().iter().map(|level| 1e3 * level.band.wavelength()).collect(),
+                y: mean.levels().iter().map(|level| level.level).collect(),
+                color: Some(OKABE_ITO[index % OKABE_ITO.len()]),
+                ..Series::default()
+            });
             (series.collect(), say!(level_axis), say!(means_of_levels))
         }
     };
@@ -69,15 +54,8 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineF
             (None, Some(leads)) => finding.name(leads),
             (None, None) => Message::verbatim(""),
         };
-        let label = say!(
-            perhaps_made_by,
-            wavelength = fixed(wavelength, 1),
-            mechanism = leads
-        );
-        Mark {
-            x: wavelength,
-            label: label.text(language),
-        }
+        let label = say!(perhaps_made_by, wavelength = fixed(wavelength, 1), mechanism = leads);
+        Mark { x: wavelength, label: label.text(language) }
     });
     LineFigure {
         title: say!(dominant_wavelengths).text(language),

@@ -33,10 +33,8 @@ impl Finding {
     pub fn headline(&self) -> Message {
         let peak = &self.measured.peak;
         let millimetres = |length: f64| format!("{:.1}", 1e3 * length);
-        let (wavelength, band) = (
-            number(millimetres(peak.wavelength)),
-            number(range([peak.from, peak.to], millimetres)),
-        );
+        let (wavelength, band) =
+            (number(millimetres(peak.wavelength)), number(range([peak.from, peak.to], millimetres)));
         let speeds = &self.speeds;
         let frequencies = [speeds.slowest(), speeds.fastest()].map(|speed| speed / peak.wavelength);
         let frequency = number(range(frequencies, |hertz| format!("{hertz:.0}")));
@@ -50,35 +48,23 @@ impl Finding {
                 frequency = frequency,
                 speeds = speeds
             ),
-            None => say!(
-                dominant_wavelength,
-                wavelength = wavelength,
-                band = band,
-                frequency = frequency,
-                speeds = speeds
-            ),
+            None => {
+                say!(dominant_wavelength, wavelength = wavelength, band = band, frequency = frequency, speeds = speeds)
+            }
         }
     }
 
     /// Rail and place: "rail low, 1200–1240 m and 2 more places".
     pub fn place(&self) -> Option<Message> {
-        let Measured {
-            rail,
-            places,
-            all_along,
-            ..
-        } = &self.measured;
+        let Measured { rail, places, all_along, .. } = &self.measured;
         let rail = rail_in_words(rail.as_deref()?);
         let place = match (places.first(), all_along) {
             // A table of levels has no places.
             (None, _) => rail,
             (Some(_), true) => say!(rail_all_along, rail = rail),
-            (Some(first), false) => say!(
-                rail_from_to,
-                rail = rail,
-                from = fixed(first.from, 1),
-                to = fixed(first.to, 1)
-            ),
+            (Some(first), false) => {
+                say!(rail_from_to, rail = rail, from = fixed(first.from, 1), to = fixed(first.to, 1))
+            }
         };
         Some(match places.len() {
             0 | 1 => place,
@@ -88,12 +74,7 @@ impl Finding {
 
     /// Level, prominence and how sure.
     pub fn sureness(&self) -> Message {
-        let Measured {
-            peak,
-            rails,
-            record,
-            ..
-        } = &self.measured;
+        let Measured { peak, rails, record, .. } = &self.measured;
         let (level, prominence) = (fixed(peak.level, 1), fixed(peak.prominence, 1));
         let scatter = match peak.scatter {
             Some(scatter) => say!(scatter_of, scatter = fixed(scatter, 1)),
@@ -108,23 +89,12 @@ impl Finding {
             false => {
                 let rails: Value = rails
                     .iter()
-                    .map(|(name, level)| {
-                        say!(
-                            level_of_rail,
-                            name = name_in_words(name),
-                            level = fixed(*level, 1)
-                        )
-                    })
+                    .map(|(name, level)| say!(level_of_rail, name = name_in_words(name), level = fixed(*level, 1)))
                     .collect();
                 say!(with_levels_of_rails, level = level, rails = rails)
             }
         };
-        let mut words = say!(
-            stands_over_its_trend,
-            level = level,
-            prominence = prominence,
-            scatter = scatter
-        );
+        let mut words = say!(stands_over_its_trend, level = level, prominence = prominence, scatter = scatter);
         let chance = peak.false_peaks.map(|peaks| match peaks < 1e-6 {
             true => say!(by_chance_in_a_million),
             false => say!(by_chance, spectra = fixed(1.0 / peaks, 0)),
@@ -219,9 +189,7 @@ impl Finding {
     /// Reasons in sentences.
     pub fn reasons<'a>(&'a self, reasons: &'a [Reason]) -> impl Iterator<Item = Message> + 'a {
         let course = self.measured.course.as_ref();
-        reasons
-            .iter()
-            .map(move |reason| reason::in_words(reason, &self.speeds, course))
+        reasons.iter().map(move |reason| reason::in_words(reason, &self.speeds, course))
     }
 
     /// What would tell the candidates apart, a sentence each.

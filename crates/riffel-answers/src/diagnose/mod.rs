@@ -13,9 +13,7 @@ mod tables;
 use std::io::{self, Write};
 
 use riffel::contact::ContactFilter;
-use riffel::diagnosis::{
-    Evidence, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart,
-};
+use riffel::diagnosis::{Evidence, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart};
 
 use case_mechanisms::{Wheels, near, wheelset_modes};
 
@@ -83,10 +81,9 @@ impl Diagnosis {
         let speeds = &settings.speeds;
         let (mut mechanisms, unknown) = case.mechanisms();
         let mut own_modes = wheelset_modes(case);
-        for (kind, frequencies) in [
-            (MechanismKind::WheelsetTorsion, &settings.torsion),
-            (MechanismKind::WheelsetBending, &settings.bending),
-        ] {
+        for (kind, frequencies) in
+            [(MechanismKind::WheelsetTorsion, &settings.torsion), (MechanismKind::WheelsetBending, &settings.bending)]
+        {
             let modes = frequencies.iter();
             mechanisms.extend(modes.map(|&frequency| Mechanism::of_frequency(kind, frequency)));
             // What was measured of the wheelset goes before what its model says.

@@ -1,39 +1,23 @@
 //! What speaks for a mechanism or against it, and what would tell it from others, in words.
 
-use riffel::diagnosis::{
-    Course, CoursePoint, Expectation, Measurement, Reason, Slope, TimeUnit, TrafficSpeeds,
-};
+use riffel::diagnosis::{Course, CoursePoint, Expectation, Measurement, Reason, Slope, TimeUnit, TrafficSpeeds};
 use riffel_keys::{Message, Value, fixed, number, range, say, significant};
 
 use super::finding::UNLIKELY;
 use super::mechanism_words::settled_by;
 
 /// A reason in a sentence. That of a course is not there without one.
-pub(super) fn in_words(
-    reason: &Reason,
-    speeds: &TrafficSpeeds,
-    course: Option<&Course>,
-) -> Message {
+pub(super) fn in_words(reason: &Reason, speeds: &TrafficSpeeds, course: Option<&Course>) -> Message {
     match *reason {
         Reason::Unlisted => say!(explains_any_wavelength),
-        Reason::AverageOverPatch { wavelength, passes } => say!(
-            patch_averages,
-            wavelength = millimetres(wavelength),
-            percent = fixed(100.0 * passes, 0)
-        ),
+        Reason::AverageOverPatch { wavelength, passes } => {
+            say!(patch_averages, wavelength = millimetres(wavelength), percent = fixed(100.0 * passes, 0))
+        }
         Reason::WithoutWheels => say!(trolley_measures_rail_alone),
-        Reason::HigherThanGround { rms, accepted } => say!(
-            higher_than_ground,
-            rms = significant(1e6 * rms, 2),
-            accepted = fixed(1e6 * accepted, 0)
-        ),
-        Reason::Frequency {
-            frequency,
-            spread,
-            damping_ratio,
-            wavelengths: (from, to),
-            measured,
-        } => {
+        Reason::HigherThanGround { rms, accepted } => {
+            say!(higher_than_ground, rms = significant(1e6 * rms, 2), accepted = fixed(1e6 * accepted, 0))
+        }
+        Reason::Frequency { frequency, spread, damping_ratio, wavelengths: (from, to), measured } => {
             let spread = fixed(100.0 * spread, 0);
             let known = match damping_ratio {
                 Some(ratio) => {
@@ -52,33 +36,19 @@ pub(super) fn in_words(
                 frequencies = frequencies(measured, speeds)
             )
         }
-        Reason::Growth {
-            highest: (at, highest),
-            measured,
-            rate,
-        } => growth_in_words(at, highest, measured, rate, speeds),
-        Reason::NothingGrows { measured } => say!(
-            case_lets_nothing_grow,
-            speeds = speeds.words(),
-            measured = millimetres(measured)
-        ),
+        Reason::Growth { highest: (at, highest), measured, rate } => {
+            growth_in_words(at, highest, measured, rate, speeds)
+        }
+        Reason::NothingGrows { measured } => {
+            say!(case_lets_nothing_grow, speeds = speeds.words(), measured = millimetres(measured))
+        }
         Reason::OutsideGrowth { measured } => {
             say!(measured_outside_growth, measured = millimetres(measured))
         }
-        Reason::Range {
-            wavelengths: (from, to),
-            measured,
-        } => say!(
-            wavelengths_at_any_speed,
-            range = span(1e3 * from, 1e3 * to, "mm"),
-            measured = millimetres(measured)
-        ),
-        Reason::Order {
-            length,
-            order,
-            nearest,
-            measured,
-        } => say!(
+        Reason::Range { wavelengths: (from, to), measured } => {
+            say!(wavelengths_at_any_speed, range = span(1e3 * from, 1e3 * to, "mm"), measured = millimetres(measured))
+        }
+        Reason::Order { length, order, nearest, measured } => say!(
             order_of_length,
             length = millimetres(length),
             order = number(order),
@@ -97,13 +67,7 @@ pub(super) fn in_words(
 }
 
 /// What a case lets grow at the measured wavelength \[m\], beside where it grows fastest.
-fn growth_in_words(
-    at: f64,
-    highest: f64,
-    measured: f64,
-    rate: f64,
-    speeds: &TrafficSpeeds,
-) -> Message {
+fn growth_in_words(at: f64, highest: f64, measured: f64, rate: f64, speeds: &TrafficSpeeds) -> Message {
     let own = number(format_args!("{:.1e}", rate.abs()));
     let [at, measured] = [at, measured].map(millimetres);
     let (speeds, shown) = (speeds.words(), number(format_args!("{highest:.1e}")));
@@ -129,11 +93,7 @@ fn growth_in_words(
 }
 
 /// A measurement that tells candidates for a wavelength \[m\] apart.
-pub(super) fn measurement(
-    measurement: Measurement,
-    wavelength: f64,
-    speeds: &TrafficSpeeds,
-) -> Message {
+pub(super) fn measurement(measurement: Measurement, wavelength: f64, speeds: &TrafficSpeeds) -> Message {
     let millimetres = |length: f64| fixed(1e3 * length, 1);
     let when = match measurement {
         Measurement::OtherSpeed => {
@@ -158,9 +118,7 @@ pub(super) fn measurement(
 
 /// A course: levels of the records, what they do, and how fast.
 pub(crate) fn course_in_words(course: &Course) -> Message {
-    let levels = |points: &[CoursePoint]| -> Value {
-        points.iter().map(|point| fixed(point.level, 1)).collect()
-    };
+    let levels = |points: &[CoursePoint]| -> Value { points.iter().map(|point| fixed(point.level, 1)).collect() };
     let (all, fall) = (levels(&course.points), course.fall().unwrap_or(0.0));
     let record = course.points[course.since].label.as_str();
     match course.slope {
@@ -172,12 +130,7 @@ pub(crate) fn course_in_words(course: &Course) -> Message {
             record = record,
             since = line_in_words(course, slope, levels(course.on_line()))
         ),
-        None => say!(
-            course_ends_ground,
-            levels = all,
-            fall = fixed(fall, 1),
-            record = record
-        ),
+        None => say!(course_ends_ground, levels = all, fall = fixed(fall, 1), record = record),
     }
 }
 
@@ -192,13 +145,7 @@ fn line_in_words(course: &Course, slope: Slope, levels: Value) -> Message {
     let rises = course.probability_of_rise().unwrap_or(0.5);
     macro_rules! told {
         ($id:ident) => {
-            say!(
-                $id,
-                levels = levels,
-                slope = slope,
-                scatter = scatter,
-                unit = unit
-            )
+            say!($id, levels = levels, slope = slope, scatter = scatter, unit = unit)
         };
     }
     // Two records rise or fall once, whether by chance or not.

@@ -22,27 +22,19 @@ pub struct Sideband {
 impl Sideband {
     /// As a sideband of the nearest higher wave on the same length of rail, if it may be one.
     pub(super) fn new(one: &Measured, all: &[Measured], mechanisms: &[Mechanism]) -> Option<Self> {
-        let spacing = mechanisms.iter().find_map(|mechanism| {
-            match (mechanism.kind, &mechanism.prediction) {
-                (MechanismKind::SupportSpacing, Prediction::Orders { length, .. }) => Some(*length),
-                _ => None,
-            }
+        let spacing = mechanisms.iter().find_map(|mechanism| match (mechanism.kind, &mechanism.prediction) {
+            (MechanismKind::SupportSpacing, Prediction::Orders { length, .. }) => Some(*length),
+            _ => None,
         })?;
         let higher = all.iter().filter(|other| {
-            other.peak.level > one.peak.level
-                && other.rail == one.rail
-                && Place::any_shared(&other.places, &one.places)
+            other.peak.level > one.peak.level && other.rail == one.rail && Place::any_shared(&other.places, &one.places)
         });
         let sidebands = higher.filter_map(|other| {
             let of = other.peak.wavelength;
             let distance = (one.peak.wavelength.recip() - of.recip()).abs() * spacing;
             let order = distance.round();
             let near = (distance - order).abs() <= NEAR;
-            (near && (1.0..=f64::from(ORDERS)).contains(&order)).then_some(Self {
-                order: order as u32,
-                of,
-                spacing,
-            })
+            (near && (1.0..=f64::from(ORDERS)).contains(&order)).then_some(Self { order: order as u32, of, spacing })
         });
         sidebands.min_by_key(|sideband| sideband.order)
     }

@@ -65,11 +65,7 @@ impl HardenedWave {
         let (band, end) = ends.max_by(|a, b| a.1.runaway_number.total_cmp(&b.1.runaway_number))?;
         let (wavelength, runaway) = (numeral(nominal(band)), number(end.runaway_number));
         Some(match end.wave_ratio {
-            None => say!(
-                hardening_runs_away,
-                wavelength = wavelength,
-                runaway = runaway
-            ),
+            None => say!(hardening_runs_away, wavelength = wavelength, runaway = runaway),
             Some(ratio) => say!(
                 hardening_ends_wave,
                 wavelength = wavelength,
@@ -104,8 +100,7 @@ impl CrackedWave {
                 damage_per_passage: at.now.damage,
                 wear_m_per_passage: at.now.wear,
                 crack_growth_m_per_passage: at.now.crack_growth,
-                crack_growth_mm_per_month: per_month
-                    .map(|per_month| 1e3 * per_month * at.now.crack_growth),
+                crack_growth_mm_per_month: per_month.map(|per_month| 1e3 * per_month * at.now.crack_growth),
                 crack_length_m: at.length,
             })
         });
@@ -119,13 +114,9 @@ impl CrackedWave {
         if most.crack_length_m <= 0.0 {
             return Some(say!(cracks_are_worn_off));
         }
-        let place = WavePhase::NAMES
-            .iter()
-            .position(|name| *name == most.phase)?;
+        let place = WavePhase::NAMES.iter().position(|name| *name == most.phase)?;
         let opposite = WavePhase::NAMES[(place + 2) % 4];
-        let other = waves
-            .iter()
-            .find(|wave| wave.wavelength_m == most.wavelength_m && wave.phase == opposite)?;
+        let other = waves.iter().find(|wave| wave.wavelength_m == most.wavelength_m && wave.phase == opposite)?;
         let [length, other_length] = [most, other].map(|wave| number(1e3 * wave.crack_length_m));
         let wavelength = numeral((1e3 * most.wavelength_m).round());
         let (at, opposite) = (place_in_words(most.phase), place_in_words(opposite));

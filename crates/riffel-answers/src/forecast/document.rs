@@ -11,8 +11,7 @@ use riffel_rail::LimitTable;
 use serde::Serialize;
 
 use super::{
-    CrackedWave, ForecastAnswer, HardenedWave, RailForecast, ReachDocument, WearDocument,
-    WearReport, per_million,
+    CrackedWave, ForecastAnswer, HardenedWave, RailForecast, ReachDocument, WearDocument, WearReport, per_million,
 };
 use crate::column;
 use crate::roughness::Level;
@@ -201,18 +200,13 @@ pub(super) fn document<'a>(
     let traffic = answer.growth();
     let crossings = answer.crossings(rail);
     let first = crossings.first();
-    let now = |band: &ForecastBand| Level {
-        wavelength_m: band.now.band.wavelength(),
-        level_db: band.now.level,
-    };
+    let now = |band: &ForecastBand| Level { wavelength_m: band.now.band.wavelength(), level_db: band.now.level };
     let then = |band: &ForecastBand| Then {
         wavelength_m: band.now.band.wavelength(),
         level_db: forecast.level(band, answer.passages),
     };
     let valid_to = forecast.linear_range(forecast.bands()).passages;
-    let fastest = answer
-        .fastest()
-        .and_then(|(band, _)| rail.growth_within(band, answer.wear_spread));
+    let fastest = answer.fastest().and_then(|(band, _)| rail.growth_within(band, answer.wear_spread));
     let banded = |per: f64| fastest.map(|within| within.times(per));
     let millions_a_month = answer.on.passages_per_month().map(|it| 1e-6 * it);
     let millions_a_month = millions_a_month.filter(|_| rail.without_time(&answer.on).is_none());
@@ -224,9 +218,7 @@ pub(super) fn document<'a>(
         inputs: Inputs::of(answer, case, spectrum),
         horizon: Amount::of(answer),
         rail: rail.name(),
-        rails: (answer.rails.iter())
-            .map(|rail| RailDocument::of(answer, rail))
-            .collect(),
+        rails: (answer.rails.iter()).map(|rail| RailDocument::of(answer, rail)).collect(),
         spectrum_now: forecast.bands().iter().map(now).collect(),
         spectrum_then: forecast.bands().iter().map(then).collect(),
         valid_to_passages: valid_to,
@@ -295,11 +287,7 @@ impl Amount {
 
 impl<'a> LimitDocument<'a> {
     fn of(table: &'a LimitTable) -> Self {
-        Self {
-            name: &table.name,
-            edition: &table.edition,
-            source: &table.source,
-        }
+        Self { name: &table.name, edition: &table.edition, source: &table.source }
     }
 }
 
@@ -329,14 +317,9 @@ impl<'a> TrafficDocument<'a> {
                 wheel_load_n: vehicle.wheel_load,
                 mean_speed_m_per_s: vehicle.speeds.mean(),
                 speed_deviation_m_per_s: vehicle.speeds.deviation(),
-                growth_rate_per_passage: rates(forecast, &|band| {
-                    forecast.vehicle_rate(band, index)
-                }),
+                growth_rate_per_passage: rates(forecast, &|band| forecast.vehicle_rate(band, index)),
                 spreads: spreads
-                    .map(|spread| SpreadDocument {
-                        what: &spread.what,
-                        reduction: spread.reduction,
-                    })
+                    .map(|spread| SpreadDocument { what: &spread.what, reduction: spread.reduction })
                     .collect(),
             }
         });
@@ -355,12 +338,9 @@ impl<'a> RailDocument<'a> {
         let passages_to_limit = first.map(|first| first.passages);
         Self {
             rail: rail.name(),
-            reach: ReachDocument::new(
-                rail.reach.map(Reach::name),
-                passages_to_limit,
-                answer.growth(),
-                |passages| answer.months_of(rail, passages),
-            ),
+            reach: ReachDocument::new(rail.reach.map(Reach::name), passages_to_limit, answer.growth(), |passages| {
+                answer.months_of(rail, passages)
+            }),
             date_of_limit: passages_to_limit.and_then(|it| answer.date_of(rail, it)),
             wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
             valid_to_passages: rail.forecast.linear_range(rail.forecast.bands()).passages,
@@ -372,10 +352,8 @@ impl<'a> RailDocument<'a> {
 /// A rate of each band.
 fn rates(forecast: &Forecast, rate: &dyn Fn(&ForecastBand) -> f64) -> Vec<Rate> {
     let bands = forecast.bands().iter();
-    let rates = bands.map(|band| Rate {
-        wavelength_m: band.now.band.wavelength(),
-        growth_rate_per_passage: rate(band),
-    });
+    let rates =
+        bands.map(|band| Rate { wavelength_m: band.now.band.wavelength(), growth_rate_per_passage: rate(band) });
     rates.collect()
 }
 
@@ -384,10 +362,7 @@ fn bands_left_out(rail: &RailForecast) -> Vec<Level> {
     let computed = rail.forecast.bands().iter().map(|band| band.now.band);
     let levels = rail.start.levels.spectrum.levels().iter();
     let left_out = levels.filter(|level| !computed.clone().any(|band| band == level.band));
-    let left_out = left_out.map(|level| Level {
-        wavelength_m: level.band.wavelength(),
-        level_db: level.level,
-    });
+    let left_out = left_out.map(|level| Level { wavelength_m: level.band.wavelength(), level_db: level.level });
     left_out.collect()
 }
 
@@ -423,9 +398,7 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
                 mgt_to_limit: passages_to_limit.map(|passages| forecast.traffic().mgt(passages)),
                 force_ratio_now: linear.force_ratio,
                 passages_to_loss_of_contact: linear.passages,
-                beyond_linear_range: linear
-                    .passages
-                    .is_some_and(|passages| passages <= answer.passages),
+                beyond_linear_range: linear.passages.is_some_and(|passages| passages <= answer.passages),
             }
         })
         .collect()
@@ -450,10 +423,7 @@ pub(super) fn rows(rows: &[impl Serialize], file: &mut impl Write) -> io::Result
 pub(super) fn line_table(answer: &ForecastAnswer, file: &mut impl Write) -> io::Result<()> {
     let traffic = answer.growth();
     let mut writer = csv::Writer::from_writer(file);
-    let mut header = vec![
-        "wavelength_m".to_owned(),
-        "growth_rate_per_passage".to_owned(),
-    ];
+    let mut header = vec!["wavelength_m".to_owned(), "growth_rate_per_passage".to_owned()];
     let names = traffic.vehicles().iter();
     let names = names.map(|vehicle| &*vehicle.name);
     header.extend(column::names(names, "growth_rate_per_passage"));

@@ -19,12 +19,7 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case, language: Language) -
         Some(_) => say!(after_grinding),
         None => say!(now),
     });
-    let now = levels(
-        &now,
-        &rail.start.levels.spectrum,
-        LineStyle::Solid,
-        OKABE_ITO[1],
-    );
+    let now = levels(&now, &rail.start.levels.spectrum, LineStyle::Solid, OKABE_ITO[1]);
     let valid_to = rail.forecast.valid_to();
     let until = answer.passages.min(valid_to);
     let tonnes = number(traffic.mgt(until));
@@ -35,19 +30,12 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case, language: Language) -
     let bands = || rail.forecast.bands().iter();
     let then = Series {
         label: of_rail(after),
-        x: bands()
-            .map(|band| 1e3 * band.now.band.wavelength())
-            .collect(),
+        x: bands().map(|band| 1e3 * band.now.band.wavelength()).collect(),
         y: bands().map(|band| band.level(until)).collect(),
         style: LineStyle::Solid,
         color: Some(OKABE_ITO[2]),
     };
-    let limit = levels(
-        &answer.table.edition,
-        answer.limit.spectrum(),
-        LineStyle::Dashed,
-        Rgb::BLACK,
-    );
+    let limit = levels(&answer.table.edition, answer.limit.spectrum(), LineStyle::Dashed, Rgb::BLACK);
     let wavelengths: Vec<f64> = traffic.wavelengths().iter().map(|w| 1e3 * w).collect();
     let rate = |label: String, rates: &[f64], color| Series {
         label,
@@ -63,22 +51,13 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case, language: Language) -
         .map(|(index, vehicle)| {
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
             let percent = fixed(100.0 * vehicle.share, 0);
-            let label = say!(
-                by_vehicle,
-                vehicle = vehicle_in_words(&vehicle.name),
-                percent = percent
-            )
-            .text(language);
+            let label = say!(by_vehicle, vehicle = vehicle_in_words(&vehicle.name), percent = percent).text(language);
             let own = vehicle.growth.rates.iter();
             let parts: Vec<f64> = own.map(|rate| vehicle.share * rate).collect();
             rate(label, &parts, color)
         })
         .collect();
-    rates.push(rate(
-        say!(mix_of_vehicles).text(language),
-        traffic.rates(),
-        Rgb::BLACK,
-    ));
+    rates.push(rate(say!(mix_of_vehicles).text(language), traffic.rates(), Rgb::BLACK));
     rates.push(zero(&wavelengths));
     let caption = say!(caption_of_forecast, amount = answer.amount(until)).text(language);
     let caption = match answer.rail(rail) {
@@ -115,36 +94,18 @@ fn crack_panel(answer: &ForecastAnswer, until: f64, language: Language) -> Optio
     let forecast = &answer.leading().forecast;
     let mut bands = forecast.bands().iter();
     let band = bands.find(|band| band.now.band.wavelength() == longest.wavelength_m)?;
-    let passages: Vec<f64> = (0..=STEPS)
-        .map(|step| until * f64::from(step) / f64::from(STEPS))
-        .collect();
-    let courses = passages
-        .iter()
-        .map(|&passages| forecast.cracks(band, passages));
+    let passages: Vec<f64> = (0..=STEPS).map(|step| until * f64::from(step) / f64::from(STEPS)).collect();
+    let courses = passages.iter().map(|&passages| forecast.cracks(band, passages));
     let courses: Vec<_> = courses.collect::<Option<Vec<_>>>()?;
     let (x_label, x): (_, Vec<f64>) = match answer.on.passages_per_month() {
-        Some(per_month) => (
-            say!(months_axis),
-            passages.iter().map(|p| p / per_month).collect(),
-        ),
-        None => (
-            say!(million_passages_axis),
-            passages.iter().map(|p| 1e-6 * p).collect(),
-        ),
+        Some(per_month) => (say!(months_axis), passages.iter().map(|p| p / per_month).collect()),
+        None => (say!(million_passages_axis), passages.iter().map(|p| 1e-6 * p).collect()),
     };
-    let names = [
-        say!(crest),
-        say!(falling_flank),
-        say!(trough),
-        say!(rising_flank),
-    ];
+    let names = [say!(crest), say!(falling_flank), say!(trough), say!(rising_flank)];
     let series = names.iter().enumerate().map(|(phase, name)| Series {
         label: name.text(language),
         x: x.clone(),
-        y: courses
-            .iter()
-            .map(|course| 1e3 * course[phase].length)
-            .collect(),
+        y: courses.iter().map(|course| 1e3 * course[phase].length).collect(),
         style: match phase % 2 {
             0 => LineStyle::Solid,
             _ => LineStyle::Dashed,
@@ -175,12 +136,7 @@ pub(crate) fn rate_panel(series: Vec<Series>, language: Language) -> LinePanel {
 pub(crate) fn zero(wavelengths: &[f64]) -> Series {
     Series {
         label: String::new(),
-        x: wavelengths
-            .first()
-            .into_iter()
-            .chain(wavelengths.last())
-            .copied()
-            .collect(),
+        x: wavelengths.first().into_iter().chain(wavelengths.last()).copied().collect(),
         y: vec![0.0; 2],
         style: LineStyle::Dotted,
         color: Some(Rgb::BLACK),

@@ -13,9 +13,7 @@ use super::{Crossing, ForecastAnswer, WearReport};
 fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
     /// Less is no reduction to speak of.
     const WORTH_A_WORD: f64 = 1.05;
-    let reduction = spread
-        .reduction
-        .filter(|reduction| *reduction >= WORTH_A_WORD)?;
+    let reduction = spread.reduction.filter(|reduction| *reduction >= WORTH_A_WORD)?;
     let what = match &*spread.what {
         "speed" => say!(spread_of_speed),
         "wheel_radius" => say!(spread_of_wheel_radius),
@@ -29,12 +27,7 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
         false => fixed(reduction, 0),
     };
     let vehicle = vehicle_in_words(&spread.vehicle);
-    Some(say!(
-        spread_takes_down,
-        vehicle = vehicle,
-        what = what,
-        factor = factor
-    ))
+    Some(say!(spread_takes_down, vehicle = vehicle, what = what, factor = factor))
 }
 
 impl ForecastAnswer {
@@ -42,11 +35,7 @@ impl ForecastAnswer {
     pub(crate) fn months_80(&self) -> Option<[f64; 2]> {
         let rail = self.leading();
         let crossings = self.crossings(rail);
-        let Crossing {
-            band,
-            limit,
-            passages,
-        } = crossings.first().filter(|it| it.passages > 0.0)?;
+        let Crossing { band, limit, passages } = crossings.first().filter(|it| it.passages > 0.0)?;
         let [early, late] = rail.passages_80(band, *limit, *passages, self.wear_spread)?;
         Some([self.months_of(rail, early)?, self.months_of(rail, late)?])
     }
@@ -87,8 +76,7 @@ impl ForecastAnswer {
             return self.leading().unexplained(&self.on.growth, per_day);
         }
         let why = self.wear.iter().filter_map(WearReport::unexplained);
-        why.flat_map(|why| [why, say!(model_does_not_explain_growth)])
-            .collect()
+        why.flat_map(|why| [why, say!(model_does_not_explain_growth)]).collect()
     }
 
     /// How the leading rail grew, and what of it the model explains.
@@ -108,10 +96,7 @@ impl ForecastAnswer {
             let grew = rail.own_growth(&self.on.growth, self.on.passages_per_day)?;
             Some(self.about(rail, grew))
         });
-        [say!(model_is_of_the_other_rail)]
-            .into_iter()
-            .chain(own)
-            .collect()
+        [say!(model_is_of_the_other_rail)].into_iter().chain(own).collect()
     }
 
     /// Between what the fastest growth lies.
@@ -128,13 +113,7 @@ impl ForecastAnswer {
         let per_month = self.on.passages_per_month();
         let per_month = per_month.filter(|_| rail.without_time(&self.on).is_none());
         let said = match per_month {
-            None => say!(
-                grows_within,
-                wavelength = wavelength,
-                low = low,
-                high = high,
-                by = by
-            ),
+            None => say!(grows_within, wavelength = wavelength, low = low, high = high, by = by),
             Some(passages) => {
                 let a_month = within.times(1e-6 * passages).band_80;
                 let [low_a_month, high_a_month] = a_month.map(number);
@@ -200,12 +179,7 @@ impl ForecastAnswer {
         findings.extend(spreads.filter_map(spread_in_words));
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
-            findings.push(say!(
-                bands_not_forecast,
-                count = numeral(left_out.len()),
-                first = *first,
-                last = *last
-            ));
+            findings.push(say!(bands_not_forecast, count = numeral(left_out.len()), first = *first, last = *last));
         }
         findings
     }
@@ -249,12 +223,9 @@ impl ForecastAnswer {
                         wavelength = wavelength,
                         amount = self.amount(first.passages)
                     ),
-                    Some(reason) => say!(
-                        limit_reached_without_time,
-                        edition = edition,
-                        wavelength = wavelength,
-                        reason = reason
-                    ),
+                    Some(reason) => {
+                        say!(limit_reached_without_time, edition = edition, wavelength = wavelength, reason = reason)
+                    }
                 }
                 .about(interval)
             }
@@ -270,12 +241,9 @@ impl ForecastAnswer {
         let ratio = fixed(linear.force_ratio, 2);
         match linear.passages {
             Some(0.0) => say!(beyond_linear_range_now, ratio = ratio, vehicle = vehicle),
-            Some(passages) => say!(
-                linear_range_ends,
-                ratio = ratio,
-                vehicle = vehicle,
-                amount = self.amount_of(rail, passages)
-            ),
+            Some(passages) => {
+                say!(linear_range_ends, ratio = ratio, vehicle = vehicle, amount = self.amount_of(rail, passages))
+            }
             None => say!(linear_range_never_ends, ratio = ratio, vehicle = vehicle),
         }
     }

@@ -41,10 +41,9 @@ impl ForecastHorizon {
         match self {
             Self::Passages(passages) => Ok(passages),
             Self::MillionGrossTonnes(mgt) => Ok(on.growth.passages(mgt)),
-            Self::Months(months) => on
-                .passages_per_month()
-                .map(|per_month| per_month * months)
-                .ok_or(AnswerError::NoPassagesPerDay),
+            Self::Months(months) => {
+                on.passages_per_month().map(|per_month| per_month * months).ok_or(AnswerError::NoPassagesPerDay)
+            }
         }
     }
 }

@@ -112,19 +112,8 @@ impl ForecastAnswer {
     /// traffic at fault, [`AnswerError::NoSpectrum`] without a spectrum,
     /// [`AnswerError::OutsideWindow`] where no rail has a band in the window of the case, and
     /// [`AnswerError::NoPassagesPerDay`] for months where the traffic does not say how much of it there is.
-    pub fn new(
-        case: &Case,
-        request: ForecastRequest,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, AnswerError> {
-        let ForecastRequest {
-            traffic,
-            survey,
-            ground,
-            horizon,
-            limit: (table, limit),
-            date,
-        } = request;
+    pub fn new(case: &Case, request: ForecastRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+        let ForecastRequest { traffic, survey, ground, horizon, limit: (table, limit), date } = request;
         horizon.check()?;
         let wear_spread = wear_spread(case);
         let (case, bands) = (&case.sharing_parts(), bands_of(case));
@@ -133,24 +122,16 @@ impl ForecastAnswer {
             Some((survey, date)) => (Some(survey), date),
             None => (None, None),
         };
-        let measured = RailStart::of(
-            &case.rail_in_curve(),
-            survey.as_ref(),
-            ground.as_ref(),
-            on.passages_per_day,
-        );
+        let measured = RailStart::of(&case.rail_in_curve(), survey.as_ref(), ground.as_ref(), on.passages_per_day);
         if measured.is_empty() {
             return Err(AnswerError::NoSpectrum);
         }
-        let rails = RailForecast::of_rails(&measured, &on, Some(&limit))
-            .map_err(AnswerError::OutsideWindow)?;
-        let mut warnings = survey
-            .as_ref()
-            .map_or_else(Vec::new, |survey| survey.warnings.clone());
+        let rails = RailForecast::of_rails(&measured, &on, Some(&limit)).map_err(AnswerError::OutsideWindow)?;
+        let mut warnings = survey.as_ref().map_or_else(Vec::new, |survey| survey.warnings.clone());
         warnings.extend(not_forecast(&measured, &rails, case));
-        let without_growth = survey.as_ref().and_then(|survey| {
-            RailStart::without_growth(&measured, survey, ground.is_some(), on.passages_per_day)
-        });
+        let without_growth = survey
+            .as_ref()
+            .and_then(|survey| RailStart::without_growth(&measured, survey, ground.is_some(), on.passages_per_day));
         let by_model = rails.iter().any(|rail| rail.start.growth.is_none());
         if let (Some(from), true) = (case.from_curve(), by_model && rails.len() > 1) {
             let of_rail = match from.rail {
@@ -194,11 +175,7 @@ impl ForecastAnswer {
     }
 
     /// The forecast as data: what `riffel forecast --json` prints; `spectrum` is the name of the record.
-    pub fn document<'a>(
-        &'a self,
-        case: &'a Case,
-        spectrum: Option<String>,
-    ) -> ForecastDocument<'a> {
+    pub fn document<'a>(&'a self, case: &'a Case, spectrum: Option<String>) -> ForecastDocument<'a> {
         document::document(self, case, spectrum)
     }
 
@@ -268,9 +245,7 @@ impl ForecastAnswer {
     fn date_after(&self, passages: f64) -> Option<Date> {
         const LIFE: f64 = 36_525.0;
         let days = (passages / self.on.passages_per_day?).round();
-        (days < LIFE)
-            .then(|| self.date?.checked_add((days as i64).days()).ok())
-            .flatten()
+        (days < LIFE).then(|| self.date?.checked_add((days as i64).days()).ok()).flatten()
     }
 
     /// The date at which something befalls a rail, where its growth tells it.
@@ -301,19 +276,11 @@ impl ForecastAnswer {
             .forecast
             .reaches(&self.limit)
             .into_iter()
-            .filter_map(|(band, limit, reach)| {
-                Some(Crossing {
-                    band,
-                    limit,
-                    passages: reach.passages()?,
-                })
-            })
+            .filter_map(|(band, limit, reach)| Some(Crossing { band, limit, passages: reach.passages()? }))
             .collect();
         crossings.sort_by(|a, b| {
             let excess = |crossing: &Crossing<'_>| crossing.band.now.level - crossing.limit;
-            a.passages
-                .total_cmp(&b.passages)
-                .then(excess(b).total_cmp(&excess(a)))
+            a.passages.total_cmp(&b.passages).then(excess(b).total_cmp(&excess(a)))
         });
         crossings
     }
@@ -337,19 +304,10 @@ impl ForecastAnswer {
         let date = self.date_after(passages).map(|date| date.to_string());
         let passages = words::millions(passages);
         match (months, date) {
-            (Some(months), Some(date)) => say!(
-                amount_with_date,
-                passages = passages,
-                tonnes = tonnes,
-                months = months,
-                date = date
-            ),
-            (Some(months), None) => say!(
-                amount_with_months,
-                passages = passages,
-                tonnes = tonnes,
-                months = months
-            ),
+            (Some(months), Some(date)) => {
+                say!(amount_with_date, passages = passages, tonnes = tonnes, months = months, date = date)
+            }
+            (Some(months), None) => say!(amount_with_months, passages = passages, tonnes = tonnes, months = months),
             (None, _) => say!(amount_of_traffic, passages = passages, tonnes = tonnes),
         }
     }
@@ -379,10 +337,7 @@ impl ForecastAnswer {
     /// The cells of the table by band, the rail that leads first and of each the longest wavelength; the name of the
     /// rail first, where there are several.
     pub fn rows(&self) -> Vec<Vec<Message>> {
-        self.rails
-            .iter()
-            .flat_map(|rail| self.rows_of(rail))
-            .collect()
+        self.rails.iter().flat_map(|rail| self.rows_of(rail)).collect()
     }
 
     fn rows_of(&self, rail: &RailForecast) -> Vec<Vec<Message>> {
@@ -419,11 +374,7 @@ impl ForecastAnswer {
         let rises = band.level(self.passages) - band.now.level > RISE_SHOWN;
         if rail.forecast.growth_rate(band) < 0.0 && rises {
             let then = signed(per_million(band.sum.rate(self.passages)));
-            return say!(
-                rate_now_and_then,
-                now = numeral(growth),
-                then = numeral(then)
-            );
+            return say!(rate_now_and_then, now = numeral(growth), then = numeral(then));
         }
         number_alone(match rail.growth_within(band, self.wear_spread) {
             Some(within) => {
@@ -448,13 +399,7 @@ impl ForecastAnswer {
         let levels = rail.start.levels.spectrum.levels().iter();
         levels
             .map(|level| level.band)
-            .filter(|band| {
-                !rail
-                    .forecast
-                    .bands()
-                    .iter()
-                    .any(|own| own.now.band == *band)
-            })
+            .filter(|band| !rail.forecast.bands().iter().any(|own| own.now.band == *band))
             .map(|band| band.nominal_millimetres())
             .collect()
     }
@@ -466,17 +411,13 @@ pub(crate) fn not_forecast<'a>(
     rails: &'a [RailForecast],
     case: &'a Case,
 ) -> impl Iterator<Item = Message> + 'a {
-    let names = measured
-        .iter()
-        .filter_map(|rail| rail.levels.rail.as_deref());
-    names
-        .filter(|name| rails.iter().all(|rail| rail.name() != Some(name)))
-        .map(|name| {
-            say!(
-                rail_not_forecast,
-                rail = rail_in_words(name),
-                from = fixed(1e3 * case.wavelength.min(), 0),
-                to = fixed(1e3 * case.wavelength.max(), 0)
-            )
-        })
+    let names = measured.iter().filter_map(|rail| rail.levels.rail.as_deref());
+    names.filter(|name| rails.iter().all(|rail| rail.name() != Some(name))).map(|name| {
+        say!(
+            rail_not_forecast,
+            rail = rail_in_words(name),
+            from = fixed(1e3 * case.wavelength.min(), 0),
+            to = fixed(1e3 * case.wavelength.max(), 0)
+        )
+    })
 }

@@ -72,11 +72,8 @@ impl Answer for PosteriorForecast {
     fn introduction(&self) -> Vec<Message> {
         let forecast = &self.forecast;
         let title = self.title.as_deref().map(Message::verbatim);
-        let about = say!(
-            posterior_forecast_is_over,
-            draws = forecast.draws,
-            months = fixed(forecast.horizon_months, 0)
-        );
+        let about =
+            say!(posterior_forecast_is_over, draws = forecast.draws, months = fixed(forecast.horizon_months, 0));
         title.into_iter().chain([about]).collect()
     }
 
@@ -84,17 +81,10 @@ impl Answer for PosteriorForecast {
         let bands = &self.forecast.bands;
         let horizon = self.forecast.horizon_months;
         let millimetres = bands.iter().map(|band| Some(1e3 * band.wavelength_m));
-        let mut columns = vec![Column::fixed(
-            "wavelength_mm",
-            say!(wavelength_of_band),
-            millimetres,
-            0,
-        )];
+        let mut columns = vec![Column::fixed("wavelength_mm", say!(wavelength_of_band), millimetres, 0)];
         type Of = fn(&BandForecast) -> &[f64; 5];
-        let levels: [(&str, Of); 2] = [
-            ("level_now_db", |band| &band.level_now_db),
-            ("level_then_db", |band| &band.level_then_db),
-        ];
+        let levels: [(&str, Of); 2] =
+            [("level_now_db", |band| &band.level_now_db), ("level_then_db", |band| &band.level_then_db)];
         for (name, of) in levels {
             let words = bands.iter().map(|band| {
                 let [low, _, middle, _, high] = of(band).map(|level| fixed_text(level, 1));
@@ -112,47 +102,30 @@ impl Answer for PosteriorForecast {
             }
         }
         let limits = bands.iter().map(|band| band.limit_db);
-        columns.push(Column::decibels(
-            "limit_db".to_owned(),
-            Some(say!(limit_of_band)),
-            limits.collect(),
-        ));
+        columns.push(Column::decibels("limit_db".to_owned(), Some(say!(limit_of_band)), limits.collect()));
         let words = bands.iter().map(|band| {
             let months = band.months_to_limit.as_ref();
             Message::verbatim(months.map_or_else(String::new, |it| in_words(it, horizon)))
         });
         columns.push(Column::shown(say!(months_banded), words.collect()));
         let months = |place: usize| {
-            let months = bands
-                .iter()
-                .map(move |band| band.months_to_limit.as_ref()?.quantiles[place]);
+            let months = bands.iter().map(move |band| band.months_to_limit.as_ref()?.quantiles[place]);
             months.collect::<Vec<Option<f64>>>()
         };
         for (place, share) in SHARES.iter().enumerate() {
-            columns.push(Column::optional(
-                &format!("months_to_limit_{share}"),
-                months(place),
-            ));
+            columns.push(Column::optional(&format!("months_to_limit_{share}"), months(place)));
         }
-        let never = bands
-            .iter()
-            .map(|band| band.months_to_limit.as_ref().map(|it| it.probability_never));
+        let never = bands.iter().map(|band| band.months_to_limit.as_ref().map(|it| it.probability_never));
         columns.push(Column::optional("probability_never", never.collect()));
-        vec![Table {
-            name: "forecast",
-            columns,
-        }]
+        vec![Table { name: "forecast", columns }]
     }
 
     fn sentences(&self) -> Vec<Message> {
         let forecast = &self.forecast;
         let months = &forecast.months_to_limit;
-        let [_, low, _, high, _] = months.quantiles.map(|it| {
-            it.map_or_else(
-                || format!("> {:.0}", forecast.horizon_months),
-                |it| format!("{it:.1}"),
-            )
-        });
+        let [_, low, _, high, _] = months
+            .quantiles
+            .map(|it| it.map_or_else(|| format!("> {:.0}", forecast.horizon_months), |it| format!("{it:.1}")));
         let mut sentences = vec![say!(
             months_to_the_limit,
             limit = &self.limit,
@@ -202,19 +175,11 @@ impl PosteriorForecast {
                 x_scale: Scale::Log,
                 areas: vec![area("90 %", 0, 4, 225), area("50 %", 1, 3, 190)],
                 series: vec![
-                    Series {
-                        label: say!(median).text(language),
-                        x: x.clone(),
-                        y: of(levels, 2),
-                        ..Series::default()
-                    },
+                    Series { label: say!(median).text(language), x: x.clone(), y: of(levels, 2), ..Series::default() },
                     Series {
                         label: self.limit.clone(),
                         x: x.clone(),
-                        y: bands
-                            .iter()
-                            .map(|band| band.limit_db.unwrap_or(f64::NAN))
-                            .collect(),
+                        y: bands.iter().map(|band| band.limit_db.unwrap_or(f64::NAN)).collect(),
                         style: LineStyle::Dashed,
                         ..Series::default()
                     },
@@ -224,10 +189,7 @@ impl PosteriorForecast {
         };
         let months = self.forecast.horizon_months;
         LineFigure {
-            title: self
-                .title
-                .clone()
-                .unwrap_or_else(|| say!(forecast).text(language)),
+            title: self.title.clone().unwrap_or_else(|| say!(forecast).text(language)),
             caption: say!(
                 caption_of_posterior_forecast,
                 draws = numeral(self.forecast.draws),
@@ -236,9 +198,7 @@ impl PosteriorForecast {
             .text(language),
             panels: vec![
                 panel(say!(at_the_last_date), |band| &band.level_now_db),
-                panel(say!(months_later, months = fixed(months, 0)), |band| {
-                    &band.level_then_db
-                }),
+                panel(say!(months_later, months = fixed(months, 0)), |band| &band.level_then_db),
             ],
             ..LineFigure::default()
         }

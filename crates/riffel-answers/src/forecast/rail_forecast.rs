@@ -1,8 +1,6 @@
 //! The rails of a track under one traffic: each grows as it was measured to, or else all as the model says.
 
-use riffel::forecast::{
-    Forecast, ForecastBand, MeasuredBand, MeasuredGrowth, Reach, TrafficGrowth, WearSpread,
-};
+use riffel::forecast::{Forecast, ForecastBand, MeasuredBand, MeasuredGrowth, Reach, TrafficGrowth, WearSpread};
 use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel_case::traffic::{DAYS_PER_MONTH, TrafficOnCase, is_faster_than_known};
 use riffel_keys::{Message, fixed, number, say, significant};
@@ -49,22 +47,14 @@ impl RailStart {
             let growth = history.and_then(|it| it.growth(levels.rail.as_deref(), passages_per_day));
             let name = levels.rail.as_deref();
             let is_other = |of: &&str| name.is_some_and(|name| are_opposite(name, of));
-            Self {
-                is_of_case: !of_case.iter().any(is_other),
-                levels,
-                is_measured: true,
-                growth,
-            }
+            Self { is_of_case: !of_case.iter().any(is_other), levels, is_measured: true, growth }
         });
         let starts: Vec<Self> = starts.collect();
         let Some(ground) = ground else {
             return starts;
         };
         let spectrum = &ground.spectrum;
-        let mut of_ground: Vec<Self> = starts
-            .into_iter()
-            .filter(|start| start.growth.is_some())
-            .collect();
+        let mut of_ground: Vec<Self> = starts.into_iter().filter(|start| start.growth.is_some()).collect();
         for start in &mut of_ground {
             start.levels.spectrum = spectrum.clone();
             start.is_measured = false;
@@ -88,20 +78,12 @@ impl RailStart {
 
 /// Why no months follow from some growth rates of a model under a traffic: its loop oscillates by itself, or one is faster than any
 /// railway known. None where they do.
-pub(crate) fn rates_without_time(
-    on: &TrafficOnCase,
-    mut rates: impl Iterator<Item = f64>,
-) -> Option<Message> {
+pub(crate) fn rates_without_time(on: &TrafficOnCase, mut rates: impl Iterator<Item = f64>) -> Option<Message> {
     if let Some(frequency) = on.unstable {
-        return Some(say!(
-            rates_of_unstable_loop,
-            frequency = fixed(frequency, 0)
-        ));
+        return Some(say!(rates_of_unstable_loop, frequency = fixed(frequency, 0)));
     }
     let per_day = on.passages_per_day?;
-    rates
-        .any(|rate| is_faster_than_known(rate, per_day))
-        .then(|| say!(rates_faster_than_known))
+    rates.any(|rate| is_faster_than_known(rate, per_day)).then(|| say!(rates_faster_than_known))
 }
 
 impl RailStart {
@@ -168,12 +150,7 @@ impl RailStart {
 impl<T: Into<RailSpectrum>> From<T> for RailStart {
     /// A rail that will be ground, of which no growth was measured.
     fn from(levels: T) -> Self {
-        Self {
-            levels: levels.into(),
-            is_measured: false,
-            is_of_case: true,
-            growth: None,
-        }
+        Self { levels: levels.into(), is_measured: false, is_of_case: true, growth: None }
     }
 }
 
@@ -225,9 +202,7 @@ impl RailForecast {
         };
         found.sort_by(|a, b| {
             let pairs = order(a).into_iter().zip(order(b));
-            pairs.fold(std::cmp::Ordering::Equal, |so_far, (a, b)| {
-                so_far.then(a.total_cmp(&b))
-            })
+            pairs.fold(std::cmp::Ordering::Equal, |so_far, (a, b)| so_far.then(a.total_cmp(&b)))
         });
         Ok(found)
     }
@@ -263,11 +238,7 @@ impl RailForecast {
 
     /// Where a model does not explain how it grew under so many axles a day, or is of the other rail: how it grew, and that no variant of the
     /// model tells what would lower that; else empty.
-    pub(crate) fn unexplained(
-        &self,
-        model: &TrafficGrowth,
-        passages_per_day: Option<f64>,
-    ) -> Vec<Message> {
+    pub(crate) fn unexplained(&self, model: &TrafficGrowth, passages_per_day: Option<f64>) -> Vec<Message> {
         let beside = self.model_beside(model);
         if self.grown().is_none() || beside.is_some_and(|(_, ratio)| EXPLAINS.contains(&ratio)) {
             return Vec::new();
@@ -281,11 +252,7 @@ impl RailForecast {
     }
 
     /// How it grew, and what of it a model explains, under so many axles a day.
-    pub(crate) fn own_growth(
-        &self,
-        model: &TrafficGrowth,
-        passages_per_day: Option<f64>,
-    ) -> Option<Message> {
+    pub(crate) fn own_growth(&self, model: &TrafficGrowth, passages_per_day: Option<f64>) -> Option<Message> {
         let Some(own) = self.grown() else {
             let is_measured = self.start.growth.is_some();
             return is_measured.then(|| say!(no_band_has_grown));
@@ -300,21 +267,11 @@ impl RailForecast {
             None => say!(so_many_passages, passages = words::millions(own.span())),
         };
         let Some((_, ratio)) = self.model_beside(model) else {
-            return Some(say!(
-                grew_by_its_own,
-                wavelength = wavelength,
-                decibels = decibels,
-                amount = amount
-            ));
+            return Some(say!(grew_by_its_own, wavelength = wavelength, decibels = decibels, amount = amount));
         };
         let ratio_in_words = significant(ratio, 2);
         Some(if ratio <= 0.0 {
-            say!(
-                grew_where_model_decays,
-                wavelength = wavelength,
-                decibels = decibels,
-                amount = amount
-            )
+            say!(grew_where_model_decays, wavelength = wavelength, decibels = decibels, amount = amount)
         } else if EXPLAINS.contains(&ratio) {
             say!(
                 grew_as_model_explains,
@@ -340,11 +297,7 @@ impl RailForecast {
         match self.own(band) {
             Some(own) => {
                 let [band_50, band_80] = own.slope_within().map(|it| it.map(|slope| 1e6 * slope));
-                Some(Banded {
-                    median,
-                    band_50,
-                    band_80,
-                })
+                Some(Banded { median, band_50, band_80 })
             }
             None => Some(Banded::by_wear(median, spread?)),
         }

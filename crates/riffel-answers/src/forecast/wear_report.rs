@@ -73,12 +73,7 @@ fn remarks_of(survey: &Survey) -> impl Iterator<Item = Message> {
 }
 
 /// The rail that a fit is of, where several were measured and each grows differently: that of which the case is, else the one that leads.
-pub fn rail_to_fit(
-    case: &Case,
-    now: &Survey,
-    on: &TrafficOnCase,
-    limit: Option<&LevelLimit>,
-) -> Option<String> {
+pub fn rail_to_fit(case: &Case, now: &Survey, on: &TrafficOnCase, limit: Option<&LevelLimit>) -> Option<String> {
     let starts = RailStart::of(&case.rail_in_curve(), Some(now), None, on.passages_per_day);
     let rails = RailForecast::of_rails(&starts, on, limit).ok()?;
     let of_case = rails.iter().find(|rail| rail.start.is_of_case);
@@ -167,9 +162,7 @@ impl WearReport {
     /// Whether a band that should grow has changed by as much as levels are printed to.
     fn moves(&self) -> bool {
         let bands = self.fit.bands.iter();
-        bands
-            .filter(|band| band.grows)
-            .any(|band| band.measured.abs() >= 0.05)
+        bands.filter(|band| band.grows).any(|band| band.measured.abs() >= 0.05)
     }
 
     /// The bands whose growth the model does not explain.
@@ -227,11 +220,9 @@ impl WearReport {
         let fit = &self.fit;
         let coefficient = fit.factor * self.coefficient;
         let mut sentences = vec![match (fit.verdict, fit.interval) {
-            (WearVerdict::Fitted, Some(bounds)) => say!(
-                coefficient_is_fitted,
-                coefficient = scientific(coefficient),
-                interval = self.interval(bounds)
-            ),
+            (WearVerdict::Fitted, Some(bounds)) => {
+                say!(coefficient_is_fitted, coefficient = scientific(coefficient), interval = self.interval(bounds))
+            }
             (WearVerdict::Unexplained, _) => self.unexplained_bands(),
             (WearVerdict::NothingGrows, _) => say!(no_coefficient_nothing_grows),
             (WearVerdict::Against, _) => say!(no_coefficient_bands_fell),
@@ -240,10 +231,7 @@ impl WearReport {
                 say!(no_coefficient_indistinct, interval = self.interval(bounds))
             }
             (WearVerdict::Indistinct, None) => say!(no_coefficient_not_grown),
-            _ => say!(
-                no_coefficient_claimed,
-                coefficient = scientific(coefficient)
-            ),
+            _ => say!(no_coefficient_claimed, coefficient = scientific(coefficient)),
         }];
         if fit.verdict == WearVerdict::Unexplained {
             sentences.extend(self.measured_rates());
@@ -266,11 +254,7 @@ impl WearReport {
                     measured = measured,
                     predicted = predicted
                 ));
-            } else if !band.grows
-                && band.predicted < 0.0
-                && band.measured < -LARGE_CHANGE
-                && band.has_fallen()
-            {
+            } else if !band.grows && band.predicted < 0.0 && band.measured < -LARGE_CHANGE && band.has_fallen() {
                 sentences.push(say!(
                     band_fades_as_in_model,
                     wavelength = wavelength,
@@ -292,10 +276,7 @@ impl WearReport {
     /// How to forecast with the coefficient on a command line, where there is one.
     pub fn advice(&self) -> Option<Message> {
         let coefficient = self.fitted_coefficient()?;
-        Some(say!(
-            forecast_with_coefficient,
-            value = format!("{coefficient:.3e}")
-        ))
+        Some(say!(forecast_with_coefficient, value = format!("{coefficient:.3e}")))
     }
 
     /// The fit as data.
@@ -330,9 +311,7 @@ impl WearReport {
                 .map(|band| WearBand {
                     wavelength_m: band.band.wavelength(),
                     measured_change_db: band.measured,
-                    measured_change_interval_db: band
-                        .interval
-                        .map(|interval| scaled(interval, 1.0)),
+                    measured_change_interval_db: band.interval.map(|interval| scaled(interval, 1.0)),
                     predicted_change_db: band.predicted,
                     fitted_change_db: claimed.then_some(band.fitted),
                     residual_db: claimed.then(|| band.residual()),

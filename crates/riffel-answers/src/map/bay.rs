@@ -57,23 +57,16 @@ impl BayGrowth {
     ///
     /// # Errors
     /// [`AnswerError::NoBay`] for a case without discrete supports.
-    pub fn new(
-        case: &Case,
-        curve: Option<(f64, f64)>,
-        progress: impl Fn(usize) + Sync,
-    ) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, curve: Option<(f64, f64)>, progress: impl Fn(usize) + Sync) -> Result<Self, AnswerError> {
         let structure = case.track.structure.clone();
         let bay = structure
             .and_then(|track| Bay::new(&case.feedback, track))
-            .ok_or_else(|| AnswerError::NoBay {
-                model: case.file.track.model.name(),
-            })?;
+            .ok_or_else(|| AnswerError::NoBay { model: case.file.track.model.name() })?;
         let maps = bay.maps(case.wavelength, case.speed, progress);
         let ridges = [
             ridge_of(case, &bay.at(0.0)),
             ridge_of(case, &bay.at(0.5 * bay.spacing())),
-            case.growth_window()
-                .map_or_else(Ridge::nothing, |window| bay.ridge(&maps.mean, window)),
+            case.growth_window().map_or_else(Ridge::nothing, |window| bay.ridge(&maps.mean, window)),
         ];
         let fastest = ridges[2].highest();
         let (wavelength, speed) = curve
@@ -114,12 +107,7 @@ impl BayGrowth {
 
     /// One sentence for the terminal.
     pub fn sentence(&self) -> String {
-        let BayDocument {
-            growth_rate_over_support,
-            growth_rate_mid_span,
-            growth_rate_mean,
-            ..
-        } = self.summary();
+        let BayDocument { growth_rate_over_support, growth_rate_mid_span, growth_rate_mean, .. } = self.summary();
         // What is sharper than the passing of supports is blurred in truth.
         let passing = self.speed / self.spacing;
         format!(
@@ -140,11 +128,7 @@ impl BayGrowth {
 
     /// Maps over a support, in mid-span and of the mean on one scale.
     pub fn map_figure(&self, case: &Case) -> MapFigure {
-        let maps = [
-            &self.maps.over_support,
-            &self.maps.mid_span,
-            &self.maps.mean,
-        ];
+        let maps = [&self.maps.over_support, &self.maps.mid_span, &self.maps.mean];
         let names = ["over a support", "in mid-span", "mean over the bay"];
         let panels = maps.into_iter().zip(&self.ridges).zip(names);
         MapFigure {
@@ -164,13 +148,8 @@ impl BayGrowth {
 
     /// Growth over the places of the bay, and over wavelength.
     pub fn curve_figure(&self, case: &Case) -> LineFigure {
-        let series = |label: &str, style, x: Vec<f64>, y: Vec<f64>| Series {
-            label: label.to_owned(),
-            x,
-            y,
-            style,
-            color: None,
-        };
+        let series =
+            |label: &str, style, x: Vec<f64>, y: Vec<f64>| Series { label: label.to_owned(), x, y, style, color: None };
         let positions: Vec<f64> = self.states.iter().map(|(position, _)| *position).collect();
         let ends = vec![0.0, self.spacing];
         let along = LinePanel {
@@ -182,63 +161,25 @@ impl BayGrowth {
                     "wheel at this place",
                     LineStyle::Solid,
                     positions,
-                    self.states
-                        .iter()
-                        .map(|(_, state)| state.growth_rate)
-                        .collect(),
+                    self.states.iter().map(|(_, state)| state.growth_rate).collect(),
                 ),
-                series(
-                    "mean over the bay",
-                    LineStyle::Dashed,
-                    ends,
-                    vec![self.mean; 2],
-                ),
+                series("mean over the bay", LineStyle::Dashed, ends, vec![self.mean; 2]),
             ],
-            marks: vec![Mark {
-                x: 0.5 * self.spacing,
-                label: "mid-span".to_owned(),
-            }],
+            marks: vec![Mark { x: 0.5 * self.spacing, label: "mid-span".to_owned() }],
             ..LinePanel::default()
         };
-        let wavelengths: Vec<f64> = self
-            .spectrum
-            .iter()
-            .map(|(wavelength, _)| 1e3 * wavelength)
-            .collect();
-        let rates = |place: usize| {
-            self.spectrum
-                .iter()
-                .map(|(_, rates)| rates[place])
-                .collect()
-        };
+        let wavelengths: Vec<f64> = self.spectrum.iter().map(|(wavelength, _)| 1e3 * wavelength).collect();
+        let rates = |place: usize| self.spectrum.iter().map(|(_, rates)| rates[place]).collect();
         let over = LinePanel {
             subtitle: format!("over wavelength at {:.0} km/h", 3.6 * self.speed),
             x_label: "wavelength λ [mm]".to_owned(),
             y_label: "growth rate per passage [-]".to_owned(),
             series: vec![
-                series(
-                    "over a support",
-                    LineStyle::Solid,
-                    wavelengths.clone(),
-                    rates(0),
-                ),
-                series(
-                    "in mid-span",
-                    LineStyle::Dotted,
-                    wavelengths.clone(),
-                    rates(1),
-                ),
-                series(
-                    "mean over the bay",
-                    LineStyle::Dashed,
-                    wavelengths,
-                    rates(2),
-                ),
+                series("over a support", LineStyle::Solid, wavelengths.clone(), rates(0)),
+                series("in mid-span", LineStyle::Dotted, wavelengths.clone(), rates(1)),
+                series("mean over the bay", LineStyle::Dashed, wavelengths, rates(2)),
             ],
-            marks: vec![Mark {
-                x: 1e3 * self.wavelength,
-                label: String::new(),
-            }],
+            marks: vec![Mark { x: 1e3 * self.wavelength, label: String::new() }],
             ..LinePanel::default()
         };
         LineFigure {

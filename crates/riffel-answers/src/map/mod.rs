@@ -55,13 +55,9 @@ impl ObservationCount {
         let wavelengths = case.wavelength.min()..=case.wavelength.max();
         let speeds = case.speed.min()..=case.speed.max();
         let outside = |observation: &&Observation| {
-            !wavelengths.contains(&observation.wavelength_m)
-                || !speeds.contains(&observation.speed_m_per_s)
+            !wavelengths.contains(&observation.wavelength_m) || !speeds.contains(&observation.speed_m_per_s)
         };
-        Self {
-            count: observations.len(),
-            outside_window: observations.iter().filter(outside).count(),
-        }
+        Self { count: observations.len(), outside_window: observations.iter().filter(outside).count() }
     }
 
     /// As in "3 observations, 1 outside the map".
@@ -187,13 +183,8 @@ impl MapAnswer {
                 speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
                 speeds: ridge.points.len(),
             },
-            wear_limit: WearLimitDocument::new(
-                case,
-                ridge.highest().map(|point| point.growth_rate),
-            ),
-            stability: (case.stability_over_the_map().into_iter())
-                .map(StabilityAtSpeed::from)
-                .collect(),
+            wear_limit: WearLimitDocument::new(case, ridge.highest().map(|point| point.growth_rate)),
+            stability: (case.stability_over_the_map().into_iter()).map(StabilityAtSpeed::from).collect(),
             bay: self.bay.as_ref().map(BayGrowth::summary),
             observations: self.observations,
             remarks: &case.remarks,

@@ -15,10 +15,7 @@ struct Document {
 ///
 /// # Errors
 /// [`AnswerError::Case`] as of [`LineGrowth::new`].
-pub fn growth_over(
-    draws: &PosteriorDraws,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<OverPosterior, AnswerError> {
+pub fn growth_over(draws: &PosteriorDraws, progress: &(dyn Fn(usize) + Sync)) -> Result<OverPosterior, AnswerError> {
     draws.over(progress, |drawn| {
         let under_traffic = LineGrowth::new(&drawn.case, drawn.traffic.as_ref())?;
         Ok(Document { under_traffic })
@@ -31,9 +28,7 @@ pub fn growth_in_words(growth: &OverPosterior) -> Vec<Message> {
     let rate = number("growth_rate_per_passage");
     let grows = rate.map_or(0.0, |rate| rate.draws as f64 / growth.draws as f64);
     let mut sentences = Vec::new();
-    if let (Some(wavelength), Some(passages)) =
-        (number("wavelength_m"), number("doubling_passages"))
-    {
+    if let (Some(wavelength), Some(passages)) = (number("wavelength_m"), number("doubling_passages")) {
         let millimetres = |metres: f64| significant(1e3 * metres, 2);
         let [shortest, longest] = wavelength.band_90.map(millimetres);
         // Draws that grow faster than any railway known have no months: then axles are told.
@@ -56,10 +51,7 @@ pub fn growth_in_words(growth: &OverPosterior) -> Vec<Message> {
         ));
     }
     if grows < 1.0 {
-        sentences.push(say!(
-            no_growth_in_draws,
-            share = fixed(100.0 * (1.0 - grows), 0)
-        ));
+        sentences.push(say!(no_growth_in_draws, share = fixed(100.0 * (1.0 - grows), 0)));
     }
     sentences
 }

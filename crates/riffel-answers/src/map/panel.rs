@@ -3,9 +3,7 @@
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
 use riffel_keys::say;
-use riffel_plot::{
-    BranchLine, MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays,
-};
+use riffel_plot::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays};
 
 use crate::parameters::parameters;
 use crate::ridge::best_fit_frequency;
@@ -57,10 +55,7 @@ pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPa
             .collect()
     };
     MapPanel {
-        wavelength_m: columns
-            .iter()
-            .map(|&column| map.wavelength().value(column))
-            .collect(),
+        wavelength_m: columns.iter().map(|&column| map.wavelength().value(column)).collect(),
         speed_m_per_s: rows.iter().map(|&row| map.speed().value(row)).collect(),
         values: grid(&|row| shown.factor(case, map.speed().value(row), rate)),
         hover_values: Some(grid(&|_| rate)),
@@ -80,10 +75,7 @@ pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPa
             .iter()
             .map(|branch| BranchLine {
                 frequency_hz: branch.frequency(),
-                points: branch
-                    .crest()
-                    .map(|point| (point.wavelength, point.speed))
-                    .collect(),
+                points: branch.crest().map(|point| (point.wavelength, point.speed)).collect(),
             })
             .collect(),
         best_fit_frequency_hz: best_fit_frequency(ridge),
@@ -99,28 +91,16 @@ pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPa
 fn drawn(points: usize) -> Vec<usize> {
     const ENOUGH: usize = 400;
     let count = points.min(ENOUGH);
-    (0..count)
-        .map(|index| index * (points - 1) / (count - 1))
-        .collect()
+    (0..count).map(|index| index * (points - 1) / (count - 1)).collect()
 }
 
 /// The map of a case as a figure, with its ridge, its parameters below and what was observed.
-pub fn map_figure(
-    case: &Case,
-    map: &GrowthMap,
-    ridge: &Ridge,
-    observations: Vec<Observation>,
-) -> MapFigure {
+pub fn map_figure(case: &Case, map: &GrowthMap, ridge: &Ridge, observations: Vec<Observation>) -> MapFigure {
     let mut panel = panel(case, map, ridge, Shown::Normalized);
     panel.observations = observations;
     MapFigure {
         title: map_title(case).to_owned(),
-        caption: format!(
-            "{}{} {}",
-            parameters(case),
-            place(case),
-            say!(sign_of_growth)
-        ),
+        caption: format!("{}{} {}", parameters(case), place(case), say!(sign_of_growth)),
         panels: vec![panel],
     }
 }

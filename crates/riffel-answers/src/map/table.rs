@@ -54,11 +54,7 @@ pub fn map_csv(map: &GrowthMap, file: &mut impl Write, progress: impl Fn(usize))
     let rate = map.growth_rate_per_dissipation();
     for (speed, row) in map.rows() {
         for (wavelength, &value) in wavelengths.iter().zip(row) {
-            writer.serialize((
-                wavelength,
-                speed,
-                OUTPUTS.map(|output| (output.value)(value, rate)),
-            ))?;
+            writer.serialize((wavelength, speed, OUTPUTS.map(|output| (output.value)(value, rate))))?;
         }
         progress(1);
     }
@@ -73,29 +69,11 @@ pub fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), Answe
     let rate = map.growth_rate_per_dissipation();
     let axis = |name, axes, unit, long_name, axis: riffel::Axis| {
         let values = axis.values();
-        Variable {
-            name,
-            axes,
-            unit,
-            long_name,
-            values: Box::new(move || values.clone()),
-        }
+        Variable { name, axes, unit, long_name, values: Box::new(move || values.clone()) }
     };
     let mut variables = vec![
-        axis(
-            "wavelength",
-            &["wavelength"],
-            "m",
-            "wavelength of the corrugation",
-            map.wavelength(),
-        ),
-        axis(
-            "speed",
-            &["speed"],
-            "m/s",
-            "speed of the vehicle",
-            map.speed(),
-        ),
+        axis("wavelength", &["wavelength"], "m", "wavelength of the corrugation", map.wavelength()),
+        axis("speed", &["speed"], "m/s", "speed of the vehicle", map.speed()),
     ];
     variables.extend(OUTPUTS.iter().map(|output| Variable {
         name: output.variable,
@@ -107,14 +85,6 @@ pub fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), Answe
             points.map(|&value| (output.value)(value, rate)).collect()
         }),
     }));
-    let axes = vec![
-        ("speed", map.speed().points()),
-        ("wavelength", map.wavelength().points()),
-    ];
-    Grid {
-        title,
-        axes,
-        variables,
-    }
-    .write(path)
+    let axes = vec![("speed", map.speed().points()), ("wavelength", map.wavelength().points())];
+    Grid { title, axes, variables }.write(path)
 }

@@ -44,11 +44,7 @@ impl Difference {
                 });
                 let (name, exact) = (joint.name(), replaced.words(joint));
                 let sentence = match &effect {
-                    Ok((_, with)) => format!(
-                        "{name}: from {} to {} with: {exact}",
-                        fastest(highest),
-                        fastest(*with)
-                    ),
+                    Ok((_, with)) => format!("{name}: from {} to {} with: {exact}", fastest(highest), fastest(*with)),
                     Err(reason) => format!("{name}: {exact} cannot take its place alone: {reason}"),
                 };
                 let effect = effect.ok();
@@ -72,9 +68,7 @@ impl Difference {
 
 fn fastest(highest: Option<Highest>) -> String {
     match highest {
-        Some(Highest {
-            wavelength, rate, ..
-        }) => format!("{rate:.3e} at {:.1} mm", 1e3 * wavelength),
+        Some(Highest { wavelength, rate, .. }) => format!("{rate:.3e} at {:.1} mm", 1e3 * wavelength),
         None => "no growth".to_owned(),
     }
 }

@@ -28,16 +28,15 @@ pub(super) fn growth(answer: &ModelsAnswer) -> LineFigure {
     let others = answer.on_case().filter(|of| of.model.name != "riffel");
     let ours = answer.on_case().filter(|of| of.model.name == "riffel");
     let looks = (0..).map(look);
-    let lines = others
-        .zip(looks)
-        .chain(ours.zip(std::iter::once((Rgb::BLACK, LineStyle::Solid))))
-        .map(|(of, (color, style))| GrowthLine {
+    let lines = others.zip(looks).chain(ours.zip(std::iter::once((Rgb::BLACK, LineStyle::Solid)))).map(
+        |(of, (color, style))| GrowthLine {
             label: of.model.title,
             rates: of.growth_rate_per_passage.as_deref().unwrap_or_default(),
             highest: of.highest,
             color,
             style,
-        });
+        },
+    );
     LineFigure {
         title: title(answer),
         caption: format!(
@@ -52,16 +51,10 @@ pub(super) fn growth(answer: &ModelsAnswer) -> LineFigure {
 }
 
 pub(super) fn complex_plane(answer: &ModelsAnswer) -> Option<LineFigure> {
-    let (model, plane) = answer
-        .on_case()
-        .find_map(|of| Some((of.model, of.complex_plane.as_ref()?)))?;
+    let (model, plane) = answer.on_case().find_map(|of| Some((of.model, of.complex_plane.as_ref()?)))?;
     let mega = 1e-6;
     let places = [
-        (
-            "wheel over a support",
-            &plane.over_support_j_per_m2,
-            OKABE_ITO[1],
-        ),
+        ("wheel over a support", &plane.over_support_j_per_m2, OKABE_ITO[1]),
         ("wheel in mid-span", &plane.mid_span_j_per_m2, OKABE_ITO[2]),
     ];
     let all = || places.iter().flat_map(|(_, values, _)| values.iter());

@@ -99,11 +99,7 @@ impl ModelsAnswer {
     /// # Errors
     /// [`AnswerError::Case`] for frequencies at which the case is not known, [`AnswerError::NotOnCase`] for a model that
     /// is named and cannot be read from the case.
-    pub fn new(
-        case: &Case,
-        request: &ModelsRequest,
-        progress: &dyn Fn(usize),
-    ) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: &ModelsRequest, progress: &dyn Fn(usize)) -> Result<Self, AnswerError> {
         let named = !request.models.is_empty();
         let models = match named {
             true => request.models.clone(),
@@ -125,10 +121,7 @@ impl ModelsAnswer {
             let growth = ModelGrowth::of(&own, model, &passing);
             progress(1);
             match growth {
-                Err(reason) if named => Err(AnswerError::NotOnCase {
-                    model: model.name,
-                    reason,
-                }),
+                Err(reason) if named => Err(AnswerError::NotOnCase { model: model.name, reason }),
                 growth => Ok((model, growth)),
             }
         };
@@ -137,14 +130,10 @@ impl ModelsAnswer {
         let on_case = models.iter().filter_map(|(_, growth)| growth.as_ref().ok());
         let wavelengths = wavelengths_of(on_case.map(|(_, course, _)| course));
         let models = models.into_iter().map(|(model, growth)| match growth {
-            Ok((on, _, growth)) => ModelGrowth {
-                growth_rate_per_passage: Some(passing.rates(&on, &wavelengths)),
-                ..growth
-            },
-            Err(reason) => ModelGrowth {
-                not_on_this_case: Some(reason),
-                ..ModelGrowth::without(model)
-            },
+            Ok((on, _, growth)) => {
+                ModelGrowth { growth_rate_per_passage: Some(passing.rates(&on, &wavelengths)), ..growth }
+            }
+            Err(reason) => ModelGrowth { not_on_this_case: Some(reason), ..ModelGrowth::without(model) },
         });
         let models: Vec<ModelGrowth> = models.collect();
         let speed = passing.mean();
@@ -176,12 +165,7 @@ impl ModelsAnswer {
     fn table(&self) -> Table {
         let on_case = || self.on_case();
         let shown = |head: Message, of: fn(&Highest) -> Message| {
-            let cell = |of_model: &ModelGrowth| {
-                of_model
-                    .highest
-                    .as_ref()
-                    .map_or_else(|| Message::verbatim(""), of)
-            };
+            let cell = |of_model: &ModelGrowth| of_model.highest.as_ref().map_or_else(|| Message::verbatim(""), of);
             Column::shown(head, on_case().map(cell).collect())
         };
         let titles = on_case().map(|of| Message::verbatim(of.model.title));
@@ -195,9 +179,7 @@ impl ModelsAnswer {
                 Column::shown(Message::verbatim(""), titles.collect()),
                 Column::shown(say!(highest_growth_column), rates.collect()),
                 shown(Message::verbatim("mm"), Highest::millimetres),
-                shown(Message::verbatim("Hz"), |highest| {
-                    number_alone(decimal(highest.frequency, 0))
-                }),
+                shown(Message::verbatim("Hz"), |highest| number_alone(decimal(highest.frequency, 0))),
                 shown(say!(passages_to_double_column), |highest| {
                     number_alone(format!("{:.2e}", highest.doubling_passages()))
                 }),
@@ -207,20 +189,12 @@ impl ModelsAnswer {
 
     /// One row for each wavelength, a column for each model on the case.
     fn growth_table(&self) -> Table {
-        let names = column::names(
-            self.on_case().map(|of| of.model.name),
-            "growth_rate_per_passage",
-        );
-        let rates = self
-            .on_case()
-            .map(|of| of.growth_rate_per_passage.as_deref().unwrap_or_default());
+        let names = column::names(self.on_case().map(|of| of.model.name), "growth_rate_per_passage");
+        let rates = self.on_case().map(|of| of.growth_rate_per_passage.as_deref().unwrap_or_default());
         let rates = names.iter().zip(rates);
         let rates = rates.map(|(name, rates)| Column::in_file(name, rates.iter().copied()));
         let wavelengths = Column::in_file("wavelength_m", self.wavelength_m.iter().copied());
-        Table {
-            name: "growth",
-            columns: [wavelengths].into_iter().chain(rates).collect(),
-        }
+        Table { name: "growth", columns: [wavelengths].into_iter().chain(rates).collect() }
     }
 }
 
@@ -230,11 +204,7 @@ impl Answer for ModelsAnswer {
     fn introduction(&self) -> Vec<Message> {
         let title = self.case.file.title.clone();
         let title = title.map_or_else(|| say!(models_of_the_field), Message::verbatim);
-        vec![say!(
-            under_title,
-            title = title,
-            passing = self.passing.clone()
-        )]
+        vec![say!(under_title, title = title, passing = self.passing.clone())]
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -244,20 +214,13 @@ impl Answer for ModelsAnswer {
     fn sentences(&self) -> Vec<Message> {
         let moves = self.on_case().filter_map(|of| {
             let sentence = &of.differs_by.first()?.sentence;
-            Some(Message::verbatim(format!(
-                "  {}: {sentence}",
-                of.model.title
-            )))
+            Some(Message::verbatim(format!("  {}: {sentence}", of.model.title)))
         });
         let moves: Vec<Message> = moves.collect();
         let heading = (!moves.is_empty()).then(|| say!(what_moves_models_most));
         let left_out = self.models.iter().filter_map(|of| {
             let reason = of.not_on_this_case.as_deref()?;
-            Some(say!(
-                model_not_on_this_case,
-                model = of.model.title,
-                reason = reason
-            ))
+            Some(say!(model_not_on_this_case, model = of.model.title, reason = reason))
         });
         heading.into_iter().chain(moves).chain(left_out).collect()
     }
@@ -268,8 +231,7 @@ impl Answer for ModelsAnswer {
 
     fn files(&self) -> Vec<ResultFile<'_>> {
         let own = ResultFile::Lines(Self::NAME, self.figure());
-        let plane =
-            figure::complex_plane(self).map(|plane| ResultFile::Lines("complex-plane", plane));
+        let plane = figure::complex_plane(self).map(|plane| ResultFile::Lines("complex-plane", plane));
         let growth = ResultFile::Table(self.growth_table());
         [own].into_iter().chain(plane).chain([growth]).collect()
     }
@@ -318,20 +280,14 @@ impl ModelGrowth {
         let remarks = remarks.filter(|remark| !case.remarks.contains(remark));
         let growth = Self {
             applies: true,
-            wear_limit: Some(WearLimitDocument::new(
-                &on.case,
-                highest.map(|highest| highest.rate),
-            )),
+            wear_limit: Some(WearLimitDocument::new(&on.case, highest.map(|highest| highest.rate))),
             highest,
             differs_by: Difference::all(case, model.joints, (&course, highest), passing),
             complex_plane: model
                 .has_complex_plane()
                 .then(|| ComplexPlane::of(&on, passing.frequencies(case), speed))
                 .flatten(),
-            remarks: remarks
-                .map(ToString::to_string)
-                .chain(unstable.clone())
-                .collect(),
+            remarks: remarks.map(ToString::to_string).chain(unstable.clone()).collect(),
             unstable,
             ..Self::without(model)
         };
@@ -350,16 +306,10 @@ impl ComplexPlane {
             let states = frequencies.iter();
             let states = states.map(|frequency| feedback.at(speed / frequency, speed));
             let wear = |wear: Complex64| [wear.re, wear.im];
-            states
-                .map(|state| wear(state.dissipation_at_rail / speed / feedback.amplitude()))
-                .collect()
+            states.map(|state| wear(state.dissipation_at_rail / speed / feedback.amplitude())).collect()
         };
         let [over_support_j_per_m2, mid_span_j_per_m2] = places.each_ref().map(wear);
-        Some(Self {
-            frequency_hz: frequencies,
-            over_support_j_per_m2,
-            mid_span_j_per_m2,
-        })
+        Some(Self { frequency_hz: frequencies, over_support_j_per_m2, mid_span_j_per_m2 })
     }
 }
 

@@ -31,10 +31,7 @@ impl Passing {
             Self::Speed(speed) => (*speed, *speed),
             Self::Traffic(speeds) => speeds.range(),
         };
-        [
-            slowest / case.wavelength.max(),
-            fastest / case.wavelength.min(),
-        ]
+        [slowest / case.wavelength.max(), fastest / case.wavelength.min()]
     }
 
     /// Growth rates per passage of a model at wavelengths \[m\].

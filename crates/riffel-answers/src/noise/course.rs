@@ -42,20 +42,16 @@ impl Course {
     ) -> Result<(Option<Self>, Vec<Message>), AnswerError> {
         let question = train.question;
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
-        let per_month = on
-            .passages_per_month()
-            .ok_or(AnswerError::NoPassagesPerDay)?;
+        let per_month = on.passages_per_month().ok_or(AnswerError::NoPassagesPerDay)?;
         let start = RailStart {
             levels: question.roughness.clone().into(),
             is_measured: true,
             is_of_case: true,
-            growth: (question.history.as_ref())
-                .and_then(|history| history.growth(None, on.passages_per_day)),
+            growth: (question.history.as_ref()).and_then(|history| history.growth(None, on.passages_per_day)),
         };
         let has_dates = question.history.is_some();
         let per_day = on.passages_per_day;
-        let without =
-            RailStart::without_dates(std::slice::from_ref(&start), has_dates, false, per_day);
+        let without = RailStart::without_dates(std::slice::from_ref(&start), has_dates, false, per_day);
         let forecast = start.forecast(&on).map_err(AnswerError::OutsideWindow)?;
         let without_time = start.without_time(&forecast, &on);
         let mut remarks: Vec<Message> = on.remarks.into_iter().chain(without).collect();
@@ -101,12 +97,7 @@ impl Course {
         let months = fixed(self.month[last], 1);
         let course = match self.beyond_linear_range {
             false => say!(noise_becomes, from = from, to = to, months = months),
-            true => say!(
-                noise_becomes_to_linear_end,
-                from = from,
-                to = to,
-                months = months
-            ),
+            true => say!(noise_becomes_to_linear_end, from = from, to = to, months = months),
         };
         let Some(limit) = self.limit_dba else {
             return course;
@@ -118,12 +109,7 @@ impl Course {
             Some(0.0) => say!(noise_limit_now, sentence = course, limit = limit),
             Some(months) => {
                 let months = fixed(months, 1);
-                say!(
-                    noise_limit_in_months,
-                    sentence = course,
-                    limit = limit,
-                    months = months
-                )
+                say!(noise_limit_in_months, sentence = course, limit = limit, months = months)
             }
             None if up_to.is_some() => {
                 say!(noise_limit_not_known, sentence = course, limit = limit)

@@ -80,11 +80,7 @@ fn measures(answer: &NoiseAnswer, language: Language) -> LinePanel {
         let frequencies = super::nominal(&measure.levels);
         curve(&frequencies, &levels, label, LineStyle::Dashed, color)
     });
-    panel(
-        say!(what_would_help),
-        std::iter::once(now).chain(after).collect(),
-        language,
-    )
+    panel(say!(what_would_help), std::iter::once(now).chain(after).collect(), language)
 }
 
 fn course(course: &Course, language: Language) -> LinePanel {
@@ -113,20 +109,11 @@ fn course(course: &Course, language: Language) -> LinePanel {
     }
 }
 
-fn curve(
-    frequencies: &[f64],
-    levels: &[Option<f64>],
-    label: String,
-    style: LineStyle,
-    color: Rgb,
-) -> Series {
+fn curve(frequencies: &[f64], levels: &[Option<f64>], label: String, style: LineStyle, color: Rgb) -> Series {
     Series {
         label,
         x: frequencies.to_vec(),
-        y: levels
-            .iter()
-            .map(|level| level.unwrap_or(f64::NAN))
-            .collect(),
+        y: levels.iter().map(|level| level.unwrap_or(f64::NAN)).collect(),
         style,
         color: Some(color),
     }

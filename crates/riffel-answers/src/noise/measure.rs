@@ -57,10 +57,7 @@ pub(super) fn measures(
     };
     let (table, _) = &train.limit;
     let ground = ground_to_limit(train)?;
-    add(
-        say!(rail_ground_to, edition = &table.edition),
-        train.levels(radiation, &ground)?,
-    );
+    add(say!(rail_ground_to, edition = &table.edition), train.levels(radiation, &ground)?);
     for factor in [0.8, 0.5] {
         let title = say!(at_speed, speed = shown_speed(factor * speed, 0));
         let slower = train.radiation(case, train.wheel_modes(), factor * speed)?;

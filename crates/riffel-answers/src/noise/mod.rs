@@ -19,8 +19,7 @@ use riffel_case::{Case, TrackRadiator};
 use riffel_keys::{Language, Message, PhysicalRange, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{
-    LimitTable, RailDates, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
-    levels_unlike_a_rail,
+    LimitTable, RailDates, TransferPart, TransferTable, WheelModesTable, WheelRoughness, levels_unlike_a_rail,
 };
 use serde::Serialize;
 
@@ -121,13 +120,7 @@ impl NoiseQuestion {
 
     /// `Ok` where every number is within its physical range, whoever asks.
     fn check(&self) -> Result<(), AnswerError> {
-        let wrong = |argument, value: String, rule: String| {
-            Err(AnswerError::Argument {
-                argument,
-                value,
-                rule,
-            })
-        };
+        let wrong = |argument, value: String, rule: String| Err(AnswerError::Argument { argument, value, rule });
         if self.distance.is_nan() || self.distance <= PassBy::NEAREST {
             let rule = "beyond the rail, 0.75 m".to_owned();
             return wrong("--distance", format!("{} m", self.distance), rule);
@@ -150,10 +143,7 @@ impl NoiseQuestion {
         }
         let shortest = LEAST_PER_WHEEL * f64::from(self.wheels);
         if self.length() < shortest {
-            let rule = format!(
-                "at least {shortest} m, half a metre to each of {} wheels",
-                self.wheels
-            );
+            let rule = format!("at least {shortest} m, half a metre to each of {} wheels", self.wheels);
             return wrong("--train-length", format!("{} m", self.length()), rule);
         }
         match self.traffic {
@@ -167,11 +157,7 @@ impl NoiseQuestion {
     /// # Errors
     /// [`AnswerError::Argument`] where a number is outside its range, no band is known, or the track has no decay;
     /// [`AnswerError::Case`] with the key or the file at fault.
-    pub fn answer(
-        &self,
-        case: &Case,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<NoiseAnswer, AnswerError> {
+    pub fn answer(&self, case: &Case, progress: &(dyn Fn(usize) + Sync)) -> Result<NoiseAnswer, AnswerError> {
         if let (None, Some(why)) = (&self.radiator.decay_rate, case.without_decay()) {
             return Err(AnswerError::Argument {
                 argument: "--decay-rate",
@@ -190,8 +176,7 @@ impl NoiseQuestion {
                 && self.fills_a_band()
             {
                 let known = || rates.iter().map(|(band, _)| band.nominal());
-                let [from, to] =
-                    [known().next(), known().next_back()].map(Option::unwrap_or_default);
+                let [from, to] = [known().next(), known().next_back()].map(Option::unwrap_or_default);
                 return Err(AnswerError::Argument {
                     argument: "--decay-rate",
                     value: format!("known from {} to {} Hz", readable(from), readable(to)),
@@ -207,18 +192,15 @@ impl NoiseQuestion {
                     .to_owned(),
             });
         }
-        let left_out: Vec<FrequencyBand> = FrequencyBand::all()
-            .filter(|band| levels.bands.iter().all(|level| level.band != *band))
-            .collect();
+        let left_out: Vec<FrequencyBand> =
+            FrequencyBand::all().filter(|band| levels.bands.iter().all(|level| level.band != *band)).collect();
         let (course, of_traffic) = match &self.traffic {
             Some(traffic) => Course::new(case, &train, &radiation, traffic, progress)?,
             None => (None, Vec::new()),
         };
         let mut remarks = remarks::remarks(case, &train, &powers, &left_out);
         let levels_of_rail = self.roughness.levels().iter();
-        remarks.extend(levels_unlike_a_rail(
-            levels_of_rail.map(|level| level.level),
-        ));
+        remarks.extend(levels_unlike_a_rail(levels_of_rail.map(|level| level.level)));
         remarks.extend(of_traffic);
         let by_transfer_functions = match &train.transfer {
             Some([track, vehicle]) => {
@@ -290,10 +272,7 @@ impl NoiseQuestion {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<OverPosterior, AnswerError> {
         draws.over(progress, |drawn| {
-            let question = Self {
-                traffic: drawn.traffic.clone().or_else(|| self.traffic.clone()),
-                ..self.clone()
-            };
+            let question = Self { traffic: drawn.traffic.clone().or_else(|| self.traffic.clone()), ..self.clone() };
             question.answer(&drawn.case, &|_| ())
         })
     }
@@ -511,15 +490,9 @@ impl Answer for NoiseAnswer {
         let bound = self.lower_bound_up_to_hz;
         let course = self.course.iter().map(|course| course.in_words(bound));
         let bounded = bound.zip(self.level.total_dba);
-        let bounded =
-            bounded.map(|(_, level)| say!(noise_is_lower_bound, level = at_least(level, bound)));
+        let bounded = bounded.map(|(_, level)| say!(noise_is_lower_bound, level = at_least(level, bound)));
         let since = self.since.iter().map(Since::in_words);
-        bounded
-            .into_iter()
-            .chain(since)
-            .chain(course)
-            .chain(self.over_posterior_in_words())
-            .collect()
+        bounded.into_iter().chain(since).chain(course).chain(self.over_posterior_in_words()).collect()
     }
 
     fn figure(&self) -> LineFigure {

@@ -10,13 +10,7 @@ pub(super) fn in_words(answer: &NoiseAnswer) -> Vec<Message> {
         return Vec::new();
     };
     let level = over.number("level.total_dba");
-    let level = level.map(|level| {
-        say!(
-            level_over_posterior,
-            draws = over.draws,
-            level = level.times(1.0, 1)
-        )
-    });
+    let level = level.map(|level| say!(level_over_posterior, draws = over.draws, level = level.times(1.0, 1)));
     let measures = answer.measures.iter().enumerate();
     let measures = measures.filter_map(|(place, measure)| {
         let title = measure.title.to_string();
@@ -24,11 +18,7 @@ pub(super) fn in_words(answer: &NoiseAnswer) -> Vec<Message> {
         if !saved.varies() {
             return None;
         }
-        Some(say!(
-            measure_over_posterior,
-            measure = measure.title.clone(),
-            saved = saved.times(1.0, 1)
-        ))
+        Some(say!(measure_over_posterior, measure = measure.title.clone(), saved = saved.times(1.0, 1)))
     });
     level.into_iter().chain(measures).collect()
 }

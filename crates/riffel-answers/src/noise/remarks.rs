@@ -39,11 +39,7 @@ pub(super) fn remarks(
         }
     }
     if train.question.distance > FAR {
-        remarks.push(say!(
-            far_away,
-            distance = train.question.distance,
-            far = FAR
-        ));
+        remarks.push(say!(far_away, distance = train.question.distance, far = FAR));
     }
     if train.wheels.is_none() {
         remarks.push(say!(smooth_wheels));
@@ -54,14 +50,9 @@ pub(super) fn remarks(
     if ratio >= 1.0 {
         remarks.push(say!(noise_beyond_linear_range, ratio = fixed(ratio, 2)));
     }
-    if let (None, Some(track)) = (
-        &train.question.radiator.decay_rate,
-        case.track.structure.as_deref(),
-    ) {
+    if let (None, Some(track)) = (&train.question.radiator.decay_rate, case.track.structure.as_deref()) {
         let bands = powers.iter().map(|power| power.band);
-        let far: Vec<FrequencyBand> = bands
-            .filter(|band| RailDecay::runs_on(track, band.centre()))
-            .collect();
+        let far: Vec<FrequencyBand> = bands.filter(|band| RailDecay::runs_on(track, band.centre())).collect();
         if !far.is_empty() {
             remarks.push(say!(rail_cut_short, frequencies = nominal(&far)));
         }

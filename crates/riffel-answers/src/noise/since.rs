@@ -54,11 +54,7 @@ impl Since {
         );
         match self.is_all {
             true => said,
-            false => say!(
-                over_common_bands,
-                count = self.frequency_hz.len(),
-                said = said
-            ),
+            false => say!(over_common_bands, count = self.frequency_hz.len(), said = said),
         }
     }
 }
@@ -85,11 +81,7 @@ mod tests {
     #[test]
     fn a_sum_that_ends_below_2_khz_is_a_lower_bound() {
         for (frequencies, up_to, said) in [
-            (
-                &[800.0, 1000.0][..],
-                Some(1000.0),
-                "≥ 71.0 dB(A) (up to 1000 Hz)",
-            ),
+            (&[800.0, 1000.0][..], Some(1000.0), "≥ 71.0 dB(A) (up to 1000 Hz)"),
             (&[800.0, 2000.0], None, "71.0 dB(A)"),
         ] {
             assert_eq!(lower_bound_up_to(frequencies), up_to);

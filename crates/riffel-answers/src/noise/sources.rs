@@ -2,8 +2,7 @@
 
 use riffel::contact::ContactFilter;
 use riffel::noise::{
-    Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, SoundPower,
-    WheelModes,
+    Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, SoundPower, WheelModes,
 };
 use riffel::roughness::Spectrum;
 use riffel_case::Case;
@@ -20,10 +19,7 @@ pub(super) fn powers_of_parts(powers: &[SoundPower]) -> Energies {
         sleepers: power.sleepers,
         wheel: power.wheel,
     });
-    Energies {
-        energy: Energy::Power,
-        bands: bands.collect(),
-    }
+    Energies { energy: Energy::Power, bands: bands.collect() }
 }
 
 /// What a train makes of any roughness of a case at a speed.
@@ -43,18 +39,11 @@ impl Train<'_> {
             sleepers: self.pass.of_wheels(&air, power.sleepers),
             wheel: self.pass.of_wheels(&air, power.wheel),
         });
-        Energies {
-            energy: Energy::Pressure,
-            bands: bands.collect(),
-        }
+        Energies { energy: Energy::Pressure, bands: bands.collect() }
     }
 
     /// Levels with some roughness of the rail.
-    pub(super) fn levels(
-        &self,
-        radiation: &Radiation<'_>,
-        roughness: &Spectrum,
-    ) -> Result<Energies, AnswerError> {
+    pub(super) fn levels(&self, radiation: &Radiation<'_>, roughness: &Spectrum) -> Result<Energies, AnswerError> {
         Ok(self.heard(&self.powers(radiation, roughness)?))
     }
 
@@ -115,18 +104,10 @@ impl Train<'_> {
                 });
             }
         }
-        Ok(Energies {
-            energy: Energy::Pressure,
-            bands,
-        })
+        Ok(Energies { energy: Energy::Pressure, bands })
     }
 
-    fn excitation(
-        &self,
-        case: &Case,
-        roughness: &Spectrum,
-        speed: f64,
-    ) -> Result<Excitation, AnswerError> {
+    fn excitation(&self, case: &Case, roughness: &Spectrum, speed: f64) -> Result<Excitation, AnswerError> {
         let wheel = self.wheels.as_ref().map(|(_, spectrum)| spectrum);
         let filter = ContactFilter::of(&case.hertz);
         Ok(Excitation::new(roughness, wheel, filter, speed)?)

@@ -20,16 +20,8 @@ pub(super) fn introduction(answer: &NoiseAnswer) -> Vec<Message> {
     let title = answer.title.clone();
     let title = title.map_or_else(|| say!(rolling_noise), Message::verbatim);
     vec![
-        say!(
-            noise_at_speed,
-            title = title,
-            speed = shown_speed(answer.speed_m_per_s, 1)
-        ),
-        say!(
-            noise_heard_at,
-            distance = number(answer.distance_m),
-            height = number(answer.height_m)
-        ),
+        say!(noise_at_speed, title = title, speed = shown_speed(answer.speed_m_per_s, 1)),
+        say!(noise_heard_at, distance = number(answer.distance_m), height = number(answer.height_m)),
     ]
 }
 
@@ -76,10 +68,7 @@ fn bands(answer: &NoiseAnswer) -> Table {
         let head = say!(in_decibels, what = say!(noise_before));
         columns.push(Column::decibels("before_db".to_owned(), Some(head), levels));
     }
-    Table {
-        name: "bands",
-        columns,
-    }
+    Table { name: "bands", columns }
 }
 
 /// The head of A-weighted levels, which may be lower bounds.
@@ -94,14 +83,10 @@ fn level_head(answer: &NoiseAnswer) -> Message {
 /// The A-weighted levels of what radiates anything.
 fn parts(answer: &NoiseAnswer) -> Table {
     let levels = Part::ALL.map(|part| {
-        let [(_, heard), (_, power)] =
-            [&answer.level, &answer.sound_power_level].map(|levels| levels.of(part));
+        let [(_, heard), (_, power)] = [&answer.level, &answer.sound_power_level].map(|levels| levels.of(part));
         (name_of(part), heard, power)
     });
-    let mut rows: Vec<_> = levels
-        .into_iter()
-        .filter(|(_, heard, power)| heard.is_some() || power.is_some())
-        .collect();
+    let mut rows: Vec<_> = levels.into_iter().filter(|(_, heard, power)| heard.is_some() || power.is_some()).collect();
     if let Some(since) = &answer.since {
         rows.push((say!(noise_before), Some(since.before_dba), None));
     }
@@ -114,21 +99,9 @@ fn parts(answer: &NoiseAnswer) -> Table {
     Table {
         name: "parts",
         columns: vec![
-            Column::words(
-                "part",
-                say!(what_radiates),
-                rows.iter().map(|(part, ..)| part.clone()).collect(),
-            ),
-            column(
-                "level_dba",
-                level_head(answer),
-                rows.iter().map(|(_, heard, _)| *heard).collect(),
-            ),
-            column(
-                "power_dba",
-                say!(sound_power_of_a_wheel),
-                rows.iter().map(|(.., power)| *power).collect(),
-            ),
+            Column::words("part", say!(what_radiates), rows.iter().map(|(part, ..)| part.clone()).collect()),
+            column("level_dba", level_head(answer), rows.iter().map(|(_, heard, _)| *heard).collect()),
+            column("power_dba", say!(sound_power_of_a_wheel), rows.iter().map(|(.., power)| *power).collect()),
         ],
     }
 }
@@ -142,23 +115,14 @@ pub(super) fn measures(answer: &NoiseAnswer) -> Table {
         name: "measures",
         columns: vec![
             Column::words("title", say!(each_alone), titles.collect()),
-            Column::decibels(
-                "total_dba".to_owned(),
-                Some(level_head(answer)),
-                total.collect(),
-            ),
+            Column::decibels("total_dba".to_owned(), Some(level_head(answer)), total.collect()),
             Column {
                 name: "saved_db".to_owned(),
                 head: Some(match answer.lower_bound_up_to_hz {
                     Some(hertz) => say!(saves_decibels_up_to, hertz = number(hertz)),
                     None => say!(saves_decibels),
                 }),
-                values: Values::Fixed {
-                    values: saved.collect(),
-                    file: 3,
-                    shown: 1,
-                    signed: true,
-                },
+                values: Values::Fixed { values: saved.collect(), file: 3, shown: 1, signed: true },
             },
         ],
     }

@@ -17,16 +17,12 @@ const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
 
 pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let title = say!(figure_4).text(language);
-    maps(language, model.title(&title, language), |ratio| {
-        model.nominal(|keys| in_window(keys, ratio))
-    })
+    maps(language, model.title(&title, language), |ratio| model.nominal(|keys| in_window(keys, ratio)))
 }
 
 pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let title = say!(figure_5).text(language);
-    maps(language, model.title(&title, language), |ratio| {
-        model.bhaskar_track(|keys| in_window(keys, ratio))
-    })
+    maps(language, model.title(&title, language), |ratio| model.bhaskar_track(|keys| in_window(keys, ratio)))
 }
 
 /// A tractive ratio, over the window of the paper, as far in speed as the line stays within 80 mm.
@@ -65,29 +61,17 @@ fn maps(
                 .text(language),
             );
         }
-        rows(&case, ratio, &map, &mut writer)
-            .map_err(|error| AnswerError::Table(error.to_string()))?;
+        rows(&case, ratio, &map, &mut writer).map_err(|error| AnswerError::Table(error.to_string()))?;
     }
-    let figure = MapFigure {
-        title,
-        caption,
-        panels,
-    };
+    let figure = MapFigure { title, caption, panels };
     Ok(PaperFigure {
         drawing: Drawing::Maps(figure),
-        csv: writer
-            .into_inner()
-            .map_err(|error| AnswerError::Table(error.to_string()))?,
+        csv: writer.into_inner().map_err(|error| AnswerError::Table(error.to_string()))?,
     })
 }
 
 /// The numbers of one panel, header included before the first.
-fn rows(
-    case: &Case,
-    ratio: f64,
-    map: &GrowthMap,
-    writer: &mut csv::Writer<Vec<u8>>,
-) -> csv::Result<()> {
+fn rows(case: &Case, ratio: f64, map: &GrowthMap, writer: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
     #[derive(serde::Serialize)]
     struct Record {
         tractive_ratio: f64,

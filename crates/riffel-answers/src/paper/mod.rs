@@ -78,12 +78,7 @@ impl Model {
         self.case("cases/bhaskar-track.toml", BHASKAR_TRACK_CASE, change)
     }
 
-    fn case(
-        self,
-        name: &str,
-        text: &str,
-        change: impl FnOnce(&mut CaseFile),
-    ) -> Result<Case, AnswerError> {
+    fn case(self, name: &str, text: &str, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
         let case = Case::parse(name, text, &[])?;
         Ok(case.edit(|keys| {
             change(keys);
@@ -132,25 +127,13 @@ fn lines(language: Language, mut figure: LineFigure) -> Result<PaperFigure, Answ
         for panel in &figure.panels {
             for series in &panel.series {
                 for (x, y) in series.x.iter().zip(&series.y) {
-                    writer.serialize((
-                        &panel.subtitle,
-                        &series.label,
-                        &panel.x_label,
-                        x,
-                        &panel.y_label,
-                        y,
-                    ))?;
+                    writer.serialize((&panel.subtitle, &series.label, &panel.x_label, x, &panel.y_label, y))?;
                 }
             }
         }
         Ok(())
     };
     write().map_err(|error| AnswerError::Table(error.to_string()))?;
-    let csv = writer
-        .into_inner()
-        .map_err(|error| AnswerError::Table(error.to_string()))?;
-    Ok(PaperFigure {
-        drawing: Drawing::Lines(figure),
-        csv,
-    })
+    let csv = writer.into_inner().map_err(|error| AnswerError::Table(error.to_string()))?;
+    Ok(PaperFigure { drawing: Drawing::Lines(figure), csv })
 }

@@ -72,12 +72,7 @@ fn minimum(case: &Case) -> Result<f64, AnswerError> {
     Ok(search(case, SPEED, SPEED + 1.0, 2)?.points[0].normalized_dissipation)
 }
 
-fn curve(
-    label: &str,
-    style: LineStyle,
-    points: &[RidgePoint],
-    value: impl Fn(&RidgePoint) -> f64,
-) -> Series {
+fn curve(label: &str, style: LineStyle, points: &[RidgePoint], value: impl Fn(&RidgePoint) -> f64) -> Series {
     Series {
         label: label.to_owned(),
         x: points.iter().map(|point| point.speed).collect(),
@@ -120,9 +115,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
         .map(|ratio| {
             let points = ridge(&at_tractive_ratio(model, *ratio)?)?;
             let label = format!("τ = {ratio}");
-            Ok(curve(&label, LineStyle::Solid, &points, |point| {
-                point.normalized_dissipation
-            }))
+            Ok(curve(&label, LineStyle::Solid, &points, |point| point.normalized_dissipation))
         })
         .collect::<Result<Vec<Series>, AnswerError>>()?;
     // A minimum at the edge of the window is no line of growth.
@@ -138,12 +131,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
             title: model.title(&title, language),
             caption: format!("{minima} {}", parameters_in(&nominal, language)),
             panels: vec![
-                over_speed(
-                    language,
-                    &say!(panel_of_tractive_ratio).text(language),
-                    MINIMUM_LABEL,
-                    by_ratio,
-                ),
+                over_speed(language, &say!(panel_of_tractive_ratio).text(language), MINIMUM_LABEL, by_ratio),
                 over_speed(
                     language,
                     &say!(panel_of_inertia).text(language),
@@ -179,19 +167,11 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
     let nominal = model.nominal(|_| ())?;
     // A mean state that takes a table of its own is worth a coarser sweep.
     let steps = if model.is_tabulated() { 20 } else { 100 };
-    let ratios: Vec<f64> = (1..steps)
-        .map(|step| f64::from(step) / f64::from(steps))
-        .collect();
-    let inertias: Vec<f64> = (0..=80)
-        .map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0))
-        .collect();
+    let ratios: Vec<f64> = (1..steps).map(|step| f64::from(step) / f64::from(steps)).collect();
+    let inertias: Vec<f64> = (0..=80).map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0)).collect();
     let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> Result<Case, AnswerError>| {
         let y = x.iter().map(|&value| minimum(&case(value)?));
-        Ok::<_, AnswerError>(Series {
-            y: y.collect::<Result<_, AnswerError>>()?,
-            x,
-            ..Series::default()
-        })
+        Ok::<_, AnswerError>(Series { y: y.collect::<Result<_, AnswerError>>()?, x, ..Series::default() })
     };
     let panel = |subtitle: &str, x_label: &str, x_scale, series| LinePanel {
         subtitle: subtitle.to_owned(),
@@ -206,11 +186,7 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
         true => say!(falls_in_part).text(language),
         false => String::new(),
     };
-    let caption = format!(
-        "{} {falls}{}",
-        minima(language),
-        parameters_in(&nominal, language)
-    );
+    let caption = format!("{} {falls}{}", minima(language), parameters_in(&nominal, language));
     lines(
         language,
         LineFigure {
@@ -227,9 +203,7 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
                     "(b) τ = 0.1",
                     &say!(inertia_axis).text(language),
                     Scale::Log,
-                    sweep(inertias, &|inertia| {
-                        turning(&nominal, Turning::Inertia(inertia))
-                    })?,
+                    sweep(inertias, &|inertia| turning(&nominal, Turning::Inertia(inertia)))?,
                 ),
             ],
             arrangement: Arrangement::SideBySide,

@@ -21,9 +21,7 @@ fn moving_beam(keys: &mut CaseFile) {
 
 /// Frequencies from 20 Hz to 3 kHz \[Hz\], equally spaced in their logarithm.
 fn frequencies() -> Vec<f64> {
-    (0..=600)
-        .map(|step| 20.0 * 150f64.powf(f64::from(step) / 600.0))
-        .collect()
+    (0..=600).map(|step| 20.0 * 150f64.powf(f64::from(step) / 600.0)).collect()
 }
 
 fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState) -> f64) -> Series {
@@ -38,13 +36,7 @@ fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState)
     }
 }
 
-fn panel(
-    language: Language,
-    subtitle: &str,
-    y_label: &str,
-    y_scale: Scale,
-    series: Vec<Series>,
-) -> LinePanel {
+fn panel(language: Language, subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
         x_label: say!(frequency_axis).text(language),
@@ -61,18 +53,12 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
     let bhaskar = model.bhaskar_track(|_| ())?;
     let curves = |value: fn(Complex64) -> f64| {
         vec![
-            series(
-                &moving,
-                &say!(beam_under_moving_load).text(language),
-                LineStyle::Solid,
-                |state| value(state.normal_receptance()),
-            ),
-            series(
-                &bhaskar,
-                &say!(track_of_bhaskar).text(language),
-                LineStyle::Dashed,
-                |state| value(state.normal_receptance()),
-            ),
+            series(&moving, &say!(beam_under_moving_load).text(language), LineStyle::Solid, |state| {
+                value(state.normal_receptance())
+            }),
+            series(&bhaskar, &say!(track_of_bhaskar).text(language), LineStyle::Dashed, |state| {
+                value(state.normal_receptance())
+            }),
         ]
     };
     let (solid, dashed) = (track(&moving, language), track(&bhaskar, language));
@@ -81,21 +67,9 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
         language,
         LineFigure {
             title: model.title(&title, language),
-            caption: say!(
-                caption_of_figure_2,
-                speed = SPEED,
-                solid = solid,
-                dashed = dashed
-            )
-            .text(language),
+            caption: say!(caption_of_figure_2, speed = SPEED, solid = solid, dashed = dashed).text(language),
             panels: vec![
-                panel(
-                    language,
-                    &say!(modulus).text(language),
-                    "|H| [m/N]",
-                    Scale::Log,
-                    curves(|h| h.norm()),
-                ),
+                panel(language, &say!(modulus).text(language), "|H| [m/N]", Scale::Log, curves(|h| h.norm())),
                 panel(
                     language,
                     &say!(phase).text(language),
@@ -120,8 +94,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
         language,
         LineFigure {
             title: model.title(&title, language),
-            caption: say!(caption_of_figure_3, speed = SPEED, parameters = parameters)
-                .text(language),
+            caption: say!(caption_of_figure_3, speed = SPEED, parameters = parameters).text(language),
             panels: vec![
                 LinePanel {
                     y_range: Some((1e-2, 1e1)),
@@ -131,26 +104,16 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                         "|P₁/P₀| [-]",
                         Scale::Log,
                         vec![
-                            series(
-                                &case,
-                                &say!(profile_over_rail).text(language),
-                                LineStyle::Dashed,
-                                |state| per_mean / state.normal_receptance().norm(),
-                            ),
-                            series(
-                                &case,
-                                &say!(profile_over_wheel).text(language),
-                                LineStyle::Dashed,
-                                |state| {
-                                    let w = state.angular_frequency;
-                                    let [_, wheel] = case.feedback.normal_receptances(w, SPEED);
-                                    per_mean / wheel.norm()
-                                },
-                            ),
-                            series(&case, "Δ k_H", LineStyle::Dashed, |_| spring),
-                            series(&case, "P₁/P₀", LineStyle::Solid, |state| {
-                                state.normal_force().norm() / mean
+                            series(&case, &say!(profile_over_rail).text(language), LineStyle::Dashed, |state| {
+                                per_mean / state.normal_receptance().norm()
                             }),
+                            series(&case, &say!(profile_over_wheel).text(language), LineStyle::Dashed, |state| {
+                                let w = state.angular_frequency;
+                                let [_, wheel] = case.feedback.normal_receptances(w, SPEED);
+                                per_mean / wheel.norm()
+                            }),
+                            series(&case, "Δ k_H", LineStyle::Dashed, |_| spring),
+                            series(&case, "P₁/P₀", LineStyle::Solid, |state| state.normal_force().norm() / mean),
                         ],
                     )
                 },
@@ -159,9 +122,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                     &say!(phase).text(language),
                     "arg P₁ [°]",
                     Scale::Linear,
-                    vec![series(&case, "", LineStyle::Solid, |state| {
-                        state.normal_force().arg().to_degrees()
-                    })],
+                    vec![series(&case, "", LineStyle::Solid, |state| state.normal_force().arg().to_degrees())],
                 ),
             ],
             arrangement: Arrangement::Stacked,

@@ -8,6 +8,4 @@ mod wear;
 pub use on_track::{OnTrackAnswer, OnTrackDocument};
 pub use outline::{OutlineAnswer, OutlineDocument};
 pub use under_load::{UnderLoadAnswer, UnderLoadDocument};
-pub use wear::{
-    Measures, WearAnswer, WearDocument, WearSettings, Worn, alignment_name, alignment_named,
-};
+pub use wear::{Measures, WearAnswer, WearDocument, WearSettings, Worn, alignment_name, alignment_named};

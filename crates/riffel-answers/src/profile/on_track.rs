@@ -68,9 +68,7 @@ struct Rules {
 
 impl Rules {
     fn new<'a>(found: impl Iterator<Item = &'a Option<EquivalentConicity>> + Clone) -> Self {
-        let of = |value: fn(&EquivalentConicity) -> f64| {
-            found.clone().map(|one| one.as_ref().map(value)).collect()
-        };
+        let of = |value: fn(&EquivalentConicity) -> f64| found.clone().map(|one| one.as_ref().map(value)).collect();
         Self {
             klingel: of(|found| found.klingel),
             harmonic: of(|found| found.harmonic),
@@ -163,10 +161,8 @@ impl OnTrackAnswer {
             }
             listed => at(listed).collect(),
         };
-        let contacts: Vec<WheelsetContact> = found
-            .into_iter()
-            .collect::<Result<_, _>>()
-            .map_err(AnswerError::Profile)?;
+        let contacts: Vec<WheelsetContact> =
+            found.into_iter().collect::<Result<_, _>>().map_err(AnswerError::Profile)?;
         let [level, rolling] = case.radius_differences(&wheelset)?;
         let spacing = wheelset.wheels.spacing();
         let conicities = AMPLITUDES.iter().map(|amplitude| {
@@ -177,10 +173,7 @@ impl OnTrackAnswer {
                 rolling: rolling.equivalent_conicity(amplitude, spacing),
             }
         });
-        Ok(Self {
-            conicities: conicities.collect(),
-            contacts,
-        })
+        Ok(Self { conicities: conicities.collect(), contacts })
     }
 
     /// What `riffel profile CASE --wheelset --json` prints.
@@ -215,8 +208,7 @@ impl OnTrackAnswer {
         header.push("rolling_radius_difference_mm");
         writer.write_record(&header)?;
         let (right, left) = (Right::new(&self.contacts), Left::new(&self.contacts));
-        let columns: Vec<&[Option<f64>]> =
-            right.columns().into_iter().chain(left.columns()).collect();
+        let columns: Vec<&[Option<f64>]> = right.columns().into_iter().chain(left.columns()).collect();
         for (row, contact) in self.contacts.iter().enumerate() {
             let mut cells = vec![
                 Some(1e3 * contact.lateral_shift),
@@ -225,9 +217,7 @@ impl OnTrackAnswer {
                 Some(1e3 * contact.centre_z),
             ];
             let scaled = columns.iter().zip(sides.clone());
-            cells.extend(
-                scaled.map(|(column, (_, factor))| column[row].map(|value| factor * value)),
-            );
+            cells.extend(scaled.map(|(column, (_, factor))| column[row].map(|value| factor * value)));
             cells.push(Some(1e3 * contact.rolling_radius_difference()));
             writer.serialize(cells)?;
         }
@@ -236,19 +226,14 @@ impl OnTrackAnswer {
 
     /// Rolling radius difference, place and angle of the contact over the lateral shift.
     pub fn figure(&self) -> LineFigure {
-        let shifts: Vec<f64> = self
-            .contacts
-            .iter()
-            .map(|contact| 1e3 * contact.lateral_shift)
-            .collect();
-        let series =
-            |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| Series {
-                label: label.to_owned(),
-                x: shifts.clone(),
-                y: self.contacts.iter().map(value).collect(),
-                style,
-                color: None,
-            };
+        let shifts: Vec<f64> = self.contacts.iter().map(|contact| 1e3 * contact.lateral_shift).collect();
+        let series = |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| Series {
+            label: label.to_owned(),
+            x: shifts.clone(),
+            y: self.contacts.iter().map(value).collect(),
+            style,
+            color: None,
+        };
         let panel = |label: &str, series: Vec<Series>| LinePanel {
             x_label: "lateral shift y, to the right positive [mm]".to_owned(),
             y_label: label.to_owned(),
@@ -259,17 +244,11 @@ impl OnTrackAnswer {
         };
         let both = |value: fn(&ProfileContact) -> f64| {
             vec![
-                series("right", LineStyle::Solid, &|contact| {
-                    value(&contact.contacts[1])
-                }),
-                series("left", LineStyle::Dashed, &|contact| {
-                    value(&contact.contacts[0])
-                }),
+                series("right", LineStyle::Solid, &|contact| value(&contact.contacts[1])),
+                series("left", LineStyle::Dashed, &|contact| value(&contact.contacts[0])),
             ]
         };
-        let difference = series("", LineStyle::Solid, &|contact| {
-            1e3 * contact.rolling_radius_difference()
-        });
+        let difference = series("", LineStyle::Solid, &|contact| 1e3 * contact.rolling_radius_difference());
         LineFigure {
             title: "Wheelset on its track".to_owned(),
             caption: "Rigid contact at two points, one on each rail; places on the wheel from its datum circle, the flange at the \

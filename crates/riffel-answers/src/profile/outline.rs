@@ -41,9 +41,7 @@ impl OutlineAnswer {
     ///
     /// # Errors
     /// [`CaseError`] with file and line.
-    pub fn new(
-        files: impl IntoIterator<Item = (PathBuf, ProfileReading)>,
-    ) -> Result<Self, CaseError> {
+    pub fn new(files: impl IntoIterator<Item = (PathBuf, ProfileReading)>) -> Result<Self, CaseError> {
         let (mut profiles, mut remarks) = (Vec::new(), Vec::new());
         for (file, reading) in files {
             let name = file.display().to_string();
@@ -72,9 +70,7 @@ impl OutlineAnswer {
                 curvature_1_per_m: of(|point| point.curvature),
             }
         });
-        OutlineDocument {
-            profiles: outlines.collect(),
-        }
+        OutlineDocument { profiles: outlines.collect() }
     }
 
     /// One row for each point.
@@ -86,13 +82,7 @@ impl OutlineAnswer {
         writer.write_record(["profile", "x_mm", "y_mm", "slope", "curvature_1_per_m"])?;
         for (name, profile) in &self.profiles {
             for point in profile.sampled(STEP) {
-                writer.serialize((
-                    name,
-                    1e3 * point.x,
-                    1e3 * point.height,
-                    point.slope,
-                    point.curvature,
-                ))?;
+                writer.serialize((name, 1e3 * point.x, 1e3 * point.height, point.slope, point.curvature))?;
             }
         }
         writer.flush()
@@ -103,15 +93,8 @@ impl OutlineAnswer {
         let panel = |label: &str, value: fn(&ProfilePoint) -> Option<f64>| {
             let series = self.profiles.iter().map(|(name, profile)| {
                 let drawn = profile.sampled(STEP).into_iter();
-                let (x, y) = drawn
-                    .filter_map(|point| Some((1e3 * point.x, value(&point)?)))
-                    .unzip();
-                Series {
-                    label: name.clone(),
-                    x,
-                    y,
-                    ..Series::default()
-                }
+                let (x, y) = drawn.filter_map(|point| Some((1e3 * point.x, value(&point)?))).unzip();
+                Series { label: name.clone(), x, y, ..Series::default() }
             });
             LinePanel {
                 x_label: "lateral x, field side positive [mm]".to_owned(),
@@ -124,13 +107,12 @@ impl OutlineAnswer {
         };
         LineFigure {
             title: "Profiles".to_owned(),
-            caption: "Curvature is positive where a profile is hollow seen from above; beyond ±200 1/m it is not drawn."
-                .to_owned(),
+            caption:
+                "Curvature is positive where a profile is hollow seen from above; beyond ±200 1/m it is not drawn."
+                    .to_owned(),
             panels: vec![
                 panel("height [mm]", |point| Some(1e3 * point.height)),
-                panel("curvature [1/m]", |point| {
-                    (point.curvature.abs() <= MOST_CURVATURE).then_some(point.curvature)
-                }),
+                panel("curvature [1/m]", |point| (point.curvature.abs() <= MOST_CURVATURE).then_some(point.curvature)),
             ],
             arrangement: Arrangement::Stacked,
         }

@@ -91,12 +91,7 @@ impl UnderLoadAnswer {
     /// # Errors
     /// [`AnswerError`] for profiles that cannot be read or do not fit, where a wheel has left its rail, and where a contact lies at
     /// the end of a profile.
-    pub fn new(
-        case: &CurvingCase,
-        shifts: &[f64],
-        yaw: f64,
-        normal_force: f64,
-    ) -> Result<Self, AnswerError> {
+    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64, normal_force: f64) -> Result<Self, AnswerError> {
         let wheelset = case.wheelset_on_track()?;
         let steel: ElasticMaterial = case.steel()?;
         let refused = AnswerError::Profile;
@@ -104,9 +99,7 @@ impl UnderLoadAnswer {
         let mut rows = Vec::with_capacity(2 * shifts.len());
         for shift in shifts {
             let at = wheelset.contact(*shift, yaw).map_err(refused)?;
-            let on = |rail, surface| {
-                wheelset.under_load(&at, rail, steel, normal_force, surface, Self::ELEMENTS)
-            };
+            let on = |rail, surface| wheelset.under_load(&at, rail, steel, normal_force, surface, Self::ELEMENTS);
             let under = |rail| {
                 Ok::<Pressed, AnswerError>(Pressed {
                     flat: on(rail, ContactSurface::Flat).map_err(refused)?,
@@ -123,10 +116,7 @@ impl UnderLoadAnswer {
             normal_force,
             remarks: of_turn(&rows).into_iter().collect(),
             contacts,
-            document: UnderLoadDocument {
-                normal_force_n: normal_force,
-                contacts: rows,
-            },
+            document: UnderLoadDocument { normal_force_n: normal_force, contacts: rows },
         })
     }
 
@@ -186,9 +176,7 @@ impl UnderLoadAnswer {
         let panels = match &self.contacts[..] {
             [(_, loaded)] => {
                 let rails = RAILS.iter().zip(loaded);
-                rails
-                    .flat_map(|(rail, loaded)| of_patch(*rail, loaded))
-                    .collect()
+                rails.flat_map(|(rail, loaded)| of_patch(*rail, loaded)).collect()
             }
             _ => self.over_shifts(),
         };
@@ -205,17 +193,9 @@ impl UnderLoadAnswer {
     fn over_shifts(&self) -> Vec<LinePanel> {
         let of = |label: &str, style, rail: Rail, value: &dyn Fn(&ContactDocument) -> f64| {
             let rows = self.document.contacts.iter();
-            let (x, y) = rows
-                .filter(|row| row.rail == rail.name())
-                .map(|row| (1e3 * row.lateral_shift_m, value(row)))
-                .unzip();
-            Series {
-                label: format!("{label}{}", rail.name()),
-                x,
-                y,
-                style,
-                color: None,
-            }
+            let (x, y) =
+                rows.filter(|row| row.rail == rail.name()).map(|row| (1e3 * row.lateral_shift_m, value(row))).unzip();
+            Series { label: format!("{label}{}", rail.name()), x, y, style, color: None }
         };
         let panel = |y_label: &str, series: Vec<Series>| LinePanel {
             x_label: "lateral shift y, to the right positive [mm]".to_owned(),
@@ -227,9 +207,7 @@ impl UnderLoadAnswer {
             RAILS.map(|rail| of(label, style, rail, value))
         };
         let peaks = [
-            both("exact, ", LineStyle::Solid, &|row| {
-                1e-6 * row.peak_pressure_pa
-            }),
+            both("exact, ", LineStyle::Solid, &|row| 1e-6 * row.peak_pressure_pa),
             both("Hertz, ", LineStyle::Dashed, &|row| {
                 let hertz = row.hertz.as_ref();
                 hertz.map_or(f64::NAN, |hertz| 1e-6 * hertz.peak_pressure_pa)
@@ -305,9 +283,7 @@ impl ConformalDocument {
 
 /// Peak pressure of a patch for a table.
 fn megapascals(patch: Option<&PatchDocument>) -> String {
-    patch.map_or("–".to_owned(), |patch| {
-        format!("{:.0}", 1e-6 * patch.peak_pressure_pa)
-    })
+    patch.map_or("–".to_owned(), |patch| format!("{:.0}", 1e-6 * patch.peak_pressure_pa))
 }
 
 /// y across \[m\], largest pressure \[Pa\] and ends along \[m\] of each row of elements, by increasing y.
@@ -342,12 +318,7 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
     };
     let fast: Vec<[f64; 2]> = loaded.fast().pressures().collect();
     let mut pressures = vec![
-        series(
-            "exact",
-            LineStyle::Solid,
-            y.clone(),
-            rows.iter().map(|row| 1e-6 * row.1).collect(),
-        ),
+        series("exact", LineStyle::Solid, y.clone(), rows.iter().map(|row| 1e-6 * row.1).collect()),
         series(
             "Kik and Piotrowski",
             LineStyle::Dashed,
@@ -356,17 +327,12 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
         ),
     ];
     let outline = loaded.fast().outline();
-    let (fast_y, fast_ends): (Vec<f64>, Vec<[f64; 2]>) = outline
-        .map(|[y, back, front]| (1e3 * y, [1e3 * back, 1e3 * front]))
-        .unzip();
+    let (fast_y, fast_ends): (Vec<f64>, Vec<[f64; 2]>) =
+        outline.map(|[y, back, front]| (1e3 * y, [1e3 * back, 1e3 * front])).unzip();
     let around = |y: &[f64], ends: &[[f64; 2]]| -> (Vec<f64>, Vec<f64>) {
         let there = y.iter().copied().zip(ends.iter().map(|ends| ends[1]));
         let back = y.iter().copied().zip(ends.iter().map(|ends| ends[0])).rev();
-        let first = y
-            .iter()
-            .copied()
-            .zip(ends.iter().map(|ends| ends[1]))
-            .take(1);
+        let first = y.iter().copied().zip(ends.iter().map(|ends| ends[1])).take(1);
         there.chain(back).chain(first).unzip()
     };
     let ends: Vec<[f64; 2]> = rows.iter().map(|row| row.2.map(|end| 1e3 * end)).collect();
@@ -381,11 +347,9 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
         let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
         // Hertz knows no place in the plane under load: drawn about the centre of pressure.
         let [x0, y0] = loaded.centre_of_pressure();
-        let turns = (0..=POINTS)
-            .map(|index| (std::f64::consts::TAU * f64::from(index) / f64::from(POINTS)).sin_cos());
-        let (ellipse_y, ellipse_x) = turns
-            .map(|(sine, cosine)| (1e3 * (y0 + b * sine), 1e3 * (x0 + a * cosine)))
-            .unzip();
+        let turns = (0..=POINTS).map(|index| (std::f64::consts::TAU * f64::from(index) / f64::from(POINTS)).sin_cos());
+        let (ellipse_y, ellipse_x) =
+            turns.map(|(sine, cosine)| (1e3 * (y0 + b * sine), 1e3 * (x0 + a * cosine))).unzip();
         outlines.push(series("Hertz", LineStyle::Dotted, ellipse_y, ellipse_x));
         let across = (0..=POINTS).map(|index| -1.0 + 2.0 * f64::from(index) / f64::from(POINTS));
         let (hertz_y, hertz_p) = across
@@ -397,10 +361,7 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
         pressures.push(series("Hertz", LineStyle::Dotted, hertz_y, hertz_p));
     }
     if let Some(conformal) = &pressed.conformal {
-        let (y, peaks) = rows_of(conformal)
-            .into_iter()
-            .map(|row| (1e3 * row.0, 1e-6 * row.1))
-            .unzip();
+        let (y, peaks) = rows_of(conformal).into_iter().map(|row| (1e3 * row.0, 1e-6 * row.1)).unzip();
         pressures.push(series("conformal", LineStyle::Markers, y, peaks));
     }
     let panel = |subtitle: String, label: &str, series: Vec<Series>| LinePanel {
@@ -411,10 +372,7 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
         ..LinePanel::default()
     };
     let name = |what: &str| format!("{} rail: {what}", rail.name());
-    [
-        panel(name("largest pressure"), "pressure [MPa]", pressures),
-        panel(name("patch"), "x along [mm]", outlines),
-    ]
+    [panel(name("largest pressure"), "pressure [MPa]", pressures), panel(name("patch"), "x along [mm]", outlines)]
 }
 
 /// That a patch is curved.

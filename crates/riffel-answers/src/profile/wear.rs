@@ -3,9 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use riffel::profile::{
-    Profile, ProfileAlignment, ProfileError, ProfileWear, RailWear, WheelDimensions, WornPoint,
-};
+use riffel::profile::{Profile, ProfileAlignment, ProfileError, ProfileWear, RailWear, WheelDimensions, WornPoint};
 use riffel_case::file::{Inclination, ProfileKind};
 use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
@@ -78,28 +76,17 @@ impl Measures {
     /// Which of them are not told, for nothing is measured where they are taken.
     fn not_measured(&self, name: &str) -> Option<Message> {
         let all = match self {
-            Self::Wheel { measured, .. } => [
-                ("Sh", measured.flange_height),
-                ("Sd", measured.flange_thickness),
-                ("qR", measured.flange_gradient),
-            ],
-            Self::Rail(rail) => [
-                ("W1", rail.vertical),
-                ("W2", rail.lateral),
-                ("W3", rail.diagonal),
-            ],
+            Self::Wheel { measured, .. } => {
+                [("Sh", measured.flange_height), ("Sd", measured.flange_thickness), ("qR", measured.flange_gradient)]
+            }
+            Self::Rail(rail) => [("W1", rail.vertical), ("W2", rail.lateral), ("W3", rail.diagonal)],
         };
         let silent = all.iter().filter(|(_, value)| value.is_none());
         let silent: Vec<Value> = silent.map(|(measure, _)| (*measure).into()).collect();
         let count = silent.len();
         (count > 0).then(|| {
             let measures = Value::List(silent);
-            say!(
-                measures_not_measured,
-                name = name,
-                measures = measures,
-                count = count
-            )
+            say!(measures_not_measured, name = name, measures = measures, count = count)
         })
     }
 }
@@ -161,11 +148,7 @@ pub fn alignment_name(alignment: ProfileAlignment) -> &'static str {
 
 /// The alignment of a name.
 pub fn alignment_named(name: &str) -> Option<ProfileAlignment> {
-    let all = [
-        ProfileAlignment::AsWritten,
-        ProfileAlignment::Flange,
-        ProfileAlignment::FieldSide,
-    ];
+    let all = [ProfileAlignment::AsWritten, ProfileAlignment::Flange, ProfileAlignment::FieldSide];
     all.into_iter().find(|one| alignment_name(*one) == name)
 }
 
@@ -174,11 +157,7 @@ impl WearAnswer {
     ///
     /// # Errors
     /// [`CaseError`] with file and line, and for profiles that do not fit each other.
-    pub fn new(
-        files: &[PathBuf],
-        nominal_name: &str,
-        settings: WearSettings,
-    ) -> Result<Self, CaseError> {
+    pub fn new(files: &[PathBuf], nominal_name: &str, settings: WearSettings) -> Result<Self, CaseError> {
         let here = Path::new("");
         let read = profile_of(nominal_name, here, settings.reading)?;
         let (kind, mut remarks) = (read.kind, read.remarks);
@@ -207,11 +186,8 @@ impl WearAnswer {
         let mut worn = Vec::new();
         for file in files {
             let name = file.display().to_string();
-            let reading = ProfileReading {
-                kind: Some(kind),
-                flange_back: settings.flange_back_position,
-                ..settings.reading
-            };
+            let reading =
+                ProfileReading { kind: Some(kind), flange_back: settings.flange_back_position, ..settings.reading };
             let read = profile_of(&name, here, reading)?;
             if read.kind != kind {
                 let other = match kind {
@@ -222,8 +198,7 @@ impl WearAnswer {
             }
             remarks.extend(read.remarks);
             let refuse = |error: ProfileError| CaseError::data(file, &error);
-            let wear =
-                ProfileWear::new(&read.profile, &nominal, is_wheel, alignment).map_err(refuse)?;
+            let wear = ProfileWear::new(&read.profile, &nominal, is_wheel, alignment).map_err(refuse)?;
             let back = settings.flange_back_position;
             let measures = match is_wheel {
                 true => Measures::Wheel {
@@ -234,11 +209,7 @@ impl WearAnswer {
             };
             remarks.extend(of_misfit(&name, &wear));
             remarks.extend(measures.not_measured(&name));
-            worn.push(Worn {
-                name,
-                wear,
-                measures,
-            });
+            worn.push(Worn { name, wear, measures });
         }
         Ok(Self {
             nominal_name: nominal_name.to_owned(),
@@ -345,24 +316,10 @@ impl WearAnswer {
         /// Distance of the points that are drawn \[m\].
         const STEP: f64 = 2.5e-4;
         let outline = |label: &str, profile: &Profile, style: LineStyle| {
-            let (x, y) = profile
-                .along(STEP)
-                .iter()
-                .map(|point| (1e3 * point.x, 1e3 * point.height))
-                .unzip();
-            Series {
-                label: label.to_owned(),
-                x,
-                y,
-                style,
-                ..Series::default()
-            }
+            let (x, y) = profile.along(STEP).iter().map(|point| (1e3 * point.x, 1e3 * point.height)).unzip();
+            Series { label: label.to_owned(), x, y, style, ..Series::default() }
         };
-        let mut outlines = vec![outline(
-            &self.nominal_name,
-            &self.nominal,
-            LineStyle::Dashed,
-        )];
+        let mut outlines = vec![outline(&self.nominal_name, &self.nominal, LineStyle::Dashed)];
         let mut depths = Vec::new();
         for worn in &self.worn {
             outlines.push(outline(&worn.name, &worn.wear.measured, LineStyle::Solid));
@@ -370,19 +327,9 @@ impl WearAnswer {
                 .wear
                 .points
                 .iter()
-                .map(|point| {
-                    (
-                        1e3 * point.nominal.x,
-                        point.depth.map_or(f64::NAN, |depth| 1e3 * depth),
-                    )
-                })
+                .map(|point| (1e3 * point.nominal.x, point.depth.map_or(f64::NAN, |depth| 1e3 * depth)))
                 .unzip();
-            depths.push(Series {
-                label: worn.name.clone(),
-                x,
-                y,
-                ..Series::default()
-            });
+            depths.push(Series { label: worn.name.clone(), x, y, ..Series::default() });
         }
         // The colours of the outlines, of which the nominal one has the first.
         depths.insert(0, Series::default());
@@ -396,11 +343,9 @@ impl WearAnswer {
         };
         LineFigure {
             title: format!("Wear {}", self.in_words()),
-            caption: "Depth is measured across the nominal profile into the metal; above zero metal is missing.".to_owned(),
-            panels: vec![
-                panel("height [mm]", outlines),
-                panel("depth [mm]", depths),
-            ],
+            caption: "Depth is measured across the nominal profile into the metal; above zero metal is missing."
+                .to_owned(),
+            panels: vec![panel("height [mm]", outlines), panel("depth [mm]", depths)],
             arrangement: Arrangement::Stacked,
         }
     }
@@ -412,9 +357,5 @@ fn of_misfit(name: &str, wear: &ProfileWear) -> Option<Message> {
     const WORTH_A_REMARK: f64 = 1e-4;
     let misfit = wear.misfit.filter(|misfit| *misfit > WORTH_A_REMARK)?;
     let millimetres = 1e3 * misfit;
-    Some(say!(
-        rail_worn_on_field_side,
-        name = name,
-        millimetres = fixed(millimetres, 2)
-    ))
+    Some(say!(rail_worn_on_field_side, name = name, millimetres = fixed(millimetres, 2)))
 }

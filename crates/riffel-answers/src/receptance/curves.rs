@@ -29,18 +29,9 @@ pub struct ReceptanceCurves {
 
 impl ReceptanceCurves {
     /// The curves of a case on its track in a direction, under a load that travels at the speed \[m/s\].
-    pub fn new(
-        case: &Case,
-        track: &Track,
-        direction: Direction,
-        speed: f64,
-        frequencies: Vec<f64>,
-    ) -> Self {
+    pub fn new(case: &Case, track: &Track, direction: Direction, speed: f64, frequencies: Vec<f64>) -> Self {
         let over = |structure: &dyn Receptance| -> Vec<Complex64> {
-            frequencies
-                .iter()
-                .map(|frequency| structure.receptance(TAU * frequency, speed))
-                .collect()
+            frequencies.iter().map(|frequency| structure.receptance(TAU * frequency, speed)).collect()
         };
         let curve = |key, label, values| ReceptanceCurve { key, label, values };
         let rail = over(&*track.receptance);
@@ -70,11 +61,7 @@ impl ReceptanceCurves {
                 places.extend(track.at(place).map(|rail| curve(key, label, over(&*rail))));
             }
         }
-        Self {
-            frequencies,
-            joints,
-            places,
-        }
+        Self { frequencies, joints, places }
     }
 
     /// The usual frequencies \[Hz\]: 20 Hz to 5 kHz, or as many of them as the receptance is known at.

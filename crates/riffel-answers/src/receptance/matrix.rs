@@ -40,9 +40,7 @@ impl MatrixAnswer {
     pub fn new(case: &Case, speed: f64, frequencies: Vec<f64>) -> Result<Self, CaseError> {
         let ends = frequencies
             .iter()
-            .fold([f64::INFINITY, 0.0], |[low, high], &frequency| {
-                [frequency.min(low), frequency.max(high)]
-            });
+            .fold([f64::INFINITY, 0.0], |[low, high], &frequency| [frequency.min(low), frequency.max(high)]);
         case.check_frequencies(ends[0], ends[1])?;
         let matrices = frequencies.iter().map(|frequency| {
             let matrices = case.feedback.receptances(TAU * frequency, speed);
@@ -53,20 +51,14 @@ impl MatrixAnswer {
         });
         let matrices: Vec<_> = matrices.collect::<Result<_, _>>()?;
         let of = |body: usize| matrices.iter().map(|pair| pair[body]).collect();
-        Ok(Self {
-            track: of(0),
-            wheel: of(1),
-            frequencies,
-        })
+        Ok(Self { track: of(0), wheel: of(1), frequencies })
     }
 
     /// The matrices as data.
     pub fn document(&self) -> MatrixDocument {
         let pairs = |matrices: &[[[Complex64; 3]; 3]]| {
             let matrices = matrices.iter();
-            matrices
-                .map(|matrix| matrix.map(|row| row.map(|entry| [entry.re, entry.im])))
-                .collect()
+            matrices.map(|matrix| matrix.map(|row| row.map(|entry| [entry.re, entry.im]))).collect()
         };
         MatrixDocument {
             frequency_hz: self.frequencies.clone(),
@@ -112,10 +104,7 @@ impl MatrixAnswer {
                 .map(|(row, column)| Series {
                     label: format!("{}{}", AXES[row], AXES[column]),
                     x: self.frequencies.clone(),
-                    y: matrices
-                        .iter()
-                        .map(|matrix| matrix[row][column].norm())
-                        .collect(),
+                    y: matrices.iter().map(|matrix| matrix[row][column].norm()).collect(),
                     ..Series::default()
                 })
                 .filter(|series| series.y.iter().any(|&modulus| modulus > 0.0))

@@ -120,11 +120,7 @@ impl ReceptanceAnswer {
     /// [`CaseError`] where the case lacks a value for the direction, its model has no such direction, or the track is
     /// not known at a frequency.
     pub fn new(case: &Case, request: ReceptanceRequest) -> Result<Self, CaseError> {
-        let ReceptanceRequest {
-            direction,
-            speed,
-            frequencies,
-        } = request;
+        let ReceptanceRequest { direction, speed, frequencies } = request;
         let track = case.track_in(direction)?;
         if let (Some(from), Some(to)) = (frequencies.first(), frequencies.last()) {
             case.check_frequencies(*from, *to)?;
@@ -138,12 +134,8 @@ impl ReceptanceAnswer {
             track,
             curves,
             resonances,
-            p2_closed_form: (direction == Direction::Vertical)
-                .then(|| case.p2_closed_form())
-                .flatten(),
-            lateral_resonances: (case.lateral_resonances.iter())
-                .map(|(kind, w)| (*kind, w / TAU))
-                .collect(),
+            p2_closed_form: (direction == Direction::Vertical).then(|| case.p2_closed_form()).flatten(),
+            lateral_resonances: (case.lateral_resonances.iter()).map(|(kind, w)| (*kind, w / TAU)).collect(),
             speed,
             direction,
         })
@@ -186,9 +178,7 @@ impl ReceptanceAnswer {
         let all = &self.curves;
         let curves = || all.joints.iter().chain(&all.places);
         let mut header = vec!["frequency_hz".to_owned()];
-        header.extend(
-            curves().flat_map(|curve| ["re", "im"].map(|part| format!("{}_{part}", curve.key))),
-        );
+        header.extend(curves().flat_map(|curve| ["re", "im"].map(|part| format!("{}_{part}", curve.key))));
         writer.write_record(&header)?;
         for (index, &frequency) in all.frequencies.iter().enumerate() {
             let mut row = vec![frequency];
@@ -223,26 +213,14 @@ impl ReceptanceAnswer {
                 .drawn()
                 .into_iter()
                 .map(|curve| Series {
-                    label: if named {
-                        curve.label.to_owned()
-                    } else {
-                        String::new()
-                    },
+                    label: if named { curve.label.to_owned() } else { String::new() },
                     x: self.curves.frequencies.clone(),
-                    y: curve
-                        .values
-                        .iter()
-                        .map(|&receptance| value(receptance))
-                        .collect(),
+                    y: curve.values.iter().map(|&receptance| value(receptance)).collect(),
                     style: style(curve),
                     color: None,
                 })
                 .collect(),
-            marks: self
-                .resonances
-                .iter()
-                .map(|resonance| mark(resonance, named))
-                .collect(),
+            marks: self.resonances.iter().map(|resonance| mark(resonance, named)).collect(),
             ..LinePanel::default()
         };
         let (title, force) = match self.direction {
@@ -262,11 +240,7 @@ impl ReceptanceAnswer {
                 panel(false, "arg H [°]", Scale::Linear, |h| {
                     // −180 … 0°: a passive structure never leads; −0.0 turns a real negative H to −180°.
                     let degrees = h.arg().to_degrees();
-                    if degrees > 90.0 {
-                        degrees - 360.0
-                    } else {
-                        degrees
-                    }
+                    if degrees > 90.0 { degrees - 360.0 } else { degrees }
                 }),
             ],
             arrangement: Arrangement::Stacked,
@@ -316,10 +290,7 @@ pub fn decay_csv(rates: &[DecayRate], file: &mut impl Write) -> io::Result<()> {
 pub fn decay_figure(case: &Case, rates: &[DecayRate]) -> LineFigure {
     LineFigure {
         title: "Track decay rate".to_owned(),
-        caption: format!(
-            "One-third octaves of EN 15461, force in mid-span. {}",
-            parameters(case)
-        ),
+        caption: format!("One-third octaves of EN 15461, force in mid-span. {}", parameters(case)),
         panels: vec![LinePanel {
             x_label: "frequency f [Hz]".to_owned(),
             y_label: "decay rate [dB/m]".to_owned(),

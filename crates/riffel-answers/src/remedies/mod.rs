@@ -77,11 +77,7 @@ impl RemediesAnswer {
     ///
     /// # Errors
     /// [`CaseError`] as of [`LineGrowth::new`].
-    pub fn new(
-        case: &Case,
-        traffic: Option<&Traffic>,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, CaseError> {
+    pub fn new(case: &Case, traffic: Option<&Traffic>, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, CaseError> {
         let under_traffic = LineGrowth::new(case, traffic)?;
         let mut answer = Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
@@ -116,9 +112,7 @@ impl RemediesAnswer {
                 answer.left_out.push(LeftOut { title, reason });
                 continue;
             }
-            answer
-                .remarks
-                .extend((changes.len() > 1).then(|| say!(treatment_keeps_force)));
+            answer.remarks.extend((changes.len() > 1).then(|| say!(treatment_keeps_force)));
             let interval = GrindingInterval::new(case, &growth);
             let intervals = interval.zip(answer.grinding_interval);
             answer.remedies.push(Remedy {
@@ -126,10 +120,9 @@ impl RemediesAnswer {
                 title,
                 changes,
                 change_of_fastest_growth: change,
-                doubles_in: growth.fastest.map_or_else(
-                    || say!(nothing_grows_then),
-                    |fastest| fastest.time_beside(&before),
-                ),
+                doubles_in: growth
+                    .fastest
+                    .map_or_else(|| say!(nothing_grows_then), |fastest| fastest.time_beside(&before)),
                 grinding_interval: interval,
                 months_gained: intervals.map(|(own, before)| own.gained_on(&before)),
                 ground_after: intervals.map(|(own, before)| own.time_beside(&before)),
@@ -147,9 +140,7 @@ impl RemediesAnswer {
             },
         });
         let interval = answer.grinding_interval;
-        answer
-            .remarks
-            .extend(interval.map(|it| say!(ground_as_it_is, time = it.time_beside(&it))));
+        answer.remarks.extend(interval.map(|it| say!(ground_as_it_is, time = it.time_beside(&it))));
         answer.remarks.push(say!(steps_are_chosen));
         Ok(answer)
     }
@@ -160,10 +151,7 @@ impl RemediesAnswer {
     /// # Errors
     /// [`AnswerError::Argument`] for a cost that is not above zero, or of what no remedy is called.
     pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self, AnswerError> {
-        if let Some((id, cost)) = costs
-            .iter()
-            .find(|(_, cost)| !(**cost > 0.0 && cost.is_finite()))
-        {
+        if let Some((id, cost)) = costs.iter().find(|(_, cost)| !(**cost > 0.0 && cost.is_finite())) {
             return Err(AnswerError::Argument {
                 argument: "cost",
                 value: format!("{id} = {cost}"),
@@ -184,27 +172,21 @@ impl RemediesAnswer {
             remedy.cost = costs.get(remedy.id).copied();
         }
         let worth = |remedy: &Remedy| remedy.months_per_cost().unwrap_or(0.0);
-        self.remedies
-            .sort_by(|a, b| worth(b).total_cmp(&worth(a)).then(a.by_effect(b)));
+        self.remedies.sort_by(|a, b| worth(b).total_cmp(&worth(a)).then(a.by_effect(b)));
         Ok(self)
     }
 
     /// How many steps there are at most, for whom waits.
     pub fn steps(case: &Case) -> usize {
-        UsualTraffic::of(case)
-            .traffic()
-            .map_or(0, |usual| steps(case, &usual).len())
+        UsualTraffic::of(case).traffic().map_or(0, |usual| steps(case, &usual).len())
     }
 
     /// What helps most, in one sentence; none where nothing grows, or the loop oscillates by itself.
     pub fn helps_most(&self) -> Option<Message> {
-        self.under_traffic
-            .fastest
-            .filter(|fastest| !fastest.oscillates)?;
+        self.under_traffic.fastest.filter(|fastest| !fastest.oscillates)?;
         let best = self.remedies.iter().min_by(|a, b| a.by_effect(b));
-        let helps = |best: &&Remedy| {
-            best.change_of_fastest_growth < 0.0 && best.fastest.is_none_or(|it| !it.oscillates)
-        };
+        let helps =
+            |best: &&Remedy| best.change_of_fastest_growth < 0.0 && best.fastest.is_none_or(|it| !it.oscillates);
         let Some(best) = best.filter(helps) else {
             return Some(say!(helps_nothing));
         };
@@ -214,12 +196,7 @@ impl RemediesAnswer {
             Some(fastest) if fastest.faster_than_known => {
                 say!(helps_most_in_order, title = title, percent = percent)
             }
-            Some(fastest) => say!(
-                helps_most,
-                title = title,
-                percent = percent,
-                time = fastest.time()
-            ),
+            Some(fastest) => say!(helps_most, title = title, percent = percent, time = fastest.time()),
             None => say!(helps_most_of_all, title = title),
         })
     }
@@ -230,9 +207,7 @@ impl Remedy {
     fn by_effect(&self, other: &Self) -> Ordering {
         let oscillates = |it: &Self| it.fastest.is_some_and(|fastest| fastest.oscillates);
         let changes = [self, other].map(|it| it.change_of_fastest_growth);
-        oscillates(self)
-            .cmp(&oscillates(other))
-            .then(changes[0].total_cmp(&changes[1]))
+        oscillates(self).cmp(&oscillates(other)).then(changes[0].total_cmp(&changes[1]))
     }
 
     /// Months that are gained for one of the currency; none without a cost, and where none are gained.
@@ -272,12 +247,7 @@ impl Answer for RemediesAnswer {
                     say!(remedy_changes_column),
                     of(&|it| Message::verbatim(in_words(&it.changes))),
                 ),
-                Column::fixed(
-                    "growth_change_percent",
-                    say!(growth_change_column),
-                    change,
-                    0,
-                ),
+                Column::fixed("growth_change_percent", say!(growth_change_column), change, 0),
                 Column::shown(say!(doubles_in_column), of(&|it| it.doubles_in.clone())),
                 Column::shown(say!(ground_after_column), of(&ground_after)),
                 Column::optional("grinding_interval_months", grinding),
@@ -291,19 +261,17 @@ impl Answer for RemediesAnswer {
     }
 
     fn sentences(&self) -> Vec<Message> {
-        let left_out = self.left_out.iter().map(|LeftOut { title, reason }| {
-            say!(left_out_for, title = title.clone(), reason = reason.clone())
-        });
+        let left_out = self
+            .left_out
+            .iter()
+            .map(|LeftOut { title, reason }| say!(left_out_for, title = title.clone(), reason = reason.clone()));
         self.helps_most().into_iter().chain(left_out).collect()
     }
 
     fn figure(&self) -> LineFigure {
         let line = |label: String, curve: &[[f64; 2]]| Series {
             label,
-            x: curve
-                .iter()
-                .map(|[wavelength, _]| 1e3 * wavelength)
-                .collect(),
+            x: curve.iter().map(|[wavelength, _]| 1e3 * wavelength).collect(),
             y: curve.iter().map(|[_, rate]| per_million(*rate)).collect(),
             ..Series::default()
         };
@@ -314,8 +282,7 @@ impl Answer for RemediesAnswer {
         let series = std::iter::once(as_it_is).chain(remedies).chain([floor]);
         LineFigure {
             title: "Remedies".to_owned(),
-            caption: "Growth of the level by wavelength, positive where corrugation grows."
-                .to_owned(),
+            caption: "Growth of the level by wavelength, positive where corrugation grows.".to_owned(),
             panels: vec![rate_panel(series.collect(), Language::English)],
             ..LineFigure::default()
         }
@@ -370,16 +337,10 @@ mod tests {
         let said = answer.helps_most().unwrap().to_string();
         assert!(said.contains("60 %"), "{said}");
         let refused = answer.with_costs(&costs(&[("a", 0.0)])).err().unwrap();
-        assert_eq!(
-            refused.to_string(),
-            "cost is a = 0, but must be finite and above zero"
-        );
+        assert_eq!(refused.to_string(), "cost is a = 0, but must be finite and above zero");
         let answer = RemediesAnswer::new(&case, None, &|_| ()).unwrap();
         let refused = answer.with_costs(&costs(&[("soft-pads", 1.0)])).err();
         let said = refused.unwrap().to_string();
-        assert!(
-            said.contains("\"soft-pads\"") && said.contains("softer-pads"),
-            "{said}"
-        );
+        assert!(said.contains("\"soft-pads\"") && said.contains("softer-pads"), "{said}");
     }
 }

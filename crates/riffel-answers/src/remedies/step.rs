@@ -34,11 +34,7 @@ pub(super) struct Step {
 
 impl Step {
     /// What it changes, and what becomes of growth.
-    pub(super) fn taken(
-        &self,
-        case: &Case,
-        traffic: &Traffic,
-    ) -> Result<(Vec<Change>, LineGrowth), Message> {
+    pub(super) fn taken(&self, case: &Case, traffic: &Traffic) -> Result<(Vec<Change>, LineGrowth), Message> {
         let (key, value) = (self.key, self.value.clone()?);
         if case.idle_because(key).is_some() {
             return Err(say!(remedy_has_no_effect, key = key));
@@ -101,9 +97,8 @@ pub(super) fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
         key,
         value: common(key, of_case).map(|value| factor * value),
     };
-    let stiffness = |support: &Option<riffel_case::file::Support>| {
-        support.as_ref()?.stiffness.map(|stiffness| stiffness.si())
-    };
+    let stiffness =
+        |support: &Option<riffel_case::file::Support>| support.as_ref()?.stiffness.map(|stiffness| stiffness.si());
     let pad = stiffness(&file.track.pad);
     let (mass_key, mass) = match &file.wheelset {
         Some(wheelset) => ("wheelset.mass", wheelset.mass),
@@ -114,12 +109,7 @@ pub(super) fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
     vec![
         times(say!(softer_pads), "track.pad.stiffness", pad, 0.5),
         times(say!(stiffer_pads), "track.pad.stiffness", pad, 2.0),
-        times(
-            say!(softer_ballast),
-            "track.ballast.stiffness",
-            stiffness(&file.track.ballast),
-            0.5,
-        ),
+        times(say!(softer_ballast), "track.ballast.stiffness", stiffness(&file.track.ballast), 0.5),
         Step {
             title: say!(more_rail_loss, loss = number(RAIL_DAMPERS)),
             key: "rail.loss_factor",
@@ -133,18 +123,9 @@ pub(super) fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
                 false => Err(say!(friction_is_low, friction = number(friction))),
             }),
         },
-        times(
-            say!(lighter_wheel),
-            mass_key,
-            mass.map(|mass| mass.si()),
-            0.8,
-        ),
+        times(say!(lighter_wheel), mass_key, mass.map(|mass| mass.si()), 0.8),
         wider_speeds(traffic),
-        Step {
-            title: say!(slower_trains),
-            key: "speed.factor",
-            value: Ok(0.8),
-        },
+        Step { title: say!(slower_trains), key: "speed.factor", value: Ok(0.8) },
     ]
 }
 

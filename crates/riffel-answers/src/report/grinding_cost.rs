@@ -21,12 +21,7 @@ impl GrindingCost {
     pub(super) fn check(&self, file: &KeyFile) -> Result<(), CaseError> {
         let length = self.length_a_shift;
         let values = [
-            (
-                "grinding_shift",
-                self.grinding_shift,
-                self.grinding_shift.to_string(),
-                "give the cost of one shift",
-            ),
+            ("grinding_shift", self.grinding_shift, self.grinding_shift.to_string(), "give the cost of one shift"),
             (
                 "length_a_shift",
                 length.si(),
@@ -41,11 +36,7 @@ impl GrindingCost {
         }
         for (key, value, written, help) in values {
             if !(value > 0.0 && value.is_finite()) {
-                let rule = say!(
-                    is_but_must_be,
-                    value = written,
-                    rule = say!(greater_than_zero)
-                );
+                let rule = say!(is_but_must_be, value = written, rule = say!(greater_than_zero));
                 return Err(file.invalid(&format!("cost.{key}"), rule, help));
             }
         }
@@ -68,13 +59,7 @@ impl GrindingCost {
                 yearly = fixed(cost * 12.0 / months, 0),
                 months = fixed(months, 0)
             ),
-            None => say!(
-                grinding_costs,
-                length = length,
-                shifts = shifts,
-                cost = shown,
-                currency = currency
-            ),
+            None => say!(grinding_costs, length = length, shifts = shifts, cost = shown, currency = currency),
         }
     }
 }
@@ -86,18 +71,12 @@ mod tests {
     /// 1240 m at 800 m a shift are two shifts; twice 15 000 every 18 months are 20 000 a year.
     #[test]
     fn shifts_are_whole() {
-        let cost = GrindingCost {
-            currency: "EUR".to_owned(),
-            grinding_shift: 15e3,
-            length_a_shift: Quantity::new(800.0),
-        };
+        let cost =
+            GrindingCost { currency: "EUR".to_owned(), grinding_shift: 15e3, length_a_shift: Quantity::new(800.0) };
         assert_eq!(
             cost.words(1240.0, Some(18.0)).to_string(),
             "to grind 1240 m of line takes 2 grinding shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months"
         );
-        assert_eq!(
-            cost.words(90.0, None).to_string(),
-            "to grind 90 m of line takes 1 grinding shift and 15000 EUR"
-        );
+        assert_eq!(cost.words(90.0, None).to_string(), "to grind 90 m of line takes 1 grinding shift and 15000 EUR");
     }
 }

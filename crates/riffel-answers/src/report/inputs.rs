@@ -26,12 +26,7 @@ impl Inputs {
             cells[3] = format!("<code>{}</code>", cells[3]);
             cells.to_vec()
         });
-        let heads = [
-            say!(input_head),
-            say!(file_head),
-            say!(what_it_is_head),
-            Message::verbatim("SHA-256"),
-        ];
+        let heads = [say!(input_head), say!(file_head), say!(what_it_is_head), Message::verbatim("SHA-256")];
         table("words", &texts(heads, language), &rows.collect::<Vec<_>>())
     }
 }

@@ -33,17 +33,9 @@ pub(super) fn growth_map(
         caption.extend(measured.iter().map(|one| sentence(one, language)));
     }
     caption.push(say!(sign_of_growth).text(language));
-    let map_drawn = MapFigure {
-        panels: vec![panel],
-        ..MapFigure::default()
-    };
+    let map_drawn = MapFigure { panels: vec![panel], ..MapFigure::default() };
     let words = sentence(&BranchDocument::sentence(&map.branches), language);
-    let map_of_growth = figure(
-        "half",
-        map_drawn.picture_with(&map_words(language))?,
-        &caption.join(" "),
-        language,
-    );
+    let map_of_growth = figure("half", map_drawn.picture_with(&map_words(language))?, &caption.join(" "), language);
     let remarks = map.under_traffic.iter().flat_map(|it| it.remarks.clone());
     let over = map.over_posterior.iter().flat_map(growth_in_words);
     let brief = remarks.chain(over);
@@ -71,12 +63,7 @@ fn map_words(language: Language) -> MapWords {
 }
 
 /// Put the measured wavelengths that lie in the map on it; what the caption says of all of them.
-fn observations(
-    case: &Case,
-    diagnosis: &Diagnosis,
-    marks: &mut Vec<Observation>,
-    language: Language,
-) -> Vec<Message> {
+fn observations(case: &Case, diagnosis: &Diagnosis, marks: &mut Vec<Observation>, language: Language) -> Vec<Message> {
     let speeds = &diagnosis.speeds;
     let window = case.wavelength.min()..=case.wavelength.max();
     let (inside, outside): (Vec<f64>, Vec<f64>) = diagnosis
@@ -95,26 +82,18 @@ fn observations(
             label: label.clone(),
         }));
     }
-    let mut said = vec![say!(
-        where_measured_wavelengths_stand,
-        speeds = speeds.words()
-    )];
+    let mut said = vec![say!(where_measured_wavelengths_stand, speeds = speeds.words())];
     if !outside.is_empty() {
         let outside = outside.into_iter();
-        let wavelengths: Value = outside
-            .map(|wavelength| say!(one_wavelength, wavelength = millimetres(wavelength)))
-            .collect();
+        let wavelengths: Value =
+            outside.map(|wavelength| say!(one_wavelength, wavelength = millimetres(wavelength))).collect();
         said.push(say!(outside_the_map, wavelengths = wavelengths));
     }
     said
 }
 
 /// Dominant wavelengths with their candidates.
-pub(super) fn diagnosis(
-    file: &str,
-    diagnosis: &Diagnosis,
-    language: Language,
-) -> Result<Section, PlotError> {
+pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis, language: Language) -> Result<Section, PlotError> {
     let mut html = drawing(diagnosis.figure(file, language), language)?;
     if diagnosis.findings.is_empty() {
         let nothing = sentence(&say!(nothing_stands_out), language);
@@ -133,11 +112,7 @@ pub(super) fn diagnosis(
         std::iter::once(name).chain(cells).collect()
     });
     let rows: Vec<Vec<String>> = rows.collect();
-    let heads = [
-        say!(mechanism_head),
-        say!(source_head),
-        say!(valid_for_head),
-    ];
+    let heads = [say!(mechanism_head), say!(source_head), say!(valid_for_head)];
     let heading = said(&say!(sources_and_validity), language);
     let _ = writeln!(html, "<h3>{heading}</h3>");
     html += &table("words", &texts(heads, language), &rows);
@@ -159,19 +134,11 @@ fn of_finding(finding: &Finding, shown: &mut Vec<MechanismKind>, language: Langu
     }
     let rows = finding.candidates.iter().map(|candidate| {
         let [name, share, frequency, wavelengths] = candidate_row(finding, candidate, language);
-        let bar = format!(
-            "{share}<span class=\"bar\"><i style=\"width:{:.1}%\"></i></span>",
-            100.0 * candidate.share
-        );
+        let bar = format!("{share}<span class=\"bar\"><i style=\"width:{:.1}%\"></i></span>", 100.0 * candidate.share);
         vec![escape(&name), bar, frequency, wavelengths]
     });
     let rows: Vec<Vec<String>> = rows.collect();
-    let heads = [
-        say!(candidate_head),
-        say!(share_head),
-        say!(frequency_in_hertz_head),
-        say!(predicts_in_millimetres),
-    ];
+    let heads = [say!(candidate_head), say!(share_head), say!(frequency_in_hertz_head), say!(predicts_in_millimetres)];
     html += &table("", &texts(heads, language), &rows);
     let _ = writeln!(html, "<p><b>{summary}</b></p>");
     let candidates = finding.candidates.iter().enumerate();
@@ -181,10 +148,7 @@ fn of_finding(finding: &Finding, shown: &mut Vec<MechanismKind>, language: Langu
     for candidate in told {
         let name = escape(&mechanism_name(candidate.kind).capitalised(language));
         let _ = writeln!(html, "<h4>{name}</h4>\n<ul class=\"reasons\">");
-        for (class, reasons) in [
-            ("for", &candidate.reasons_for),
-            ("against", &candidate.reasons_against),
-        ] {
+        for (class, reasons) in [("for", &candidate.reasons_for), ("against", &candidate.reasons_against)] {
             for reason in finding.reasons(reasons) {
                 let reason = said(&reason, language);
                 let _ = writeln!(html, "<li class=\"{class}\">{reason}</li>");

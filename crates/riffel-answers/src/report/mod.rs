@@ -46,13 +46,7 @@ fn of_roughness() -> [Message; 5] {
 
 /// Headings of the sections on the case.
 fn of_case() -> [Message; 5] {
-    [
-        say!(growth_map),
-        say!(diagnosis),
-        say!(forecast),
-        say!(what_if),
-        say!(rolling_noise),
-    ]
+    [say!(growth_map), say!(diagnosis), say!(forecast), say!(what_if), say!(rolling_noise)]
 }
 
 /// What the report says of the roughness of a rail.
@@ -133,9 +127,7 @@ fn doubt(forecast: Option<&ForecastAnswer>, compare: Option<&CompareAnswer>) -> 
     let of_compare = compare.into_iter();
     let of_compare = of_compare.flat_map(|answer| &answer.comparison.base().remarks);
     let mut remarks = remarks.chain(of_compare);
-    remarks
-        .find(|remark| is_of_reported_growth(remark))
-        .cloned()
+    remarks.find(|remark| is_of_reported_growth(remark)).cloned()
 }
 
 /// What fills the page below its head: sections, sentences for those in a hurry, and warnings.
@@ -150,8 +142,7 @@ struct Body {
 impl Body {
     fn leave_out(&mut self, headings: [Message; 5], why: &Message) {
         let sections = headings.into_iter();
-        self.sections
-            .extend(sections.map(|heading| Section::LeftOut(heading, why.clone())));
+        self.sections.extend(sections.map(|heading| Section::LeftOut(heading, why.clone())));
     }
 
     fn put_brief(&mut self, label: &Message, sentences: Vec<String>) {
@@ -204,8 +195,7 @@ impl Body {
             self.put(outlook);
         }
         let doubt = doubt.map(|doubt| {
-            let sentences =
-                [doubt, &say!(no_dates_are_told)].map(|one| sentence(one, self.language));
+            let sentences = [doubt, &say!(no_dates_are_told)].map(|one| sentence(one, self.language));
             let label = said(&say!(not_plausible), self.language);
             format!("<b>{label}:</b> {}", sentences.join(" "))
         });
@@ -221,9 +211,7 @@ fn outlooks(
     noise: Result<&NoiseAnswer, Message>,
     language: Language,
 ) -> Result<[(Message, Outlook); 3], PlotError> {
-    let is_unexplained = forecast
-        .as_ref()
-        .is_ok_and(|answer| !answer.unexplained().is_empty());
+    let is_unexplained = forecast.as_ref().is_ok_and(|answer| !answer.unexplained().is_empty());
     let forecast = match forecast {
         Ok(answer) => outlook::forecast(case, answer, language)?,
         Err(why) => Outlook::left_out(say!(forecast), why),
@@ -240,11 +228,7 @@ fn outlooks(
     if is_unexplained {
         what_if.brief = vec![sentence(&say!(model_does_not_explain_growth), language)];
     }
-    Ok([
-        (say!(what_comes), forecast),
-        (say!(what_helps), what_if),
-        (say!(what_is_heard), noise),
-    ])
+    Ok([(say!(what_comes), forecast), (say!(what_helps), what_if), (say!(what_is_heard), noise)])
 }
 
 /// The report as a page of HTML that loads nothing and prints on A4.
@@ -265,10 +249,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         noise,
         inputs,
     } = request;
-    let mut body = Body {
-        language,
-        ..Body::default()
-    };
+    let mut body = Body { language, ..Body::default() };
     let (mut map, mut to_grind, mut interval) = (String::new(), None, None);
     let mut diagnosis = Err(say!(no_roughness_given));
     match rail {
@@ -292,12 +273,9 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             body.warnings.extend(case.remarks.iter().cloned());
             let (forecasted, compared) = (forecast.as_ref().ok(), compare.as_ref().ok());
             let doubt = doubt(forecasted.copied(), compared.copied());
-            interval = forecasted
-                .and_then(|answer| answer.months_between_grindings())
-                .filter(|_| doubt.is_none());
+            interval = forecasted.and_then(|answer| answer.months_between_grindings()).filter(|_| doubt.is_none());
             if let Some(answer) = posterior_forecast {
-                let (heading, figure) =
-                    (say!(forecast_over_calibration), answer.figure_in(language));
+                let (heading, figure) = (say!(forecast_over_calibration), answer.figure_in(language));
                 let mut over = outlook::of_answer(heading, answer, figure, language)?;
                 over.brief = labelled(&say!(what_comes), over.brief, language);
                 body.put(over);
@@ -317,13 +295,10 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
     }
     let inputs = inputs_section(inputs, limits, case.map(|(case, _)| case), language);
     body.sections.push(inputs);
-    body.sections
-        .push(warnings_section(&body.warnings, language));
+    body.sections.push(warnings_section(&body.warnings, language));
     let head = Head {
-        title: (title.or(site.title.as_deref())).map_or_else(
-            || say!(rail_roughness_and_corrugation).text(language),
-            str::to_owned,
-        ),
+        title: (title.or(site.title.as_deref()))
+            .map_or_else(|| say!(rail_roughness_and_corrugation).text(language), str::to_owned),
         facts: site.facts(),
         remarks: site.remarks.as_deref(),
         brief: body.brief,
@@ -359,8 +334,7 @@ fn measured(
             (sections, brief)
         }
         MeasuredRoughness::Spectra(answer) => {
-            let mut sections = of_roughness()
-                .map(|heading| Section::LeftOut(heading, say!(levels_are_no_profile)));
+            let mut sections = of_roughness().map(|heading| Section::LeftOut(heading, say!(levels_are_no_profile)));
             sections[2] = roughness::spectrum_of_means(path, &answer, limits, language)?;
             let brief = answer.verdicts_of_now().iter().map(marked);
             (sections, brief.collect())
@@ -412,17 +386,10 @@ fn dominant(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
             let beside: Vec<Message> = findings().filter(own).map(wavelength_of).collect();
             let level = fixed(finding.measured.peak.level, 1);
             let stands = match finding.place() {
-                Some(place) => say!(
-                    wavelength_stands_out_at,
-                    wavelength = wavelength.clone(),
-                    place = place,
-                    level = level
-                ),
-                None => say!(
-                    wavelength_stands_out,
-                    wavelength = wavelength.clone(),
-                    level = level
-                ),
+                Some(place) => {
+                    say!(wavelength_stands_out_at, wavelength = wavelength.clone(), place = place, level = level)
+                }
+                None => say!(wavelength_stands_out, wavelength = wavelength.clone(), level = level),
             };
             let stands = bold(&sentence(&stands, language), &wavelength.text(language));
             let mut summary = finding.summary();
@@ -438,15 +405,8 @@ fn dominant(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
 }
 
 /// Files, limit tables and presets with their origin, and what made the report.
-fn inputs_section(
-    inputs: &Inputs,
-    limits: &[LimitTable],
-    case: Option<&Case>,
-    language: Language,
-) -> Section {
-    let row = |name: Message, title: &str, source: &str| {
-        vec![said(&name, language), escape(title), escape(source)]
-    };
+fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>, language: Language) -> Section {
+    let row = |name: Message, title: &str, source: &str| vec![said(&name, language), escape(title), escape(source)];
     let limits = limits.iter().map(|table| {
         let name = say!(limit_of_name, name = &table.name);
         row(name, &table.edition, &table.source)
@@ -462,23 +422,12 @@ fn inputs_section(
         ];
         let names = names.into_iter().flatten();
         for preset in names.filter_map(|name| riffel_case::preset(name).ok()) {
-            let origin = preset
-                .values
-                .first()
-                .map(|value| value.source.text(language));
+            let origin = preset.values.first().map(|value| value.source.text(language));
             let name = say!(preset_of_name, name = &preset.name);
-            sources.push(row(
-                name,
-                preset.title.text(language),
-                origin.unwrap_or_default(),
-            ));
+            sources.push(row(name, preset.title.text(language), origin.unwrap_or_default()));
         }
     }
-    let heads = [
-        say!(built_in_head),
-        say!(what_it_is_head),
-        say!(source_head),
-    ];
+    let heads = [say!(built_in_head), say!(what_it_is_head), say!(source_head)];
     let made_by = say!(made_by, version = env!("CARGO_PKG_VERSION"));
     let html = format!(
         "{}{}<p class=\"small\">{}</p>\n",

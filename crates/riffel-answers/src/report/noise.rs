@@ -13,11 +13,7 @@ use crate::noise::{NoiseAnswer, at_least, name_of};
 const WORTH_SAYING: f64 = 1.0;
 
 /// What a train sounds like on the rail as it is, what would make it quieter, and what becomes of it.
-pub(super) fn heard(
-    case: &Case,
-    answer: &NoiseAnswer,
-    language: Language,
-) -> Result<Outlook, PlotError> {
+pub(super) fn heard(case: &Case, answer: &NoiseAnswer, language: Language) -> Result<Outlook, PlotError> {
     let decibels = |level: Option<f64>| match level {
         Some(level) => at_least(level, answer.lower_bound_up_to_hz),
         None => say!(no_level),
@@ -34,24 +30,16 @@ pub(super) fn heard(
     let level = bold(&sentence(&heard, language), &total.text(language));
     let parts = [Part::Rail, Part::Sleepers, Part::Wheel].map(|part| {
         let (_, level) = answer.level.of(part);
-        say!(
-            part_and_level,
-            part = name_of(part),
-            level = decibels(level)
-        )
+        say!(part_and_level, part = name_of(part), level = decibels(level))
     });
     let parts: Value = parts.into_iter().collect();
     let parts = sentence(&say!(level_is_of, parts = parts), language);
     let mut html = format!("<p>{level} {parts}</p>\n");
     let (heads, rows) = answer.measures_table().shown(language);
-    let rows: Vec<Vec<String>> = rows
-        .into_iter()
-        .map(|row| row.iter().map(|cell| escape(cell)).collect())
-        .collect();
+    let rows: Vec<Vec<String>> = rows.into_iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
     html += &table("", &heads, &rows);
     let course = answer.course.as_ref();
-    let course =
-        course.map(|course| sentence(&course.in_words(answer.lower_bound_up_to_hz), language));
+    let course = course.map(|course| sentence(&course.in_words(answer.lower_bound_up_to_hz), language));
     if let Some(course) = &course {
         html += &format!("<p>{course}</p>\n");
     }
@@ -68,10 +56,7 @@ pub(super) fn heard(
         true => String::new(),
         false => {
             let savings: Value = savings.into_iter().collect();
-            format!(
-                " {}",
-                sentence(&say!(each_alone_would_save, savings = savings), language)
-            )
+            format!(" {}", sentence(&say!(each_alone_would_save, savings = savings), language))
         }
     };
     let over = answer.over_posterior_in_words();
@@ -79,14 +64,7 @@ pub(super) fn heard(
     let over = over.iter().take(1).map(|it| sentence(it, language));
     Ok(Outlook {
         section: Section::There(say!(rolling_noise), html),
-        brief: std::iter::once(level + &savings)
-            .chain(course)
-            .chain(over)
-            .collect(),
-        warnings: answer
-            .remarks
-            .iter()
-            .map(|warning| warning.clone().about(say!(noise)))
-            .collect(),
+        brief: std::iter::once(level + &savings).chain(course).chain(over).collect(),
+        warnings: answer.remarks.iter().map(|warning| warning.clone().about(say!(noise))).collect(),
     })
 }

@@ -20,11 +20,7 @@ pub(super) struct Outlook {
 impl Outlook {
     /// A section that is not there, with the sentence why.
     pub(super) fn left_out(heading: Message, why: Message) -> Self {
-        Self {
-            section: Section::LeftOut(heading, why),
-            brief: Vec::new(),
-            warnings: Vec::new(),
-        }
+        Self { section: Section::LeftOut(heading, why), brief: Vec::new(), warnings: Vec::new() }
     }
 }
 
@@ -42,34 +38,20 @@ pub(super) fn of_answer<A: Answer>(
     for shown in answer.tables() {
         let (heads, rows) = shown.shown(language);
         let rows = rows.iter();
-        let rows: Vec<Vec<String>> = rows
-            .map(|row| row.iter().map(|cell| escape(cell)).collect())
-            .collect();
+        let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
         html += &table("", &heads, &rows);
     }
     let sentences = answer.sentences();
-    let brief: Vec<String> = (sentences.iter())
-        .map(|message| sentence(message, language))
-        .collect();
+    let brief: Vec<String> = (sentences.iter()).map(|message| sentence(message, language)).collect();
     html += &list(brief.iter().cloned());
     html += &drawing(figure, language)?;
-    Ok(Outlook {
-        section: Section::There(heading, html),
-        brief,
-        warnings: answer.remarks().to_vec(),
-    })
+    Ok(Outlook { section: Section::There(heading, html), brief, warnings: answer.remarks().to_vec() })
 }
 
 /// What becomes of the spectrum under the traffic.
-pub(super) fn forecast(
-    case: &Case,
-    report: &ForecastAnswer,
-    language: Language,
-) -> Result<Outlook, PlotError> {
+pub(super) fn forecast(case: &Case, report: &ForecastAnswer, language: Language) -> Result<Outlook, PlotError> {
     let rows = report.rows().into_iter();
-    let rows: Vec<Vec<String>> = rows
-        .map(|row| row.iter().map(|cell| said(cell, language)).collect())
-        .collect();
+    let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(|cell| said(cell, language)).collect()).collect();
     let heads = report.heads();
     let heads: Vec<String> = heads.iter().map(|head| head.text(language)).collect();
     let mut findings = report.findings();
@@ -80,12 +62,7 @@ pub(super) fn forecast(
     let title = title.map_or_else(|| say!(the_traffic), Message::verbatim);
     let amount = report.amount(report.passages);
     let introduction = match &report.ground {
-        Some(ground) => say!(
-            levels_after_grinding,
-            traffic = title,
-            ground = ground.words.clone(),
-            amount = amount
-        ),
+        Some(ground) => say!(levels_after_grinding, traffic = title, ground = ground.words.clone(), amount = amount),
         None => say!(levels_under_traffic, traffic = title, amount = amount),
     };
     let mut html = format!("<p>{}</p>\n", sentence(&introduction, language));
@@ -113,11 +90,7 @@ pub(super) fn forecast(
 }
 
 /// What would help.
-pub(super) fn what_if(
-    case: &Case,
-    report: &CompareAnswer,
-    language: Language,
-) -> Result<Outlook, PlotError> {
+pub(super) fn what_if(case: &Case, report: &CompareAnswer, language: Language) -> Result<Outlook, PlotError> {
     let rows = report.comparison.outcomes.iter().map(|outcome| {
         let mut row = vec![escape(&title_of(outcome).text(language))];
         row.extend(report.row(outcome).iter().map(|cell| said(cell, language)));
@@ -136,11 +109,7 @@ pub(super) fn what_if(
         let from = say!(from_ground, ground = ground.words.clone());
         introduction = say!(one_after_other, one = introduction, other = from);
     }
-    let mut html = format!(
-        "<p>{}</p>\n{}",
-        sentence(&introduction, language),
-        table("", &heads, &rows),
-    );
+    let mut html = format!("<p>{}</p>\n{}", sentence(&introduction, language), table("", &heads, &rows),);
     let mut outcomes = report.comparison.outcomes.iter();
     if outcomes.any(|outcome| !outcome.held.is_empty()) {
         let held = sentence(&say!(held_is), language);
@@ -150,17 +119,12 @@ pub(super) fn what_if(
     let over: Vec<String> = over.iter().map(|it| sentence(it, language)).collect();
     let first = report.first_said();
     let effects = report.effects();
-    let effects = first
-        .iter()
-        .chain(&effects)
-        .map(|effect| said(effect, language));
+    let effects = first.iter().chain(&effects).map(|effect| said(effect, language));
     html += &list(effects.chain(over.iter().cloned()));
     html += &drawing(report.figure(case, language), language)?;
     // Draws tell months with their bands.
     let months = months(report).filter(|_| report.over_posterior.is_none());
-    let best: Vec<String> = (best(report).iter())
-        .map(|it| sentence(it, language))
-        .collect();
+    let best: Vec<String> = (best(report).iter()).map(|it| sentence(it, language)).collect();
     let best = (!best.is_empty()).then(|| best.join(" "));
     let months = months.map(|months| sentence(&months, language));
     let remarks = report.comparison.base().remarks.iter();
@@ -178,19 +142,13 @@ fn best(report: &CompareAnswer) -> Vec<Message> {
     if base.fastest.rate <= 0.0 {
         return Vec::new();
     }
-    let changes = variants
-        .iter()
-        .filter_map(|outcome| Some((outcome, outcome.change_from(base)?)));
+    let changes = variants.iter().filter_map(|outcome| Some((outcome, outcome.change_from(base)?)));
     let Some((best, change)) = changes.min_by(|a, b| a.1.total_cmp(&b.1)) else {
         return vec![say!(no_variant_can_act)];
     };
     // A change below a hundredth helps nobody.
     let lowers = match change < -0.01 {
-        true => say!(
-            variant_lowers_most,
-            title = &best.title,
-            percent = fixed(-100.0 * change, 0)
-        ),
+        true => say!(variant_lowers_most, title = &best.title, percent = fixed(-100.0 * change, 0)),
         false => say!(no_variant_lowers),
     };
     let held = best.held.first().filter(|_| best.held.len() == 1);
@@ -199,9 +157,7 @@ fn best(report: &CompareAnswer) -> Vec<Message> {
         None => lowers,
     };
     let idle = variants.iter().filter(|outcome| !outcome.effect.acts());
-    let idle: Vec<Message> = idle
-        .map(|outcome| say!(in_quotes, words = &outcome.title))
-        .collect();
+    let idle: Vec<Message> = idle.map(|outcome| say!(in_quotes, words = &outcome.title)).collect();
     let mut sentences = vec![lowers];
     if !idle.is_empty() {
         let titles: Value = idle.into_iter().collect();
@@ -231,11 +187,7 @@ fn months(report: &CompareAnswer) -> Option<Message> {
                 let tonnes = || say!(gross_tonnes, tonnes = number(outcome.growth.mgt(passages)));
                 let months = outcome.months_to_limit();
                 let months = months.map(|months| say!(months_of, months = number(months)));
-                say!(
-                    reached_after,
-                    time = months.unwrap_or_else(tonnes),
-                    variant = title
-                )
+                say!(reached_after, time = months.unwrap_or_else(tonnes), variant = title)
             }
             Reach::BeyondLinearRange => say!(reached_beyond_linear_range, variant = title),
             Reach::Never => return Some(say!(never_reached, variant = title)),
@@ -249,12 +201,7 @@ fn months(report: &CompareAnswer) -> Option<Message> {
     let times = report.comparison.outcomes.iter().filter_map(when);
     let times = times.reduce(Message::followed_by)?;
     Some(match &report.ground {
-        Some(ground) => say!(
-            limit_is_reached_from,
-            ground = ground.words.clone(),
-            edition = edition,
-            times = times
-        ),
+        Some(ground) => say!(limit_is_reached_from, ground = ground.words.clone(), edition = edition, times = times),
         None => say!(limit_is_reached, edition = edition, times = times),
     })
 }
@@ -262,10 +209,6 @@ fn months(report: &CompareAnswer) -> Option<Message> {
 /// A figure of the program with its caption below.
 pub(super) fn drawing(drawing: LineFigure, language: Language) -> Result<String, PlotError> {
     let caption = drawing.caption.clone();
-    let drawing = LineFigure {
-        title: String::new(),
-        caption: String::new(),
-        ..drawing
-    };
+    let drawing = LineFigure { title: String::new(), caption: String::new(), ..drawing };
     Ok(figure("half", drawing.picture()?, &caption, language))
 }

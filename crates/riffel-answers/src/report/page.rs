@@ -39,12 +39,7 @@ pub(super) fn page(head: &Head, sections: &[Section], language: Language) -> Str
     if !head.facts.is_empty() {
         body += "<dl class=\"facts\">\n";
         for (name, value) in &head.facts {
-            let _ = writeln!(
-                body,
-                "<dt>{}</dt><dd>{}</dd>",
-                said(name, language),
-                escape(value)
-            );
+            let _ = writeln!(body, "<dt>{}</dt><dd>{}</dd>", said(name, language), escape(value));
         }
         body += "</dl>\n";
     }
@@ -67,10 +62,7 @@ pub(super) fn page(head: &Head, sections: &[Section], language: Language) -> Str
             Section::There(heading, html) => {
                 number += 1;
                 let heading = said(heading, language);
-                let _ = write!(
-                    body,
-                    "<section>\n<h2>{number} {heading}</h2>\n{html}</section>\n"
-                );
+                let _ = write!(body, "<section>\n<h2>{number} {heading}</h2>\n{html}</section>\n");
             }
             Section::LeftOut(heading, why) => {
                 let why = why.clone().about(heading.clone());
@@ -80,10 +72,7 @@ pub(super) fn page(head: &Head, sections: &[Section], language: Language) -> Str
     }
     if !left_out.is_empty() {
         let heading = said(&say!(not_in_this_report), language);
-        let _ = write!(
-            body,
-            "<section>\n<h2>{heading}</h2>\n<ul>\n{left_out}</ul>\n</section>\n"
-        );
+        let _ = write!(body, "<section>\n<h2>{heading}</h2>\n<ul>\n{left_out}</ul>\n</section>\n");
     }
     let code = language.code();
     format!(
@@ -97,11 +86,7 @@ pub(super) fn page(head: &Head, sections: &[Section], language: Language) -> Str
 
 /// Words for HTML.
 pub(super) fn escape(words: &str) -> String {
-    words
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// A message in HTML.
@@ -122,10 +107,7 @@ pub(super) fn bold(html: &str, words: &str) -> String {
 
 /// Messages in words, as for the heads of a table.
 pub(super) fn texts<const N: usize>(messages: [Message; N], language: Language) -> Vec<String> {
-    messages
-        .iter()
-        .map(|message| message.text(language))
-        .collect()
+    messages.iter().map(|message| message.text(language)).collect()
 }
 
 /// A table; its cells are HTML already.
@@ -161,10 +143,7 @@ pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
 pub(super) fn figure(class: &str, picture: Picture, caption: &str, language: Language) -> String {
     let svg = picture.with_decimal_mark(language.decimal_mark()).svg();
     let svg = svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
-    format!(
-        "<figure class=\"{class}\">\n{svg}\n<figcaption>{}</figcaption>\n</figure>\n",
-        escape(caption)
-    )
+    format!("<figure class=\"{class}\">\n{svg}\n<figcaption>{}</figcaption>\n</figure>\n", escape(caption))
 }
 
 #[cfg(test)]

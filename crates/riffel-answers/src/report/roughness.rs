@@ -38,23 +38,10 @@ pub(super) fn strips(record: &Record, language: Language) -> Result<Section, Plo
             ..LinePanel::default()
         }
     });
-    let drawing = LineFigure {
-        panels: panels.collect(),
-        arrangement: Arrangement::Strips,
-        ..LineFigure::default()
-    };
-    let caption = say!(
-        caption_of_heights,
-        from = fixed(record.from, 1),
-        to = fixed(record.to, 1),
-        columns = number(COLUMNS)
-    );
-    let html = figure(
-        "strip",
-        drawing.picture()?,
-        &caption.text(language),
-        language,
-    );
+    let drawing = LineFigure { panels: panels.collect(), arrangement: Arrangement::Strips, ..LineFigure::default() };
+    let caption =
+        say!(caption_of_heights, from = fixed(record.from, 1), to = fixed(record.to, 1), columns = number(COLUMNS));
+    let html = figure("strip", drawing.picture()?, &caption.text(language), language);
     Ok(Section::There(say!(profile), html))
 }
 
@@ -82,16 +69,12 @@ fn extremes(stretch: &Profile, whole: f64) -> (Vec<f64>, Vec<f64>) {
 pub(super) fn moving_rms(report: &ProfileAnswer, language: Language) -> Result<Section, PlotError> {
     let rails = report.rails.iter();
     let drawing = LineFigure {
-        panels: rails
-            .map(|rail| report.moving_rms(rail, language))
-            .collect(),
+        panels: rails.map(|rail| report.moving_rms(rail, language)).collect(),
         arrangement: Arrangement::Strips,
         ..LineFigure::default()
     };
     let blocks = report.rails.iter().flat_map(|rail| &rail.analysis.blocks);
-    let block = blocks
-        .map(|block| block.to - block.from)
-        .fold(0.0, f64::max);
+    let block = blocks.map(|block| block.to - block.from).fold(0.0, f64::max);
     let caption = say!(caption_of_moving_rms, block = fixed(block, 1)).text(language);
     let html = figure("strip", drawing.picture()?, &caption, language);
     Ok(Section::There(say!(moving_rms_along_the_line), html))
@@ -111,11 +94,8 @@ pub(super) fn spectrum_of_profile(
 ) -> Result<Section, PlotError> {
     let drawing = report.figure(path, limits, language);
     let removed = report.removed();
-    let caption = say!(
-        caption_of_levels,
-        spikes = say!(spikes, count = removed.spikes),
-        pits = say!(pits, count = removed.pits)
-    );
+    let caption =
+        say!(caption_of_levels, spikes = say!(spikes, count = removed.spikes), pits = say!(pits, count = removed.pits));
     let html = spectrum(drawing, caption, limits, language)?;
     let html = html + &verdicts(report.verdicts(), language);
     Ok(Section::There(say!(spectrum_and_limits), html))
@@ -157,16 +137,8 @@ fn spectrum(
         panels: drawing.panels.into_iter().take(1).collect(),
         ..drawing
     };
-    let levels = limits
-        .iter()
-        .filter(|table| matches!(table.limit, Limit::Levels(_)));
-    let editions = levels.map(|table| {
-        say!(
-            dashed_limit,
-            edition = &table.edition,
-            source = &table.source
-        )
-    });
+    let levels = limits.iter().filter(|table| matches!(table.limit, Limit::Levels(_)));
+    let editions = levels.map(|table| say!(dashed_limit, edition = &table.edition, source = &table.source));
     let sentences = std::iter::once(caption).chain(editions);
     let sentences: Vec<String> = sentences.map(|one| one.text(language) + ".").collect();
     let (picture, caption) = (drawing.picture()?, sentences.join(" "));
@@ -212,29 +184,15 @@ pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Lan
     let limits = limits
         .iter()
         .filter(|table| matches!(table.limit, Limit::Rms(_)))
-        .map(|table| {
-            say!(
-                limit_of_bands,
-                edition = &table.edition,
-                source = &table.source
-            )
-        });
-    let note: Vec<String> = limits
-        .chain([say!(how_bands_are_filtered)])
-        .map(|one| sentence(&one, language))
-        .collect();
+        .map(|table| say!(limit_of_bands, edition = &table.edition, source = &table.source));
+    let note: Vec<String> = limits.chain([say!(how_bands_are_filtered)]).map(|one| sentence(&one, language)).collect();
     let note = format!("<p class=\"small\">{}</p>\n", note.join(" "));
     let table = table("", &texts(heads, language), &rows);
     Section::There(say!(wavelength_bands), table + &note)
 }
 
 /// A row of numbers, with the name of the rail in one of its cells.
-fn numbers<const N: usize>(
-    rail: &str,
-    row: [String; N],
-    place: usize,
-    language: Language,
-) -> Vec<String> {
+fn numbers<const N: usize>(rail: &str, row: [String; N], place: usize, language: Language) -> Vec<String> {
     let mut cells = row.map(|cell| language.numbers(&cell)).to_vec();
     cells[place] = rail.to_owned();
     cells
@@ -292,11 +250,7 @@ pub(super) fn total(report: &ProfileAnswer) -> Vec<Message> {
         defects.any(|defect| section.from < defect.to && defect.from < section.to)
     });
     let at_defects = at_defects.count();
-    let mut sentences = vec![say!(
-        sections_to_grind,
-        count = sections,
-        sums = report.total()
-    )];
+    let mut sentences = vec![say!(sections_to_grind, count = sections, sums = report.total())];
     if at_defects > 0 {
         sentences.push(say!(sections_at_defects, count = number(at_defects)));
     }

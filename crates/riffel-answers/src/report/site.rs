@@ -96,20 +96,12 @@ mod tests {
         let wrong = Site::parse("site", "[site]\nlien = \"U2\"\n").unwrap_err();
         assert!(wrong.to_string().contains("lien"), "{wrong}");
         let cost = |shift: &str| {
-            let text = format!(
-                "[cost]\ncurrency = \"EUR\"\ngrinding_shift = {shift}\nlength_a_shift = \"800 m\"\n"
-            );
+            let text = format!("[cost]\ncurrency = \"EUR\"\ngrinding_shift = {shift}\nlength_a_shift = \"800 m\"\n");
             Site::parse("site", &text)
         };
-        assert_eq!(
-            cost("15000").unwrap().cost.unwrap().length_a_shift.si(),
-            800.0
-        );
+        assert_eq!(cost("15000").unwrap().cost.unwrap().length_a_shift.si(), 800.0);
         let wrong = cost("-3").unwrap_err().to_string();
-        assert!(
-            wrong.contains("`cost.grinding_shift` is -3, but must be greater than zero"),
-            "{wrong}"
-        );
+        assert!(wrong.contains("`cost.grinding_shift` is -3, but must be greater than zero"), "{wrong}");
         let thousands = cost("15.000").unwrap_err().to_string();
         assert!(thousands.contains("15000 or 15:"), "{thousands}");
     }

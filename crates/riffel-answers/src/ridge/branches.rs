@@ -69,21 +69,11 @@ pub struct BranchDocument {
 impl BranchDocument {
     /// The branches of a ridge of the case, in their order: the strongest first.
     pub fn all(case: &Case, ridge: &Ridge) -> Vec<Self> {
-        let resonances = if ridge.branches.is_empty() {
-            Vec::new()
-        } else {
-            resonances(case)
-        };
+        let resonances = if ridge.branches.is_empty() { Vec::new() } else { resonances(case) };
         let mut documents: Vec<Self> = Vec::new();
         for (piece, branch) in ridge.branches.iter().enumerate() {
-            let document = Self {
-                pieces: vec![piece],
-                ..Self::new(branch, &resonances)
-            };
-            match documents
-                .iter_mut()
-                .find(|stronger| stronger.is_one_with(&document))
-            {
+            let document = Self { pieces: vec![piece], ..Self::new(branch, &resonances) };
+            match documents.iter_mut().find(|stronger| stronger.is_one_with(&document)) {
                 Some(stronger) => stronger.take_in(&document),
                 None => documents.push(document),
             }
@@ -126,9 +116,7 @@ impl BranchDocument {
     fn in_words(&self) -> Message {
         let wavelengths = range(self.wavelength_m, |it| format!("{:.0}", 1e3 * it));
         let or_nothing = |message: Option<Message>| message.map_or("".into(), Value::from);
-        let mechanism = self
-            .kind
-            .map(|kind| say!(before_comma, words = mechanism_name(kind)));
+        let mechanism = self.kind.map(|kind| say!(before_comma, words = mechanism_name(kind)));
         let edge = self.only_at_edge.then(|| say!(at_edge_of_window));
         say!(
             branch,
@@ -187,10 +175,7 @@ fn share(ratio: f64) -> Value {
 }
 
 /// The resonance that a frequency \[Hz\] is named by; none where none is near.
-pub(crate) fn nearest(
-    resonances: &[(MechanismKind, f64)],
-    frequency: f64,
-) -> Option<(MechanismKind, f64)> {
+pub(crate) fn nearest(resonances: &[(MechanismKind, f64)], frequency: f64) -> Option<(MechanismKind, f64)> {
     let distance = |resonance: &(MechanismKind, f64)| (resonance.1 / frequency - 1.0).abs();
     let named = resonances.iter().copied();
     named

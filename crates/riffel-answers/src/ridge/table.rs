@@ -36,7 +36,5 @@ pub fn branches_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> {
 
 /// A writer of rows below a header that stands even where there are none.
 fn writer<W: Write>(file: W) -> csv::Writer<W> {
-    csv::WriterBuilder::new()
-        .has_headers(false)
-        .from_writer(file)
+    csv::WriterBuilder::new().has_headers(false).from_writer(file)
 }

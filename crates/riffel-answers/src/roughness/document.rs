@@ -121,15 +121,11 @@ impl RailDocument {
             length_m: analysis.length(),
             spectrum: levels(&analysis.spectrum),
             bands: bands(&rail.name, &analysis.bands),
-            removed: Removed {
-                spikes: analysis.spikes,
-                pits: analysis.pits,
-            },
+            removed: Removed { spikes: analysis.spikes, pits: analysis.pits },
             defects: DefectDocument::all(&rail.name, &analysis.defects),
             verdicts: rail.verdicts.clone(),
             grind_total_m: rail.sections.iter().map(GrindSection::length).sum(),
-            grind_share_of_length: line_length(analysis.measured_within(&rail.sections))
-                / analysis.length(),
+            grind_share_of_length: line_length(analysis.measured_within(&rail.sections)) / analysis.length(),
         }
     }
 }
@@ -145,12 +141,7 @@ pub(super) struct GroupDocument {
 /// The levels of a spectrum.
 pub(crate) fn levels(spectrum: &Spectrum) -> Vec<Level> {
     let levels = spectrum.levels().iter();
-    levels
-        .map(|level| Level {
-            wavelength_m: level.band.wavelength(),
-            level_db: level.level,
-        })
-        .collect()
+    levels.map(|level| Level { wavelength_m: level.band.wavelength(), level_db: level.level }).collect()
 }
 
 pub(crate) fn bands(rail: &str, bands: &[BandSummary]) -> Vec<Band> {

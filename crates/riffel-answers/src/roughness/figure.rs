@@ -4,9 +4,7 @@ use std::path::Path;
 
 use riffel::roughness::{Spectrum, WavelengthBand};
 use riffel_keys::{Language, Message, fixed, say};
-use riffel_plot::{
-    Arrangement, ChainageUnit, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series,
-};
+use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 use riffel_rail::{Limit, LimitTable, name_in_words};
 
 use super::words::name;
@@ -31,12 +29,7 @@ pub(crate) fn of_profile(
         })
         .collect();
     if profile.rails.len() > 1 {
-        curves.push(levels(
-            &say!(energy_mean).text(language),
-            &profile.spectrum,
-            LineStyle::Dotted,
-            Rgb::BLACK,
-        ));
+        curves.push(levels(&say!(energy_mean).text(language), &profile.spectrum, LineStyle::Dotted, Rgb::BLACK));
     }
     curves.extend(limit_curves(limits));
     let mut panels = vec![level_panel(curves, language)];
@@ -44,17 +37,10 @@ pub(crate) fn of_profile(
     let strips = profile.rails.iter();
     panels.extend(strips.map(|rail| moving_rms(rail, ends, language)));
     let blocks = profile.rails.iter().flat_map(|rail| &rail.analysis.blocks);
-    let block = blocks
-        .map(|block| block.to - block.from)
-        .fold(0.0, f64::max);
+    let block = blocks.map(|block| block.to - block.from).fold(0.0, f64::max);
     LineFigure {
         title: say!(rail_roughness).text(language),
-        caption: say!(
-            caption_of_profile,
-            file = file_name(path),
-            block = fixed(block, 1)
-        )
-        .text(language),
+        caption: say!(caption_of_profile, file = file_name(path), block = fixed(block, 1)).text(language),
         panels,
         arrangement: Arrangement::Stacked,
     }
@@ -93,17 +79,9 @@ pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2], language: Lang
             });
             let (x, y): (Vec<f64>, Vec<f64>) = points.unzip();
             // One entry of the legend for all stretches.
-            let first = rail
-                .analysis
-                .stretches
-                .first()
-                .is_some_and(|one| one.0 == *from);
+            let first = rail.analysis.stretches.first().is_some_and(|one| one.0 == *from);
             series.push(Series {
-                label: if first {
-                    format!("{} mm", name(band))
-                } else {
-                    String::new()
-                },
+                label: if first { format!("{} mm", name(band)) } else { String::new() },
                 x,
                 y,
                 style: LineStyle::Solid,
@@ -130,12 +108,7 @@ pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2], language: Lang
 }
 
 /// Energy means of groups of spectra with their limits.
-pub(crate) fn of_spectra(
-    path: &Path,
-    groups: &[MeanSpectra],
-    limits: &[LimitTable],
-    language: Language,
-) -> LineFigure {
+pub(crate) fn of_spectra(path: &Path, groups: &[MeanSpectra], limits: &[LimitTable], language: Language) -> LineFigure {
     let curves = |mean: fn(&MeanSpectra) -> &Spectrum| {
         let curves = groups.iter().enumerate().map(move |(index, group)| {
             let color = OKABE_ITO[index % OKABE_ITO.len()];
@@ -143,10 +116,8 @@ pub(crate) fn of_spectra(
         });
         curves.chain(limit_curves(limits)).collect()
     };
-    let panel = |subtitle: Message, series| LinePanel {
-        subtitle: subtitle.text(language),
-        ..level_panel(series, language)
-    };
+    let panel =
+        |subtitle: Message, series| LinePanel { subtitle: subtitle.text(language), ..level_panel(series, language) };
     LineFigure {
         title: say!(rail_roughness).text(language),
         caption: say!(caption_of_means, file = file_name(path)).text(language),
@@ -171,12 +142,7 @@ pub(crate) fn level_panel(series: Vec<Series>, language: Language) -> LinePanel 
 
 pub(crate) fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series> {
     limits.iter().filter_map(|table| match &table.limit {
-        Limit::Levels(limit) => Some(levels(
-            &table.edition,
-            limit.spectrum(),
-            LineStyle::Dashed,
-            Rgb::BLACK,
-        )),
+        Limit::Levels(limit) => Some(levels(&table.edition, limit.spectrum(), LineStyle::Dashed, Rgb::BLACK)),
         Limit::Rms(_) => None,
     })
 }
@@ -186,9 +152,7 @@ pub(crate) fn levels(label: &str, spectrum: &Spectrum, style: LineStyle, color: 
     let levels = || spectrum.levels().iter();
     Series {
         label: label.to_owned(),
-        x: levels()
-            .map(|level| 1e3 * level.band.wavelength())
-            .collect(),
+        x: levels().map(|level| 1e3 * level.band.wavelength()).collect(),
         y: levels().map(|level| level.level).collect(),
         style,
         color: Some(color),

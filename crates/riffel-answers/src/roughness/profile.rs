@@ -3,15 +3,13 @@
 use std::path::Path;
 
 use riffel::roughness::{
-    AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit,
-    Spectrum, WavelengthBand, line_length,
+    AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit, Spectrum,
+    WavelengthBand, line_length,
 };
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::{CaseError, Language, Message, fixed, number, say};
 use riffel_plot::{LineFigure, LinePanel};
-use riffel_rail::{
-    DefectsAre, Limit, LimitTable, LinePlace, Record, defects_in_words, rail_in_words,
-};
+use riffel_rail::{DefectsAre, Limit, LimitTable, LinePlace, Record, defects_in_words, rail_in_words};
 
 use super::document::{Grind, RailDocument, Removed, RoughnessDocument, bands, levels};
 use super::figure;
@@ -81,9 +79,7 @@ impl RailAnswer {
         let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis)).into_iter();
         Self {
             sections: analysis.grind(grinding),
-            verdicts: verdicts
-                .map(|verdict| verdict.on_rail(&name).of(words.as_ref()))
-                .collect(),
+            verdicts: verdicts.map(|verdict| verdict.on_rail(&name).of(words.as_ref())).collect(),
             name,
             analysis,
         }
@@ -144,21 +140,17 @@ impl ProfileAnswer {
             settings.longest_wavelength = longest.si();
         }
         // The heights are not needed twice.
-        let stretches: Vec<Vec<Profile>> = record
-            .rails
-            .iter_mut()
-            .map(|rail| std::mem::take(&mut rail.stretches))
-            .collect();
+        let stretches: Vec<Vec<Profile>> =
+            record.rails.iter_mut().map(|rail| std::mem::take(&mut rail.stretches)).collect();
         let analyses: Vec<RailAnalysis> = stretches
             .into_iter()
             .map(|rail| RailAnalysis::new(rail, &settings, &|| progress(1)))
             .collect::<Result<_, _>>()
             .map_err(|error| CaseError::data(path, error.to_string()))?;
         let spectra: Vec<Spectrum> = analyses.iter().map(|rail| rail.spectrum.clone()).collect();
-        let spectrum = Spectrum::energy_mean(&spectra)
-            .ok_or_else(|| CaseError::data(path, "there is no rail in the file"))?;
-        let length =
-            analyses.iter().map(RailAnalysis::length).sum::<f64>() / analyses.len().max(1) as f64;
+        let spectrum =
+            Spectrum::energy_mean(&spectra).ok_or_else(|| CaseError::data(path, "there is no rail in the file"))?;
+        let length = analyses.iter().map(RailAnalysis::length).sum::<f64>() / analyses.len().max(1) as f64;
         let grinding = request.grinding;
         let several = analyses.len() > 1;
         let names = record.rails.iter().map(|rail| rail.name.clone());
@@ -167,31 +159,17 @@ impl ProfileAnswer {
             .map(|(name, analysis)| RailAnswer::new(name, analysis, several, limits, &grinding))
             .collect();
         worst_first(&mut rails);
-        let sections = rails.iter().flat_map(|rail| {
-            SectionVerdict::of_rail(&rail.name, &rail.analysis, &rail.sections, limits)
-        });
+        let sections =
+            rails.iter().flat_map(|rail| SectionVerdict::of_rail(&rail.name, &rail.analysis, &rail.sections, limits));
         let mut sections_judged: Vec<SectionVerdict> = sections.collect();
         SectionVerdict::worst_first(&mut sections_judged);
-        let bands: Vec<BandSummary> = rails
-            .iter()
-            .flat_map(|rail| rail.analysis.bands.iter().copied())
-            .collect();
+        let bands: Vec<BandSummary> = rails.iter().flat_map(|rail| rail.analysis.bands.iter().copied()).collect();
         let mut warnings = std::mem::take(&mut record.warnings);
-        let defects = rails.iter().flat_map(|rail| {
-            defects_in_words(&rail.name, &rail.analysis.defects, DefectsAre::Judged)
-        });
+        let defects =
+            rails.iter().flat_map(|rail| defects_in_words(&rail.name, &rail.analysis.defects, DefectsAre::Judged));
         warnings.extend(defects);
         warnings.extend(remarks(&bands, &settings, record.spacing));
-        Ok(Self {
-            rails,
-            sections_judged,
-            along: Vec::new(),
-            record,
-            spectrum,
-            grinding,
-            warnings,
-            length,
-        })
+        Ok(Self { rails, sections_judged, along: Vec::new(), record, spectrum, grinding, warnings, length })
     }
 
     /// The same, with what lies along the line.
@@ -231,8 +209,7 @@ impl ProfileAnswer {
     /// Length of line where a rail is to be ground \[m\], and its share of the line that was measured.
     pub(crate) fn line_to_grind(&self) -> (f64, f64) {
         let sections = self.rails.iter().flat_map(|rail| &rail.sections);
-        let total =
-            line_length(sections.map(|section| (section.stretch, section.from, section.to)));
+        let total = line_length(sections.map(|section| (section.stretch, section.from, section.to)));
         let rails = || self.rails.iter();
         let ground = rails().flat_map(|rail| rail.analysis.measured_within(&rail.sections));
         let measured = rails().flat_map(|rail| rail.analysis.numbered_stretches());
@@ -248,10 +225,7 @@ impl ProfileAnswer {
     /// That nothing is to be ground, with the limit from which that follows.
     pub fn nothing_to_grind(&self) -> Message {
         let edition = self.verdicts().find_map(Verdict::edition_of_rms);
-        say!(
-            no_band_over_its_limit,
-            edition = edition.unwrap_or_default()
-        )
+        say!(no_band_over_its_limit, edition = edition.unwrap_or_default())
     }
 
     /// What was taken out of all rails.
@@ -282,11 +256,7 @@ impl ProfileAnswer {
             length_m: Some(self.length),
             worst_rail: several.then(|| self.rails[0].name.clone()),
             spectrum: levels(&self.spectrum),
-            bands: self
-                .rails
-                .iter()
-                .flat_map(|rail| bands(&rail.name, &rail.analysis.bands))
-                .collect(),
+            bands: self.rails.iter().flat_map(|rail| bands(&rail.name, &rail.analysis.bands)).collect(),
             removed: self.removed(),
             verdicts: self.verdicts().cloned().collect(),
             sections: self.sections_judged.clone(),
@@ -307,12 +277,7 @@ fn check_longest(record: &Record, request: &ProfileRequest) -> Result<(), Answer
     let longest_stretch = record
         .rails
         .iter()
-        .map(|rail| {
-            rail.stretches
-                .iter()
-                .map(Profile::length)
-                .fold(0.0, f64::max)
-        })
+        .map(|rail| rail.stretches.iter().map(Profile::length).fold(0.0, f64::max))
         .fold(f64::INFINITY, f64::min);
     if let Some(asked) = request.longest
         && asked.si() > 0.25 * (longest_stretch + record.spacing)
@@ -347,8 +312,7 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
         }
     }
     let unlike = |band: &&BandSummary| {
-        band.band == WavelengthBand::GRINDING[1]
-            && !(LIKELY_RMS.0..LIKELY_RMS.1).contains(&band.rms)
+        band.band == WavelengthBand::GRINDING[1] && !(LIKELY_RMS.0..LIKELY_RMS.1).contains(&band.rms)
     };
     if let Some(band) = bands.iter().find(unlike) {
         let rms = number(format_args!("{:.3e}", 1e6 * band.rms));

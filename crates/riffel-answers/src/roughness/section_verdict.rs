@@ -1,8 +1,6 @@
 //! A rail judged section by section: over which limit, what to grind of it, and why these two may differ.
 
-use riffel::roughness::{
-    GrindSection, JudgedSection, RailAnalysis, RmsLimit, Spectrum, ThirdOctave,
-};
+use riffel::roughness::{GrindSection, JudgedSection, RailAnalysis, RmsLimit, Spectrum, ThirdOctave};
 use riffel_keys::{Message, fixed, number, say};
 use riffel_rail::{Limit, LimitTable, LinePlace};
 use serde::Serialize;
@@ -70,11 +68,7 @@ impl SectionVerdict {
             .collect();
         ends.sort_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
         ends.dedup();
-        if let ([], Some(first), Some(last)) = (
-            &ends[..],
-            analysis.stretches.first(),
-            analysis.stretches.last(),
-        ) {
+        if let ([], Some(first), Some(last)) = (&ends[..], analysis.stretches.first(), analysis.stretches.last()) {
             ends.push((1, first.0, last.1));
         }
         let is_only = ends.len() == 1;
@@ -84,11 +78,8 @@ impl SectionVerdict {
                 let own = spectra.map(|section| (section.stretch, section.from, &section.spectrum));
                 // The levels of a record of one section are those of the section.
                 let own = own.chain(is_only.then_some((stretch, from, &analysis.spectrum)));
-                let spectrum = own
-                    .into_iter()
-                    .find(|(number, begin, _)| (*number, *begin) == (stretch, from));
-                let judged = (judged.iter())
-                    .find(|section| (section.stretch, section.from) == (stretch, from));
+                let spectrum = own.into_iter().find(|(number, begin, _)| (*number, *begin) == (stretch, from));
+                let judged = (judged.iter()).find(|section| (section.stretch, section.from) == (stretch, from));
                 let ground = analysis.measured_within(grind).into_iter();
                 let ground = ground.filter(|(number, ..)| *number == stretch);
                 let ground = ground.map(|(_, low, high)| (high.min(to) - low.max(from)).max(0.0));
@@ -173,8 +164,7 @@ impl Judged<'_> {
     }
 
     fn is_over_rms(&self) -> bool {
-        self.rms
-            .is_some_and(|(section, limit)| section.is_over(limit))
+        self.rms.is_some_and(|(section, limit)| section.is_over(limit))
     }
 
     /// Over what it is, then what to grind, with the reason where these two differ.
@@ -238,9 +228,7 @@ mod tests {
 
     /// The sections of 400 m with waves of amplitude and length \[m\] from one place to another.
     fn sections(waves: &[(f64, f64, [f64; 2])], limits: &[&str]) -> Vec<SectionVerdict> {
-        let limits: Vec<LimitTable> = (limits.iter())
-            .map(|name| LimitTable::find(name).unwrap())
-            .collect();
+        let limits: Vec<LimitTable> = (limits.iter()).map(|name| LimitTable::find(name).unwrap()).collect();
         let settings = AnalysisSettings {
             limit: rms_limit(&limits).unwrap(),
             section_levels: true,
@@ -248,9 +236,7 @@ mod tests {
         };
         let height = |n: usize| {
             let x = 5e-3 * n as f64;
-            let own = waves
-                .iter()
-                .filter(|(_, _, [from, to])| (*from..*to).contains(&x));
+            let own = waves.iter().filter(|(_, _, [from, to])| (*from..*to).contains(&x));
             let own = own.map(|(amplitude, length, _)| amplitude * (TAU * x / length).sin());
             0.05e-6 * (TAU * x / 0.05).sin() + own.sum::<f64>()
         };
@@ -269,11 +255,7 @@ mod tests {
     /// ground all the same; 3 µm at 50 mm all along are over the limit of levels and below that of the moving RMS, 7 µm.
     #[test]
     fn what_is_over_and_what_is_ground_are_told_apart_the_worst_first() {
-        let waves = [
-            (20e-6, 0.05, [30.0, 50.0]),
-            (3e-6, 0.05, [100.0, 200.0]),
-            (16e-6, 0.09, [250.0, 250.99]),
-        ];
+        let waves = [(20e-6, 0.05, [30.0, 50.0]), (3e-6, 0.05, [100.0, 200.0]), (16e-6, 0.09, [250.0, 250.99])];
         let sections = sections(&waves, &BOTH);
         let from: Vec<f64> = sections.iter().map(|section| section.from_m).collect();
         assert_eq!(from, [0.0, 100.0, 200.0, 300.0], "{sections:#?}");
@@ -281,62 +263,26 @@ mod tests {
             panic!("four sections");
         };
         // The moving RMS has a window of 1 m, half of which reaches beyond either end.
-        assert!(
-            (both.grind_m - 20.0).abs() < 2.0
-                && both.sentence.to_string().contains("limit of levels by")
-        );
-        assert!(
-            both.sentence
-                .to_string()
-                .contains("over the limit of RMS on 2")
-                && !both.within
-        );
+        assert!((both.grind_m - 20.0).abs() < 2.0 && both.sentence.to_string().contains("limit of levels by"));
+        assert!(both.sentence.to_string().contains("over the limit of RMS on 2") && !both.within);
         assert!(!levels.within && levels.grind_m == 0.0);
-        assert!(
-            levels
-                .sentence
-                .to_string()
-                .ends_with("nowhere over its limit here")
-        );
-        assert!(
-            short.within && (short.grind_m - 10.0).abs() < 0.1,
-            "{short:?}"
-        );
-        assert!(
-            short
-                .sentence
-                .to_string()
-                .starts_with("within the limits, but 10.0 m to grind:")
-        );
-        assert!(
-            within.within
-                && within
-                    .sentence
-                    .to_string()
-                    .starts_with("within the limits; nothing")
-        );
+        assert!(levels.sentence.to_string().ends_with("nowhere over its limit here"));
+        assert!(short.within && (short.grind_m - 10.0).abs() < 0.1, "{short:?}");
+        assert!(short.sentence.to_string().starts_with("within the limits, but 10.0 m to grind:"));
+        assert!(within.within && within.sentence.to_string().starts_with("within the limits; nothing"));
     }
 
     /// A weld is put where it lies, a curve into each section that it reaches.
     #[test]
     fn what_lies_beside_a_section_is_told() {
-        let place = |from, to, kind: &str| LinePlace {
-            from,
-            to,
-            kind: kind.to_owned(),
-            name: String::new(),
-        };
+        let place = |from, to, kind: &str| LinePlace { from, to, kind: kind.to_owned(), name: String::new() };
         let places = [place(150.0, 250.0, "curve"), place(230.0, 230.0, "weld")];
         let mut sections = sections(&[], &BOTH);
         sections.sort_by(|one, other| one.from_m.total_cmp(&other.from_m));
         let kinds: Vec<Vec<String>> = (sections.iter_mut())
             .map(|section| {
                 section.beside(&places);
-                section
-                    .along
-                    .iter()
-                    .map(|place| place.kind.clone())
-                    .collect()
+                section.along.iter().map(|place| place.kind.clone()).collect()
             })
             .collect();
         let expected: [&[&str]; 4] = [&[], &["curve"], &["curve", "weld"], &[]];
@@ -347,23 +293,9 @@ mod tests {
     #[test]
     fn levels_alone_do_not_say_what_to_grind() {
         let sections = sections(&[(3e-6, 0.05, [100.0, 200.0])], &BOTH[..1]);
-        assert!(
-            sections[0]
-                .sentence
-                .to_string()
-                .starts_with("over the limit of levels by")
-        );
-        assert!(
-            sections
-                .iter()
-                .all(|section| !section.sentence.to_string().contains("to grind;"))
-        );
-        assert!(
-            sections[1]
-                .sentence
-                .to_string()
-                .ends_with("no limit says what to grind")
-        );
+        assert!(sections[0].sentence.to_string().starts_with("over the limit of levels by"));
+        assert!(sections.iter().all(|section| !section.sentence.to_string().contains("to grind;")));
+        assert!(sections[1].sentence.to_string().ends_with("no limit says what to grind"));
     }
 
     /// A metre of 20 µm at 50 mm just beyond the end of a section is ground over the shortest length, which reaches back into it:
@@ -371,17 +303,10 @@ mod tests {
     #[test]
     fn a_section_is_ground_along_with_what_lies_beside() {
         let sections = sections(&[(20e-6, 0.05, [101.0, 102.0])], &["grassie-1999"]);
-        let [beside, ..] = &sections
-            .iter()
-            .filter(|one| one.from_m == 0.0)
-            .collect::<Vec<_>>()[..]
-        else {
+        let [beside, ..] = &sections.iter().filter(|one| one.from_m == 0.0).collect::<Vec<_>>()[..] else {
             panic!("{sections:?}");
         };
-        assert!(
-            beside.within && beside.share_over_limit == Some(0.0),
-            "{beside:?}"
-        );
+        assert!(beside.within && beside.share_over_limit == Some(0.0), "{beside:?}");
         assert!(beside.grind_m > SHORTEST_GROUND, "{beside:?}");
         let expected = say!(section_ground_along, length = fixed(beside.grind_m, 1)).to_string();
         assert_eq!(beside.sentence.to_string(), expected);

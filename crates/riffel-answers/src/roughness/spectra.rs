@@ -47,11 +47,7 @@ impl SpectraAnswer {
     ///
     /// # Errors
     /// [`CaseError::Data`] for a column that is not there, or where there is no spectrum.
-    pub fn new(
-        survey: &Survey,
-        limits: &[LimitTable],
-        by: Option<&str>,
-    ) -> Result<Self, CaseError> {
+    pub fn new(survey: &Survey, limits: &[LimitTable], by: Option<&str>) -> Result<Self, CaseError> {
         let surveys: Vec<(String, Survey)> = survey
             .groups(by)?
             .into_iter()
@@ -63,10 +59,8 @@ impl SpectraAnswer {
                 (name, group)
             })
             .collect();
-        let mut by_group: Vec<Vec<Verdict>> = surveys
-            .iter()
-            .map(|(name, group)| verdicts(name, group, limits))
-            .collect();
+        let mut by_group: Vec<Vec<Verdict>> =
+            surveys.iter().map(|(name, group)| verdicts(name, group, limits)).collect();
         let has_dates = by.is_some() && by == survey.column_of_several_dates();
         if has_dates {
             by_group.reverse();
@@ -74,24 +68,13 @@ impl SpectraAnswer {
         let of_now = by_group.iter().take(if has_dates { 1 } else { usize::MAX });
         let of_now = of_now.map(Vec::len).sum();
         let verdicts = by_group.into_iter().flatten().collect();
-        let groups: Option<Vec<MeanSpectra>> = surveys
-            .into_iter()
-            .map(|(name, group)| MeanSpectra::of(name, &group.spectra()))
-            .collect();
+        let groups: Option<Vec<MeanSpectra>> =
+            surveys.into_iter().map(|(name, group)| MeanSpectra::of(name, &group.spectra())).collect();
         let all = MeanSpectra::of("all".to_owned(), &survey.spectra());
         let (Some(groups), Some(all)) = (groups, all) else {
-            return Err(CaseError::data(
-                survey.path(),
-                "there is no spectrum in the file",
-            ));
+            return Err(CaseError::data(survey.path(), "there is no spectrum in the file"));
         };
-        Ok(Self {
-            verdicts,
-            of_now,
-            findings: findings(&groups),
-            groups,
-            all,
-        })
+        Ok(Self { verdicts, of_now, findings: findings(&groups), groups, all })
     }
 
     /// Verdicts on the rail as it is now: of several dates those of the latest.
@@ -189,24 +172,12 @@ fn verdicts(group: &str, survey: &Survey, limits: &[LimitTable]) -> Vec<Verdict>
             let subject = match (several, group) {
                 (false, group) => group.map(Message::verbatim),
                 (true, None) => Some(rail_in_words(&rail)),
-                (true, Some(group)) => Some(say!(
-                    group_and_rail,
-                    group = group,
-                    rail = rail_in_words(&rail)
-                )),
+                (true, Some(group)) => Some(say!(group_and_rail, group = group, rail = rail_in_words(&rail))),
             };
             let verdicts = Verdict::all(limits, &spectra.mean(), None).into_iter();
             let verdicts = verdicts.map(|verdict| verdict.of(subject.as_ref()));
             RailOfGroup {
-                verdicts: verdicts
-                    .map(|verdict| {
-                        if named {
-                            verdict.on_rail(&rail)
-                        } else {
-                            verdict
-                        }
-                    })
-                    .collect(),
+                verdicts: verdicts.map(|verdict| if named { verdict.on_rail(&rail) } else { verdict }).collect(),
             }
         })
         .collect();
@@ -238,10 +209,7 @@ fn findings(groups: &[MeanSpectra]) -> Vec<Message> {
         .iter()
         .filter(|band| peak(band))
         .filter_map(|band| {
-            let levels: Vec<f64> = groups
-                .iter()
-                .filter_map(|group| group.arithmetic.level(*band))
-                .collect();
+            let levels: Vec<f64> = groups.iter().filter_map(|group| group.arithmetic.level(*band)).collect();
             let all = |holds: fn(&[f64]) -> bool| levels.windows(2).all(holds);
             let list: Value = levels.iter().map(|level| fixed(*level, 1)).collect();
             let wavelength = number(band.nominal_millimetres());
@@ -261,17 +229,15 @@ fn findings(groups: &[MeanSpectra]) -> Vec<Message> {
 fn mean_table(groups: &[MeanSpectra], file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     let mut header = vec!["wavelength_m".to_owned()];
-    header.extend(groups.iter().flat_map(|group| {
-        ["energy_mean_db", "arithmetic_mean_db"].map(|mean| format!("{} {mean}", group.name))
-    }));
+    header.extend(
+        groups
+            .iter()
+            .flat_map(|group| ["energy_mean_db", "arithmetic_mean_db"].map(|mean| format!("{} {mean}", group.name))),
+    );
     writer.write_record(&header)?;
     for band in bands(groups) {
         let mut row = vec![Some(band.wavelength())];
-        row.extend(
-            groups
-                .iter()
-                .flat_map(|group| [group.energy.level(band), group.arithmetic.level(band)]),
-        );
+        row.extend(groups.iter().flat_map(|group| [group.energy.level(band), group.arithmetic.level(band)]));
         writer.serialize(row)?;
     }
     writer.flush()

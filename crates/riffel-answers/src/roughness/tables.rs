@@ -44,10 +44,7 @@ impl ProfileAnswer {
 }
 
 /// RMS of each block of some rails, the highest moving RMS in it, and the places of its welds, joints and squats.
-pub(crate) fn block_csv<'a>(
-    rails: impl IntoIterator<Item = &'a RailAnswer>,
-    file: &mut impl Write,
-) -> io::Result<()> {
+pub(crate) fn block_csv<'a>(rails: impl IntoIterator<Item = &'a RailAnswer>, file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     let mut header = ["rail", "from_m", "to_m"].map(str::to_owned).to_vec();
     for what in ["rms", "moving_rms_max"] {
@@ -62,18 +59,9 @@ pub(crate) fn block_csv<'a>(
         let middles = rail.analysis.defects.iter();
         let middles: Vec<f64> = middles.map(|one| 0.5 * (one.from + one.to)).collect();
         for block in &rail.analysis.blocks {
-            let defects = middles
-                .iter()
-                .filter(|at| (block.from..block.to).contains(at));
+            let defects = middles.iter().filter(|at| (block.from..block.to).contains(at));
             let defects: Vec<String> = defects.map(|at| format!("{at:.2}")).collect();
-            let row = (
-                &rail.name,
-                block.from,
-                block.to,
-                &block.rms,
-                &block.moving_rms_max,
-                defects.join(";"),
-            );
+            let row = (&rail.name, block.from, block.to, &block.rms, &block.moving_rms_max, defects.join(";"));
             writer.serialize(row)?;
         }
     }
@@ -81,30 +69,13 @@ pub(crate) fn block_csv<'a>(
 }
 
 /// What to grind of some rails.
-pub(crate) fn grind_csv<'a>(
-    rails: impl IntoIterator<Item = &'a RailAnswer>,
-    file: &mut impl Write,
-) -> io::Result<()> {
+pub(crate) fn grind_csv<'a>(rails: impl IntoIterator<Item = &'a RailAnswer>, file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
-    writer.write_record([
-        "rail",
-        "from_m",
-        "to_m",
-        "worst_band_mm",
-        "rms_over_limit",
-        "stretch",
-    ])?;
+    writer.write_record(["rail", "from_m", "to_m", "worst_band_mm", "rms_over_limit", "stretch"])?;
     for rail in rails {
         for section in &rail.sections {
             let band = name(&section.band);
-            writer.serialize((
-                &rail.name,
-                section.from,
-                section.to,
-                band,
-                section.ratio,
-                section.stretch,
-            ))?;
+            writer.serialize((&rail.name, section.from, section.to, band, section.ratio, section.stretch))?;
         }
     }
     writer.flush()

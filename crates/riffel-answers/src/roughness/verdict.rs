@@ -1,8 +1,7 @@
 //! Roughness held against limit tables.
 
 use riffel::roughness::{
-    BandSummary, JUDGED_LENGTH, JudgedSection, LevelExcess, LevelLimit, RailAnalysis, RmsLimit,
-    Spectrum, ThirdOctave,
+    BandSummary, JUDGED_LENGTH, JudgedSection, LevelExcess, LevelLimit, RailAnalysis, RmsLimit, Spectrum, ThirdOctave,
 };
 use riffel_keys::{Message, Value, fixed, number, say};
 use riffel_rail::{Limit, LimitTable};
@@ -187,18 +186,11 @@ impl Verdict {
 
     /// The verdict on a rail of this name.
     pub(crate) fn on_rail(self, name: &str) -> Self {
-        Self {
-            rail: Some(name.to_owned()),
-            ..self
-        }
+        Self { rail: Some(name.to_owned()), ..self }
     }
 
     /// The verdicts of all tables that have something to say of the spectrum of a rail and of its profile, where that is known.
-    pub(crate) fn all(
-        tables: &[LimitTable],
-        spectrum: &Spectrum,
-        analysis: Option<&RailAnalysis>,
-    ) -> Vec<Self> {
+    pub(crate) fn all(tables: &[LimitTable], spectrum: &Spectrum, analysis: Option<&RailAnalysis>) -> Vec<Self> {
         let verdicts = tables.iter().map(|table| match &table.limit {
             Limit::Levels(limit) => {
                 let compared = limit.compare(spectrum);
@@ -211,12 +203,7 @@ impl Verdict {
                 let are_all = measured == all;
                 let rest = match (count, fixed(excess.abs(), 1)) {
                     (0, room) if are_all => {
-                        say!(
-                            all_bands_within,
-                            all = all,
-                            room = room,
-                            wavelength = wavelength
-                        )
+                        say!(all_bands_within, all = all, room = room, wavelength = wavelength)
                     }
                     (0, room) => say!(
                         measured_bands_within,
@@ -225,13 +212,9 @@ impl Verdict {
                         room = room,
                         wavelength = wavelength
                     ),
-                    (count, decibels) if are_all => say!(
-                        bands_over,
-                        count = number(count),
-                        all = all,
-                        decibels = decibels,
-                        wavelength = wavelength
-                    ),
+                    (count, decibels) if are_all => {
+                        say!(bands_over, count = number(count), all = all, decibels = decibels, wavelength = wavelength)
+                    }
                     (count, decibels) => say!(
                         measured_bands_over,
                         count = number(count),
@@ -241,8 +224,7 @@ impl Verdict {
                         wavelength = wavelength
                     ),
                 };
-                let sections = analysis
-                    .map_or_else(Vec::new, |analysis| SectionOverLevels::all(limit, analysis));
+                let sections = analysis.map_or_else(Vec::new, |analysis| SectionOverLevels::all(limit, analysis));
                 let judged = analysis.map_or(0, |analysis| analysis.section_spectra.len());
                 let rest = SectionOverLevels::in_words(rest, &sections, judged, excess);
                 Some(Self {
@@ -264,9 +246,7 @@ impl Verdict {
             .collect();
         let worst = judged.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let sections = analysis.judged_sections();
-        let over: Vec<&JudgedSection> = (sections.iter())
-            .filter(|section| section.is_over(limit))
-            .collect();
+        let over: Vec<&JudgedSection> = (sections.iter()).filter(|section| section.is_over(limit)).collect();
         let shares: Value = (judged.iter())
             .map(|(band, share)| {
                 let share = fixed(100.0 * share, 1);
@@ -277,43 +257,25 @@ impl Verdict {
         let length = fixed(JUDGED_LENGTH, 0);
         let rule = match (sections.len(), over.first()) {
             (..=1, _) => say!(length_may_be_over, allowed = allowed),
-            (_, None) => say!(
-                no_section_over,
-                allowed = allowed,
-                length = length,
-                all = all
-            ),
+            (_, None) => say!(no_section_over, allowed = allowed, length = length, all = all),
             (_, Some(worst)) => say!(
                 sections_over,
                 allowed = allowed,
                 length = length,
                 over = number(over.len()),
                 all = all,
-                place = place_in_words(
-                    worst.from,
-                    worst.to,
-                    analysis.stretch_to_name(worst.stretch)
-                ),
+                place = place_in_words(worst.from, worst.to, analysis.stretch_to_name(worst.stretch)),
                 share = fixed(100.0 * worst.share, 0),
                 band = name(&worst.band),
                 ratio = fixed(worst.ratio, 1)
             ),
         };
-        let ratios = judged
-            .iter()
-            .filter_map(|(band, _)| Some(band.moving_rms_max / limit.of(band.band)?));
+        let ratios = judged.iter().filter_map(|(band, _)| Some(band.moving_rms_max / limit.of(band.band)?));
         Some(Self {
             share_over_limit: Some(worst.1),
             rms_over_limit: Some(ratios.fold(0.0, f64::max)),
-            sections_over_limit: over
-                .iter()
-                .map(|section| SectionOver::new(section, analysis))
-                .collect(),
-            ..Self::new(
-                table,
-                over.is_empty(),
-                say!(one_after_other, one = rule, other = shares),
-            )
+            sections_over_limit: over.iter().map(|section| SectionOver::new(section, analysis)).collect(),
+            ..Self::new(table, over.is_empty(), say!(one_after_other, one = rule, other = shares))
         })
     }
 }
@@ -332,10 +294,7 @@ mod tests {
     #[test]
     fn a_rough_place_is_told_where_the_mean_hides_it() {
         let limits = [LimitTable::find("iso-3095-2013").unwrap()];
-        let settings = AnalysisSettings {
-            section_levels: true,
-            ..AnalysisSettings::default()
-        };
+        let settings = AnalysisSettings { section_levels: true, ..AnalysisSettings::default() };
         let verdict = |length: f64, from: f64| {
             let height = |n: usize| {
                 let x = 5e-3 * n as f64;
@@ -350,36 +309,23 @@ mod tests {
         };
         let long = verdict(6000.0, 1200.0);
         // 5 µm are 11.0 dB, over 6 km 16.0 dB less; the limit at 50 mm is -1.1 dB.
-        assert!(
-            long.within && (long.excess_db.unwrap() + 3.9).abs() < 0.4,
-            "{long:?}"
-        );
+        assert!(long.within && (long.excess_db.unwrap() + 3.9).abs() < 0.4, "{long:?}");
         let said = "by themselves 2 of 60 sections of 100 m are over it, at worst 1200–1300 m by 12.1 dB at 50 mm";
         assert!(long.sentence.to_string().contains(said), "{long:?}");
         assert_eq!(long.sections_over_levels.len(), 2);
         let short = verdict(150.0, 0.0);
-        assert!(
-            !short.within && !short.sentence.to_string().contains("themselves"),
-            "{short:?}"
-        );
+        assert!(!short.within && !short.sentence.to_string().contains("themselves"), "{short:?}");
     }
 
     /// 12 m at twice the limit in 800 m are 1.5 % of the length, and over it in their section; the sentence says where.
     #[test]
     fn a_rough_place_is_over_however_long_the_record_is() {
         let limits = [LimitTable::find("grassie-1999").unwrap()];
-        let settings = AnalysisSettings {
-            limit: rms_limit(&limits).unwrap(),
-            ..AnalysisSettings::default()
-        };
+        let settings = AnalysisSettings { limit: rms_limit(&limits).unwrap(), ..AnalysisSettings::default() };
         let verdict = |length: f64| {
             let height = |n: usize| {
                 let x = 5e-3 * n as f64;
-                let amplitude = if (130.0..142.0).contains(&x) {
-                    20e-6
-                } else {
-                    2e-6
-                };
+                let amplitude = if (130.0..142.0).contains(&x) { 20e-6 } else { 2e-6 };
                 amplitude * (TAU * x / 0.05).sin()
             };
             let heights = (0..(length / 5e-3) as usize).map(height).collect();
@@ -393,17 +339,11 @@ mod tests {
             let said = found.sentence.to_string();
             assert!(!found.within, "{said}");
             let all = length / 100.0;
-            assert!(
-                said.contains(&format!("1 of {all} sections are more, at worst 100–200 m")),
-                "{said}"
-            );
+            assert!(said.contains(&format!("1 of {all} sections are more, at worst 100–200 m")), "{said}");
             let [section] = &found.sections_over_limit[..] else {
                 panic!("{said}");
             };
-            assert!(
-                (section.share_over_limit - 0.12).abs() < 0.02,
-                "{section:?}"
-            );
+            assert!((section.share_over_limit - 0.12).abs() < 0.02, "{section:?}");
             assert!((section.rms_over_limit - 2.02).abs() < 0.1, "{section:?}");
         }
     }

@@ -49,9 +49,7 @@ impl ProfileAnswer {
     /// What to grind of all rails, the worst rail first.
     pub fn sections(&self) -> Vec<(&RailAnswer, &GrindSection)> {
         let rails = self.rails.iter();
-        rails
-            .flat_map(|rail| rail.sections.iter().map(move |section| (rail, section)))
-            .collect()
+        rails.flat_map(|rail| rail.sections.iter().map(move |section| (rail, section))).collect()
     }
 
     /// The sums of what to grind in a sentence.
@@ -66,12 +64,7 @@ impl ProfileAnswer {
                     say!(metres_of_rail, name = name, length = fixed(length, 1))
                 });
                 let rails: Value = rails.collect();
-                say!(
-                    line_of_rails_to_grind,
-                    length = line,
-                    rails = rails,
-                    share = share
-                )
+                say!(line_of_rails_to_grind, length = line, rails = rails, share = share)
             }
             _ => say!(line_to_grind, length = line, share = share),
         }
@@ -87,21 +80,14 @@ pub fn band_row(rail: &str, band: &BandSummary) -> [String; 8] {
         format!("{:.2}", 1e6 * band.moving_rms_max),
         format!("{:.1}", 1e6 * band.peak_to_peak_max),
         format!("{:.1}", band.window),
-        band.limit
-            .map_or_else(String::new, |limit| format!("{:.0}", 1e6 * limit)),
-        band.share_over_limit
-            .map_or_else(String::new, |share| format!("{:.1} %", 100.0 * share)),
+        band.limit.map_or_else(String::new, |limit| format!("{:.0}", 1e6 * limit)),
+        band.share_over_limit.map_or_else(String::new, |share| format!("{:.1} %", 100.0 * share)),
     ]
 }
 
 /// A section in the table of a reader: number, rail and where places go back its stretch, places and length \[m\], worst band and its
 /// ratio.
-pub fn grind_row(
-    index: usize,
-    rail: &RailAnswer,
-    section: &GrindSection,
-    language: Language,
-) -> [String; 7] {
+pub fn grind_row(index: usize, rail: &RailAnswer, section: &GrindSection, language: Language) -> [String; 7] {
     let place = name_and_stretch(rail, section.stretch, language);
     [
         format!("{}", index + 1),
@@ -118,9 +104,7 @@ pub fn grind_row(
 fn name_and_stretch(rail: &RailAnswer, stretch: usize, language: Language) -> String {
     let name = name_in_words(&rail.name).text(language);
     match rail.analysis.stretch_to_name(stretch) {
-        Some(stretch) => {
-            say!(rail_on_stretch, rail = name, stretch = number(stretch)).text(language)
-        }
+        Some(stretch) => say!(rail_on_stretch, rail = name, stretch = number(stretch)).text(language),
         None => name,
     }
 }
@@ -129,12 +113,7 @@ fn name_and_stretch(rail: &RailAnswer, stretch: usize, language: Language) -> St
 pub(super) fn place_in_words(from: f64, to: f64, stretch: Option<usize>) -> Message {
     let (from, to) = (fixed(from, 0), fixed(to, 0));
     match stretch {
-        Some(stretch) => say!(
-            place_on_stretch,
-            from = from,
-            to = to,
-            stretch = number(stretch)
-        ),
+        Some(stretch) => say!(place_on_stretch, from = from, to = to, stretch = number(stretch)),
         None => say!(place_from_to, from = from, to = to),
     }
 }

@@ -34,36 +34,19 @@ fn map(answer: &ShakedownAnswer) -> LinePanel {
     let mut rows = answer.map.clone();
     rows.sort_by(|one, other| one.utilised_friction.total_cmp(&other.utilised_friction));
     let limit = |label: &str, color: Rgb, style: LineStyle, of: fn(&LimitRow) -> Option<f64>| {
-        let places = rows
-            .iter()
-            .filter_map(|row| Some((row.utilised_friction, of(row)?)));
+        let places = rows.iter().filter_map(|row| Some((row.utilised_friction, of(row)?)));
         let (x, y) = places.filter(|(_, y)| *y <= TOP).unzip();
-        Series {
-            label: label.to_owned(),
-            x,
-            y,
-            style,
-            color: Some(color),
-        }
+        Series { label: label.to_owned(), x, y, style, color: Some(color) }
     };
     let mut series = vec![
-        limit("elastic", OKABE_ITO[1], LineStyle::Dashed, |row| {
-            Some(row.elastic)
-        }),
+        limit("elastic", OKABE_ITO[1], LineStyle::Dashed, |row| Some(row.elastic)),
         limit("line", OKABE_ITO[2], LineStyle::Solid, |row| Some(row.line)),
         limit("surface", OKABE_ITO[3], LineStyle::Solid, |row| row.surface),
-        limit(
-            "below the surface",
-            OKABE_ITO[4],
-            LineStyle::Dashed,
-            |row| Some(row.subsurface),
-        ),
+        limit("below the surface", OKABE_ITO[4], LineStyle::Dashed, |row| Some(row.subsurface)),
     ];
     if let Some(points) = &answer.along_wave {
         let around = points.iter().chain(points.first());
-        let (x, y) = around
-            .map(|point| (point.utilised_friction, point.p0_over_k))
-            .unzip();
+        let (x, y) = around.map(|point| (point.utilised_friction, point.p0_over_k)).unzip();
         series.push(Series {
             label: "along the wave".to_owned(),
             x,
@@ -73,21 +56,9 @@ fn map(answer: &ShakedownAnswer) -> LinePanel {
         });
         for (label, degrees) in [("crest", 0.0), ("trough", 180.0)] {
             let at = points.iter().filter(|point| point.phase_deg == degrees);
-            let (x, y) = at
-                .map(|point| (point.utilised_friction, point.p0_over_k))
-                .unzip();
-            let color = if degrees == 0.0 {
-                OKABE_ITO[5]
-            } else {
-                OKABE_ITO[6]
-            };
-            series.push(Series {
-                label: label.to_owned(),
-                x,
-                y,
-                style: LineStyle::Markers,
-                color: Some(color),
-            });
+            let (x, y) = at.map(|point| (point.utilised_friction, point.p0_over_k)).unzip();
+            let color = if degrees == 0.0 { OKABE_ITO[5] } else { OKABE_ITO[6] };
+            series.push(Series { label: label.to_owned(), x, y, style: LineStyle::Markers, color: Some(color) });
         }
     }
     series.push(Series {
@@ -113,20 +84,12 @@ fn along_wave(answer: &ShakedownAnswer) -> Option<LinePanel> {
     let phase: Vec<f64> = points.iter().map(|point| point.phase_deg).collect();
     let amplitude = answer.amplitude_m?;
     let series = [
-        (
-            "demand",
-            Rgb::BLACK,
-            LineStyle::Solid,
-            points.iter().map(|point| point.demand).collect(),
-        ),
+        ("demand", Rgb::BLACK, LineStyle::Solid, points.iter().map(|point| point.demand).collect()),
         (
             "profile over its amplitude",
             OKABE_ITO[1],
             LineStyle::Dashed,
-            points
-                .iter()
-                .map(|point| point.profile_m / amplitude)
-                .collect::<Vec<f64>>(),
+            points.iter().map(|point| point.profile_m / amplitude).collect::<Vec<f64>>(),
         ),
     ];
     let series = series.map(|(label, color, style, y)| Series {

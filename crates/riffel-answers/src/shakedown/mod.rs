@@ -121,10 +121,7 @@ impl ShakedownQuestion {
         };
         let mut remarks = case.remarks.clone();
         if !case.has_shear_yield() {
-            remarks.push(say!(
-                shear_yield_assumed,
-                shear = fixed(1e-6 * shear_yield, 0)
-            ));
+            remarks.push(say!(shear_yield_assumed, shear = fixed(1e-6 * shear_yield, 0)));
         }
         let mean = standing(case, 0.0, 0.0, mean_forces(case), case.hertz);
         let along_wave = self.wave.map(|[wavelength, speed]| {
@@ -143,9 +140,7 @@ impl ShakedownQuestion {
         if points().any(|point: &OperatingPoint| point.normal_force_n == 0.0) {
             remarks.push(say!(parts_along_the_wave));
         }
-        let most = points()
-            .map(|point| point.utilised_friction)
-            .fold(0.0, f64::max);
+        let most = points().map(|point| point.utilised_friction).fold(0.0, f64::max);
         if most > case.steady.friction {
             remarks.push(say!(
                 more_friction_than_there_is,
@@ -193,11 +188,7 @@ fn limits(case: &Case, frictions: &[f64]) -> Vec<LimitRow> {
 /// Along the rail, across it and normal, of the mean state.
 fn mean_forces(case: &Case) -> [f64; 3] {
     let forces = case.steady.forces;
-    [
-        forces.longitudinal,
-        forces.lateral,
-        case.hertz.normal_force(),
-    ]
+    [forces.longitudinal, forces.lateral, case.hertz.normal_force()]
 }
 
 /// Where the contact stands over one wave; none where the wheel bridges its troughs.
@@ -208,16 +199,13 @@ fn along(case: &Case, state: &LoopState, amplitude: f64) -> Option<Vec<Operating
     let oscillation = state.contacts[0].force.map(|force| force * share);
     let mean = mean_forces(case);
     let wave = case.feedback.contacts()[0].wave.as_ref();
-    let curvature = wave.map_or(0.0, |wave| {
-        amplitude * wave.patch_curvature(std::f64::consts::TAU / state.wavelength)
-    });
+    let curvature = wave.map_or(0.0, |wave| amplitude * wave.patch_curvature(std::f64::consts::TAU / state.wavelength));
     (0..360 / STEP)
         .map(|index| {
             let degrees = f64::from(index * STEP);
             let (sine, cosine) = degrees.to_radians().sin_cos();
-            let forces = std::array::from_fn(|axis| {
-                mean[axis] + oscillation[axis].re * cosine - oscillation[axis].im * sine
-            });
+            let forces =
+                std::array::from_fn(|axis| mean[axis] + oscillation[axis].re * cosine - oscillation[axis].im * sine);
             let hertz = match wave {
                 Some(_) => case.hertz.curved(curvature * cosine).ok()?,
                 None => case.hertz,

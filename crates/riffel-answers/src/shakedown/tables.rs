@@ -29,15 +29,11 @@ pub(super) fn tables(answer: &ShakedownAnswer) -> Vec<Table> {
     let limits = Table {
         name: "limits",
         columns: vec![
-            column("utilised_friction", say!(utilised_friction), |row| {
-                Some(row.utilised_friction)
-            }),
+            column("utilised_friction", say!(utilised_friction), |row| Some(row.utilised_friction)),
             column("elastic", say!(limit_elastic), |row| Some(row.elastic)),
             column("line", say!(limit_line), |row| Some(row.line)),
             column("surface", say!(limit_surface), |row| row.surface),
-            column("subsurface", say!(limit_subsurface), |row| {
-                Some(row.subsurface)
-            }),
+            column("subsurface", say!(limit_subsurface), |row| Some(row.subsurface)),
         ],
     };
     let along = answer.along_wave.as_deref().map(operating_points);
@@ -47,12 +43,7 @@ pub(super) fn tables(answer: &ShakedownAnswer) -> Vec<Table> {
 fn operating_points(points: &[OperatingPoint]) -> Table {
     type Of = fn(&OperatingPoint) -> f64;
     let column = |name: &str, head: Message, of: Of, shown: usize| {
-        Column::fixed(
-            name,
-            head,
-            points.iter().map(|point| Some(of(point))),
-            shown,
-        )
+        Column::fixed(name, head, points.iter().map(|point| Some(of(point))), shown)
     };
     let in_file = |name: &str, of: Of| Column::in_file(name, points.iter().map(of));
     Table {
@@ -63,12 +54,7 @@ fn operating_points(points: &[OperatingPoint]) -> Table {
             in_file("normal_force_n", |it| it.normal_force_n),
             in_file("tangential_force_n", |it| it.tangential_force_n),
             column("p0_over_k", say!(pressure_over_yield), |it| it.p0_over_k, 3),
-            column(
-                "utilised_friction",
-                say!(utilised_friction),
-                |it| it.utilised_friction,
-                3,
-            ),
+            column("utilised_friction", say!(utilised_friction), |it| it.utilised_friction, 3),
             column("fi_surf", say!(surface_fatigue_index), |it| it.fi_surf, 3),
             column("demand", say!(demand_of_flow), |it| it.demand, 3),
         ],
@@ -79,9 +65,7 @@ pub(super) fn sentences(answer: &ShakedownAnswer) -> Vec<Message> {
     let Some(points) = &answer.along_wave else {
         return Vec::new();
     };
-    let most = points
-        .iter()
-        .max_by(|one, other| one.demand.total_cmp(&other.demand));
+    let most = points.iter().max_by(|one, other| one.demand.total_cmp(&other.demand));
     let above = points.iter().filter(|point| point.demand > 1.0).count();
     let most = most.map(|most| {
         say!(

@@ -55,15 +55,10 @@ impl PassageAnswer {
         check_sampling(case, profile)?;
         check_step(request.largest_step)?;
         let mut model = case.in_time(request.speed)?;
-        model.contact_filter = request
-            .contact_filter
-            .then(|| ContactFilter::of(&case.hertz));
+        model.contact_filter = request.contact_filter.then(|| ContactFilter::of(&case.hertz));
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         Ok(Self {
-            remarks: remarks::of_profile(profile)
-                .into_iter()
-                .chain(remarks::of_track(&model))
-                .collect(),
+            remarks: remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model)).collect(),
             contacts: case
                 .contact_names()
                 .into_iter()
@@ -103,10 +98,8 @@ impl PassageAnswer {
     /// That of all others, each at its own places.
     pub fn other_courses(&self) -> Vec<ContactCourseDocument> {
         let others = self.contacts.iter().skip(1).zip(&self.passage.others);
-        let others = others.map(|(&(name, along), contacts)| ContactCourseDocument {
-            name,
-            course: self.course_of(contacts, along),
-        });
+        let others = others
+            .map(|(&(name, along), contacts)| ContactCourseDocument { name, course: self.course_of(contacts, along) });
         others.collect()
     }
 
@@ -159,17 +152,11 @@ pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<(), Answe
     Err(AnswerError::Argument {
         argument: "--profile",
         value: format!("sampled every {:.3} mm", 1e3 * profile.spacing()),
-        rule: format!(
-            "sampled at least every {:.3} mm, the semi-axis of the contact along the rail",
-            1e3 * largest
-        ),
+        rule: format!("sampled at least every {:.3} mm, the semi-axis of the contact along the rail", 1e3 * largest),
     })
 }
 
 /// A refusal of the physics, of the profile.
 pub(super) fn refused(error: riffel::Error) -> CaseError {
-    CaseError::Physics {
-        input: "--profile".to_owned(),
-        error,
-    }
+    CaseError::Physics { input: "--profile".to_owned(), error }
 }

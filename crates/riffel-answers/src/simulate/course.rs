@@ -37,12 +37,7 @@ pub struct Course {
 
 impl Course {
     /// Places \[m\], heights \[m\] and contacts in the same order; with what is across the rail where the loop is `on_all_axes`.
-    pub(super) fn new(
-        places: Vec<f64>,
-        heights: Vec<f64>,
-        contacts: &[ContactInstant],
-        on_all_axes: bool,
-    ) -> Self {
+    pub(super) fn new(places: Vec<f64>, heights: Vec<f64>, contacts: &[ContactInstant], on_all_axes: bool) -> Self {
         let all = |of: fn(&ContactInstant) -> f64| contacts.iter().map(of).collect();
         let across = |of: fn(&ContactInstant) -> f64| on_all_axes.then(|| all(of));
         Self {
@@ -65,75 +60,25 @@ impl Course {
     pub fn netcdf(&self, title: &str, path: &Path) -> Result<(), AnswerError> {
         let of = |name, unit, long_name, values: &'_ [f64]| {
             let values = values.to_vec();
-            Variable {
-                name,
-                axes: &["position"],
-                unit,
-                long_name,
-                values: Box::new(move || values.clone()),
-            }
+            Variable { name, axes: &["position"], unit, long_name, values: Box::new(move || values.clone()) }
         };
         let mut variables = vec![
-            of(
-                "position",
-                "m",
-                "place of the wheel centre",
-                &self.position_m,
-            ),
-            of(
-                "height",
-                "m",
-                "height of the rail, positive upward",
-                &self.height_m,
-            ),
+            of("position", "m", "place of the wheel centre", &self.position_m),
+            of("height", "m", "height of the rail, positive upward", &self.height_m),
             of("normal_force", "N", "normal force", &self.normal_force_n),
-            of(
-                "tangential_force",
-                "N",
-                "creep force",
-                &self.tangential_force_n,
-            ),
+            of("tangential_force", "N", "creep force", &self.tangential_force_n),
             of("creepage", "1", "creepage", &self.creepage),
-            of(
-                "dissipation",
-                "J/m",
-                "energy dissipated in a metre, at the wheel centre",
-                &self.dissipation_j_per_m,
-            ),
-            of(
-                "approach",
-                "m",
-                "approach of wheel and rail, below zero their distance",
-                &self.approach_m,
-            ),
+            of("dissipation", "J/m", "energy dissipated in a metre, at the wheel centre", &self.dissipation_j_per_m),
+            of("approach", "m", "approach of wheel and rail, below zero their distance", &self.approach_m),
         ];
         for (name, unit, long_name, values) in [
-            (
-                "lateral_force",
-                "N",
-                "creep force across the rail",
-                &self.lateral_force_n,
-            ),
-            (
-                "lateral_creepage",
-                "1",
-                "lateral creepage",
-                &self.lateral_creepage,
-            ),
+            ("lateral_force", "N", "creep force across the rail", &self.lateral_force_n),
+            ("lateral_creepage", "1", "lateral creepage", &self.lateral_creepage),
         ] {
-            variables.extend(
-                values
-                    .as_ref()
-                    .map(|values| of(name, unit, long_name, values)),
-            );
+            variables.extend(values.as_ref().map(|values| of(name, unit, long_name, values)));
         }
         let axes = vec![("position", self.position_m.len())];
-        Grid {
-            title,
-            axes,
-            variables,
-        }
-        .write(path)
+        Grid { title, axes, variables }.write(path)
     }
 
     /// One row for each place.
@@ -151,10 +96,7 @@ impl Course {
             ("dissipation_j_per_m", &self.dissipation_j_per_m),
             ("approach_m", &self.approach_m),
         ];
-        let across = [
-            ("lateral_force_n", &self.lateral_force_n),
-            ("lateral_creepage", &self.lateral_creepage),
-        ];
+        let across = [("lateral_force_n", &self.lateral_force_n), ("lateral_creepage", &self.lateral_creepage)];
         for (name, column) in across {
             columns.extend(column.as_ref().map(|column| (name, column)));
         }

@@ -11,12 +11,12 @@ mod smooth_rail;
 pub use along_rail::{PassageAnswer, PassageRequest};
 pub use course::Course;
 pub use document::{
-    ContactCourseDocument, ContactOverSinusoidDocument, ContactSwingDocument, HarmonicDocument,
-    PassageDocument, SinusoidDocument, SmoothRailDocument,
+    ContactCourseDocument, ContactOverSinusoidDocument, ContactSwingDocument, HarmonicDocument, PassageDocument,
+    SinusoidDocument, SmoothRailDocument,
 };
 pub use evolution::{
-    BandDocument, EvolutionAnswer, EvolutionDocument, EvolutionRequest, EvolutionRun, Extremes,
-    Stage, Surface, WornProfile,
+    BandDocument, EvolutionAnswer, EvolutionDocument, EvolutionRequest, EvolutionRun, Extremes, Stage, Surface,
+    WornProfile,
 };
 pub use sinusoid::{SinusoidAnswer, SinusoidRequest};
 pub use smooth_rail::SmoothRailAnswer;

@@ -62,13 +62,7 @@ impl SinusoidRequest {
             None => profile.usual_steps(speed) as f64,
         };
         if (least..=most).contains(&steps) {
-            return Ok(Self {
-                speed,
-                profile,
-                steps: steps as usize,
-                contact_filter: false,
-                transient: false,
-            });
+            return Ok(Self { speed, profile, steps: steps as usize, contact_filter: false, transient: false });
         }
         Err(match step {
             Some(step) => AnswerError::Argument {
@@ -82,14 +76,11 @@ impl SinusoidRequest {
             },
             None => AnswerError::Argument {
                 argument: "--sinusoid",
-                value: format!(
-                    "{} m, which passes in {:.2} s",
-                    readable(wavelength),
-                    wavelength / speed
-                ),
-                rule: "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
+                value: format!("{} m, which passes in {:.2} s", readable(wavelength), wavelength / speed),
+                rule:
+                    "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
                        wheel"
-                    .to_owned(),
+                        .to_owned(),
             },
         })
     }
@@ -107,20 +98,11 @@ impl SinusoidAnswer {
     /// [`CaseError`] as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
     /// does not settle.
     pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self, AnswerError> {
-        let SinusoidRequest {
-            speed,
-            profile,
-            steps,
-            contact_filter,
-            transient,
-        } = request;
+        let SinusoidRequest { speed, profile, steps, contact_filter, transient } = request;
         case.check_points([profile.wavelength; 2], [speed; 2])?;
         let mut model = case.in_time(speed)?;
         model.contact_filter = contact_filter.then(|| ContactFilter::of(&case.hertz));
-        let of_sinusoid = |error| CaseError::Physics {
-            input: "--sinusoid".to_owned(),
-            error,
-        };
+        let of_sinusoid = |error| CaseError::Physics { input: "--sinusoid".to_owned(), error };
         let even = model.structures.support_spacing().is_none();
         let one_wheel = even && case.feedback.is_along_one_axis();
         let (settled, others, energy_at_rail) = match (transient, one_wheel) {
@@ -145,14 +127,8 @@ impl SinusoidAnswer {
         let radius = case.hertz.rolling_radius();
         let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
         let supports = remarks::of_supports(&model, &profile);
-        let elements = transient
-            .then(|| remarks::of_elements(&case.transient_contact(), &settled, profile))
-            .flatten();
-        let remarks = remarks::of_track(&model)
-            .into_iter()
-            .chain(troughs)
-            .chain(supports)
-            .chain(elements);
+        let elements = transient.then(|| remarks::of_elements(&case.transient_contact(), &settled, profile)).flatten();
+        let remarks = remarks::of_track(&model).into_iter().chain(troughs).chain(supports).chain(elements);
         Ok(Self {
             remarks: remarks.collect(),
             request,
@@ -174,9 +150,7 @@ impl SinusoidAnswer {
             amplitude_m: profile.amplitude,
             step_m: self.request.step(),
             harmonics: self.harmonics(&self.settled),
-            energy_at_rail_j_per_m: self
-                .energy_at_rail
-                .map(|harmonics| harmonics.map(|value| [value.re, value.im])),
+            energy_at_rail_j_per_m: self.energy_at_rail.map(|harmonics| harmonics.map(|value| [value.re, value.im])),
             contact_loss_fraction: self.settled.contact_loss,
             minimum_normal_force_n: least,
             maximum_normal_force_n: largest,
@@ -199,9 +173,7 @@ impl SinusoidAnswer {
     fn harmonics(&self, settled: &Settled) -> Vec<HarmonicDocument> {
         let on_all_axes = !self.contacts.is_empty();
         let harmonics = settled.harmonics.iter();
-        harmonics
-            .map(|harmonic| HarmonicDocument::new(harmonic, on_all_axes))
-            .collect()
+        harmonics.map(|harmonic| HarmonicDocument::new(harmonic, on_all_axes)).collect()
     }
 
     /// One wave under the first contact, from crest to crest.
@@ -222,12 +194,8 @@ impl SinusoidAnswer {
         let contacts: Vec<_> = std::iter::once(settled.crest).chain(wave).collect();
         let share = |step: usize| step as f64 / steps as f64;
         Course::new(
-            (0..=steps)
-                .map(|step| profile.wavelength * share(step))
-                .collect(),
-            (0..=steps)
-                .map(|step| profile.amplitude * (TAU * share(step)).cos())
-                .collect(),
+            (0..=steps).map(|step| profile.wavelength * share(step)).collect(),
+            (0..=steps).map(|step| profile.amplitude * (TAU * share(step)).cos()).collect(),
             &contacts,
             !self.contacts.is_empty(),
         )

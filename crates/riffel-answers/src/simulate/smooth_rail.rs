@@ -62,10 +62,7 @@ impl SmoothRailAnswer {
             .map(|stability| stability.growth_rate.unwrap_or(1.0));
         let motion = model
             .on_smooth_rail(step, growth)
-            .map_err(|error| CaseError::Physics {
-                input: "--smooth".to_owned(),
-                error,
-            })?;
+            .map_err(|error| CaseError::Physics { input: "--smooth".to_owned(), error })?;
         let roots = stability.as_ref().map(|stability| stability.unstable_roots);
         Ok(Self {
             speed,
@@ -100,21 +97,10 @@ impl SmoothRailAnswer {
             outcome: self.outcome(),
             rolled_s: self.motion.seconds,
             frequency_hz: self.motion.frequency,
-            linear_unstable_roots: self
-                .stability
-                .as_ref()
-                .map(|stability| stability.unstable_roots),
-            linear_frequency_hz: self
-                .stability
-                .as_ref()
-                .and_then(|stability| stability.frequency),
-            linear_growth_rate_per_s: self
-                .stability
-                .as_ref()
-                .and_then(|stability| stability.growth_rate),
-            contacts: pairs
-                .map(|(&name, swing)| ContactSwingDocument::new(name, swing))
-                .collect(),
+            linear_unstable_roots: self.stability.as_ref().map(|stability| stability.unstable_roots),
+            linear_frequency_hz: self.stability.as_ref().and_then(|stability| stability.frequency),
+            linear_growth_rate_per_s: self.stability.as_ref().and_then(|stability| stability.growth_rate),
+            contacts: pairs.map(|(&name, swing)| ContactSwingDocument::new(name, swing)).collect(),
             track_share_cut: self.share_cut,
             course: self.course(),
         }
@@ -127,9 +113,7 @@ impl SmoothRailAnswer {
 
     /// The same of all contacts in their order.
     pub fn courses(&self) -> Vec<Course> {
-        (0..self.contacts.len())
-            .map(|contact| self.course_of(contact))
-            .collect()
+        (0..self.contacts.len()).map(|contact| self.course_of(contact)).collect()
     }
 
     fn course_of(&self, contact: usize) -> Course {
@@ -141,14 +125,12 @@ impl SmoothRailAnswer {
     /// A few periods of the contact that swings most, as strips.
     pub fn figure(&self, case: &Case) -> LineFigure {
         let span = |[least, most]: [f64; 2]| most - least;
-        let swings = self.motion.contacts.iter().map(|swing| {
-            span(swing.tangential_force)
-                .max(span(swing.lateral_force))
-                .max(span(swing.normal_force))
-        });
-        let largest = swings
-            .enumerate()
-            .max_by(|one, other| one.1.total_cmp(&other.1));
+        let swings = self
+            .motion
+            .contacts
+            .iter()
+            .map(|swing| span(swing.tangential_force).max(span(swing.lateral_force)).max(span(swing.normal_force)));
+        let largest = swings.enumerate().max_by(|one, other| one.1.total_cmp(&other.1));
         let most = largest.map_or(0, |(index, _)| index);
         let ContactName { wheel, rail } = self.contacts[most];
         let what = match (self.motion.outcome, self.motion.frequency) {
@@ -163,10 +145,7 @@ impl SmoothRailAnswer {
         };
         LineFigure {
             title: format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed),
-            caption: format!(
-                "Wheel {wheel} on the {rail} rail. {}",
-                parameters_on_rail(case)
-            ),
+            caption: format!("Wheel {wheel} on the {rail} rail. {}", parameters_on_rail(case)),
             panels: self.course_of(most).panels(),
             arrangement: Arrangement::Strips,
         }

@@ -41,10 +41,7 @@ mod tests {
     #[test]
     fn of_a_distance() {
         let axis: Vec<f64> = (0..=40).map(|step| -1.0 + 0.05 * f64::from(step)).collect();
-        let values: Vec<f64> = axis
-            .iter()
-            .flat_map(|y| axis.iter().map(move |x: &f64| x.hypot(*y)))
-            .collect();
+        let values: Vec<f64> = axis.iter().flat_map(|y| axis.iter().map(move |x: &f64| x.hypot(*y))).collect();
         let (x, y) = contour(&axis, &axis, &values, 0.7);
         let mut length = 0.0;
         for piece in x.chunks(3).zip(y.chunks(3)) {

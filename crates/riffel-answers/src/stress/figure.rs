@@ -19,15 +19,9 @@ pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
         (name, traction)
     });
     let named: Vec<(&str, &Traction)> = named.collect();
-    let sections = named
-        .iter()
-        .map(|(name, traction)| section(answer, name, traction));
-    let surfaces = named
-        .iter()
-        .map(|(name, traction)| surface(answer, name, traction));
-    let panels = sections
-        .chain(surfaces)
-        .chain([along(answer, &named), over_friction(answer)]);
+    let sections = named.iter().map(|(name, traction)| section(answer, name, traction));
+    let surfaces = named.iter().map(|(name, traction)| surface(answer, name, traction));
+    let panels = sections.chain(surfaces).chain([along(answer, &named), over_friction(answer)]);
     LineFigure {
         title: "Stress under the contact".to_owned(),
         caption: format!(
@@ -48,16 +42,12 @@ pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
 }
 
 fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
-    (0..=count)
-        .map(|step| from + (to - from) * step as f64 / count as f64)
-        .collect()
+    (0..=count).map(|step| from + (to - from) * step as f64 / count as f64).collect()
 }
 
 fn mises(answer: &StressAnswer, traction: &Traction, axes: [&[f64]; 3]) -> Vec<f64> {
     let stresses = traction.field(&answer.ellipse, axes);
-    let values = stresses
-        .iter()
-        .map(|stress| StressMeasure::VonMises.of(stress));
+    let values = stresses.iter().map(|stress| StressMeasure::VonMises.of(stress));
     values.collect()
 }
 
@@ -117,16 +107,13 @@ fn surface(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel 
 fn along(answer: &StressAnswer, tractions: &[(&str, &Traction)]) -> LinePanel {
     // Close to the edges, where the stress has a root.
     let x: Vec<f64> = steps(-1.4, 1.4, 560);
-    let series = tractions
-        .iter()
-        .enumerate()
-        .map(|(index, (label, traction))| Series {
-            label: (*label).to_owned(),
-            y: mises(answer, traction, [&x, &[0.0], &[0.0]]),
-            x: x.clone(),
-            style: LineStyle::Solid,
-            color: Some(OKABE_ITO[1 + index]),
-        });
+    let series = tractions.iter().enumerate().map(|(index, (label, traction))| Series {
+        label: (*label).to_owned(),
+        y: mises(answer, traction, [&x, &[0.0], &[0.0]]),
+        x: x.clone(),
+        style: LineStyle::Solid,
+        color: Some(OKABE_ITO[1 + index]),
+    });
     LinePanel {
         subtitle: "middle of the surface".to_owned(),
         x_label: "x/a".to_owned(),
@@ -142,16 +129,13 @@ fn over_friction(answer: &StressAnswer) -> LinePanel {
     let surface = rows.iter().map(|row| row.surface_over_p0).collect();
     let below = rows.iter().map(|row| row.subsurface_over_p0).collect();
     let series = [("surface", surface), ("below", below)];
-    let series = series
-        .into_iter()
-        .enumerate()
-        .map(|(index, (label, y))| Series {
-            label: label.to_owned(),
-            x: x.clone(),
-            y,
-            style: LineStyle::Solid,
-            color: Some(OKABE_ITO[1 + index]),
-        });
+    let series = series.into_iter().enumerate().map(|(index, (label, y))| Series {
+        label: label.to_owned(),
+        x: x.clone(),
+        y,
+        style: LineStyle::Solid,
+        color: Some(OKABE_ITO[1 + index]),
+    });
     LinePanel {
         subtitle: "largest, full slip".to_owned(),
         x_label: "friction".to_owned(),

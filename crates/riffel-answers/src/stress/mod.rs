@@ -126,10 +126,7 @@ impl StressAnswer {
         let (friction, tractive_ratio) = (contact.friction(), rolling.tractive_ratio());
         let mut tractions = vec![
             ("full-slip", Traction::full_slip(friction, direction)),
-            (
-                "partial-slip",
-                Traction::partial_slip(friction, direction, tractive_ratio),
-            ),
+            ("partial-slip", Traction::partial_slip(friction, direction, tractive_ratio)),
         ];
         // The exact theory where the case takes it, or has creepages of more than one axis.
         let has_law = contact.law.is_some() && !contact.is_non_steady();

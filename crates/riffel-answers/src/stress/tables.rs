@@ -40,16 +40,10 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
     let of_maxima = Table {
         name: "maxima",
         columns: vec![
-            Column::words(
-                "traction",
-                say!(traction_of_contact),
-                words(|row| row.traction),
-            ),
+            Column::words("traction", say!(traction_of_contact), words(|row| row.traction)),
             Column::words("measure", say!(measure_of_stress), words(|row| row.measure)),
             Column::words("where", say!(depth_of_stress), words(|row| row.depth)),
-            column("value_over_p0", say!(stress_over_pressure), |row| {
-                row.value_over_p0
-            }),
+            column("value_over_p0", say!(stress_over_pressure), |row| row.value_over_p0),
             column("x_over_a", Message::verbatim("x/a"), |row| row.x_over_a),
             column("y_over_b", Message::verbatim("y/b"), |row| row.y_over_b),
             column("z_over_a", Message::verbatim("z/a"), |row| row.z_over_a),
@@ -61,14 +55,8 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
         columns: vec![
             Column::in_file("friction", rows().map(|row| row.friction)),
             Column::in_file("surface_over_p0", rows().map(|row| row.surface_over_p0)),
-            Column::in_file(
-                "subsurface_over_p0",
-                rows().map(|row| row.subsurface_over_p0),
-            ),
-            Column::in_file(
-                "at_search_floor",
-                rows().map(|row| f64::from(row.at_search_floor)),
-            ),
+            Column::in_file("subsurface_over_p0", rows().map(|row| row.subsurface_over_p0)),
+            Column::in_file("at_search_floor", rows().map(|row| f64::from(row.at_search_floor))),
         ],
     };
     vec![of_maxima, over_friction]

@@ -77,9 +77,7 @@ impl<'a> SensitivityDocument<'a> {
         notes: &'a [String],
     ) -> Self {
         let outputs = analyses.iter().map(|analysis| {
-            let at = |outputs: &Result<Vec<f64>, String>| {
-                outputs.as_ref().ok().map(|values| values[analysis.place])
-            };
+            let at = |outputs: &Result<Vec<f64>, String>| outputs.as_ref().ok().map(|values| values[analysis.place]);
             let indices = analysis.indices.as_ref();
             let parameters = study.parameters().iter().zip(&tornado.swings).enumerate();
             Output {
@@ -122,9 +120,7 @@ pub fn with_unit(parameter: &Parameter, value: &ParameterValue) -> String {
     match (value, parameter.key.quantity) {
         (ParameterValue::Number(number), Some(kind)) => {
             let (number, unit) = kind.in_engineers_unit(*number);
-            format!("{} {unit}", four_figures(number))
-                .trim_end()
-                .to_owned()
+            format!("{} {unit}", four_figures(number)).trim_end().to_owned()
         }
         (value, _) => value.to_string(),
     }

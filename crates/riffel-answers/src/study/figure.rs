@@ -1,8 +1,6 @@
 //! Figures of a study.
 
-use riffel_plot::{
-    Area, Bar, BarArrangement, BarFigure, BarPanel, BarSeries, LineFigure, LinePanel, Rgb, Series,
-};
+use riffel_plot::{Area, Bar, BarArrangement, BarFigure, BarPanel, BarSeries, LineFigure, LinePanel, Rgb, Series};
 use riffel_study::Study;
 use riffel_study::sensitivity::{Bands, Tornado};
 
@@ -21,16 +19,8 @@ fn title(study: &Study) -> &str {
 
 /// What an output is, in a few words.
 fn words(analysis: &Analysis<'_>) -> String {
-    let band = analysis
-        .name
-        .strip_prefix(&analysis.variable.name)
-        .unwrap_or_default();
-    let description = analysis
-        .variable
-        .description
-        .split(',')
-        .next()
-        .unwrap_or_default();
+    let band = analysis.name.strip_prefix(&analysis.variable.name).unwrap_or_default();
+    let description = analysis.variable.description.split(',').next().unwrap_or_default();
     format!("{description}{band}")
 }
 
@@ -43,14 +33,8 @@ fn unit(analysis: &Analysis<'_>) -> &'static str {
 
 /// First-order and total indices with their intervals.
 pub(super) fn indices(study: &Study, analyses: &[Analysis<'_>]) -> BarFigure {
-    let rows: Vec<String> = study
-        .parameters()
-        .iter()
-        .map(|p| p.key.key.clone())
-        .collect();
-    let found = analyses
-        .iter()
-        .filter_map(|analysis| Some((analysis, analysis.indices.as_ref()?)));
+    let rows: Vec<String> = study.parameters().iter().map(|p| p.key.key.clone()).collect();
+    let found = analyses.iter().filter_map(|analysis| Some((analysis, analysis.indices.as_ref()?)));
     let panels = found.clone().map(|(analysis, indices)| {
         let series = |label: &str, color, total: bool| BarSeries {
             label: label.to_owned(),
@@ -58,13 +42,7 @@ pub(super) fn indices(study: &Study, analyses: &[Analysis<'_>]) -> BarFigure {
             bars: indices
                 .parameters
                 .iter()
-                .map(|parameter| {
-                    if total {
-                        parameter.total
-                    } else {
-                        parameter.first
-                    }
-                })
+                .map(|parameter| if total { parameter.total } else { parameter.first })
                 .map(|estimate| Bar {
                     value: estimate.value,
                     interval: Some((estimate.low, estimate.high)),
@@ -76,18 +54,11 @@ pub(super) fn indices(study: &Study, analyses: &[Analysis<'_>]) -> BarFigure {
             subtitle: words(analysis),
             x_label: "share of the variance [-]".to_owned(),
             rows: rows.clone(),
-            series: vec![
-                series("first order S", BLUE, false),
-                series("total S_T", SKY, true),
-            ],
+            series: vec![series("first order S", BLUE, false), series("total S_T", SKY, true)],
             ..BarPanel::default()
         }
     });
-    let base_samples = found
-        .clone()
-        .map(|(_, indices)| indices.base_samples)
-        .max()
-        .unwrap_or(0);
+    let base_samples = found.clone().map(|(_, indices)| indices.base_samples).max().unwrap_or(0);
     BarFigure {
         title: format!("What matters: {}", title(study)),
         caption: format!(
@@ -99,21 +70,14 @@ pub(super) fn indices(study: &Study, analyses: &[Analysis<'_>]) -> BarFigure {
 }
 
 /// Each parameter alone, the widest swing on top; none if the medians fail.
-pub(super) fn tornado(
-    study: &Study,
-    analyses: &[Analysis<'_>],
-    tornado: &Tornado,
-) -> Option<BarFigure> {
+pub(super) fn tornado(study: &Study, analyses: &[Analysis<'_>], tornado: &Tornado) -> Option<BarFigure> {
     let middle = tornado.middle.as_ref().ok()?;
     let panels: Vec<BarPanel> = analyses
         .iter()
         .filter(|analysis| middle[analysis.place].is_finite())
         .map(|analysis| {
-            let at = |outputs: &Result<Vec<f64>, String>| {
-                outputs
-                    .as_ref()
-                    .map_or(f64::NAN, |values| values[analysis.place])
-            };
+            let at =
+                |outputs: &Result<Vec<f64>, String>| outputs.as_ref().map_or(f64::NAN, |values| values[analysis.place]);
             let mut order: Vec<usize> = (0..tornado.swings.len()).collect();
             let width = |index: usize| {
                 let [low, high] = tornado.swings[index].outputs.each_ref().map(at);
@@ -128,29 +92,16 @@ pub(super) fn tornado(
                     .map(|&index| Bar {
                         value: at(&tornado.swings[index].outputs[end]),
                         interval: None,
-                        note: with_unit(
-                            &study.parameters()[index],
-                            &tornado.swings[index].values[end],
-                        ),
+                        note: with_unit(&study.parameters()[index], &tornado.swings[index].values[end]),
                     })
                     .collect(),
             };
             BarPanel {
                 subtitle: words(analysis),
-                x_label: format!(
-                    "{} [{}]",
-                    analysis.variable.name.replace('_', " "),
-                    unit(analysis)
-                ),
+                x_label: format!("{} [{}]", analysis.variable.name.replace('_', " "), unit(analysis)),
                 base: middle[analysis.place],
-                rows: order
-                    .iter()
-                    .map(|&index| study.parameters()[index].key.key.clone())
-                    .collect(),
-                series: vec![
-                    series("10 % quantile", SKY, 0),
-                    series("90 % quantile", VERMILION, 1),
-                ],
+                rows: order.iter().map(|&index| study.parameters()[index].key.key.clone()).collect(),
+                series: vec![series("10 % quantile", SKY, 0), series("90 % quantile", VERMILION, 1)],
                 arrangement: BarArrangement::OnOneLine,
                 ..BarPanel::default()
             }
@@ -158,20 +109,14 @@ pub(super) fn tornado(
         .collect();
     (!panels.is_empty()).then(|| BarFigure {
         title: format!("One at a time: {}", title(study)),
-        caption: "Each parameter from its 10 % to its 90 % quantile, all others at their median."
-            .to_owned(),
+        caption: "Each parameter from its 10 % to its 90 % quantile, all others at their median.".to_owned(),
         panels,
     })
 }
 
 /// Growth against wavelength over the samples.
 pub(super) fn bands(study: &Study, bands: &Bands) -> LineFigure {
-    let x: Vec<f64> = study
-        .outputs()
-        .wavelengths()
-        .iter()
-        .map(|wavelength| 1e3 * wavelength)
-        .collect();
+    let x: Vec<f64> = study.outputs().wavelengths().iter().map(|wavelength| 1e3 * wavelength).collect();
     let area = |label: &str, low: usize, high: usize, color| Area {
         label: label.to_owned(),
         x: x.clone(),
@@ -179,12 +124,8 @@ pub(super) fn bands(study: &Study, bands: &Bands) -> LineFigure {
         high: bands.curves[high].clone(),
         color,
     };
-    let zero = Series {
-        x: vec![x[0], x[x.len() - 1]],
-        y: vec![0.0, 0.0],
-        color: Some(Rgb::BLACK),
-        ..Series::default()
-    };
+    let zero =
+        Series { x: vec![x[0], x[x.len() - 1]], y: vec![0.0, 0.0], color: Some(Rgb::BLACK), ..Series::default() };
     let speeds = study.outputs().speeds();
     LineFigure {
         title: title(study).to_owned(),
@@ -211,10 +152,7 @@ pub(super) fn bands(study: &Study, bands: &Bands) -> LineFigure {
                     ..Series::default()
                 },
             ],
-            areas: vec![
-                area("5 to 95 %", 0, 4, LIGHT[0]),
-                area("25 to 75 %", 1, 3, LIGHT[1]),
-            ],
+            areas: vec![area("5 to 95 %", 0, 4, LIGHT[0]), area("25 to 75 %", 1, 3, LIGHT[1])],
             ..LinePanel::default()
         }],
         ..LineFigure::default()

@@ -20,12 +20,8 @@ const BANDS: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 /// The output that the bands are of.
 const CURVE: &str = "mean_growth_rate";
 /// Outputs that are looked at only where they are asked for: places of the highest growth, not its size.
-const ASIDE: [&str; 4] = [
-    "highest_growth_wavelength",
-    "highest_growth_speed",
-    "highest_growth_frequency",
-    "highest_growth_at_edge",
-];
+const ASIDE: [&str; 4] =
+    ["highest_growth_wavelength", "highest_growth_speed", "highest_growth_frequency", "highest_growth_at_edge"];
 
 /// One output, and what matters for it.
 pub struct Analysis<'a> {
@@ -67,27 +63,18 @@ impl<'a> SensitivityAnswer<'a> {
     /// # Errors
     /// [`StudyError::Analysis`] for a confidence out of its range, for an output that is not there or cannot be looked at,
     /// and for results that cannot be read.
-    pub fn new(
-        study: &'a Study,
-        folder: &ResultFolder,
-        request: &SensitivityRequest,
-    ) -> Result<Self, StudyError> {
+    pub fn new(study: &'a Study, folder: &ResultFolder, request: &SensitivityRequest) -> Result<Self, StudyError> {
         let confidence = request.confidence;
         if !(confidence > 0.0 && confidence < 1.0) {
             return Err(StudyError::Analysis {
-                message: format!(
-                    "--confidence is {confidence}, but must be between 0 and 1, both excluded"
-                ),
+                message: format!("--confidence is {confidence}, but must be between 0 and 1, both excluded"),
             });
         }
         let is_saltelli = study.plan.file.design.method == Method::Saltelli;
         let mut notes = Vec::new();
         let mut analyses = chosen(study, &request.results)?;
         if is_saltelli {
-            let intervals = Intervals {
-                confidence,
-                ..Intervals::default()
-            };
+            let intervals = Intervals { confidence, ..Intervals::default() };
             for analysis in &mut analyses {
                 let values = column(study, folder, analysis)?;
                 match SobolIndices::new(&values, study.parameters().len(), intervals) {
@@ -101,48 +88,27 @@ impl<'a> SensitivityAnswer<'a> {
                 study.plan.file.design.method.name()
             ));
         }
-        let left_out = analyses
-            .iter()
-            .filter_map(|a| Some(a.indices.as_ref()?.left_out))
-            .max();
+        let left_out = analyses.iter().filter_map(|a| Some(a.indices.as_ref()?.left_out)).max();
         if let Some(count @ 1..) = left_out {
-            notes.push(format!(
-                "{count} base samples are left out: one of their rows has no results"
-            ));
+            notes.push(format!("{count} base samples are left out: one of their rows has no results"));
         }
         let tornado = Tornado::new(study, TORNADO);
         let bands = bands(study, folder, is_saltelli)?;
         if bands.is_none() {
-            notes.push(
-                "bands of growth against wavelength need outputs.growth_by_wavelength".to_owned(),
-            );
+            notes.push("bands of growth against wavelength need outputs.growth_by_wavelength".to_owned());
         }
-        Ok(Self {
-            study,
-            analyses,
-            tornado,
-            bands,
-            notes,
-        })
+        Ok(Self { study, analyses, tornado, bands, notes })
     }
 
     /// What matters as data: what `riffel study sensitivity --json` prints.
     pub fn document(&self) -> SensitivityDocument<'_> {
-        SensitivityDocument::new(
-            self.study,
-            &self.analyses,
-            &self.tornado,
-            self.bands.as_ref(),
-            &self.notes,
-        )
+        SensitivityDocument::new(self.study, &self.analyses, &self.tornado, self.bands.as_ref(), &self.notes)
     }
 
     /// Sobol indices; none where the design does not give them.
     pub fn indices_figure(&self) -> Option<BarFigure> {
         let mut analyses = self.analyses.iter();
-        analyses
-            .any(|analysis| analysis.indices.is_some())
-            .then(|| figure::indices(self.study, &self.analyses))
+        analyses.any(|analysis| analysis.indices.is_some()).then(|| figure::indices(self.study, &self.analyses))
     }
 
     /// Each parameter alone; none if the medians fail.
@@ -160,16 +126,8 @@ impl<'a> SensitivityAnswer<'a> {
 /// The outputs to look at: those asked for, or all that are one real number for each sample.
 fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, StudyError> {
     let outputs = study.outputs();
-    let known = || {
-        outputs
-            .variables()
-            .iter()
-            .map(|variable| variable.name.as_str())
-    };
-    if let Some(unknown) = asked
-        .iter()
-        .find(|name| !known().any(|known| known == *name))
-    {
+    let known = || outputs.variables().iter().map(|variable| variable.name.as_str());
+    if let Some(unknown) = asked.iter().find(|name| !known().any(|known| known == *name)) {
         let known: Vec<&str> = known().collect();
         return Err(StudyError::Analysis {
             message: format!("--result {unknown}: the study has {}", known.join(", ")),
@@ -200,12 +158,7 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
                 }
                 _ => variable.name.clone(),
             };
-            analyses.push(Analysis {
-                name,
-                variable,
-                place: place + index,
-                indices: None,
-            });
+            analyses.push(Analysis { name, variable, place: place + index, indices: None });
         }
         place += length;
     }
@@ -218,11 +171,7 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
 }
 
 /// The number of an analysis in every sample.
-fn column(
-    study: &Study,
-    folder: &ResultFolder,
-    analysis: &Analysis<'_>,
-) -> Result<Vec<f64>, StudyError> {
+fn column(study: &Study, folder: &ResultFolder, analysis: &Analysis<'_>) -> Result<Vec<f64>, StudyError> {
     let width = study.outputs().length(analysis.variable);
     let before: usize = study
         .outputs()
@@ -232,25 +181,13 @@ fn column(
         .map(|variable| study.outputs().length(variable))
         .sum();
     let values = folder.output(&analysis.variable.name)?;
-    Ok(values
-        .into_iter()
-        .skip(analysis.place - before)
-        .step_by(width)
-        .collect())
+    Ok(values.into_iter().skip(analysis.place - before).step_by(width).collect())
 }
 
 /// Quantiles of growth against wavelength; of a cross sample those of its first matrix, which is a sample.
-fn bands(
-    study: &Study,
-    folder: &ResultFolder,
-    is_saltelli: bool,
-) -> Result<Option<Bands>, StudyError> {
+fn bands(study: &Study, folder: &ResultFolder, is_saltelli: bool) -> Result<Option<Bands>, StudyError> {
     let outputs = study.outputs();
-    if !outputs
-        .variables()
-        .iter()
-        .any(|variable| variable.name == CURVE)
-    {
+    if !outputs.variables().iter().any(|variable| variable.name == CURVE) {
         return Ok(None);
     }
     let width = outputs.wavelengths().len();

@@ -35,8 +35,7 @@ impl Statistics {
             return Ok(Vec::new());
         }
         let outputs = study.outputs().variables().iter();
-        let scalars =
-            outputs.filter(|variable| variable.dimensions.is_empty() && !variable.complex);
+        let scalars = outputs.filter(|variable| variable.dimensions.is_empty() && !variable.complex);
         let mut all = Vec::new();
         for variable in scalars {
             let mut values = folder.output(&variable.name)?;
@@ -64,12 +63,7 @@ impl Statistics {
 pub fn four_figures(value: f64) -> String {
     if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
         let before = value.abs().log10().floor().max(0.0) as usize;
-        return format!(
-            "{value:.*}",
-            4usize
-                .saturating_sub(before + 1)
-                .max(usize::from(value.abs() < 1.0) * 4)
-        );
+        return format!("{value:.*}", 4usize.saturating_sub(before + 1).max(usize::from(value.abs() < 1.0) * 4));
     }
     format!("{value:.3e}")
 }

@@ -9,18 +9,13 @@ use crate::map::{Shown, panel};
 use crate::track_in_words::place;
 
 fn title(answer: &WheelsAnswer) -> String {
-    format!(
-        "Growth under the wheels of a vehicle in a curve of {:.0} m",
-        answer.radius_m.abs()
-    )
+    format!("Growth under the wheels of a vehicle in a curve of {:.0} m", answer.radius_m.abs())
 }
 
 /// Which wheels are not drawn.
 fn missing(answer: &WheelsAnswer) -> String {
-    let missing: Vec<&str> = (answer.wheels.iter())
-        .filter(|wheel| wheel.in_loop.is_none())
-        .map(|wheel| wheel.name.as_str())
-        .collect();
+    let missing: Vec<&str> =
+        (answer.wheels.iter()).filter(|wheel| wheel.in_loop.is_none()).map(|wheel| wheel.name.as_str()).collect();
     match missing.is_empty() {
         true => String::new(),
         false => format!(" Without a mean state in the loop: {}.", missing.join("; ")),

@@ -133,9 +133,8 @@ impl WheelsAnswer {
         // The curve may stand in a file of its own.
         let traffic = UsualTraffic::in_curve(curve.speed);
         let wheels = wheels.into_iter();
-        let wheels: Vec<WheelAnswer> = wheels
-            .map(|wheel| WheelAnswer::new(wheel, &curve, &traffic, &progress))
-            .collect();
+        let wheels: Vec<WheelAnswer> =
+            wheels.map(|wheel| WheelAnswer::new(wheel, &curve, &traffic, &progress)).collect();
         Ok(Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
             case: case.clone(),
@@ -166,9 +165,7 @@ impl WheelsAnswer {
     /// The wheel under which corrugation grows fastest under the traffic of the curve, on a contact that carries at least half of its
     /// normal forces; none where nothing grows.
     pub fn fastest(&self) -> Option<(&WheelAnswer, Highest)> {
-        let growing = self
-            .carrying()
-            .filter_map(|(wheel, _)| Some((wheel, wheel.highest?)));
+        let growing = self.carrying().filter_map(|(wheel, _)| Some((wheel, wheel.highest?)));
         growing.max_by(|(_, one), (_, other)| one.rate.total_cmp(&other.rate))
     }
 }
@@ -184,33 +181,18 @@ fn remarks(wheels: &[WheelAnswer]) -> Vec<Message> {
             }
         }
     }
-    let all = wheels
-        .iter()
-        .filter(|wheel| wheel.in_loop.is_some())
-        .count();
-    let said = said
-        .into_iter()
-        .map(|(remark, names)| match names.len() == all {
-            true => remark.clone(),
-            false => remark.clone().about(names.join("; ")),
-        });
+    let all = wheels.iter().filter(|wheel| wheel.in_loop.is_some()).count();
+    let said = said.into_iter().map(|(remark, names)| match names.len() == all {
+        true => remark.clone(),
+        false => remark.clone().about(names.join("; ")),
+    });
     said.collect()
 }
 
 impl WheelAnswer {
-    fn new(
-        wheel: WheelOfCurve,
-        curve: &Curve,
-        traffic: &UsualTraffic,
-        progress: &(impl Fn(usize) + Sync),
-    ) -> Self {
+    fn new(wheel: WheelOfCurve, curve: &Curve, traffic: &UsualTraffic, progress: &(impl Fn(usize) + Sync)) -> Self {
         let name = wheel.name();
-        let WheelOfCurve {
-            state,
-            rail,
-            contact,
-            case,
-        } = wheel;
+        let WheelOfCurve { state, rail, contact, case } = wheel;
         let state = case.as_ref().map_or(state, |case| in_loop(state, case));
         let mut answer = Self {
             name,
@@ -234,8 +216,7 @@ impl WheelAnswer {
             remarks: Vec::new(),
             in_loop: None,
         };
-        if let Err(error) = case.and_then(|case| answer.grow(case, curve.speed, traffic, progress))
-        {
+        if let Err(error) = case.and_then(|case| answer.grow(case, curve.speed, traffic, progress)) {
             answer.not_in_loop = Some(error.message());
         }
         answer
@@ -274,9 +255,7 @@ impl WheelInLoop {
     pub fn rates_on_the_grid(&self) -> impl Iterator<Item = f64> + '_ {
         let map = &self.map.map;
         let rate = map.growth_rate_per_dissipation();
-        map.rows()
-            .flat_map(|(_, row)| row)
-            .map(move |value| rate * value.re)
+        map.rows().flat_map(|(_, row)| row).map(move |value| rate * value.re)
     }
 }
 
@@ -315,11 +294,7 @@ impl Answer for WheelsAnswer {
         let wheels = self.wheels.iter();
         let left_out = wheels.filter_map(|wheel| {
             let reason = wheel.not_in_loop.clone()?;
-            Some(say!(
-                wheel_not_in_loop,
-                wheel = wheel.name.as_str(),
-                reason = reason
-            ))
+            Some(say!(wheel_not_in_loop, wheel = wheel.name.as_str(), reason = reason))
         });
         [fastest].into_iter().chain(left_out).collect()
     }
@@ -333,9 +308,7 @@ impl Answer for WheelsAnswer {
         let own = [ResultFile::Lines(Self::NAME, self.figure())];
         let tables = self.tables().into_iter().map(ResultFile::Table);
         let files = maps.into_iter().chain(own).chain(tables);
-        files
-            .chain([ResultFile::Grid("map", table::grid(self))])
-            .collect()
+        files.chain([ResultFile::Grid("map", table::grid(self))]).collect()
     }
 
     fn remarks(&self) -> &[Message] {

@@ -19,15 +19,13 @@ fn rail_in_words(rail: CurveRail) -> Message {
 /// One row for each wheel.
 pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
     let wheels = || answer.wheels.iter();
-    let shown = |head: Message, words: &dyn Fn(&WheelAnswer) -> Message| {
-        Column::shown(head, wheels().map(words).collect())
-    };
+    let shown =
+        |head: Message, words: &dyn Fn(&WheelAnswer) -> Message| Column::shown(head, wheels().map(words).collect());
     let digits = |head: Message, digits: usize, of: fn(&WheelAnswer) -> f64| {
         shown(head, &|wheel| number_alone(decimal(of(wheel), digits)))
     };
     let number = |name: &str, of: fn(&WheelAnswer) -> f64| Column::exact(name, wheels().map(of));
-    let highest =
-        |name: &str, of: fn(&WheelAnswer) -> Option<f64>| Column::exact(name, wheels().map(of));
+    let highest = |name: &str, of: fn(&WheelAnswer) -> Option<f64>| Column::exact(name, wheels().map(of));
     Table {
         name: "wheels",
         columns: vec![
@@ -41,45 +39,24 @@ pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
             number("normal_force_n", |wheel| wheel.normal_force_n),
             number("contact_angle_rad", |wheel| wheel.contact_angle_rad),
             number("tractive_ratio", |wheel| wheel.tractive_ratio),
-            number("share_of_second_contact", |wheel| {
-                wheel.share_of_second_contact
-            }),
-            highest("highest_growth_rate_per_passage", |wheel| {
-                Some(wheel.highest?.rate)
-            }),
-            highest("highest_wavelength_m", |wheel| {
-                Some(wheel.highest?.wavelength)
-            }),
-            highest("highest_frequency_hz", |wheel| {
-                Some(wheel.highest?.frequency)
-            }),
+            number("share_of_second_contact", |wheel| wheel.share_of_second_contact),
+            highest("highest_growth_rate_per_passage", |wheel| Some(wheel.highest?.rate)),
+            highest("highest_wavelength_m", |wheel| Some(wheel.highest?.wavelength)),
+            highest("highest_frequency_hz", |wheel| Some(wheel.highest?.frequency)),
             Column::names(
                 "not_in_loop",
-                wheels().map(|wheel| {
-                    wheel
-                        .not_in_loop
-                        .as_ref()
-                        .map_or_else(String::new, ToString::to_string)
-                }),
+                wheels().map(|wheel| wheel.not_in_loop.as_ref().map_or_else(String::new, ToString::to_string)),
             ),
             shown(say!(wheelset_column), &|wheel| number_alone(wheel.wheelset)),
             shown(say!(rail_column), &|wheel| match wheel.contact {
                 ContactOfWheel::Tread => rail_in_words(wheel.rail),
                 ContactOfWheel::Flange => say!(flange_of_rail, rail = rail_in_words(wheel.rail)),
             }),
-            digits(say!(creeps_along_column), 3, |wheel| {
-                100.0 * wheel.longitudinal_creepage
-            }),
-            digits(say!(creeps_across_column), 3, |wheel| {
-                100.0 * wheel.lateral_creepage
-            }),
+            digits(say!(creeps_along_column), 3, |wheel| 100.0 * wheel.longitudinal_creepage),
+            digits(say!(creeps_across_column), 3, |wheel| 100.0 * wheel.lateral_creepage),
             digits(say!(spin_column), 3, |wheel| wheel.spin_1_per_m),
-            digits(say!(normal_force_column), 1, |wheel| {
-                1e-3 * wheel.normal_force_n
-            }),
-            digits(say!(contact_angle_column), 1, |wheel| {
-                wheel.contact_angle_rad.to_degrees()
-            }),
+            digits(say!(normal_force_column), 1, |wheel| 1e-3 * wheel.normal_force_n),
+            digits(say!(contact_angle_column), 1, |wheel| wheel.contact_angle_rad.to_degrees()),
             shown(say!(highest_growth_column), &|wheel| match wheel.highest {
                 Some(highest) => number_alone(decimal(1e6 * highest.rate, 2)),
                 None if wheel.in_loop.is_some() => say!(no_growth_in_table),
@@ -98,20 +75,12 @@ pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
 }
 /// One row for each wavelength under the traffic of the curve, a column for each wheel in the loop.
 pub(super) fn growth(answer: &WheelsAnswer) -> Table {
-    let grown = || {
-        (answer.wheels.iter())
-            .filter_map(|wheel| Some((&*wheel.name, wheel.growth_rate_per_passage.as_ref()?)))
-    };
+    let grown =
+        || (answer.wheels.iter()).filter_map(|wheel| Some((&*wheel.name, wheel.growth_rate_per_passage.as_ref()?)));
     let names = column::names(grown().map(|(name, _)| name), "growth_rate_per_passage");
-    let rates = names
-        .iter()
-        .zip(grown())
-        .map(|(name, (_, rates))| Column::in_file(name, rates.iter().copied()));
+    let rates = names.iter().zip(grown()).map(|(name, (_, rates))| Column::in_file(name, rates.iter().copied()));
     let wavelengths = Column::in_file("wavelength_m", answer.wavelength_m.iter().copied());
-    Table {
-        name: "growth",
-        columns: [wavelengths].into_iter().chain(rates).collect(),
-    }
+    Table { name: "growth", columns: [wavelengths].into_iter().chain(rates).collect() }
 }
 
 /// Growth rates of all wheels on the grid of the map, by wheel, speed and wavelength; NaN for a wheel that is not in the loop.
@@ -176,15 +145,7 @@ pub(super) fn grid(answer: &WheelsAnswer) -> Grid<'_> {
             }),
         },
     ];
-    let axes = vec![
-        ("wheel", answer.wheels.len()),
-        ("speed", speed.points()),
-        ("wavelength", wavelength.points()),
-    ];
+    let axes = vec![("wheel", answer.wheels.len()), ("speed", speed.points()), ("wavelength", wavelength.points())];
     let title = case.file.title.as_deref();
-    Grid {
-        title: title.unwrap_or("Growth under the wheels of a curve"),
-        axes,
-        variables,
-    }
+    Grid { title: title.unwrap_or("Growth under the wheels of a curve"), axes, variables }
 }

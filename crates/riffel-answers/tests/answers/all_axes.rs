@@ -11,13 +11,7 @@ use crate::case;
 const CURVE: &str = include_str!("../../../../cases/curve.toml");
 
 fn point(case: &Case, speed: f64) -> Value {
-    let request = PointRequest {
-        wavelength: 0.05,
-        speed,
-        sensitivity: false,
-        neighbours: None,
-        irregular: None,
-    };
+    let request = PointRequest { wavelength: 0.05, speed, sensitivity: false, neighbours: None, irregular: None };
     serde_json::to_value(PointAnswer::new(case, request).unwrap()).unwrap()
 }
 
@@ -32,23 +26,13 @@ fn stability_is_told_as_data() {
     assert!((frequency - 80.8).abs() < 0.3, "{frequency}");
     let growth = squeals["growth_rate_per_s"].as_f64().unwrap();
     assert!(growth > 0.0 && growth < frequency, "{growth}");
-    let calm = case(
-        CURVE,
-        &[
-            "contact.friction=0.1",
-            "map.speed.points=5",
-            "map.wavelength.points=9",
-        ],
-    );
+    let calm = case(CURVE, &["contact.friction=0.1", "map.speed.points=5", "map.wavelength.points=9"]);
     let stable = json!({ "unstable_roots": 0, "frequency_hz": null, "growth_rate_per_s": null });
     assert_eq!(point(&calm, 5.0)["stability"], stable);
     let answer = MapAnswer::new(&calm, |_| ());
     let map = serde_json::to_value(answer.document(&calm)).unwrap();
     let judged = |speed: f64| json!({ "speed_m_per_s": speed, "unstable_roots": 0, "frequency_hz": null, "growth_rate_per_s": null });
-    assert_eq!(
-        map["stability"],
-        json!([judged(5.0), judged(10.0), judged(15.0)])
-    );
+    assert_eq!(map["stability"], json!([judged(5.0), judged(10.0), judged(15.0)]));
     let nominal = case(NOMINAL_CASE, &[]);
     assert_eq!(point(&nominal, 5.0).get("stability"), None);
 }
@@ -60,28 +44,19 @@ fn motion_across_the_track_is_named() {
     let uic60 = ["steel.youngs_modulus=210 GPa", "rail.centroid_height=33 mm"];
     let named = |text: &str, overrides: &[&str]| {
         let case = case(text, overrides);
-        let request = ReceptanceRequest {
-            direction: riffel::Direction::Vertical,
-            speed: 10.0,
-            frequencies: vec![100.0],
-        };
+        let request =
+            ReceptanceRequest { direction: riffel::Direction::Vertical, speed: 10.0, frequencies: vec![100.0] };
         let answer = ReceptanceAnswer::new(&case, request).unwrap();
         let document = serde_json::to_value(answer.document()).unwrap();
         let named = document["lateral_resonances"].as_array().cloned();
         let of = |named: &Value| {
             let frequency = named["frequency_hz"].as_f64().unwrap();
-            (
-                named["resonance"].as_str().unwrap().to_owned(),
-                (10.0 * frequency).round() / 10.0,
-            )
+            (named["resonance"].as_str().unwrap().to_owned(), (10.0 * frequency).round() / 10.0)
         };
         named.unwrap_or_default().iter().map(of).collect::<Vec<_>>()
     };
     let of = |names: &[(&str, f64)]| -> Vec<(String, f64)> {
-        names
-            .iter()
-            .map(|&(name, frequency)| (name.to_owned(), frequency))
-            .collect()
+        names.iter().map(|&(name, frequency)| (name.to_owned(), frequency)).collect()
     };
     let cut_ons = [("lateral cut-on", 102.3), ("roll cut-on", 302.4)];
     assert_eq!(named(CURVE, &uic60), of(&cut_ons));

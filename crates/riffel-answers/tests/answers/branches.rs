@@ -22,35 +22,16 @@ fn ridge(case: &Case) -> Ridge {
 #[test]
 fn classes_are_named_by_their_mechanism() {
     for (text, mechanism) in [
-        (
-            include_str!("../../../../cases/class-roaring-rails.toml"),
-            Some("pinned-pinned, vertical"),
-        ),
-        (
-            include_str!("../../../../cases/class-rutting.toml"),
-            Some("wheelset torsion"),
-        ),
-        (
-            include_str!("../../../../cases/class-contact-fatigue.toml"),
-            Some("P2 resonance"),
-        ),
-        (
-            include_str!("../../../../cases/class-booted-sleeper.toml"),
-            Some("sleeper antiresonance"),
-        ),
+        (include_str!("../../../../cases/class-roaring-rails.toml"), Some("pinned-pinned, vertical")),
+        (include_str!("../../../../cases/class-rutting.toml"), Some("wheelset torsion")),
+        (include_str!("../../../../cases/class-contact-fatigue.toml"), Some("P2 resonance")),
+        (include_str!("../../../../cases/class-booted-sleeper.toml"), Some("sleeper antiresonance")),
         (include_str!("../../../../cases/class-soft-slab.toml"), None),
-        (
-            include_str!("../../../../cases/curve.toml"),
-            Some("wheelset bending"),
-        ),
+        (include_str!("../../../../cases/curve.toml"), Some("wheelset bending")),
     ] {
         let case = case(text, &["map.speed.points=16"]);
         let branches = BranchDocument::all(&case, &ridge(&case));
-        assert_eq!(
-            branches[0].mechanism, mechanism,
-            "{} Hz",
-            branches[0].frequency_hz
-        );
+        assert_eq!(branches[0].mechanism, mechanism, "{} Hz", branches[0].frequency_hz);
     }
 }
 
@@ -65,21 +46,13 @@ fn the_strongest_branch_leads() {
         (DISCRETE_SUPPORTS, &[FLAT], 225.0..226.0, 590.0..592.0),
         (
             NOMINAL_CASE,
-            &[
-                "track.model=two-layer-periodic",
-                "track.preset=br-stiff",
-                "map.speed.min=10",
-            ],
+            &["track.model=two-layer-periodic", "track.preset=br-stiff", "map.speed.min=10"],
             322.0..329.0,
             594.0..597.0,
         ),
         (
             DISCRETE_SUPPORTS,
-            &[
-                FLAT,
-                "vehicle=metro-trailer-car",
-                "track.preset=ballasted-soft-pads",
-            ],
+            &[FLAT, "vehicle=metro-trailer-car", "track.preset=ballasted-soft-pads"],
             176.0..179.0,
             472.0..474.0,
         ),
@@ -158,10 +131,7 @@ fn the_nominal_ridge_is_one_branch() {
 
 #[test]
 fn a_branch_is_named_by_a_resonance_near_its_frequency() {
-    let case = case(
-        DISCRETE_SUPPORTS,
-        &["rail.loss_factor=0.001", "track.position=0.3 m"],
-    );
+    let case = case(DISCRETE_SUPPORTS, &["rail.loss_factor=0.001", "track.position=0.3 m"]);
     let branches = BranchDocument::all(&case, &ridge(&case));
     let (mechanisms, _) = case.mechanisms();
     let names = mechanisms.iter().map(|mechanism| mechanism.kind.name());
@@ -172,26 +142,17 @@ fn a_branch_is_named_by_a_resonance_near_its_frequency() {
         };
         let place = names.clone().position(|other| other == name).unwrap();
         let frequency = mechanisms[place].frequency().unwrap();
-        assert!(
-            (frequency / branch.frequency_hz - 1.0).abs() <= 0.10,
-            "{name}"
-        );
+        assert!((frequency / branch.frequency_hz - 1.0).abs() <= 0.10, "{name}");
     }
     let sentence = BranchDocument::sentence(&branches);
     let german = sentence.text(Language::German);
-    assert!(
-        german.starts_with("der stärkste Ast wächst bei 11"),
-        "{german}"
-    );
+    assert!(german.starts_with("der stärkste Ast wächst bei 11"), "{german}");
     assert!(german.contains("schwächere Äste"), "{german}");
 }
 
 #[test]
 fn nothing_grows_in_words() {
-    let case = case(
-        NOMINAL_CASE,
-        &["map.wavelength={ min = 1.0, max = 2.0, points = 41 }"],
-    );
+    let case = case(NOMINAL_CASE, &["map.wavelength={ min = 1.0, max = 2.0, points = 41 }"]);
     let branches = BranchDocument::all(&case, &ridge(&case));
     assert!(branches.is_empty());
     let sentence = BranchDocument::sentence(&branches);
@@ -212,10 +173,7 @@ fn a_window_without_a_crest_has_no_frequency() {
     assert!(ridge.best_fit_frequency().is_some());
     assert_eq!(best_fit_frequency(&ridge), None);
     let sentence = BranchDocument::sentence(&BranchDocument::all(&case, &ridge));
-    assert_eq!(
-        sentence.to_string(),
-        "no crest lies in this window: growth rises towards 60 mm"
-    );
+    assert_eq!(sentence.to_string(), "no crest lies in this window: growth rises towards 60 mm");
     let answer = MapAnswer::new(&case, |_| ());
     let document = serde_json::to_value(answer.document(&case)).unwrap();
     assert!(document["ridge"]["best_fit_frequency_hz"].is_null());

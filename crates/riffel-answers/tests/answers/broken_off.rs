@@ -52,10 +52,7 @@ fn every_long_answer_ends_where_it_stands() {
             drop(StabilityMap::new(&curve(), &[0.2, 0.4], &|_| ()).unwrap());
         }),
         ends_half_way(|| {
-            let profile = Sinusoid {
-                wavelength: 0.06,
-                amplitude: 10e-6,
-            };
+            let profile = Sinusoid { wavelength: 0.06, amplitude: 10e-6 };
             let request = SinusoidRequest::new(15.0, profile, None).unwrap();
             drop(SinusoidAnswer::new(&nominal(), request).unwrap());
         }),

@@ -26,25 +26,12 @@ fn a_booted_sleeper_is_followed_wherever_it_resonates() {
         let found = cause(BOOTED, &[&format!("track.sleeper.mass={mass}")]);
         let resonance = found.resonance_hz.unwrap();
         assert_eq!(found.mechanism, "sleeper antiresonance", "{mass}");
-        assert!(
-            (resonance / hertz - 1.0).abs() < 0.01,
-            "{mass}: {resonance}"
-        );
+        assert!((resonance / hertz - 1.0).abs() < 0.01, "{mass}: {resonance}");
         assert!((found.frequency_hz / resonance - 1.0).abs() <= 0.10);
-        assert!(
-            (found.speed_m_per_s / found.wavelength_m / found.frequency_hz - 1.0).abs() < 1e-12
-        );
+        assert!((found.speed_m_per_s / found.wavelength_m / found.frequency_hz - 1.0).abs() < 1e-12);
         let reasons = in_words(&found.evidence_for);
-        assert!(
-            reasons.contains("(sleeper antiresonance)") && reasons.contains("a frequency is fixed"),
-            "{reasons}"
-        );
-        assert!(
-            found
-                .measurement
-                .to_string()
-                .starts_with("Sleeper antiresonance: impact hammer on sleeper")
-        );
+        assert!(reasons.contains("(sleeper antiresonance)") && reasons.contains("a frequency is fixed"), "{reasons}");
+        assert!(found.measurement.to_string().starts_with("Sleeper antiresonance: impact hammer on sleeper"));
     }
 }
 
@@ -57,14 +44,8 @@ fn torsion_is_named_and_no_resonance_is_none() {
     let slab = cause(SOFT_SLAB, &[]);
     assert_eq!((slab.mechanism, slab.resonance_hz), ("growth ridge", None));
     let words = in_words(&slab.evidence_for);
-    assert!(
-        words.contains("no resonance of track or wheelset lies within 10 %"),
-        "{words}"
-    );
+    assert!(words.contains("no resonance of track or wheelset lies within 10 %"), "{words}");
     // That it keeps one frequency speaks against there being none.
     let against = in_words(&slab.evidence_against);
-    assert!(
-        against.contains("a frequency is fixed, not a length"),
-        "{against}"
-    );
+    assert!(against.contains("a frequency is fixed, not a length"), "{against}");
 }

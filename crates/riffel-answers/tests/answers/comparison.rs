@@ -26,9 +26,7 @@ fn wrong_changes_are_refused() {
         let case = nominal();
         let traffic = Traffic::of_case(SpeedDistribution::single(30.0).unwrap());
         let error = Variant::parse("a.toml", text)
-            .and_then(|variant| {
-                Comparison::compute(&case, &[variant], &traffic, &|_| Vec::new(), None, &|_| {})
-            })
+            .and_then(|variant| Comparison::compute(&case, &[variant], &traffic, &|_| Vec::new(), None, &|_| {}))
             .unwrap_err();
         assert!(error.to_string().contains(part), "{error}");
         assert!(!error.to_string().contains("--set"), "{error}");
@@ -41,14 +39,9 @@ fn variants_are_compared_with_the_case() -> Result<(), CaseError> {
     let case = nominal();
     let traffic = Traffic::of_case(SpeedDistribution::single(30.0).unwrap());
     let friction = Variant::parse("a.toml", "[contact]\nfriction = 0.3\n")?;
-    let wear = Variant::parse(
-        "b.toml",
-        "title = \"half\"\n[wear]\ncoefficient = 1.25e-9\n",
-    )?;
+    let wear = Variant::parse("b.toml", "title = \"half\"\n[wear]\ncoefficient = 1.25e-9\n")?;
     let slower = Variant::parse("c.toml", "[speed]\nfactor = 0.5\n")?;
-    let spectrum =
-        riffel::roughness::Spectrum::new(bands_of(&case).into_iter().map(|band| (band, -8.0)))
-            .unwrap();
+    let spectrum = riffel::roughness::Spectrum::new(bands_of(&case).into_iter().map(|band| (band, -8.0))).unwrap();
     let limit = riffel::roughness::LevelLimit::new(spectrum.map(|band| band.level + 6.0).unwrap());
     let compared = Comparison::compute(
         &case,
@@ -65,11 +58,9 @@ fn variants_are_compared_with_the_case() -> Result<(), CaseError> {
     let wavelength = base.growth.wavelengths()[line];
     let rate = |case: &Case, speed: f64| case.feedback.at(wavelength, speed).growth_rate;
     let changed = case.with(&[&["contact.friction=0.3".to_owned()]])?;
-    for (outcome, expected) in [
-        (base, rate(&case, 30.0)),
-        (friction, rate(&changed, 30.0)),
-        (slower, rate(&case, 15.0)),
-    ] {
+    for (outcome, expected) in
+        [(base, rate(&case, 30.0)), (friction, rate(&changed, 30.0)), (slower, rate(&case, 15.0))]
+    {
         assert!((outcome.growth.rates()[line] / expected - 1.0).abs() < 1e-12);
     }
     assert_eq!(wear.title, "half");

@@ -6,9 +6,7 @@ use riffel::roughness::Spectrum;
 use riffel_answers::AnswerError;
 use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest};
 use riffel_answers::map::MapAnswer;
-use riffel_answers::report::{
-    Inputs, MeasuredRail, MeasuredRoughness, ReportRequest, Site, report,
-};
+use riffel_answers::report::{Inputs, MeasuredRail, MeasuredRoughness, ReportRequest, Site, report};
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, CurvingCase, METRO_CURVE_CASE, NOMINAL_CASE, TRAFFIC};
@@ -30,9 +28,7 @@ fn survey(case: &Case) -> Survey {
 /// The first table of levels that is built in.
 fn limit() -> LimitTable {
     let mut tables = LimitTable::all().into_iter();
-    tables
-        .find(|table| matches!(table.limit, Limit::Levels(_)))
-        .unwrap()
+    tables.find(|table| matches!(table.limit, Limit::Levels(_))).unwrap()
 }
 
 fn forecast(case: &Case, horizon: ForecastHorizon) -> Result<ForecastAnswer, AnswerError> {
@@ -72,10 +68,7 @@ fn a_horizon_is_above_zero_and_within_a_thousand_years() {
     ] {
         let error = forecast(&case(), horizon).err().unwrap().to_string();
         assert!(error.contains(part), "{error}");
-        assert!(
-            error.contains("must be above zero and at most 1"),
-            "{error}"
-        );
+        assert!(error.contains("must be above zero and at most 1"), "{error}");
     }
 }
 
@@ -120,14 +113,9 @@ fn rails_of_a_curve_in_another_file_are_said_to_grow_alike() -> Result<(), Answe
     let case = case().on_curve(folder.path(), "curve.toml")?;
     let levels = || bands_of(&case).into_iter().map(|band| (band, -8.0));
     let rail = |name| LabelledSpectrum::of_rail(name, Spectrum::new(levels()).unwrap());
-    let survey = Survey::new(
-        Path::new("rail.csv"),
-        vec![rail("left"), rail("right")],
-        Vec::new(),
-    )?;
+    let survey = Survey::new(Path::new("rail.csv"), vec![rail("left"), rail("right")], Vec::new())?;
     let (line, _) = TRAFFIC.split_once("[[vehicle]]").unwrap();
-    let traffic =
-        format!("{line}[[vehicle]]\nname = \"metro\"\nshare = 1\nspeed.mean = \"60 km/h\"\n");
+    let traffic = format!("{line}[[vehicle]]\nname = \"metro\"\nshare = 1\nspeed.mean = \"60 km/h\"\n");
     let answer = forecast_of(&case, &traffic, survey, ForecastHorizon::Months(1.0))?;
     let said = say!(all_rails_grow_alike, of_rail = say!(of_low));
     assert!(answer.warnings.contains(&said), "{:?}", answer.warnings);

@@ -5,9 +5,7 @@ use std::f64::consts::LN_2;
 use riffel_answers::LineGrowth;
 use riffel_answers::remedies::RemediesAnswer;
 use riffel_case::traffic::{DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic};
-use riffel_case::{
-    FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE, TRAM_CASE,
-};
+use riffel_case::{FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE, TRAM_CASE};
 
 use crate::coarse;
 
@@ -33,12 +31,7 @@ fn a_line_has_traffic_of_its_kind() {
         (METRO_CURVE_CASE, &[], LineKind::Curve, [40.5, 49.5]),
         (CURVE, &[], LineKind::Curve, [32.4, 39.6]),
         (NOMINAL_CASE, heavy, LineKind::HeavyHaul, [40.0, 70.0]),
-        (
-            NOMINAL_CASE,
-            &["vehicle=\"locomotive\""],
-            LineKind::MainLine,
-            [80.0, 140.0],
-        ),
+        (NOMINAL_CASE, &["vehicle=\"locomotive\""], LineKind::MainLine, [80.0, 140.0]),
     ] {
         let usual = UsualTraffic::of(&coarse(text, overrides));
         assert_eq!(usual.line, line);
@@ -52,14 +45,11 @@ fn a_line_has_traffic_of_its_kind() {
 #[test]
 fn at_one_speed_it_is_the_highest_growth_there() {
     let case = coarse(NOMINAL_CASE, &["map.wavelength.max=200 mm"]);
-    let text =
-        "line.passages_per_day = 4000\n[[vehicle]]\nname = \"v\"\nshare = 1\nspeed.mean = 30\n";
+    let text = "line.passages_per_day = 4000\n[[vehicle]]\nname = \"v\"\nshare = 1\nspeed.mean = 30\n";
     let growth = LineGrowth::new(&case, Some(&Traffic::parse("t", text).unwrap())).unwrap();
     let fastest = growth.fastest.unwrap();
     let window = (20..=80).map(|mm| case.point(1e-3 * f64::from(mm), 30.0).unwrap());
-    let highest = window
-        .max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate))
-        .unwrap();
+    let highest = window.max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate)).unwrap();
     assert!((fastest.wavelength_m / highest.wavelength - 1.0).abs() < 0.02);
     assert!((fastest.growth_rate_per_passage / highest.growth_rate - 1.0).abs() < 2e-3);
     let months = LN_2 / fastest.growth_rate_per_passage / 4000.0 / DAYS_PER_MONTH;
@@ -67,10 +57,7 @@ fn at_one_speed_it_is_the_highest_growth_there() {
     // A factor of three either way.
     let [early, late] = fastest.doubling_months_banded.unwrap().band_80;
     let factor = 3.0;
-    assert!(
-        (early * factor / months - 1.0).abs() < 1e-12
-            && (late / factor / months - 1.0).abs() < 1e-12
-    );
+    assert!((early * factor / months - 1.0).abs() < 1e-12 && (late / factor / months - 1.0).abs() < 1e-12);
     let [shortest, longest] = fastest.wavelengths_m;
     for end in [0.97 * shortest, 1.03 * longest] {
         let rate = case.point(end, 30.0).unwrap().growth_rate;
@@ -78,10 +65,7 @@ fn at_one_speed_it_is_the_highest_growth_there() {
     }
     assert!(!fastest.at_edge);
     let words = in_words(&growth);
-    assert!(
-        words.contains("under the traffic given (108 km/h, 4000 axles a day)"),
-        "{words}"
-    );
+    assert!(words.contains("under the traffic given (108 km/h, 4000 axles a day)"), "{words}");
     assert!(!words.contains("edge"), "{words}");
 }
 
@@ -130,18 +114,14 @@ fn growth_that_nobody_has_seen_is_remarked() {
     let (wear, sentence) = words.split_once('\n').unwrap();
     let sentence = sentence.lines().next().unwrap();
     assert!(
-        wear.starts_with(
-            "on straight track the rail would lose 20 mm per 100 MGT, where rails lose 0.1 to 5"
-        ),
+        wear.starts_with("on straight track the rail would lose 20 mm per 100 MGT, where rails lose 0.1 to 5"),
         "{wear}"
     );
     let slow = seen("1e-9");
     assert!(slow.contains("would lose 0.080 mm"), "{slow}");
     assert!(!seen("2.5e-9").contains("would lose"));
     assert!(
-        sentence.ends_with(
-            "leads, faster than any railway known: wavelengths and order hold, the rate does not"
-        ),
+        sentence.ends_with("leads, faster than any railway known: wavelengths and order hold, the rate does not"),
         "{words}"
     );
     // The only time is that of the railway known.
@@ -154,15 +134,10 @@ fn growth_that_nobody_has_seen_is_remarked() {
     assert_eq!(fastest.time().to_string(), "faster than any railway known");
     let remedies = RemediesAnswer::new(&fast, None, &|_| ()).unwrap();
     let best = remedies.helps_most().unwrap().to_string();
-    assert!(
-        best.contains(": growth falls by") && !best.contains("doubles"),
-        "{best}"
-    );
+    assert!(best.contains(": growth falls by") && !best.contains("doubles"), "{best}");
     assert!(remedies.grinding_interval.is_none());
     let calm = coarse(NOMINAL_CASE, &["map.wavelength.max=30 mm"]);
     let growth = LineGrowth::new(&calm, None).unwrap();
     assert!(growth.fastest.is_none());
-    assert!(
-        in_words(&growth).starts_with("nothing from 20 to 30 mm grows under the usual traffic")
-    );
+    assert!(in_words(&growth).starts_with("nothing from 20 to 30 mm grows under the usual traffic"));
 }

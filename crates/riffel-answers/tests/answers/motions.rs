@@ -16,12 +16,7 @@ fn modes_are_those_of_the_wheelset_over_their_largest_motion() {
     let drawn: Vec<f64> = motions.modes.iter().map(|mode| mode.frequency_hz).collect();
     assert_eq!(drawn, frequencies);
     assert_eq!(motions.axle_diameter_m, 0.16);
-    let wheels: Vec<f64> = motions
-        .discs
-        .iter()
-        .filter(|disc| disc.is_wheel)
-        .map(|disc| disc.position_m)
-        .collect();
+    let wheels: Vec<f64> = motions.discs.iter().filter(|disc| disc.is_wheel).map(|disc| disc.position_m).collect();
     assert_eq!(wheels.len(), 2);
     // Alike to the left and to the right, within rounding.
     assert!((wheels[0] + wheels[1]).abs() < 1e-12, "{wheels:?}");
@@ -30,12 +25,7 @@ fn modes_are_those_of_the_wheelset_over_their_largest_motion() {
         let largest = parts.fold(0.0, |most: f64, part| most.max(part.abs()));
         assert!((largest - 1.0).abs() < 1e-12, "{}: {largest}", mode.name);
         let twists = mode.twist.iter().any(|part| *part != 0.0);
-        assert_eq!(
-            twists,
-            mode.name.to_string().contains("torsion"),
-            "{}",
-            mode.name
-        );
+        assert_eq!(twists, mode.name.to_string().contains("torsion"), "{}", mode.name);
     }
 }
 

@@ -16,24 +16,13 @@ const SHORTEST: i32 = -27;
 /// the observed one as the predicted level from the measured one. Both sum the same bands: rounding.
 #[test]
 fn a_calibration_hears_what_the_answer_on_noise_hears() {
-    let set = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../validation/calibration/c-all-together");
+    let set = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../validation/calibration/c-all-together");
     let folder = tempfile::tempdir().unwrap();
-    for file in [
-        "case.toml",
-        "plan.toml",
-        "traffic.toml",
-        "hammer.csv",
-        "decay.csv",
-        "roughness.csv",
-        "axlebox.csv",
-    ] {
+    for file in ["case.toml", "plan.toml", "traffic.toml", "hammer.csv", "decay.csv", "roughness.csv", "axlebox.csv"] {
         std::fs::copy(set.join(file), folder.path().join(file)).unwrap();
     }
     let bands: Vec<ThirdOctave> = (SHORTEST..=0).map(ThirdOctave::new).collect();
-    let rest = bands
-        .iter()
-        .map(|band| format!("{},0\n", 1e3 * band.wavelength()));
+    let rest = bands.iter().map(|band| format!("{},0\n", 1e3 * band.wavelength()));
     let rest = format!("wavelength_mm,level_db\n{}", rest.collect::<String>());
     std::fs::write(folder.path().join("rest.csv"), rest).unwrap();
     std::fs::write(folder.path().join("pass-by.csv"), HEARD).unwrap();
@@ -45,10 +34,7 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
     std::fs::write(&path, text + heard).unwrap();
     let plan = Plan::read(&path).unwrap();
     let remarks = &plan.remarks;
-    assert!(
-        !remarks.iter().any(|it| it.to_string().contains("silent")),
-        "{remarks:?}"
-    );
+    assert!(!remarks.iter().any(|it| it.to_string().contains("silent")), "{remarks:?}");
 
     let parameters = plan.posterior.parameters();
     let values: Vec<f64> = parameters.iter().map(|it| it.prior.quantile(0.5)).collect();
@@ -56,11 +42,8 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
     let observed = plan.posterior.observed().pop().unwrap();
     // Levels of the second and of the last date over the first, those of the axle box, and the two trains.
     let table = std::fs::read_to_string(folder.path().join("roughness.csv")).unwrap();
-    let rows: Vec<Vec<f64>> = table
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').map(|it| it.parse().unwrap()).collect())
-        .collect();
+    let rows: Vec<Vec<f64>> =
+        table.lines().skip(1).map(|line| line.split(',').map(|it| it.parse().unwrap()).collect()).collect();
     let first: Vec<&Vec<f64>> = rows.iter().filter(|row| row[0] == 0.0).collect();
     let change = |row: usize| predicted[first.len() + row];
     let written = |name: &str| {
@@ -81,12 +64,9 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
     let case = Case::read(&folder.path().join("case.toml"), &overrides).unwrap();
     for (train, measured) in [80.0, 84.0].into_iter().enumerate() {
         let of_bands = bands.iter().map(|band| {
-            let own = first.iter().position(|row| {
-                ThirdOctave::centred(1e-3 * row[1]).is_ok_and(|other| other == *band)
-            });
-            let level = own.map_or(0.0, |own| {
-                first[own][2] + if train == 1 { change(own) } else { 0.0 }
-            });
+            let own =
+                first.iter().position(|row| ThirdOctave::centred(1e-3 * row[1]).is_ok_and(|other| other == *band));
+            let level = own.map_or(0.0, |own| first[own][2] + if train == 1 { change(own) } else { 0.0 });
             (*band, level)
         });
         let question = NoiseQuestion {
@@ -94,11 +74,7 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
             distance: 25.0,
             height: 3.5,
             wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
-            ..NoiseQuestion::of_a_coach(
-                100.0 / 3.6,
-                Spectrum::new(of_bands).unwrap(),
-                "iso-3095-2013".to_owned(),
-            )
+            ..NoiseQuestion::of_a_coach(100.0 / 3.6, Spectrum::new(of_bands).unwrap(), "iso-3095-2013".to_owned())
         };
         let answer = question.answer(&case, &|_| ()).unwrap();
         let place = predicted.len() - 2 + train;

@@ -38,23 +38,11 @@ fn where_pads_decide_pads_lead() {
     let answer = remedies(&own, &traffic);
     let mut direct = Vec::new();
     for (key, value, overrides) in [
-        (
-            "track.pad.stiffness",
-            30e6,
-            &["track.pad.stiffness=30 MN/m"][..],
-        ),
-        (
-            "track.pad.stiffness",
-            120e6,
-            &["track.pad.stiffness=120 MN/m"],
-        ),
+        ("track.pad.stiffness", 30e6, &["track.pad.stiffness=30 MN/m"][..]),
+        ("track.pad.stiffness", 120e6, &["track.pad.stiffness=120 MN/m"]),
         ("rail.loss_factor", 0.12, &["rail.loss_factor=0.12"]),
         // The force stays: 0.3 · 0.35/0.25.
-        (
-            "contact.friction",
-            0.25,
-            &["contact.friction=0.25", "contact.tractive_ratio=0.42"],
-        ),
+        ("contact.friction", 0.25, &["contact.friction=0.25", "contact.tractive_ratio=0.42"]),
         ("wheel.mass", 0.8 * 769.5, &["wheel.mass=615.6 kg"]),
     ] {
         let change = rate(&coarse(METRO_CASE, overrides), &traffic) / before - 1.0;
@@ -69,24 +57,13 @@ fn where_pads_decide_pads_lead() {
     let file = String::from_utf8(file).unwrap();
     let first = file.lines().nth(1).unwrap().rsplit(',').next().unwrap();
     let written: f64 = first.parse().unwrap();
-    assert!(
-        (written / (before * (1.0 + direct[0])) - 1.0).abs() < 1e-9,
-        "{file}"
-    );
+    assert!((written / (before * (1.0 + direct[0])) - 1.0).abs() < 1e-9, "{file}");
     assert_eq!(answer.remedies[0].changes.len(), 1);
     assert_eq!(answer.remedies[0].change_of_fastest_growth, direct[0]);
     let changes = answer.remedies.iter().map(|it| it.change_of_fastest_growth);
-    assert!(
-        changes
-            .clone()
-            .zip(changes.skip(1))
-            .all(|(one, next)| one <= next)
-    );
+    assert!(changes.clone().zip(changes.skip(1)).all(|(one, next)| one <= next));
     let words = answer.helps_most().unwrap().to_string();
-    assert!(
-        words.starts_with("what helps most is pads of half the stiffness: growth falls by"),
-        "{words}"
-    );
+    assert!(words.starts_with("what helps most is pads of half the stiffness: growth falls by"), "{words}");
 }
 
 /// Trains at four fifths of their speeds, and speeds spread one and a half times as widely, are that traffic.
@@ -100,10 +77,9 @@ fn speeds_are_changed_as_a_traffic_file_would() {
     let own = coarse(METRO_CASE, &[]);
     let before = traffic(15.0, 2.0);
     let answer = remedies(&own, &before);
-    for (key, value, after) in [
-        ("speed.factor", 0.8, traffic(12.0, 1.6)),
-        ("speed.standard_deviation", 3.0, traffic(15.0, 3.0)),
-    ] {
+    for (key, value, after) in
+        [("speed.factor", 0.8, traffic(12.0, 1.6)), ("speed.standard_deviation", 3.0, traffic(15.0, 3.0))]
+    {
         let change = rate(&own, &after) / rate(&own, &before) - 1.0;
         let ranked = of(&answer, key, value).change_of_fastest_growth;
         assert!((ranked - change).abs() < 1e-9, "{key}: {ranked} {change}");
@@ -143,17 +119,11 @@ fn remedies_change_what_the_vehicles_have() {
         reasons.collect::<Vec<_>>().join("\n")
     };
     let mixed = reasons(&traffic([500.0, 700.0], [2.0; 2], 0.35));
-    assert!(
-        mixed.contains("wheel.mass differs between the vehicles"),
-        "{mixed}"
-    );
+    assert!(mixed.contains("wheel.mass differs between the vehicles"), "{mixed}");
     let spread = TRAFFIC.to_owned()
         + "spread = { track.pad.stiffness = { mean = \"60 MN/m\", standard_deviation = \"5 MN/m\" } }\n";
     let pads = reasons(&Traffic::parse("t", &spread).unwrap());
-    assert!(
-        pads.contains("track.pad.stiffness differs between the vehicles, or is spread"),
-        "{pads}"
-    );
+    assert!(pads.contains("track.pad.stiffness differs between the vehicles, or is spread"), "{pads}");
     let slippery = reasons(&traffic([500.0; 2], [2.0; 2], 0.15));
     assert!(slippery.contains("friction is 0.15 already"), "{slippery}");
 }
@@ -168,14 +138,9 @@ fn what_a_case_has_no_key_for_is_left_out() {
         reasons.collect::<Vec<_>>().join("\n")
     };
     let free = left_out(&coarse(NOMINAL_CASE, &[]), &traffic);
+    assert!(free.contains("pads of half the stiffness: the case has no value of track.pad.stiffness"), "{free}");
     assert!(
-        free.contains("pads of half the stiffness: the case has no value of track.pad.stiffness"),
-        "{free}"
-    );
-    assert!(
-        free.contains(
-            "grinding interval: grinding lowers the level and leaves growth as it is, 6 dB in"
-        ),
+        free.contains("grinding interval: grinding lowers the level and leaves growth as it is, 6 dB in"),
         "{free}"
     );
     assert!(!free.contains("friction"), "{free}");
@@ -202,9 +167,6 @@ fn times_stand_in_one_unit() {
         let before = unit(answer.under_traffic.fastest.unwrap().time().to_string());
         let grows = answer.remedies.iter().filter(|it| it.fastest.is_some());
         let others: Vec<String> = grows.map(|it| unit(it.doubles_in.to_string())).collect();
-        assert!(
-            others.iter().all(|it| *it == before),
-            "{before}: {others:?}"
-        );
+        assert!(others.iter().all(|it| *it == before), "{before}: {others:?}");
     }
 }

@@ -34,10 +34,8 @@ fn case_of(of: impl Fn(&str) -> f64, contact: &str, shear: f64, limit: &str) -> 
 /// P and Q linear, p₀ by the third root: 2e-4 of the printed numbers, demands by the line and by the surface.
 #[test]
 fn operating_points() {
-    let growth: Value = serde_json::from_str(include_str!(
-        "../../../../validation/reference/damage/growth.json"
-    ))
-    .unwrap();
+    let growth: Value =
+        serde_json::from_str(include_str!("../../../../validation/reference/damage/growth.json")).unwrap();
     let points = include_str!("../../../../validation/reference/damage/operating_points.csv");
     let mut worst = 0.0f64;
     for line in points.lines().skip(1) {
@@ -54,10 +52,7 @@ fn operating_points() {
             };
             let answer = question.answer(&case).unwrap();
             let along = answer.along_wave.unwrap();
-            let point = along
-                .iter()
-                .find(|point| point.phase_deg == number(4))
-                .unwrap();
+            let point = along.iter().find(|point| point.phase_deg == number(4)).unwrap();
             for (got, expected) in [
                 (point.normal_force_n, number(6)),
                 (point.tangential_force_n, number(7)),
@@ -76,10 +71,7 @@ fn operating_points() {
 /// Half a millimetre at 300 mm asks for more than the friction of 0.35 under high traction, a hundredth of that does not.
 #[test]
 fn more_friction_than_there_is_is_told() {
-    let text = std::fs::read_to_string(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../cases/class-heavy-haul.toml"
-    ));
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/class-heavy-haul.toml"));
     let traction = ["contact.tractive_ratio=0.9".to_owned()];
     let case = Case::parse("case.toml", &text.unwrap(), &traction).unwrap();
     for (amplitude, told) in [(500e-6, true), (5e-6, false)] {
@@ -91,11 +83,7 @@ fn more_friction_than_there_is_is_told() {
         let answer = question.answer(&case).unwrap();
         let remarks = answer.remarks.iter();
         let ids: Vec<&str> = remarks.map(|remark| remark.id()).collect();
-        assert_eq!(
-            ids.contains(&"more-friction-than-there-is"),
-            told,
-            "{ids:?}"
-        );
+        assert_eq!(ids.contains(&"more-friction-than-there-is"), told, "{ids:?}");
     }
 }
 
@@ -104,12 +92,8 @@ fn more_friction_than_there_is_is_told() {
 #[test]
 fn operating_points_on_waves() {
     let reference = |text: &str| serde_json::from_str::<Value>(text).unwrap();
-    let growth = reference(include_str!(
-        "../../../../validation/reference/damage/growth.json"
-    ));
-    let waves = reference(include_str!(
-        "../../../../validation/reference/damage/on_waves.json"
-    ));
+    let growth = reference(include_str!("../../../../validation/reference/damage/growth.json"));
+    let waves = reference(include_str!("../../../../validation/reference/damage/on_waves.json"));
     for row in waves["points"].as_array().unwrap() {
         let number = |key: &str| row[key].as_f64().unwrap();
         let case = &growth["cases"][row["case"].as_str().unwrap()];

@@ -61,32 +61,23 @@ impl DecayRates {
         let structure = case.track.structure.as_deref();
         let structure = structure.ok_or("the track has no places along it")?;
         let rates = self.centre.iter();
-        Ok(rates
-            .map(|centre| DecayRate::of_band(structure, *centre, lines).ln())
-            .collect())
+        Ok(rates.map(|centre| DecayRate::of_band(structure, *centre, lines).ln()).collect())
     }
 
-    pub(crate) fn read(
-        path: &Path,
-        view: (usize, &Case),
-        student: StudentsT,
-    ) -> Result<Self, CaseError> {
+    pub(crate) fn read(path: &Path, view: (usize, &Case), student: StudentsT) -> Result<Self, CaseError> {
         let numbers = table::Numbers::of(path, Kind::DecayRate)?;
         let [frequency, rate] = [0, 1].map(|column| &numbers.needed[column]);
         let rule = "must be greater than zero";
         numbers.check(path, "decay_rate_db_per_m", rate, rule, |rate| rate > 0.0)?;
         if view.1.track.structure.is_none() {
-            let message =
-                "the track of the case is no model with places along it, and has no decay rates";
+            let message = "the track of the case is no model with places along it, and has no decay rates";
             return Err(numbers.refuse(path, 0, message));
         }
         let mut centre = Vec::new();
         for (row, f) in frequency.iter().enumerate() {
-            let band = FrequencyBand::containing(*f)
-                .filter(|band| (f / band.centre() - 1.0).abs() <= 0.05);
+            let band = FrequencyBand::containing(*f).filter(|band| (f / band.centre() - 1.0).abs() <= 0.05);
             let band = band.map(FrequencyBand::centre).ok_or_else(|| {
-                let message =
-                    format!("`frequency_hz` is {f}, but must be the centre of a one-third octave");
+                let message = format!("`frequency_hz` is {f}, but must be the centre of a one-third octave");
                 numbers.refuse(path, row, &message)
             })?;
             centre.push(band);
@@ -101,11 +92,7 @@ impl DecayRates {
             (Some(_), Some(_)) => return Err(numbers.refuse(path, 0, say!(two_errors_of_a_rate))),
             (Some(error), None) => error.clone(),
             // To first order.
-            (None, Some(error)) => error
-                .iter()
-                .zip(rate)
-                .map(|(error, rate)| error / rate)
-                .collect(),
+            (None, Some(error)) => error.iter().zip(rate).map(|(error, rate)| error / rate).collect(),
             (None, None) => frequency.iter().map(|f| usual_error(*f)).collect(),
         };
         let upper_bound = match bound {
@@ -171,22 +158,13 @@ impl Block for DecayRates {
             let beside = self.rate[band] - predicted[band];
             self.student.cdf(beside / self.scale(band, sizes))
         });
-        Some(Given {
-            log_density: self.density(predicted, sizes)?.value,
-            shares: shares.collect(),
-        })
+        Some(Given { log_density: self.density(predicted, sizes)?.value, shares: shares.collect() })
     }
 
-    fn replicate(
-        &self,
-        predicted: &[f64],
-        sizes: &[f64],
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>> {
+    fn replicate(&self, predicted: &[f64], sizes: &[f64], random: &mut Xoshiro256PlusPlus) -> Option<Vec<f64>> {
         let bands = predicted.iter().enumerate();
-        let drawn = bands.map(|(band, predicted)| {
-            predicted + self.scale(band, sizes) * self.student.inverse_cdf(uniform(random))
-        });
+        let drawn = bands
+            .map(|(band, predicted)| predicted + self.scale(band, sizes) * self.student.inverse_cdf(uniform(random)));
         Some(drawn.collect())
     }
 
@@ -216,11 +194,7 @@ impl Block for DecayRates {
     }
 
     fn places(&self) -> Vec<Place> {
-        let place = |centre: &f64| Place {
-            measured: Observable::DecayRateDbPerM,
-            at: *centre,
-            of: None,
-        };
+        let place = |centre: &f64| Place { measured: Observable::DecayRateDbPerM, at: *centre, of: None };
         self.centre.iter().map(place).collect()
     }
 

@@ -74,17 +74,9 @@ impl FrequencyResponses {
             );
             return Err(numbers.refuse(path, 0, &message));
         }
-        let response: Vec<Complex64> = real
-            .iter()
-            .zip(imaginary)
-            .map(|(re, im)| Complex64::new(*re, *im))
-            .collect();
+        let response: Vec<Complex64> = real.iter().zip(imaginary).map(|(re, im)| Complex64::new(*re, *im)).collect();
         if let Some(row) = response.iter().position(|value| value.norm() == 0.0) {
-            return Err(numbers.refuse(
-                path,
-                row,
-                "the receptance is zero, which has no logarithm",
-            ));
+            return Err(numbers.refuse(path, row, "the receptance is zero, which has no logarithm"));
         }
         let position = numbers.others[0].clone();
         let doubts = doubts(frequency, &response, position.as_deref());
@@ -94,15 +86,14 @@ impl FrequencyResponses {
             let rule = "must be above 0 and below 1";
             numbers.check(path, "coherence", coherence, rule, |c| c > 0.0 && c < 1.0)?;
             if averages.is_none() {
-                let message = "has a column `coherence`, but `averages` of the plan is missing, the number of blows of each mean";
+                let message =
+                    "has a column `coherence`, but `averages` of the plan is missing, the number of blows of each mean";
                 return Err(numbers.refuse(path, 0, message));
             }
         }
         let (low, high) = view.1.known_frequencies();
         let rule = format!("the track is known from {low:.4} to {high:.4} Hz only");
-        numbers.check(path, "frequency_hz", frequency, &rule, |f| {
-            f >= low && f <= high
-        })?;
+        numbers.check(path, "frequency_hz", frequency, &rule, |f| f >= low && f <= high)?;
         if view.1.track.structure.is_none() && position.is_some() {
             let message = "the track of the case is no model and has no places, but there is a column `position_m`";
             return Err(numbers.refuse(path, 0, message));
@@ -123,9 +114,7 @@ impl FrequencyResponses {
         });
         let lines: Vec<Line> = lines.collect();
         let read = Self::of_bands(view.0, &lines, &joined(&lines), gain_error, missed);
-        let read = read.ok_or_else(|| {
-            numbers.refuse(path, 0, "the errors of the lines are zero within rounding")
-        })?;
+        let read = read.ok_or_else(|| numbers.refuse(path, 0, "the errors of the lines are zero within rounding"))?;
         Ok(Self {
             position: position.is_some().then_some(read.position).flatten(),
             usual_errors: coherence.is_none(),
@@ -135,13 +124,7 @@ impl FrequencyResponses {
     }
 
     /// The means of some bands of lines with places; `None` where their errors are zero within rounding.
-    fn of_bands(
-        view: usize,
-        lines: &[Line],
-        bands: &[Band],
-        gain_error: f64,
-        missed: Option<Kernel>,
-    ) -> Option<Self> {
+    fn of_bands(view: usize, lines: &[Line], bands: &[Band], gain_error: f64, missed: Option<Kernel>) -> Option<Self> {
         let place = |band: &Band| lines[band.lines[0].0].place;
         Some(Self {
             view,
@@ -157,28 +140,17 @@ impl FrequencyResponses {
 }
 
 /// Errors of the means of ln |H| and of arg H: those of the lines, one gain for all lines of the first, and what the model misses.
-fn parts(
-    lines: &[Line],
-    bands: &[Band],
-    gain_error: f64,
-    missed: Option<Kernel>,
-) -> Option<[Gaussian; 2]> {
+fn parts(lines: &[Line], bands: &[Band], gain_error: f64, missed: Option<Kernel>) -> Option<[Gaussian; 2]> {
     let kernel = missed.unwrap_or(Kernel::Band);
     let of_lines = |one: usize, other: usize| {
         let (one, other) = (&lines[one], &lines[other]);
         let distance = (one.frequency / other.frequency).ln();
-        if one.place == other.place {
-            kernel.at(distance)
-        } else {
-            0.0
-        }
+        if one.place == other.place { kernel.at(distance) } else { 0.0 }
     };
     let covariance = Matrix::of(bands.len(), |i, j| {
         let pairs = bands[i].lines.iter();
         let pairs = pairs.flat_map(|one| bands[j].lines.iter().map(move |other| (one, other)));
-        pairs
-            .map(|((one, a), (other, b))| a * b * of_lines(*one, *other))
-            .sum()
+        pairs.map(|((one, a), (other, b))| a * b * of_lines(*one, *other)).sum()
     });
     let gaussian = |gain: f64| {
         let noise = Matrix::of(bands.len(), |i, j| {
@@ -192,11 +164,7 @@ fn parts(
 }
 
 /// What is to be asked of the responses of each place: unit and phase. Of lines at one frequency the first is looked at.
-fn doubts(
-    frequency: &[f64],
-    response: &[Complex64],
-    position: Option<&[f64]>,
-) -> Result<Vec<Message>, Message> {
+fn doubts(frequency: &[f64], response: &[Complex64], position: Option<&[f64]>) -> Result<Vec<Message>, Message> {
     let place = |row: usize| position.map_or(0.0, |position| position[row]);
     let mut rows: Vec<usize> = (0..frequency.len()).collect();
     rows.sort_by(|a, b| {
@@ -213,9 +181,7 @@ fn doubts(
             continue;
         };
         let new = doubts_about_rail(&measured)?.into_iter();
-        let new: Vec<Message> = new
-            .filter(|doubt| doubts.iter().all(|known| known.id() != doubt.id()))
-            .collect();
+        let new: Vec<Message> = new.filter(|doubt| doubts.iter().all(|known| known.id() != doubt.id())).collect();
         doubts.extend(new);
     }
     Ok(doubts)
@@ -226,8 +192,7 @@ impl Block for FrequencyResponses {
     fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
         let case = trial.case(self.view)?;
         let (mut moduli, mut phases) = (Vec::new(), Vec::new());
-        for (row, ([mean, deviation], measured)) in self.frequency.iter().zip(&self.log).enumerate()
-        {
+        for (row, ([mean, deviation], measured)) in self.frequency.iter().zip(&self.log).enumerate() {
             let place = self.position.as_ref().map(|position| position[row]);
             let receptance = |f: f64| match (&case.track.structure, place) {
                 (Some(structure), Some(x)) => structure.cross_receptance(TAU * f, x, x),
@@ -235,11 +200,7 @@ impl Block for FrequencyResponses {
             };
             // The mean over the lines of a band to the third power of their distance: at one standard deviation to both sides.
             let beside = [-1.0, 1.0].map(|side| mean + side * deviation);
-            let nodes = if *deviation > 0.0 {
-                &beside[..]
-            } else {
-                &[*mean]
-            };
+            let nodes = if *deviation > 0.0 { &beside[..] } else { &[*mean] };
             let mut sum = Complex64::ZERO;
             for f in nodes {
                 let log = receptance(*f).ln();
@@ -271,12 +232,7 @@ impl Block for FrequencyResponses {
         Some([real, self.parts[1].of_each(imaginary, sizes)?].concat())
     }
 
-    fn replicate(
-        &self,
-        predicted: &[f64],
-        sizes: &[f64],
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>> {
+    fn replicate(&self, predicted: &[f64], sizes: &[f64], random: &mut Xoshiro256PlusPlus) -> Option<Vec<f64>> {
         let real = self.parts[0].draw(sizes, || normal(random))?;
         let imaginary = self.parts[1].draw(sizes, || normal(random))?;
         Some(sums(predicted, &[real, imaginary].concat()))
@@ -329,11 +285,7 @@ impl Block for FrequencyResponses {
         }
         let group = |place: &f64| {
             let own = (0..2 * count).filter(|datum| self.is_at(datum % count, *place));
-            Group {
-                held: Held::Place(*place),
-                own: own.collect(),
-                ..all.clone()
-            }
+            Group { held: Held::Place(*place), own: own.collect(), ..all.clone() }
         };
         places.iter().map(group).collect()
     }
@@ -358,15 +310,10 @@ impl Block for FrequencyResponses {
 
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {
         let count = self.log.len();
-        let parts = self
-            .parts
-            .each_ref()
-            .map(|part| part.covariance_of_mean(sizes, times));
-        Matrix::of(2 * count, |row, column| {
-            match row / count == column / count {
-                true => parts[row / count].at(row % count, column % count),
-                false => 0.0,
-            }
+        let parts = self.parts.each_ref().map(|part| part.covariance_of_mean(sizes, times));
+        Matrix::of(2 * count, |row, column| match row / count == column / count {
+            true => parts[row / count].at(row % count, column % count),
+            false => 0.0,
         })
     }
 }
@@ -401,9 +348,7 @@ mod tests {
         let all = joined_to(&lines, 196);
         let exact = FrequencyResponses::of_bands(view, &lines, &all, 0.03, missed).unwrap();
         let predicted = exact.predict(&posterior.model.trial(&values)).unwrap();
-        let drawn = exact
-            .replicate(&predicted, &[0.05], &mut random(3, 0, 0))
-            .unwrap();
+        let drawn = exact.replicate(&predicted, &[0.05], &mut random(3, 0, 0)).unwrap();
         for (row, line) in lines.iter_mut().enumerate() {
             line.response = Complex64::from_polar(drawn[row].exp(), drawn[row + 196]);
         }
@@ -438,10 +383,7 @@ mod tests {
         };
         let (all, means) = (told(196), told(100));
         for ((width, step), (other_width, other_step)) in all.into_iter().zip(means) {
-            assert!(
-                (other_width / width - 1.0).abs() < 0.05,
-                "{other_width} {width}"
-            );
+            assert!((other_width / width - 1.0).abs() < 0.05, "{other_width} {width}");
             let loss = (other_width * other_width - width * width).max(0.0).sqrt();
             assert!(
                 (other_step - step).abs() < 4.0 * loss + 0.02 * width,

@@ -82,11 +82,7 @@ pub(super) fn joined_to(lines: &[Line], most: usize) -> Vec<Band> {
     let single = |row: usize, phase: f64| Joining {
         rows: vec![row],
         weight: lines[row].variance.recip(),
-        means: [
-            lines[row].response.norm().ln(),
-            phase,
-            SLOPE * lines[row].frequency.ln(),
-        ],
+        means: [lines[row].response.norm().ln(), phase, SLOPE * lines[row].frequency.ln()],
     };
     let own_phase = |row: usize| lines[row].response.arg();
     if lines.len() <= most {
@@ -138,20 +134,14 @@ impl Joining {
         let shares: Vec<(usize, f64)> = self.rows.iter().map(|row| (*row, share(*row))).collect();
         let mean = |of: &dyn Fn(f64) -> f64| -> f64 {
             let shares = shares.iter();
-            shares
-                .map(|(row, share)| share * of(lines[*row].frequency))
-                .sum()
+            shares.map(|(row, share)| share * of(lines[*row].frequency)).sum()
         };
         let frequency = match self.rows[..] {
             [row] => lines[row].frequency,
             _ => mean(&|f| f),
         };
         let deviation = mean(&|f| (f - frequency).powi(2)).sqrt();
-        Band {
-            frequency: [frequency, deviation],
-            log: Complex64::new(self.means[0], self.means[1]),
-            lines: shares,
-        }
+        Band { frequency: [frequency, deviation], log: Complex64::new(self.means[0], self.means[1]), lines: shares }
     }
 }
 
@@ -168,21 +158,12 @@ mod tests {
         let line = |row: u32| {
             let frequency = 40.0 + f64::from(row);
             let ratio = (frequency / 500.0).powi(2);
-            Line {
-                place: 0.0,
-                frequency,
-                response: Complex64::new(1.0 - ratio, 0.02).inv() * 1e-9,
-                variance: 2.5e-3,
-            }
+            Line { place: 0.0, frequency, response: Complex64::new(1.0 - ratio, 0.02).inv() * 1e-9, variance: 2.5e-3 }
         };
         let lines: Vec<Line> = (0..1600).map(line).collect();
         let bands = joined(&lines);
         assert_eq!(bands.len(), MOST);
-        let mut rows: Vec<usize> = bands
-            .iter()
-            .flat_map(|it| &it.lines)
-            .map(|it| it.0)
-            .collect();
+        let mut rows: Vec<usize> = bands.iter().flat_map(|it| &it.lines).map(|it| it.0).collect();
         rows.sort_unstable();
         assert_eq!(rows, (0..1600).collect::<Vec<usize>>());
         let near = |band: &&Band| (band.frequency[0] / 500.0 - 1.0).abs() < 0.02;
@@ -190,11 +171,7 @@ mod tests {
         assert!(count >= 8, "{count}");
         for band in &bands {
             let shares: f64 = band.lines.iter().map(|it| it.1).sum();
-            let mean: f64 = band
-                .lines
-                .iter()
-                .map(|it| it.1 * lines[it.0].frequency)
-                .sum();
+            let mean: f64 = band.lines.iter().map(|it| it.1 * lines[it.0].frequency).sum();
             assert!((shares - 1.0).abs() < 1e-12 && (mean - band.frequency[0]).abs() < 1e-9);
         }
     }
@@ -210,29 +187,17 @@ mod tests {
             let line = |row: u32| {
                 let frequency = 40.0 + 4.0 * f64::from(row);
                 let error = Complex64::new(normal(&mut random), normal(&mut random));
-                Line {
-                    place: 0.0,
-                    frequency,
-                    response: (truth(frequency) + 0.05 * error).exp(),
-                    variance: 2.5e-3,
-                }
+                Line { place: 0.0, frequency, response: (truth(frequency) + 0.05 * error).exp(), variance: 2.5e-3 }
             };
             let lines: Vec<Line> = (0..400).map(line).collect();
             for band in joined(&lines) {
-                let truths = band
-                    .lines
-                    .iter()
-                    .map(|(row, share)| share * truth(lines[*row].frequency));
+                let truths = band.lines.iter().map(|(row, share)| share * truth(lines[*row].frequency));
                 let error = band.log - truths.sum::<Complex64>();
                 sum += error.norm_sqr() / 2.5e-3 * band.lines.len() as f64;
                 count += 2.0;
             }
         }
-        assert!(
-            (sum / count - 1.0).abs() < 4.0 * f64::sqrt(2.0 / count),
-            "{}",
-            sum / count
-        );
+        assert!((sum / count - 1.0).abs() < 4.0 * f64::sqrt(2.0 / count), "{}", sum / count);
     }
 
     /// As many lines as there may be, or fewer, stay as they are, in their order; those of two places never meet.

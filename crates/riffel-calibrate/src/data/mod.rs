@@ -10,9 +10,7 @@ mod wear;
 
 pub(crate) use decay_rate::DecayRates;
 pub(crate) use frequency_response::FrequencyResponses;
-pub(crate) use levels::{
-    AxleBoxRun, DatedLevels, Levels, MeasuredRail, PassBys, Passage, SinceGround, Train,
-};
+pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels, MeasuredRail, PassBys, Passage, SinceGround, Train};
 pub(crate) use profiles::{Comparison, DatedProfiles, Travel};
 pub(crate) use wear::Wear;
 
@@ -49,8 +47,7 @@ pub(crate) trait Block: Send + Sync {
 
     /// ln of the density of the data for predictions and sizes of what the model misses; none where these are beyond numbers.
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        self.gaussian()?
-            .density(&differences(&self.observed(), predicted), sizes)
+        self.gaussian()?.density(&differences(&self.observed(), predicted), sizes)
     }
 
     /// Where the model looks at its case.
@@ -64,17 +61,11 @@ pub(crate) trait Block: Send + Sync {
 
     /// ln of the density of each datum given all others of the block; none where it is beyond numbers.
     fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
-        self.gaussian()?
-            .of_each(&differences(&self.observed(), predicted), sizes)
+        self.gaussian()?.of_each(&differences(&self.observed(), predicted), sizes)
     }
 
     /// Data as they might have been measured: predictions with errors that are drawn.
-    fn replicate(
-        &self,
-        predicted: &[f64],
-        sizes: &[f64],
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>> {
+    fn replicate(&self, predicted: &[f64], sizes: &[f64], random: &mut Xoshiro256PlusPlus) -> Option<Vec<f64>> {
         let errors = self.gaussian()?.draw(sizes, || normal(random))?;
         Some(sums(predicted, &errors))
     }
@@ -106,10 +97,7 @@ pub(crate) trait Block: Send + Sync {
     fn given_rest(&self, group: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Given> {
         let residuals = differences(&self.observed(), predicted);
         let covariance = self.covariance(sizes, 1.0);
-        let inverse = covariance
-            .of_sums(&group.basis)
-            .cholesky()?
-            .inverse_of_square();
+        let inverse = covariance.of_sums(&group.basis).cholesky()?.inverse_of_square();
         let residuals = group.basis.iter().map(|terms| sum_of(&residuals, terms));
         let weighted = inverse.times(&residuals.collect::<Vec<f64>>());
         given_others(&inverse, &weighted, &group.own)
@@ -191,54 +179,33 @@ pub(crate) struct Group {
 impl Group {
     /// All of so many data.
     pub(crate) fn all(count: usize) -> Self {
-        Self {
-            held: Held::All,
-            basis: (0..count).map(|datum| vec![(datum, 1.0)]).collect(),
-            own: (0..count).collect(),
-        }
+        Self { held: Held::All, basis: (0..count).map(|datum| vec![(datum, 1.0)]).collect(), own: (0..count).collect() }
     }
 
     /// Some of so many data, for tests.
     #[cfg(test)]
     pub(crate) fn single(count: usize, own: &[usize]) -> Self {
-        Self {
-            own: own.to_vec(),
-            ..Self::all(count)
-        }
+        Self { own: own.to_vec(), ..Self::all(count) }
     }
 }
 
 /// The rule that passages from the first date to the last break; none if they do not.
 fn too_few(passages: f64) -> Option<Message> {
-    (passages < LEAST_PASSAGES).then(|| {
-        say!(
-            too_few_passages,
-            passages = passages,
-            least = LEAST_PASSAGES
-        )
-    })
+    (passages < LEAST_PASSAGES).then(|| say!(too_few_passages, passages = passages, least = LEAST_PASSAGES))
 }
 
 pub(crate) fn differences(one: &[f64], other: &[f64]) -> Vec<f64> {
-    one.iter()
-        .zip(other)
-        .map(|(one, other)| one - other)
-        .collect()
+    one.iter().zip(other).map(|(one, other)| one - other).collect()
 }
 
 /// The sum of some values by their weights.
 pub(crate) fn sum_of(values: &[f64], weights: &[(usize, f64)]) -> f64 {
-    let weighted = weights
-        .iter()
-        .map(|(place, weight)| weight * values[*place]);
+    let weighted = weights.iter().map(|(place, weight)| weight * values[*place]);
     weighted.sum()
 }
 
 pub(crate) fn sums(one: &[f64], other: &[f64]) -> Vec<f64> {
-    one.iter()
-        .zip(other)
-        .map(|(one, other)| one + other)
-        .collect()
+    one.iter().zip(other).map(|(one, other)| one + other).collect()
 }
 
 /// How much a model misses.

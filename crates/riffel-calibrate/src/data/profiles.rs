@@ -95,20 +95,17 @@ impl DatedProfiles {
                 let remark = say!(lines_left_out, lost = found.lost as f64, all = all as f64);
                 remarks.push(remark.about(date.path.display()));
             }
-            lines.extend(found.waves.iter().map(|wave| Line {
-                passages: date.passages,
-                wave: *wave,
-            }));
+            lines.extend(found.waves.iter().map(|wave| Line { passages: date.passages, wave: *wave }));
             seen = Some((found.seen, found.segment));
         }
         let Some((seen, segment)) = seen else {
-            let message = "all profiles are of one date, which says nothing of growth; measure again, or leave the file out";
+            let message =
+                "all profiles are of one date, which says nothing of growth; measure again, or leave the file out";
             return Err(CaseError::data(path, message));
         };
         let gaussian = errors(&lines, comparison, window[1]);
-        let gaussian = gaussian.ok_or_else(|| {
-            CaseError::data(path, "the errors of the lines are zero within rounding")
-        })?;
+        let gaussian =
+            gaussian.ok_or_else(|| CaseError::data(path, "the errors of the lines are zero within rounding"))?;
         let wavelengths = lines.iter().flat_map(|line| {
             let wave = line.wave.wavelength.recip();
             seen.map(|(beside, _)| (wave + beside / segment).recip())
@@ -141,10 +138,7 @@ fn errors(lines: &[Line], comparison: &Comparison<'_>, longest: f64) -> Option<G
     let noise = |i: usize, j: usize| {
         let (one, other) = (&lines[i], &lines[j]);
         let errors = (one.wave.variance * other.wave.variance).sqrt();
-        match (
-            one.passages == other.passages,
-            one.wave.wavelength == other.wave.wavelength,
-        ) {
+        match (one.passages == other.passages, one.wave.wavelength == other.wave.wavelength) {
             (true, true) => errors,
             (false, true) => OF_FIRST * errors,
             _ => 0.0,
@@ -152,21 +146,13 @@ fn errors(lines: &[Line], comparison: &Comparison<'_>, longest: f64) -> Option<G
     };
     let same_date = |i: usize, j: usize| lines[i].passages == lines[j].passages;
     let real = |i: usize, j: usize| {
-        let common = if same_date(i, j) {
-            gain * gain
-        } else {
-            OF_FIRST * gain * gain
-        };
+        let common = if same_date(i, j) { gain * gain } else { OF_FIRST * gain * gain };
         noise(i, j) + common
     };
     // What is a shift of the record and what a drift of waves, only the waves tell: it may be as long as the longest of them.
     let turned = |i: usize| TAU * longest / lines[i].wave.wavelength;
     let imaginary = |i: usize, j: usize| {
-        let shift = if same_date(i, j) {
-            turned(i) * turned(j)
-        } else {
-            0.0
-        };
+        let shift = if same_date(i, j) { turned(i) * turned(j) } else { 0.0 };
         noise(i, j) + shift
     };
     let missed = comparison.missed.map(|kernel| {
@@ -185,11 +171,7 @@ fn errors(lines: &[Line], comparison: &Comparison<'_>, longest: f64) -> Option<G
         })
     };
     let noise = matrix(&|part, i, j| {
-        if part == 0 {
-            real(i, j)
-        } else {
-            imaginary(i, j)
-        }
+        if part == 0 { real(i, j) } else { imaginary(i, j) }
     });
     let missed = missed.map(|missed| matrix(&|_, i, j| missed(i, j)));
     Gaussian::new(noise, missed.into_iter().collect())
@@ -205,18 +187,14 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
     for (passages, name) in rows {
         let passages = passages - begins;
         if name.is_empty() {
-            let message = format!(
-                "has no name in `profile` for the passages {passages}, counted from the first date"
-            );
+            let message = format!("has no name in `profile` for the passages {passages}, counted from the first date");
             return Err(CaseError::data(path, &message));
         }
         // A table that is sent to a server must not make it read other files.
-        let is_below =
-            |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
+        let is_below = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
         if !Path::new(&name).components().all(is_below) {
-            let message = format!(
-                "names the profile \"{name}\", but profiles must lie beside the table or in a folder there"
-            );
+            let message =
+                format!("names the profile \"{name}\", but profiles must lie beside the table or in a folder there");
             return Err(CaseError::data(path, &message));
         }
         let path = folder.join(name);
@@ -225,12 +203,7 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
             return Err(CaseError::data(&path, message));
         }
         let profile = profile(&path, rail)?;
-        dated.push(Dated {
-            passages,
-            counted: passages + begins,
-            path,
-            profile,
-        });
+        dated.push(Dated { passages, counted: passages + begins, path, profile });
     }
     dated.sort_by(|one, other| one.passages.total_cmp(&other.passages));
     if let [_, .., last] = &dated[..]
@@ -242,11 +215,7 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
 }
 
 /// The profiles since the rail was last ground, with passages since the first of them, and what to say of it.
-fn since_ground(
-    table: &Path,
-    mut dated: Vec<Dated>,
-    longest: f64,
-) -> Result<(Vec<Dated>, Option<Message>), CaseError> {
+fn since_ground(table: &Path, mut dated: Vec<Dated>, longest: f64) -> Result<(Vec<Dated>, Option<Message>), CaseError> {
     let spectrum = |date: &Dated| {
         let levels = Spectrum::of_record(std::slice::from_ref(&date.profile), longest);
         levels.map_err(|error| CaseError::data(&date.path, error.to_string()))
@@ -269,29 +238,19 @@ fn since_ground(
         return Err(CaseError::data(table, ground));
     }
     dated.iter_mut().for_each(|date| date.passages -= before);
-    let said = say!(
-        ground_between_dates,
-        file = table.display().to_string(),
-        passages = counted,
-        fall = FALL_BY_GRINDING
-    );
+    let said =
+        say!(ground_between_dates, file = table.display().to_string(), passages = counted, fall = FALL_BY_GRINDING);
     Ok((dated, Some(said)))
 }
 
 /// The longest stretch without gaps of a rail in a file.
 fn profile(path: &Path, rail: Option<&str>) -> Result<Profile, CaseError> {
     let refuse = |message: &str| CaseError::data(path, message);
-    let RoughnessFile::Profile(record) = RoughnessFile::read(path, &Layout::default(), &|_| ())?
-    else {
-        return Err(refuse(
-            "has spectra, but a profile is needed: heights along the rail",
-        ));
+    let RoughnessFile::Profile(record) = RoughnessFile::read(path, &Layout::default(), &|_| ())? else {
+        return Err(refuse("has spectra, but a profile is needed: heights along the rail"));
     };
     if let Some(before) = record.earlier.first() {
-        let message = format!(
-            "has profiles of several dates, the first {}; give each date a file",
-            before.date
-        );
+        let message = format!("has profiles of several dates, the first {}; give each date a file", before.date);
         return Err(refuse(&message));
     }
     let names: Vec<&str> = record.rails.iter().map(|rail| &*rail.name).collect();
@@ -300,17 +259,11 @@ fn profile(path: &Path, rail: Option<&str>) -> Result<Profile, CaseError> {
         (None, _) => None,
         (Some(name), rails) => rails.iter().find(|rail| rail.name == name),
     };
-    let own = own.ok_or_else(|| {
-        refuse(&format!(
-            "has the rails {}; `rail` of the plan must name one",
-            names.join(", ")
-        ))
-    })?;
+    let own =
+        own.ok_or_else(|| refuse(&format!("has the rails {}; `rail` of the plan must name one", names.join(", "))))?;
     let longest = own.stretches.iter();
     let longest = longest.max_by(|one, other| one.length().total_cmp(&other.length()));
-    longest
-        .cloned()
-        .ok_or_else(|| refuse("has no stretch without gaps"))
+    longest.cloned().ok_or_else(|| refuse("has no stretch without gaps"))
 }
 
 impl Block for DatedProfiles {
@@ -358,11 +311,7 @@ impl Block for DatedProfiles {
     fn places(&self) -> Vec<Place> {
         let parts = [Observable::WaveGrowthNp, Observable::WaveDriftRad];
         let of_part = |measured: Observable| {
-            self.lines.iter().map(move |line| Place {
-                measured,
-                at: line.wave.wavelength,
-                of: Some(line.passages),
-            })
+            self.lines.iter().map(move |line| Place { measured, at: line.wave.wavelength, of: Some(line.passages) })
         };
         let places = parts.into_iter().flat_map(of_part);
         places.take(self.data.len()).collect()

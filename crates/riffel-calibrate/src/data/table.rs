@@ -22,12 +22,7 @@ pub(crate) struct Numbers {
 }
 
 fn refuse(path: &Path, line: Option<usize>, message: impl Into<Message>) -> CaseError {
-    CaseError::Data {
-        path: path.to_owned(),
-        line,
-        message: message.into(),
-        help: None,
-    }
+    CaseError::Data { path: path.to_owned(), line, message: message.into(), help: None }
 }
 
 fn text(path: &Path) -> Result<String, CaseError> {
@@ -39,10 +34,7 @@ fn text(path: &Path) -> Result<String, CaseError> {
 ///
 /// # Errors
 /// [`CaseError::Read`].
-pub(crate) fn names(
-    path: &Path,
-    is_head: impl Fn(&[String]) -> bool,
-) -> Result<Vec<String>, CaseError> {
+pub(crate) fn names(path: &Path, is_head: impl Fn(&[String]) -> bool) -> Result<Vec<String>, CaseError> {
     let text = text(path)?;
     let find = |names: &[String]| is_head(names).then_some(()).ok_or(names.to_vec());
     Ok(match HeadedTable::find(&text, find, |(), _| true) {
@@ -58,17 +50,8 @@ pub(crate) fn names(
 /// [`CaseError::Read`].
 pub(crate) fn unused(path: &Path, kind: Kind) -> Result<Vec<String>, CaseError> {
     let needed = kind.columns();
-    let mut names = names(path, |names| {
-        needed
-            .iter()
-            .all(|needed| names.iter().any(|it| it == needed))
-    })?;
-    let is_known = |name: &str| {
-        needed
-            .iter()
-            .chain(kind.other_columns())
-            .any(|it| *it == name)
-    };
+    let mut names = names(path, |names| needed.iter().all(|needed| names.iter().any(|it| it == needed)))?;
+    let is_known = |name: &str| needed.iter().chain(kind.other_columns()).any(|it| *it == name);
     names.retain(|name| !name.is_empty() && !is_known(name));
     Ok(names)
 }
@@ -81,11 +64,7 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
     let text = text(path)?;
     let find = |names: &[String]| {
         let place = |wanted: &&str| names.iter().position(|name| name == wanted);
-        needed
-            .iter()
-            .map(place)
-            .collect::<Option<Vec<usize>>>()
-            .ok_or(())
+        needed.iter().map(place).collect::<Option<Vec<usize>>>().ok_or(())
     };
     let table = HeadedTable::find(&text, find, |columns, row| row.number(columns[0]).is_ok());
     let table = table.map_err(|_| without_head(path, needed, &text))?;
@@ -97,27 +76,15 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
     };
     let place = |wanted: &&str| table.names.iter().position(|name| name == wanted);
     let places: Vec<Option<usize>> = others.iter().map(place).collect();
-    numbers.others = places
-        .iter()
-        .map(|place| place.map(|_| Vec::new()))
-        .collect();
+    numbers.others = places.iter().map(|place| place.map(|_| Vec::new())).collect();
     let devices = table.names.iter().enumerate();
     let devices = devices.filter(|(_, name)| is_device_column(name));
     let devices: Vec<(usize, &String)> = devices.collect();
-    numbers.devices = devices
-        .iter()
-        .map(|(_, name)| ((*name).clone(), Vec::new()))
-        .collect();
+    numbers.devices = devices.iter().map(|(_, name)| ((*name).clone(), Vec::new())).collect();
     for row in table.rows() {
         let number = |column: usize| {
             let number = row.number(column);
-            number.map_err(|rule| {
-                refuse(
-                    path,
-                    Some(row.line),
-                    format!("`{}` {rule}", table.names[column]),
-                )
-            })
+            number.map_err(|rule| refuse(path, Some(row.line), format!("`{}` {rule}", table.names[column])))
         };
         numbers.lines.push(row.line);
         for (values, &column) in numbers.needed.iter_mut().zip(&table.columns) {
@@ -146,18 +113,13 @@ pub(crate) fn named(path: &Path, columns: &[&str]) -> Result<Vec<(f64, String)>,
     let text = text(path)?;
     let find = |names: &[String]| {
         let place = |wanted: &&str| names.iter().position(|name| name == wanted);
-        columns
-            .iter()
-            .map(place)
-            .collect::<Option<Vec<usize>>>()
-            .ok_or(())
+        columns.iter().map(place).collect::<Option<Vec<usize>>>().ok_or(())
     };
     let table = HeadedTable::find(&text, find, |columns, row| row.number(columns[0]).is_ok());
     let table = table.map_err(|_| without_head(path, columns, &text))?;
     let row = |row: Row<'_>| {
         let number = row.number(table.columns[0]);
-        let number = number
-            .map_err(|rule| refuse(path, Some(row.line), format!("`{}` {rule}", columns[0])))?;
+        let number = number.map_err(|rule| refuse(path, Some(row.line), format!("`{}` {rule}", columns[0])))?;
         Ok((number, row.text(table.columns[1])))
     };
     table.rows().map(row).collect()
@@ -165,10 +127,7 @@ pub(crate) fn named(path: &Path, columns: &[&str]) -> Result<Vec<(f64, String)>,
 
 fn without_head(path: &Path, columns: &[&str], text: &str) -> CaseError {
     let is_head = |line: &&str| {
-        let names: Vec<&str> = line
-            .split([',', ';', '\t'])
-            .map(|name| name.trim().trim_matches('"'))
-            .collect();
+        let names: Vec<&str> = line.split([',', ';', '\t']).map(|name| name.trim().trim_matches('"')).collect();
         columns.iter().all(|column| names.contains(column))
     };
     if text.lines().any(|line| is_head(&line)) {
@@ -215,22 +174,14 @@ impl Numbers {
                 continue;
             }
             // Two dates differ, so that two names are there.
-            let mut named = cells
-                .iter()
-                .enumerate()
-                .filter(|(_, cell)| !cell.is_empty());
+            let mut named = cells.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
             let Some((_, other)) = named.next() else {
                 continue;
             };
             let Some((row, device)) = named.find(|(_, cell)| *cell != other) else {
                 continue;
             };
-            let rule = say!(
-                device_of_other_dates,
-                column = column,
-                device = device,
-                other = other
-            );
+            let rule = say!(device_of_other_dates, column = column, device = device, other = other);
             return Err(self.refuse(path, row, rule));
         }
         Ok(())
@@ -247,11 +198,7 @@ impl Numbers {
     ) -> Result<(), CaseError> {
         match values.iter().position(|value| !fits(*value)) {
             None => Ok(()),
-            Some(row) => Err(self.refuse(
-                path,
-                row,
-                format!("`{name}` is {}, but {rule}", values[row]),
-            )),
+            Some(row) => Err(self.refuse(path, row, format!("`{name}` is {}, but {rule}", values[row]))),
         }
     }
 
@@ -273,11 +220,6 @@ impl Numbers {
 
     /// A sentence on a row.
     pub(crate) fn refuse(&self, path: &Path, row: usize, message: impl Into<Message>) -> CaseError {
-        CaseError::Data {
-            path: path.to_owned(),
-            line: Some(self.lines[row]),
-            message: message.into(),
-            help: None,
-        }
+        CaseError::Data { path: path.to_owned(), line: Some(self.lines[row]), message: message.into(), help: None }
     }
 }

@@ -38,21 +38,16 @@ impl Wear {
         let above_zero = "must be greater than zero";
         numbers.check(path, "depth_mm", depth, above_zero, |depth| depth > 0.0)?;
         numbers.check(path, "mgt", mgt, above_zero, |mgt| mgt > 0.0)?;
-        numbers.check(path, "factor", &factor, "must be one or more", |factor| {
-            factor >= 1.0
-        })?;
-        let rows: Vec<[f64; 3]> = (depth.iter().zip(mgt).zip(&factor))
-            .map(|((depth, mgt), factor)| [*depth, *mgt, *factor])
-            .collect();
+        numbers.check(path, "factor", &factor, "must be one or more", |factor| factor >= 1.0)?;
+        let rows: Vec<[f64; 3]> =
+            (depth.iter().zip(mgt).zip(&factor)).map(|((depth, mgt), factor)| [*depth, *mgt, *factor]).collect();
         numbers.unless_doubled(path, &rows, |one, other| one == other)?;
         let deviation = |row: usize| WearSpread::of_factor(factor[row]).factor().ln();
         let noise = Matrix::of(rows.len(), |row, column| match row == column {
             true => deviation(row).powi(2),
             false => 0.0,
         });
-        let of_100_mgt = rows
-            .iter()
-            .map(|[depth, mgt, _]| (1e-3 * depth * 100.0 / mgt).ln());
+        let of_100_mgt = rows.iter().map(|[depth, mgt, _]| (1e-3 * depth * 100.0 / mgt).ln());
         Ok(Gaussian::new(noise, Vec::new()).map(|errors| Self {
             view,
             depth: of_100_mgt.collect(),
@@ -76,10 +71,7 @@ impl Block for Wear {
     }
 
     fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>> {
-        Some(Box::new(Self {
-            depth: data.to_vec(),
-            ..self.clone()
-        }))
+        Some(Box::new(Self { depth: data.to_vec(), ..self.clone() }))
     }
 
     fn views(&self) -> Vec<usize> {
@@ -91,11 +83,7 @@ impl Block for Wear {
     }
 
     fn places(&self) -> Vec<Place> {
-        let place = |mgt: &f64| Place {
-            measured: Observable::WearMPer100Mgt,
-            at: *mgt,
-            of: None,
-        };
+        let place = |mgt: &f64| Place { measured: Observable::WearMPer100Mgt, at: *mgt, of: None };
         self.mgt.iter().map(place).collect()
     }
 

@@ -120,10 +120,7 @@ impl Months {
         let never = all.iter().filter(|it| it.is_infinite()).count();
         // Between a number and never is never.
         let at = |share: f64| Some(quantile(&all, share)).filter(|it| it.is_finite());
-        Self {
-            quantiles: SHARES.map(at),
-            probability_never: never as f64 / all.len() as f64,
-        }
+        Self { quantiles: SHARES.map(at), probability_never: never as f64 / all.len() as f64 }
     }
 }
 
@@ -168,9 +165,7 @@ impl Decision {
                 let reached = growing_bands(&rates, &missed)
                     .filter_map(|band| band.passages_to(rise))
                     .filter(|passages| *passages <= end);
-                let reached = reached
-                    .min_by(f64::total_cmp)
-                    .map(|passages| passages / per_month);
+                let reached = reached.min_by(f64::total_cmp).map(|passages| passages / per_month);
                 // Grinding at the limit leaves no band above it.
                 let highest = action.every.map_or(0.0, |every| {
                     let rises = growing_bands(&rates, &missed);
@@ -190,9 +185,7 @@ impl Decision {
         let costs = courses.iter().zip(&choices.actions);
         let costs: Vec<Vec<f64>> = costs
             .map(|(courses, action)| {
-                let costs = courses
-                    .iter()
-                    .map(|(months, _)| choices.cost(action, *months));
+                let costs = courses.iter().map(|(months, _)| choices.cost(action, *months));
                 costs.collect()
             })
             .collect();
@@ -233,11 +226,7 @@ fn multiplied(plan: &Plan, action: &Action, values: &[f64]) -> Result<Vec<f64>, 
             };
             let unit = &parameter.unit;
             let rule = format!("must be between {low} and {high} {unit}");
-            return Err(format!(
-                "`{}` becomes {value}, but {}",
-                parameter.name,
-                rule.trim_end()
-            ));
+            return Err(format!("`{}` becomes {value}, but {}", parameter.name, rule.trim_end()));
         }
     }
     Ok(values)
@@ -277,9 +266,7 @@ impl Choices {
 
 fn outcomes(choices: &Choices, courses: &[Vec<Course>], costs: &[Vec<f64>]) -> Vec<ActionOutcome> {
     let draws = costs[0].len();
-    let share = |is: &dyn Fn(usize) -> bool| {
-        (0..draws).filter(|draw| is(*draw)).count() as f64 / draws as f64
-    };
+    let share = |is: &dyn Fn(usize) -> bool| (0..draws).filter(|draw| is(*draw)).count() as f64 / draws as f64;
     let quantiles = |values: &mut dyn Iterator<Item = f64>| {
         let mut values: Vec<f64> = values.collect();
         values.sort_by(f64::total_cmp);
@@ -288,9 +275,7 @@ fn outcomes(choices: &Choices, courses: &[Vec<Course>], costs: &[Vec<f64>]) -> V
     let curve = |values: &mut dyn Iterator<Item = f64>| {
         let mut values: Vec<f64> = values.collect();
         values.sort_by(f64::total_cmp);
-        (1..20)
-            .map(|part| quantile(&values, 0.05 * f64::from(part)))
-            .collect()
+        (1..20).map(|part| quantile(&values, 0.05 * f64::from(part))).collect()
     };
     let breaks: Vec<Breaks> = (choices.actions.iter().zip(courses).zip(costs))
         .map(|((action, courses), costs)| choices.breaks(action, courses, costs))
@@ -308,9 +293,7 @@ fn outcomes(choices: &Choices, courses: &[Vec<Course>], costs: &[Vec<f64>]) -> V
     let cheapest: Vec<f64> = (0..draws)
         .map(|draw| {
             let allowed = (0..costs.len()).filter(|place| is_allowed(*place));
-            allowed
-                .map(|place| costs[place][draw])
-                .fold(f64::INFINITY, f64::min)
+            allowed.map(|place| costs[place][draw]).fold(f64::INFINITY, f64::min)
         })
         .collect();
     let first = |draw: usize| {
@@ -321,17 +304,12 @@ fn outcomes(choices: &Choices, courses: &[Vec<Course>], costs: &[Vec<f64>]) -> V
     let outcome = |(place, action): (usize, &Action)| ActionOutcome {
         title: action.title.clone(),
         fixed_cost_per_year: action.annual,
-        curves: [
-            curve(&mut courses[place].iter().map(|it| length(it.0))),
-            curve(&mut costs[place].iter().copied()),
-        ],
+        curves: [curve(&mut courses[place].iter().map(|it| length(it.0))), curve(&mut costs[place].iter().copied())],
         months_to_limit: Months::of(courses[place].iter().map(|it| it.0)),
         mean_cost_per_year: mean(&costs[place]),
         cost_per_year: quantiles(&mut costs[place].iter().copied()),
         saving_per_year: quantiles(&mut (0..draws).map(|draw| costs[0][draw] - costs[place][draw])),
-        probability_longer: share(&|draw| {
-            length(courses[place][draw].0) > length(courses[0][draw].0)
-        }),
+        probability_longer: share(&|draw| length(courses[place][draw].0) > length(courses[0][draw].0)),
         probability_cheapest: share(&|draw| first(draw) == Some(place)),
         expected_regret_per_year: mean(&costs[place]) - mean(&cheapest),
         rank: rank(place),

@@ -20,23 +20,14 @@ pub(super) struct Told {
 impl Told {
     pub(super) fn of(places: &[Vec<f64>], costs: &[Vec<f64>]) -> Self {
         let (place, covariance) = moments_of(places);
-        let columns: Vec<Vec<f64>> = (0..place.len())
-            .map(|index| places.iter().map(|place| place[index]).collect())
-            .collect();
+        let columns: Vec<Vec<f64>> =
+            (0..place.len()).map(|index| places.iter().map(|place| place[index]).collect()).collect();
         let inverse = inverse(&covariance);
         let slopes = costs.iter().map(|costs| {
-            let along: Vec<f64> = columns
-                .iter()
-                .map(|column| product(column, costs))
-                .collect();
+            let along: Vec<f64> = columns.iter().map(|column| product(column, costs)).collect();
             inverse.times(&along)
         });
-        Self {
-            slopes: slopes.collect(),
-            means: costs.iter().map(|costs| mean(costs)).collect(),
-            place,
-            covariance,
-        }
+        Self { slopes: slopes.collect(), means: costs.iter().map(|costs| mean(costs)).collect(), place, covariance }
     }
 }
 
@@ -49,29 +40,19 @@ fn product(one: &[f64], other: &[f64]) -> f64 {
 /// Mean and covariance of draws.
 pub(crate) fn moments_of(places: &[Vec<f64>]) -> (Vec<f64>, Matrix) {
     let size = places[0].len();
-    let column = |index: usize| {
-        places
-            .iter()
-            .map(|place| place[index])
-            .collect::<Vec<f64>>()
-    };
+    let column = |index: usize| places.iter().map(|place| place[index]).collect::<Vec<f64>>();
     let columns: Vec<Vec<f64>> = (0..size).map(column).collect();
     let covariance = Matrix::of(size, |i, j| product(&columns[i], &columns[j]));
-    (
-        columns.iter().map(|column| mean(column)).collect(),
-        covariance,
-    )
+    (columns.iter().map(|column| mean(column)).collect(), covariance)
 }
 
 /// Inverse of a covariance; what does not vary at all stays at zero.
 fn inverse(covariance: &Matrix) -> Matrix {
     let (values, vectors) = covariance.eigenvectors();
     let largest = values.iter().copied().fold(0.0, f64::max);
-    let scaled = Matrix::of(covariance.size, |row, column| {
-        match values[row] > 1e-12 * largest {
-            true => vectors.at(row, column) / values[row],
-            false => 0.0,
-        }
+    let scaled = Matrix::of(covariance.size, |row, column| match values[row] > 1e-12 * largest {
+        true => vectors.at(row, column) / values[row],
+        false => 0.0,
     });
     vectors.transposed().product(&scaled)
 }
@@ -80,31 +61,18 @@ fn inverse(covariance: &Matrix) -> Matrix {
 ///
 /// Source: Strong, Oakley & Brennan (2014), Medical Decision Making 34.
 pub(super) fn worth_of_values(plan: &Plan, places: &[Vec<f64>], costs: &[Vec<f64>]) -> Vec<Worth> {
-    let least = costs
-        .iter()
-        .map(|costs| mean(costs))
-        .fold(f64::INFINITY, f64::min);
+    let least = costs.iter().map(|costs| mean(costs)).fold(f64::INFINITY, f64::min);
     let parameters = plan.posterior.parameters().iter().enumerate();
     let mut worth: Vec<Worth> = parameters
         .map(|(index, parameter)| {
             let z: Vec<f64> = places.iter().map(|place| place[index]).collect();
             let middle = mean(&z);
-            let size =
-                (z.iter().map(|z| (z - middle).powi(2)).sum::<f64>() / z.len() as f64).sqrt();
-            let columns = [0, 1, 2, 3].map(|power| {
-                z.iter()
-                    .map(|z| ((z - middle) / size).powi(power))
-                    .collect::<Vec<f64>>()
-            });
-            let fitted: Option<Vec<Vec<f64>>> =
-                costs.iter().map(|costs| fit(&columns, costs)).collect();
+            let size = (z.iter().map(|z| (z - middle).powi(2)).sum::<f64>() / z.len() as f64).sqrt();
+            let columns =
+                [0, 1, 2, 3].map(|power| z.iter().map(|z| ((z - middle) / size).powi(power)).collect::<Vec<f64>>());
+            let fitted: Option<Vec<Vec<f64>>> = costs.iter().map(|costs| fit(&columns, costs)).collect();
             let best = fitted.map(|fitted| {
-                let of_draw = |draw: usize| {
-                    fitted
-                        .iter()
-                        .map(|costs| costs[draw])
-                        .fold(f64::INFINITY, f64::min)
-                };
+                let of_draw = |draw: usize| fitted.iter().map(|costs| costs[draw]).fold(f64::INFINITY, f64::min);
                 mean(&(0..z.len()).map(of_draw).collect::<Vec<f64>>())
             });
             Worth {
@@ -123,13 +91,7 @@ pub(super) fn worth_of_values(plan: &Plan, places: &[Vec<f64>], costs: &[Vec<f64
 fn fit(columns: &[Vec<f64>], values: &[f64]) -> Option<Vec<f64>> {
     let known = vec![Known::default(); columns.len()];
     let weights = Normal::least_squares(&known, columns, values)?.mean;
-    let row = |row: usize| {
-        columns
-            .iter()
-            .zip(&weights)
-            .map(|(column, weight)| weight * column[row])
-            .sum()
-    };
+    let row = |row: usize| columns.iter().zip(&weights).map(|(column, weight)| weight * column[row]).sum();
     Some((0..values.len()).map(row).collect())
 }
 
@@ -143,8 +105,7 @@ pub(super) fn worth_of_measurements(
     let before = inverse(&told.covariance);
     let mut worth = Vec::new();
     for measurement in &choices.measurements {
-        let information =
-            information(plan, measurement, &told.place).map_err(CalibrationError::Refused)?;
+        let information = information(plan, measurement, &told.place).map_err(CalibrationError::Refused)?;
         let size = before.size;
         let sum = Matrix::of(size, |i, j| before.at(i, j) + information.at(i, j));
         let after = inverse(&sum);
@@ -192,9 +153,7 @@ fn information(plan: &Plan, measurement: &Planned, place: &[f64]) -> Result<Matr
             let slope = (prior.value(z + STEP) - prior.value(z - STEP)) / (2.0 * STEP);
             let precision = (slope / (error * prior.value(z))).powi(2);
             let is_own = |i: usize, j: usize| i == index && j == index;
-            Ok(Matrix::of(place.len(), |i, j| {
-                if is_own(i, j) { precision } else { 0.0 }
-            }))
+            Ok(Matrix::of(place.len(), |i, j| if is_own(i, j) { precision } else { 0.0 }))
         }
     }
 }

@@ -38,8 +38,7 @@ impl Plan {
     /// The plan with another model.
     pub(super) fn compared(&self, index: usize, written: &CompareFile) -> Result<Self, CaseError> {
         let key = |key: &str| format!("compare[{index}].{key}");
-        let wrong =
-            |at: &str, rule: Message, help: Message| self.source.invalid(&key(at), rule, help);
+        let wrong = |at: &str, rule: Message, help: Message| self.source.invalid(&key(at), rule, help);
         let others = &self.file.compare[..index];
         if others.iter().any(|other| other.title == written.title) {
             let rule = say!(is_a_second_time, text = &written.title);
@@ -62,23 +61,16 @@ impl Plan {
         let set = settings(&written.set);
         for (changed, _) in &set {
             let is_changed = |(place, key): (usize, &str)| {
-                !left_out.contains(&place)
-                    && (key == changed || key.starts_with(&format!("{changed}.")))
+                !left_out.contains(&place) && (key == changed || key.starts_with(&format!("{changed}.")))
             };
             let keys = uncertain.iter().enumerate();
             let mut keys = keys.filter_map(|(place, it)| match &it.role {
-                Role::Key(key) | Role::Vehicle(_, VehicleKey::OfCase(key, _)) => {
-                    Some((place, &**key))
-                }
+                Role::Key(key) | Role::Vehicle(_, VehicleKey::OfCase(key, _)) => Some((place, &**key)),
                 _ => None,
             });
             if let Some((place, _)) = keys.find(|it| is_changed(*it)) {
-                let message = say!(
-                    changes_what_is_uncertain,
-                    place = key("set"),
-                    key = changed,
-                    name = &uncertain[place].name,
-                );
+                let message =
+                    say!(changes_what_is_uncertain, place = key("set"), key = changed, name = &uncertain[place].name,);
                 return Err(self.source.refuse(&key("set"), message));
             }
         }
@@ -87,10 +79,7 @@ impl Plan {
             let own = settings(own.unwrap_or(&Table::new())).into_iter();
             let kept = own.filter(|(key, _)| !set.iter().any(|(changed, _)| changed == key));
             let added = set.iter().filter(|_| adds).cloned();
-            table.insert(
-                "set".to_owned(),
-                kept.chain(added).collect::<Table>().into(),
-            );
+            table.insert("set".to_owned(), kept.chain(added).collect::<Table>().into());
         };
         let plan = self.again(|table| {
             differs(table, true);
@@ -109,11 +98,7 @@ impl Plan {
             });
         });
         plan.map_err(|error| {
-            let message = say!(
-                model_of_the_plan_says,
-                title = &written.title,
-                error = error.message()
-            );
+            let message = say!(model_of_the_plan_says, title = &written.title, error = error.message());
             self.source.refuse(&format!("compare[{index}]"), message)
         })
     }
@@ -142,23 +127,14 @@ impl Plan {
     pub fn left_out_of_data(&self) -> Result<Vec<(String, Held)>, CaseError> {
         let groups = self.groups()?.into_iter();
         let named = |block: usize| self.posterior.blocks[block].names.join(" + ");
-        Ok(groups
-            .map(|(block, group)| (named(block), group.held))
-            .collect())
+        Ok(groups.map(|(block, group)| (named(block), group.held)).collect())
     }
 
-    fn held_out(
-        &self,
-        written: &HoldOutFile,
-        all: &[(usize, Group)],
-    ) -> Result<(usize, Group), CaseError> {
-        let wrong =
-            |key: &str, rule: Message| self.source.invalid(&format!("hold_out.{key}"), rule, "");
+    fn held_out(&self, written: &HoldOutFile, all: &[(usize, Group)]) -> Result<(usize, Group), CaseError> {
+        let wrong = |key: &str, rule: Message| self.source.invalid(&format!("hold_out.{key}"), rule, "");
         let among = |numbers: Vec<f64>| numbers.into_iter().collect::<riffel_keys::Value>();
         let of_kind = |wanted: fn(Held) -> Option<f64>| -> Vec<f64> {
-            all.iter()
-                .filter_map(|(_, group)| wanted(group.held))
-                .collect()
+            all.iter().filter_map(|(_, group)| wanted(group.held)).collect()
         };
         let found = |held: Held| {
             let group = all.iter().find(|(_, group)| group.held == held);
@@ -171,10 +147,7 @@ impl Plan {
                     _ => None,
                 });
                 let Some(last) = dates.last() else {
-                    return Err(wrong(
-                        "date",
-                        say!(is_date_of_too_few, date = date.to_string()),
-                    ));
+                    return Err(wrong("date", say!(is_date_of_too_few, date = date.to_string())));
                 };
                 let passages = match date {
                     Value::String(text) if text == "last" => Some(*last),
@@ -186,10 +159,7 @@ impl Plan {
                 let group = passages.and_then(|passages| found(Held::Date(passages)));
                 group.ok_or_else(|| {
                     let rule = say!(date_that_is_there, dates = among(dates));
-                    wrong(
-                        "date",
-                        say!(is_but_must_be, value = date.to_string(), rule = rule),
-                    )
+                    wrong("date", say!(is_but_must_be, value = date.to_string(), rule = rule))
                 })
             }
             (None, Some(position), None) => found(Held::Place(position.si())).ok_or_else(|| {

@@ -9,8 +9,8 @@ use toml::Value;
 
 use super::{Reading, beside, name_of};
 use crate::data::{
-    AxleBoxRun, Block, Comparison, DatedLevels, DatedProfiles, DecayRates, FrequencyResponses,
-    Levels, MeasuredRail, SinceGround, Size, Travel, Wear, table,
+    AxleBoxRun, Block, Comparison, DatedLevels, DatedProfiles, DecayRates, FrequencyResponses, Levels, MeasuredRail,
+    SinceGround, Size, Travel, Wear, table,
 };
 use crate::file::{DataFile, Kind, SizeFile};
 use crate::model::{Parameter, Role, View};
@@ -25,9 +25,7 @@ impl Reading<'_> {
             None => true,
             Some(names) => names.iter().any(|name| name == name_of(data)),
         };
-        let acting: Vec<usize> = (0..self.parameters.len())
-            .filter(|it| acts(&self.parameters[*it]))
-            .collect();
+        let acting: Vec<usize> = (0..self.parameters.len()).filter(|it| acts(&self.parameters[*it])).collect();
         let mut set = settings(&data.set);
         // It is the same rail: with shear where the case has it, whatever these data have under it.
         if set.iter().any(|(key, _)| key == "track.model")
@@ -37,9 +35,7 @@ impl Reading<'_> {
             set.push(("rail.beam".to_owned(), beam));
         }
         let case = self.case.with_settings(&set).map_err(|error| match error {
-            CaseError::Changed { key, message } => self
-                .source
-                .refuse(&format!("data[{index}].set.{key}"), &message),
+            CaseError::Changed { key, message } => self.source.refuse(&format!("data[{index}].set.{key}"), &message),
             error => error,
         })?;
         let same = |view: &View| view.acting == acting && view.case.file == case.file;
@@ -55,11 +51,7 @@ impl Reading<'_> {
             })
         });
         let wheels = wheels.collect::<Result<Vec<Case>, CaseError>>()?;
-        self.views.push(View {
-            case,
-            wheels,
-            acting,
-        });
+        self.views.push(View { case, wheels, acting });
         Ok(self.views.len() - 1)
     }
 
@@ -68,11 +60,7 @@ impl Reading<'_> {
         let parameters = self.parameters.iter().enumerate();
         let acting = parameters.filter(|(_, it)| it.in_data.is_none() && it.role != Role::Size);
         let acting = acting.map(|(index, _)| index).collect();
-        self.views.push(View {
-            case: self.case.clone(),
-            wheels: Vec::new(),
-            acting,
-        });
+        self.views.push(View { case: self.case.clone(), wheels: Vec::new(), acting });
         self.views.len() - 1
     }
 
@@ -95,9 +83,7 @@ impl Reading<'_> {
         }
         let of_kind = |kind: Kind| {
             let data = self.file.data.iter().enumerate();
-            data.filter(|(_, data)| data.kind == kind)
-                .map(|(index, _)| index)
-                .collect::<Vec<usize>>()
+            data.filter(|(_, data)| data.kind == kind).map(|(index, _)| index).collect::<Vec<usize>>()
         };
         let (dated, runs) = (of_kind(Kind::DatedLevels), of_kind(Kind::AxleBox));
         let (pass_bys, profiles) = (of_kind(Kind::PassBy), of_kind(Kind::DatedProfiles));
@@ -132,22 +118,14 @@ impl Reading<'_> {
                     (block, std::iter::once(index).chain(others).collect())
                 }
             };
-            let block = block.ok_or_else(|| {
-                self.source
-                    .refuse(&format!("data[{index}].file"), say!(errors_are_zero))
-            })?;
-            let names: Vec<String> = indices
-                .iter()
-                .map(|index| name_of(&self.file.data[*index]).to_owned())
-                .collect();
+            let block =
+                block.ok_or_else(|| self.source.refuse(&format!("data[{index}].file"), say!(errors_are_zero)))?;
+            let names: Vec<String> = indices.iter().map(|index| name_of(&self.file.data[*index]).to_owned()).collect();
             let sized = |name: &String| {
                 let size = format!("{name}.discrepancy");
                 self.size_of(
                     &size,
-                    indices
-                        .iter()
-                        .map(|index| &self.file.data[*index])
-                        .find(|data| name_of(data) == name),
+                    indices.iter().map(|index| &self.file.data[*index]).find(|data| name_of(data) == name),
                 )
             };
             let sizes: Vec<Size> = names.iter().filter_map(sized).collect();
@@ -155,12 +133,7 @@ impl Reading<'_> {
                 (true, Kind::FrequencyResponse | Kind::DecayRate) => vec![Size::Known(0.0)],
                 _ => sizes,
             };
-            blocks.push(Named {
-                names,
-                block,
-                sizes,
-                touched_by: Vec::new(),
-            });
+            blocks.push(Named { names, block, sizes, touched_by: Vec::new() });
         }
         Ok(blocks)
     }
@@ -170,10 +143,7 @@ impl Reading<'_> {
         match data?.discrepancy.as_ref()?.standard_deviation {
             SizeFile::Known(size) => Some(Size::Known(size)),
             SizeFile::HalfNormal { .. } => {
-                let place = self
-                    .parameters
-                    .iter()
-                    .position(|parameter| parameter.name == name);
+                let place = self.parameters.iter().position(|parameter| parameter.name == name);
                 place.map(Size::Unknown)
             }
         }
@@ -184,21 +154,9 @@ impl Reading<'_> {
         use Kind::{AxleBox, DatedLevels, DatedProfiles, DecayRate, FrequencyResponse, PassBy};
         let keys: [(&str, bool, &[Kind]); 16] = [
             ("averages", data.averages.is_some(), &[FrequencyResponse]),
-            (
-                "gain_error",
-                data.gain_error.is_some(),
-                &[FrequencyResponse],
-            ),
-            (
-                "student_degrees",
-                data.student_degrees.is_some(),
-                &[DecayRate],
-            ),
-            (
-                "common_error",
-                data.common_error.is_some(),
-                &[DatedLevels, DatedProfiles, AxleBox, PassBy],
-            ),
+            ("gain_error", data.gain_error.is_some(), &[FrequencyResponse]),
+            ("student_degrees", data.student_degrees.is_some(), &[DecayRate]),
+            ("common_error", data.common_error.is_some(), &[DatedLevels, DatedProfiles, AxleBox, PassBy]),
             ("first_level", data.first_level.is_some(), &[DatedLevels]),
             ("at_date", data.at_date.is_some(), &[AxleBox]),
             ("speed", data.speed.is_some(), &[AxleBox, PassBy]),
@@ -213,24 +171,14 @@ impl Reading<'_> {
             (
                 "discrepancy",
                 data.discrepancy.is_some(),
-                &[
-                    FrequencyResponse,
-                    DecayRate,
-                    DatedLevels,
-                    DatedProfiles,
-                    AxleBox,
-                ],
+                &[FrequencyResponse, DecayRate, DatedLevels, DatedProfiles, AxleBox],
             ),
         ];
         for (key, given, kinds) in keys {
             if given && !kinds.contains(&data.kind) {
                 let kinds = kinds.iter().map(|kind| kind.name());
                 let kinds: riffel_keys::Value = kinds.collect();
-                let rule = say!(
-                    is_set_but_belongs_to_kinds,
-                    kinds = kinds,
-                    kind = data.kind.name()
-                );
+                let rule = say!(is_set_but_belongs_to_kinds, kinds = kinds, kind = data.kind.name());
                 return Err(self.invalid(index, key, rule, say!(leave_it_out)));
             }
         }
@@ -241,24 +189,13 @@ impl Reading<'_> {
         if value.is_finite() && value > 0.0 {
             return Ok(value);
         }
-        let rule = say!(
-            is_but_must_be,
-            value = value,
-            rule = say!(finite_and_above_zero)
-        );
+        let rule = say!(is_but_must_be, value = value, rule = say!(finite_and_above_zero));
         Err(self.invalid(index, key, rule, ""))
     }
 
     /// A key of some data whose value is not allowed, as [`KeyFile::invalid`](riffel_keys::KeyFile::invalid).
-    pub(super) fn invalid(
-        &self,
-        index: usize,
-        key: &str,
-        rule: Message,
-        help: impl Into<Message>,
-    ) -> CaseError {
-        self.source
-            .invalid(&format!("data[{index}].{key}"), rule, help)
+    pub(super) fn invalid(&self, index: usize, key: &str, rule: Message, help: impl Into<Message>) -> CaseError {
+        self.source.invalid(&format!("data[{index}].{key}"), rule, help)
     }
 
     fn frequency_response(&mut self, index: usize) -> Result<Box<dyn Block>, CaseError> {
@@ -268,11 +205,7 @@ impl Reading<'_> {
         }
         let gain_error = data.gain_error.unwrap_or(0.03);
         if !(gain_error.is_finite() && gain_error >= 0.0) {
-            let rule = say!(
-                is_but_must_be,
-                value = gain_error,
-                rule = say!(zero_or_more)
-            );
+            let rule = say!(is_but_must_be, value = gain_error, rule = say!(zero_or_more));
             return Err(self.invalid(index, "gain_error", rule, ""));
         }
         let missed = self.discrepancy(index)?;
@@ -292,23 +225,16 @@ impl Reading<'_> {
             ));
         }
         let doubts = block.doubts.iter().cloned();
-        self.remarks
-            .extend(doubts.map(|doubt| doubt.about(&data.file)));
+        self.remarks.extend(doubts.map(|doubt| doubt.about(&data.file)));
         Ok(Box::new(block))
     }
 
     fn decay_rate(&mut self, index: usize) -> Result<Box<dyn Block>, CaseError> {
         let data = &self.file.data[index];
-        let degrees = self.positive(
-            index,
-            "student_degrees",
-            data.student_degrees.unwrap_or(5.0),
-        )?;
+        let degrees = self.positive(index, "student_degrees", data.student_degrees.unwrap_or(5.0))?;
         let student = StudentsT::new(0.0, 1.0, degrees);
-        let student = student.map_err(|error| {
-            self.source
-                .refuse(&format!("data[{index}].student_degrees"), error.to_string())
-        })?;
+        let student = student
+            .map_err(|error| self.source.refuse(&format!("data[{index}].student_degrees"), error.to_string()))?;
         if let Some(discrepancy) = &data.discrepancy
             && discrepancy.kind != "band"
         {
@@ -345,12 +271,7 @@ impl Reading<'_> {
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
         let data = &self.file.data[index];
-        let comparison = Comparison {
-            rail: data.rail.as_deref(),
-            travel,
-            common_error,
-            missed,
-        };
+        let comparison = Comparison { rail: data.rail.as_deref(), travel, common_error, missed };
         let path = beside(self.folder, &data.file);
         let of_view = (view, &self.views[view].case);
         let (block, remarks, files) = DatedProfiles::read(&path, of_view, &comparison)?;
@@ -376,32 +297,15 @@ impl Reading<'_> {
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
         let path = beside(self.folder, &data.file);
-        let SinceGround {
-            rows,
-            begins,
-            before,
-        } = DatedLevels::rows(&path, &self.views[view].case)?;
+        let SinceGround { rows, begins, before } = DatedLevels::rows(&path, &self.views[view].case)?;
         if before > 0.0 {
             let (file, fall) = (&data.file, FALL_BY_GRINDING);
-            let said = say!(
-                ground_between_dates,
-                file = file,
-                passages = begins,
-                fall = fall
-            );
+            let said = say!(ground_between_dates, file = file, passages = begins, fall = fall);
             self.remarks.push(said);
         }
         let doubt = levels_unlike_a_rail(rows.iter().map(|row| row.level));
-        self.remarks
-            .extend(doubt.map(|doubt| doubt.about(&data.file)));
-        let dated = DatedLevels {
-            view,
-            rows,
-            begins,
-            before,
-            common_error,
-            missed,
-        };
+        self.remarks.extend(doubt.map(|doubt| doubt.about(&data.file)));
+        let dated = DatedLevels { view, rows, begins, before, common_error, missed };
         let (mut felt, mut heard) = (Vec::new(), Vec::new());
         for &index in runs {
             felt.push(self.run(index, &dated)?);
@@ -409,22 +313,15 @@ impl Reading<'_> {
         for &index in pass_bys {
             heard.push(self.pass_bys(index, &dated)?);
         }
-        let levels = Levels::new(&MeasuredRail {
-            dated,
-            runs: felt,
-            pass_bys: heard,
-        });
+        let levels = Levels::new(&MeasuredRail { dated, runs: felt, pass_bys: heard });
         Ok(levels.map(|levels| Box::new(levels) as Box<dyn Block>))
     }
 
     fn run(&mut self, index: usize, dated: &DatedLevels) -> Result<AxleBoxRun, CaseError> {
         let data = &self.file.data[index];
-        let speed = data.speed.ok_or_else(|| {
-            self.source.missing(
-                &format!("data[{index}].speed"),
-                say!(give_the_speed_of_the_run),
-            )
-        })?;
+        let speed = data
+            .speed
+            .ok_or_else(|| self.source.missing(&format!("data[{index}].speed"), say!(give_the_speed_of_the_run)))?;
         let speed = self.positive(index, "speed", speed.si())?;
         let dates = dated.rows.iter().map(|row| row.passages);
         let last = dates.clone().fold(0.0, f64::max);
@@ -432,9 +329,7 @@ impl Reading<'_> {
             None => last,
             Some(Value::String(date)) if date == "last" => last,
             Some(Value::String(date)) if date == "first" => 0.0,
-            Some(Value::Integer(passages)) if *passages as f64 >= dated.before => {
-                *passages as f64 - dated.before
-            }
+            Some(Value::Integer(passages)) if *passages as f64 >= dated.before => *passages as f64 - dated.before,
             Some(Value::Float(passages)) if *passages >= dated.before => *passages - dated.before,
             Some(other) => {
                 let rule = say!(date_of_a_run);
@@ -453,13 +348,7 @@ impl Reading<'_> {
         let view = self.view(index)?;
         let path = beside(self.folder, &data.file);
         let rows = AxleBoxRun::rows(&path, &self.views[view].case, passages)?;
-        Ok(AxleBoxRun {
-            view,
-            rows,
-            speed,
-            common_error,
-            missed,
-        })
+        Ok(AxleBoxRun { view, rows, speed, common_error, missed })
     }
 
     /// The common error of some levels.
@@ -470,17 +359,13 @@ impl Reading<'_> {
         let number = match value {
             Value::Float(number) => Some(*number),
             Value::Integer(number) => Some(*number as f64),
-            Value::String(text) => text
-                .strip_suffix("dB")
-                .and_then(|text| text.trim().parse().ok()),
+            Value::String(text) => text.strip_suffix("dB").and_then(|text| text.trim().parse().ok()),
             _ => None,
         };
-        number
-            .filter(|number: &f64| number.is_finite() && *number >= 0.0)
-            .ok_or_else(|| {
-                let rule = say!(level_of_zero_or_more);
-                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
-                self.invalid(index, "common_error", rule, "")
-            })
+        number.filter(|number: &f64| number.is_finite() && *number >= 0.0).ok_or_else(|| {
+            let rule = say!(level_of_zero_or_more);
+            let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+            self.invalid(index, "common_error", rule, "")
+        })
     }
 }

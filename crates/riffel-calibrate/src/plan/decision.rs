@@ -90,13 +90,8 @@ fn amount(value: &Value, units: &[(&str, f64)]) -> Option<f64> {
 }
 
 /// How long something lasts, in months.
-const DURATIONS: [(&str, f64); 5] = [
-    ("a", MONTHS),
-    ("years", MONTHS),
-    ("months", 1.0),
-    ("month", 1.0),
-    ("days", 1.0 / DAYS_PER_MONTH),
-];
+const DURATIONS: [(&str, f64); 5] =
+    [("a", MONTHS), ("years", MONTHS), ("months", 1.0), ("month", 1.0), ("days", 1.0 / DAYS_PER_MONTH)];
 
 /// Sums of money, all in one currency.
 struct Purse<'a> {
@@ -122,53 +117,36 @@ impl Plan {
         let Some(value) = value else { return Ok(None) };
         let hours = amount(value, &[("h", 1.0)]).filter(|hours| *hours >= 0.0);
         hours.map(Some).ok_or_else(|| {
-            let rule = say!(
-                is_but_must_be,
-                value = value.to_string(),
-                rule = say!(hours_of_zero_or_more)
-            );
+            let rule = say!(is_but_must_be, value = value.to_string(), rule = say!(hours_of_zero_or_more));
             self.source.invalid(key, rule, "")
         })
     }
 
     fn constraints(&self, cost: &CostFile, purse: &Purse<'_>) -> Result<Constraints, CaseError> {
-        let possession_hours =
-            self.hours("cost.possession_hours", cost.possession_hours.as_ref())?;
+        let possession_hours = self.hours("cost.possession_hours", cost.possession_hours.as_ref())?;
         if possession_hours.is_some() && cost.grinding_hours.is_none() {
             let help = say!(say_for_how_long_grinding_closes);
             return Err(self.source.missing("cost.grinding_hours", help));
         }
         let noise_limit = match &cost.noise_limit {
             None => None,
-            Some(value) => Some(
-                amount(value, &[("dB", 1.0)])
-                    .filter(|level| *level >= 0.0)
-                    .ok_or_else(|| {
-                        let rule = say!(level_above_limit);
-                        let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
-                        self.source.invalid("cost.noise_limit", rule, "")
-                    })?,
-            ),
+            Some(value) => Some(amount(value, &[("dB", 1.0)]).filter(|level| *level >= 0.0).ok_or_else(|| {
+                let rule = say!(level_above_limit);
+                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                self.source.invalid("cost.noise_limit", rule, "")
+            })?),
         };
         let budget = match &cost.budget {
             None => None,
             budget => Some(purse.sum("cost.budget", budget.as_ref())?),
         };
-        Ok(Constraints {
-            budget,
-            noise_limit,
-            possession_hours,
-        })
+        Ok(Constraints { budget, noise_limit, possession_hours })
     }
 
     fn duration(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
         let months = amount(value, &DURATIONS).filter(|months| *months > 0.0);
         months.ok_or_else(|| {
-            let rule = say!(
-                is_but_must_be,
-                value = value.to_string(),
-                rule = say!(time_above_zero)
-            );
+            let rule = say!(is_but_must_be, value = value.to_string(), rule = say!(time_above_zero));
             self.source.invalid(key, rule, "")
         })
     }
@@ -190,11 +168,7 @@ impl Plan {
         let grinding = purse.sum("cost.grinding", Some(&cost.grinding))?;
         if grinding == 0.0 {
             let value = cost.grinding.to_string();
-            let rule = say!(
-                is_but_must_be,
-                value = value,
-                rule = say!(greater_than_zero)
-            );
+            let rule = say!(is_but_must_be, value = value, rule = say!(greater_than_zero));
             return Err(self.source.invalid("cost.grinding", rule, ""));
         }
         let rate = cost.discount_rate.map_or(0.03, |rate| rate.si());
@@ -205,13 +179,11 @@ impl Plan {
         }
         let below = match &cost.from_limit {
             None => -USUAL_RISE,
-            Some(value) => amount(value, &[("dB", 1.0)])
-                .filter(|it| *it < 0.0)
-                .ok_or_else(|| {
-                    let rule = say!(level_below_zero);
-                    let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
-                    self.source.invalid("cost.from_limit", rule, "")
-                })?,
+            Some(value) => amount(value, &[("dB", 1.0)]).filter(|it| *it < 0.0).ok_or_else(|| {
+                let rule = say!(level_below_zero);
+                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                self.source.invalid("cost.from_limit", rule, "")
+            })?,
         };
         let horizon = match &cost.horizon {
             None => USUAL_HORIZON,
@@ -243,17 +215,14 @@ impl Plan {
             actions.push(action);
         }
         let measurements = self.file.measurement.iter().enumerate();
-        let measurements =
-            measurements.map(|(index, written)| self.measurement(index, written, &purse));
+        let measurements = measurements.map(|(index, written)| self.measurement(index, written, &purse));
         Ok(Choices {
             actions,
             measurements: measurements.collect::<Result<_, CaseError>>()?,
             grinding: grinding + purse.sum("cost.possession", cost.possession.as_ref())?,
             over_limit: purse.sum("cost.over_limit", cost.over_limit.as_ref())?,
             rise: -below,
-            grinding_hours: self
-                .hours("cost.grinding_hours", cost.grinding_hours.as_ref())?
-                .unwrap_or(0.0),
+            grinding_hours: self.hours("cost.grinding_hours", cost.grinding_hours.as_ref())?.unwrap_or(0.0),
             constraints: self.constraints(cost, &purse)?,
             growth_discrepancy: cost.growth_discrepancy,
             present: annuity(1.0, rate, horizon / MONTHS).recip(),
@@ -271,11 +240,7 @@ impl Plan {
             Err(rule) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(wrong(rule)),
             _ => {
                 let rule = say!(sum_with_currency);
-                Err(wrong(say!(
-                    is_but_must_be,
-                    value = value.to_string(),
-                    rule = rule
-                )))
+                Err(wrong(say!(is_but_must_be, value = value.to_string(), rule = rule)))
             }
         }
     }
@@ -283,30 +248,16 @@ impl Plan {
     /// The currency is that of grinding.
     fn purse(&self, cost: &CostFile) -> Result<Purse<'_>, CaseError> {
         let (_, currency) = self.money("cost.grinding", &cost.grinding)?;
-        Ok(Purse {
-            plan: self,
-            currency: currency.to_owned(),
-        })
+        Ok(Purse { plan: self, currency: currency.to_owned() })
     }
 
-    fn action(
-        &self,
-        index: usize,
-        written: &ActionFile,
-        purse: &Purse<'_>,
-        rate: f64,
-    ) -> Result<Action, CaseError> {
+    fn action(&self, index: usize, written: &ActionFile, purse: &Purse<'_>, rate: f64) -> Result<Action, CaseError> {
         let key = |key: &str| format!("action[{index}].{key}");
-        if written.changes.is_none()
-            && written.multiplies.is_empty()
-            && written.grind_every.is_none()
-        {
+        if written.changes.is_none() && written.multiplies.is_empty() && written.grind_every.is_none() {
             let help = say!(give_what_an_action_does);
             return Err(self.source.missing(&key("changes"), help));
         }
-        let folder = self.inputs[0]
-            .parent()
-            .unwrap_or_else(|| std::path::Path::new(""));
+        let folder = self.inputs[0].parent().unwrap_or_else(|| std::path::Path::new(""));
         let changes = match &written.changes {
             Some(name) => Some(Variant::read(&folder.join(name))?),
             None => None,
@@ -314,9 +265,7 @@ impl Plan {
         let parameters = self.posterior.parameters();
         let mut factors = Vec::new();
         for (name, factor) in &written.multiplies {
-            let place = parameters
-                .iter()
-                .position(|parameter| parameter.name == *name);
+            let place = parameters.iter().position(|parameter| parameter.name == *name);
             let at = key(&format!("multiplies.\"{name}\""));
             let place = place.ok_or_else(|| {
                 let names: Vec<&str> = parameters.iter().map(|it| &*it.name).collect();
@@ -325,11 +274,7 @@ impl Plan {
                 self.source.refuse(&key("multiplies"), message)
             })?;
             if !(factor.is_finite() && *factor > 0.0) {
-                let rule = say!(
-                    is_but_must_be,
-                    value = *factor,
-                    rule = say!(finite_and_above_zero)
-                );
+                let rule = say!(is_but_must_be, value = *factor, rule = say!(finite_and_above_zero));
                 let message = say!(key_as_subject, key = at, rule = rule);
                 return Err(self.source.refuse(&key("multiplies"), message));
             }
@@ -343,11 +288,7 @@ impl Plan {
                 let help = say!(say_how_long_the_investment_lasts);
                 return Err(self.source.missing(&key("life"), help));
             }
-            (Some(life), _) => annuity(
-                investment,
-                rate,
-                self.duration(&key("life"), life)? / MONTHS,
-            ),
+            (Some(life), _) => annuity(investment, rate, self.duration(&key("life"), life)? / MONTHS),
         };
         let every = match &written.grind_every {
             Some(value) => Some(self.duration(&key("grind_every"), value)?),
@@ -363,23 +304,15 @@ impl Plan {
             annual: a_year + upkeep,
             every,
             changes,
-            hours: self
-                .hours(&key("possession_hours"), written.possession_hours.as_ref())?
-                .unwrap_or(0.0),
+            hours: self.hours(&key("possession_hours"), written.possession_hours.as_ref())?.unwrap_or(0.0),
             factors,
         })
     }
 
-    fn measurement(
-        &self,
-        index: usize,
-        written: &MeasurementFile,
-        purse: &Purse<'_>,
-    ) -> Result<Planned, CaseError> {
+    fn measurement(&self, index: usize, written: &MeasurementFile, purse: &Purse<'_>) -> Result<Planned, CaseError> {
         let key = |key: &str| format!("measurement[{index}].{key}");
         let price = purse.sum(&key("price"), Some(&written.price))?;
-        let wrong =
-            |at: &str, rule: Message, help: Message| self.source.invalid(&key(at), rule, help);
+        let wrong = |at: &str, rule: Message, help: Message| self.source.invalid(&key(at), rule, help);
         let (of, name) = match (written.kind, &written.key) {
             (Some(_), Some(_)) => {
                 let rule = say!(and_exclude_each_other, other = "kind");
@@ -391,11 +324,7 @@ impl Plan {
             }
             (Some(kind), None) => {
                 let is_own = |data: &&crate::file::DataFile| {
-                    data.kind == kind
-                        && written
-                            .name
-                            .as_ref()
-                            .is_none_or(|name| name == name_of(data))
+                    data.kind == kind && written.name.as_ref().is_none_or(|name| name == name_of(data))
                 };
                 let data = self.file.data.iter().find(is_own);
                 let block = data.and_then(|data| {
@@ -410,20 +339,11 @@ impl Plan {
             }
             (None, Some(name)) => {
                 let parameters = self.posterior.parameters();
-                let place = parameters
-                    .iter()
-                    .position(|parameter| parameter.name == *name);
-                let place = place.ok_or_else(|| {
-                    wrong(
-                        "key",
-                        say!(is_name_of_no_parameter, name = name),
-                        Message::verbatim(""),
-                    )
-                })?;
-                let factor = written.factor.ok_or_else(|| {
-                    self.source
-                        .missing(&key("factor"), say!(say_how_good_it_is))
-                })?;
+                let place = parameters.iter().position(|parameter| parameter.name == *name);
+                let place = place
+                    .ok_or_else(|| wrong("key", say!(is_name_of_no_parameter, name = name), Message::verbatim("")))?;
+                let factor =
+                    written.factor.ok_or_else(|| self.source.missing(&key("factor"), say!(say_how_good_it_is)))?;
                 if !(factor.is_finite() && factor > 1.0) {
                     let rule = say!(is_but_must_be, value = factor, rule = say!(more_than_one));
                     return Err(wrong("factor", rule, say!(factor_of_ten_per_cent)));

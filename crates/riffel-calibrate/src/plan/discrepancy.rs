@@ -13,8 +13,7 @@ impl Reading<'_> {
     pub(super) fn discrepancy(&mut self, index: usize) -> Result<Option<Kernel>, CaseError> {
         let data = &self.file.data[index];
         let Some(written) = &data.discrepancy else {
-            self.remarks
-                .push(say!(no_discrepancy, data = name_of(data)));
+            self.remarks.push(say!(no_discrepancy, data = name_of(data)));
             return Ok(None);
         };
         let place = |key: &str| format!("data[{index}].discrepancy.{key}");
@@ -26,29 +25,17 @@ impl Reading<'_> {
             Kind::AxleBox | Kind::PassBy => "dB",
             Kind::Wear => "ln",
         };
-        for (key, given, only) in [
-            ("unit", &written.unit, unit),
-            ("grows", &written.grows, "with passages"),
-        ] {
+        for (key, given, only) in [("unit", &written.unit, unit), ("grows", &written.grows, "with passages")] {
             if let Some(given) = given
                 && (given != only || key == "grows" && unit != "dB per 1e6 passages")
             {
-                let rule = say!(
-                    is_but_for_kind,
-                    value = given,
-                    only = only,
-                    kind = data.kind.name()
-                );
-                return Err(self
-                    .source
-                    .invalid(&place(key), rule, say!(or_leave_it_out)));
+                let rule = say!(is_but_for_kind, value = given, only = only, kind = data.kind.name());
+                return Err(self.source.invalid(&place(key), rule, say!(or_leave_it_out)));
             }
         }
         match written.standard_deviation {
             SizeFile::Known(size) if size.is_finite() && size >= 0.0 => {}
-            SizeFile::HalfNormal { half_normal }
-                if half_normal.is_finite() && half_normal > 0.0 =>
-            {
+            SizeFile::HalfNormal { half_normal } if half_normal.is_finite() && half_normal > 0.0 => {
                 self.parameters.push(Parameter {
                     name: format!("{}.discrepancy", name_of(data)),
                     unit: unit.to_owned(),
@@ -79,10 +66,7 @@ impl Reading<'_> {
             "gaussian-process" => {}
             other => {
                 let rule = say!(this_or_that, this = "band", that = "gaussian-process");
-                return Err(wrong(
-                    "kind",
-                    say!(is_name_but_must_be, name = other, rule = rule),
-                ));
+                return Err(wrong("kind", say!(is_name_but_must_be, name = other, rule = rule)));
             }
         }
         let over = match kind {
@@ -92,12 +76,7 @@ impl Reading<'_> {
         if let Some(given) = &written.over
             && given != over
         {
-            let rule = say!(
-                is_but_for_kind,
-                value = given,
-                only = over,
-                kind = kind.name()
-            );
+            let rule = say!(is_but_for_kind, value = given, only = over, kind = kind.name());
             return Err(wrong("over", rule));
         }
         let usual = match kind {
@@ -106,20 +85,13 @@ impl Reading<'_> {
         };
         let length = written.length.unwrap_or(usual.1);
         if !(length.is_finite() && length > 0.0) {
-            let rule = say!(
-                is_but_must_be,
-                value = length,
-                rule = say!(greater_than_zero)
-            );
+            let rule = say!(is_but_must_be, value = length, rule = say!(greater_than_zero));
             return Err(wrong("length", rule));
         }
         let name = written.kernel.as_deref().unwrap_or(usual.0);
         Kernel::of(name, length).ok_or_else(|| {
             let rule = say!(one_of, names = Kernel::NAMES.join(", "));
-            wrong(
-                "kernel",
-                say!(is_name_but_must_be, name = name, rule = rule),
-            )
+            wrong("kernel", say!(is_name_but_must_be, name = name, rule = rule))
         })
     }
 }

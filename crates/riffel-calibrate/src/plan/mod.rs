@@ -103,9 +103,7 @@ impl Plan {
         let case_path = beside(folder, &file.case);
         let mut case = Case::read_with(&case_path, &settings(&file.set))
             .map_err(|error| match error {
-                CaseError::Changed { key, message } => {
-                    source.refuse(&format!("set.{key}"), &message)
-                }
+                CaseError::Changed { key, message } => source.refuse(&format!("set.{key}"), &message),
                 error => error,
             })?
             .sharing_profiles();
@@ -125,8 +123,7 @@ impl Plan {
         };
         inputs.extend(file.data.iter().map(|data| beside(folder, &data.file)));
         let roughness = file.data.iter();
-        let roughness =
-            roughness.flat_map(|data| data.roughness.iter().chain(&data.wheel_roughness));
+        let roughness = roughness.flat_map(|data| data.roughness.iter().chain(&data.wheel_roughness));
         let roughness = roughness.map(|name| beside(folder, name));
         inputs.extend(roughness.filter(|path| path.exists()));
         let mut reading = Reading {
@@ -142,11 +139,7 @@ impl Plan {
         };
         for (index, parameter) in file.parameter.iter().enumerate() {
             let parameter = reading.parameter(index, parameter)?;
-            if reading
-                .parameters
-                .iter()
-                .any(|other| other.name == parameter.name)
-            {
+            if reading.parameters.iter().any(|other| other.name == parameter.name) {
                 let rule = say!(is_a_second_time, text = parameter.name);
                 return Err(source.invalid(&format!("parameter[{index}]"), rule, ""));
             }
@@ -161,21 +154,10 @@ impl Plan {
             Some(levels) => levels.view(),
             None => reading.view_of_all(),
         };
-        let Reading {
-            parameters,
-            views,
-            remarks,
-            inputs,
-            ..
-        } = reading;
+        let Reading { parameters, views, remarks, inputs, .. } = reading;
         let line = traffic.as_ref().map(|traffic| traffic.file.line);
         let passages_per_day = line.and_then(|line| passages_per_day(&line, &vehicles, &case));
-        let model = Model {
-            parameters,
-            views,
-            vehicles,
-            speed: None,
-        };
+        let model = Model { parameters, views, vehicles, speed: None };
         touch(&source, &model, &mut blocks)?;
         let posterior = Posterior { model, blocks };
         let plan = Self {
@@ -223,15 +205,11 @@ impl Plan {
 fn passages_per_day(line: &Line, vehicles: &[Vehicle], case: &Case) -> Option<f64> {
     let axle_mass = vehicles.iter().map(|vehicle| {
         let own = vehicle.number(&VehicleKey::OfCase("contact.normal_load".to_owned(), 1.0));
-        let load = own
-            .or(case.number("contact.normal_load"))
-            .unwrap_or(f64::NAN);
+        let load = own.or(case.number("contact.normal_load")).unwrap_or(f64::NAN);
         2.0 * vehicle.share * load / STANDARD_GRAVITY
     });
     let axle_mass: f64 = axle_mass.sum();
-    let of_mgt = line
-        .mgt_per_year
-        .map(|mgt| 1e9 * mgt / axle_mass / DAYS_PER_YEAR);
+    let of_mgt = line.mgt_per_year.map(|mgt| 1e9 * mgt / axle_mass / DAYS_PER_YEAR);
     line.passages_per_day.or(of_mgt)
 }
 
@@ -250,11 +228,7 @@ fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
     }
     if sampler.kind == SamplerKind::Smc && source.has("sampler.warmup") {
         let value = sampler.warmup as f64;
-        let rule = say!(
-            is_but_must_be,
-            value = value,
-            rule = say!(left_out_with_smc)
-        );
+        let rule = say!(is_but_must_be, value = value, rule = say!(left_out_with_smc));
         return Err(source.invalid("sampler.warmup", rule, ""));
     }
     Ok(())
@@ -282,11 +256,9 @@ fn excludes(prior: &Prior, value: f64) -> bool {
     let [low, high] = prior.ends();
     let far = match *prior {
         Prior::Of(Distribution::Normal { .. }) => prior.place(value).abs(),
-        Prior::Of(Distribution::Lognormal {
-            log_mean,
-            log_deviation,
-            ..
-        }) if value > 0.0 => ((value.ln() - log_mean) / log_deviation).abs(),
+        Prior::Of(Distribution::Lognormal { log_mean, log_deviation, .. }) if value > 0.0 => {
+            ((value.ln() - log_mean) / log_deviation).abs()
+        }
         _ => 0.0,
     };
     value < low || value > high || far > EXCLUDES
@@ -304,19 +276,11 @@ fn touch(source: &KeyFile, model: &Model, blocks: &mut [Named]) -> Result<(), Ca
     const PLACES: [f64; 3] = [0.5, 0.35, 0.7];
     const CHANGE: f64 = 0.1;
     for named in blocks {
-        let acting: Vec<usize> = named
-            .block
-            .views()
-            .into_iter()
-            .flat_map(|view| model.views[view].acting.clone())
-            .collect();
+        let acting: Vec<usize> =
+            named.block.views().into_iter().flat_map(|view| model.views[view].acting.clone()).collect();
         let mut reason = None;
         for share in PLACES {
-            let values: Vec<f64> = model
-                .parameters
-                .iter()
-                .map(|it| it.prior.quantile(share))
-                .collect();
+            let values: Vec<f64> = model.parameters.iter().map(|it| it.prior.quantile(share)).collect();
             let here = match named.block.predict(&model.trial(&values)) {
                 Ok(here) => here,
                 Err(error) => {

@@ -46,12 +46,7 @@ fn named(table: &DeTable<'_>) -> Vec<(Range<usize>, String)> {
         }
     };
     ["case", "traffic"].iter().for_each(|key| add(table, key));
-    for (list, key) in [
-        ("data", "file"),
-        ("data", "roughness"),
-        ("data", "wheel_roughness"),
-        ("action", "changes"),
-    ] {
+    for (list, key) in [("data", "file"), ("data", "roughness"), ("data", "wheel_roughness"), ("action", "changes")] {
         if let Some(DeValue::Array(items)) = table.get(list).map(|it| it.get_ref()) {
             for item in items {
                 if let DeValue::Table(item) = item.get_ref() {

@@ -10,11 +10,7 @@ use crate::model::{Parameter, Role, Vehicle, VehicleKey};
 use crate::prior::Prior;
 
 impl Reading<'_> {
-    pub(super) fn parameter(
-        &self,
-        index: usize,
-        written: &UncertainFile,
-    ) -> Result<Parameter, CaseError> {
+    pub(super) fn parameter(&self, index: usize, written: &UncertainFile) -> Result<Parameter, CaseError> {
         let at = format!("parameter[{index}]");
         let place = |key: &str| format!("{at}.{key}");
         for (number, name) in written.in_data.iter().flatten().enumerate() {
@@ -34,8 +30,8 @@ impl Reading<'_> {
             Some(_) => "key",
             None => "multiplies",
         };
-        let quantity = quantity_of(key, of_key)
-            .map_err(|(rule, help)| self.source.invalid(&place(which), rule, help))?;
+        let quantity =
+            quantity_of(key, of_key).map_err(|(rule, help)| self.source.invalid(&place(which), rule, help))?;
         let multiplies = matches!(role, Role::Multiplies(_));
         let kind = match multiplies {
             true => quantity::Kind::of::<Ratio>(),
@@ -57,26 +53,14 @@ impl Reading<'_> {
             self.source.invalid(&at, rule, "")
         })?;
         self.check_own_value(&at, key, &role, &prior)?;
-        Ok(Parameter {
-            name,
-            unit: kind.unit.to_owned(),
-            prior,
-            ends,
-            role,
-            in_data: written.in_data.clone(),
-        })
+        Ok(Parameter { name, unit: kind.unit.to_owned(), prior, ends, role, in_data: written.in_data.clone() })
     }
 
     /// The key of the case or of a vehicle, what the value does to it, and its name.
-    fn role<'w>(
-        &self,
-        at: &str,
-        written: &'w UncertainFile,
-    ) -> Result<(&'w String, Role, String), CaseError> {
+    fn role<'w>(&self, at: &str, written: &'w UncertainFile) -> Result<(&'w String, Role, String), CaseError> {
         let vehicles = self.vehicles;
         let place = |key: &str| format!("{at}.{key}");
-        let wrong =
-            |key: &str, rule: Message, help: Message| self.source.invalid(&place(key), rule, help);
+        let wrong = |key: &str, rule: Message, help: Message| self.source.invalid(&place(key), rule, help);
         Ok(match (&written.key, &written.multiplies) {
             (Some(_), Some(_)) => {
                 let rule = say!(and_exclude_each_other, other = place("key"));
@@ -87,21 +71,15 @@ impl Reading<'_> {
                 return Err(self.source.missing(&place("key"), help));
             }
             (None, Some(key)) => {
-                let name = written
-                    .name
-                    .clone()
-                    .ok_or_else(|| self.source.missing(&place("name"), say!(name_the_factor)))?;
+                let name =
+                    written.name.clone().ok_or_else(|| self.source.missing(&place("name"), say!(name_the_factor)))?;
                 (key, Role::Multiplies(key.clone()), name)
             }
             (Some(key), None) => match key.strip_prefix("vehicle.") {
                 Some(rest) => {
                     let vehicle = self.vehicle(at, written)?;
                     let of = VehicleKey::of(rest).ok_or_else(|| {
-                        wrong(
-                            "key",
-                            say!(is_no_key_of_a_vehicle, name = key),
-                            say!(keys_of_a_vehicle),
-                        )
+                        wrong("key", say!(is_no_key_of_a_vehicle, name = key), say!(keys_of_a_vehicle))
                     })?;
                     let several = vehicles.len() > 1;
                     let name = match several {
@@ -110,23 +88,13 @@ impl Reading<'_> {
                     };
                     (key, Role::Vehicle(vehicle, of), name)
                 }
-                None => (
-                    key,
-                    Role::Key(key.clone()),
-                    written.name.clone().unwrap_or_else(|| key.clone()),
-                ),
+                None => (key, Role::Key(key.clone()), written.name.clone().unwrap_or_else(|| key.clone())),
             },
         })
     }
 
     /// Refuse a prior that excludes the value of the case.
-    fn check_own_value(
-        &self,
-        at: &str,
-        key: &str,
-        role: &Role,
-        prior: &Prior,
-    ) -> Result<(), CaseError> {
+    fn check_own_value(&self, at: &str, key: &str, role: &Role, prior: &Prior) -> Result<(), CaseError> {
         let own = match role {
             Role::Multiplies(_) => None,
             Role::Vehicle(vehicle, of) => self.vehicles[*vehicle].number(of),
@@ -157,13 +125,10 @@ impl Reading<'_> {
                 let help = say!(traffic_has_several_vehicles, names = names.join(", "));
                 Err(self.source.missing(&format!("{at}.name"), help))
             }
-            Some(name) => vehicles
-                .iter()
-                .position(|vehicle| vehicle.name == *name)
-                .ok_or_else(|| {
-                    let rule = say!(is_name_of_no_vehicle, name = name);
-                    self.source.invalid(&format!("{at}.name"), rule, "")
-                }),
+            Some(name) => vehicles.iter().position(|vehicle| vehicle.name == *name).ok_or_else(|| {
+                let rule = say!(is_name_of_no_vehicle, name = name);
+                self.source.invalid(&format!("{at}.name"), rule, "")
+            }),
         }
     }
 }
@@ -177,10 +142,7 @@ pub(super) fn quantity_of(key: &str, of_key: &str) -> Result<quantity::Kind, (Me
             Some(known) => known.quantity,
             None => {
                 let nearest = CaseKey::nearest(of_key);
-                return Err((
-                    say!(is_no_key_of_the_case, name = key),
-                    say!(the_nearest_key_is, key = nearest),
-                ));
+                return Err((say!(is_no_key_of_the_case, name = key), say!(the_nearest_key_is, key = nearest)));
             }
         },
     };

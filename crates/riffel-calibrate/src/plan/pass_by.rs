@@ -17,11 +17,7 @@ const RECEIVER: (f64, f64) = (7.5, 1.2);
 const OF_A_PLACE: f64 = 2.0;
 
 impl Reading<'_> {
-    pub(super) fn pass_bys(
-        &mut self,
-        index: usize,
-        dated: &DatedLevels,
-    ) -> Result<PassBys, CaseError> {
+    pub(super) fn pass_bys(&mut self, index: usize, dated: &DatedLevels) -> Result<PassBys, CaseError> {
         let common_error = self.decibels(index, OF_A_PLACE)?;
         let view = self.view(index)?;
         let case = &self.views[view].case;
@@ -34,27 +30,17 @@ impl Reading<'_> {
             Some(speed) => Some(self.positive(index, "speed", speed.si())?),
             None => None,
         };
-        let passage = Passage {
-            train: self.train(index, ContactFilter::of(&case.hertz))?,
-            speed,
-        };
+        let passage = Passage { train: self.train(index, ContactFilter::of(&case.hertz))?, speed };
         let path = beside(self.folder, &data.file);
         let (rows, silent) = PassBys::rows(&path, case, dated, &passage)?;
         if !silent.is_empty() {
             let bands = frequencies(&silent);
-            self.remarks
-                .push(say!(silent_bands, file = &data.file, bands = bands));
+            self.remarks.push(say!(silent_bands, file = &data.file, bands = bands));
         }
         if data.wheel_roughness.is_none() {
-            self.remarks
-                .push(say!(wheels_taken_as_smooth, file = &data.file));
+            self.remarks.push(say!(wheels_taken_as_smooth, file = &data.file));
         }
-        Ok(PassBys {
-            view,
-            rows,
-            common_error,
-            train: passage.train,
-        })
+        Ok(PassBys { view, rows, common_error, train: passage.train })
     }
 
     fn train(&self, index: usize, filter: ContactFilter) -> Result<Train, CaseError> {
@@ -72,8 +58,7 @@ impl Reading<'_> {
             length("train_length", data.train_length, of_coaches)?,
             Surroundings::HardGround,
         );
-        let pass =
-            pass.map_err(|error| self.invalid(index, "distance", Message::from(&error), ""))?;
+        let pass = pass.map_err(|error| self.invalid(index, "distance", Message::from(&error), ""))?;
         let rest = data.roughness.as_ref();
         let rest = rest.map(|name| Survey::mean_of(&beside(self.folder, name)));
         let wheel = match &data.wheel_roughness {
@@ -89,12 +74,7 @@ impl Reading<'_> {
             }
             None => None,
         };
-        Ok(Train {
-            pass,
-            wheel,
-            rest: rest.transpose()?,
-            filter,
-        })
+        Ok(Train { pass, wheel, rest: rest.transpose()?, filter })
     }
 }
 

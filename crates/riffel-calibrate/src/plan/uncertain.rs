@@ -31,8 +31,7 @@ impl Plan {
         let uncertain = written.zip(parameters).filter_map(|(written, parameter)| {
             let distributions = ["lognormal", "normal", "uniform", "triangular"];
             let mut given = distributions.iter();
-            let (distribution, prior) =
-                given.find_map(|name| Some((*name, written.get(*name)?.clone())))?;
+            let (distribution, prior) = given.find_map(|name| Some((*name, written.get(*name)?.clone())))?;
             let key = written.get("key").or_else(|| written.get("multiplies"));
             Some(Uncertain {
                 name: parameter.name.clone(),

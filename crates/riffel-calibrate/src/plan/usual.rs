@@ -56,12 +56,7 @@ struct OfKey {
 }
 
 const fn of_key(key: &'static str, median: Option<f64>, factor: f64) -> OfKey {
-    OfKey {
-        key,
-        median,
-        factor,
-        within: None,
-    }
+    OfKey { key, median, factor, within: None }
 }
 
 /// Factor of a pad whose make is known.
@@ -76,20 +71,15 @@ const OF_CASE: [OfKey; 11] = [
     of_key("track.sleeper.mass", None, 1.05),
     of_key("rail.loss_factor", Some(0.01), 2.0),
     of_key("wheel.mass", None, 1.15),
-    OfKey {
-        within: Some([0.05, 0.8]),
-        ..of_key("contact.friction", Some(0.35), 1.3)
-    },
+    OfKey { within: Some([0.05, 0.8]), ..of_key("contact.friction", Some(0.35), 1.3) },
     of_key("contact.tractive_ratio", Some(0.15), 1.5),
     of_key("contact.transverse_radius", None, 1.3),
     of_key("wear.coefficient", None, 2.36),
 ];
 
 /// Of a vehicle that says it itself.
-const OF_VEHICLE: [OfKey; 2] = [
-    of_key("vehicle.wheel_mass", None, 1.15),
-    of_key("vehicle.tractive_ratio", Some(0.15), 1.5),
-];
+const OF_VEHICLE: [OfKey; 2] =
+    [of_key("vehicle.wheel_mass", None, 1.15), of_key("vehicle.tractive_ratio", Some(0.15), 1.5)];
 
 /// A prior that may stand in the plan, as text.
 struct Candidate {
@@ -131,25 +121,18 @@ impl Kind {
     fn of_columns(names: &[String]) -> Option<Self> {
         let has = |column: &&str| names.iter().any(|name| name == column);
         let fitting = Self::ALL.into_iter();
-        fitting
-            .filter(|kind| kind.columns().iter().all(has))
-            .max_by_key(|kind| kind.columns().len())
+        fitting.filter(|kind| kind.columns().iter().all(has)).max_by_key(|kind| kind.columns().len())
     }
 
     /// Whether a train took part, whose weight lay on the pads.
     fn is_of_trains(self) -> bool {
-        matches!(
-            self,
-            Self::DatedLevels | Self::AxleBox | Self::PassBy | Self::DatedProfiles | Self::Wear
-        )
+        matches!(self, Self::DatedLevels | Self::AxleBox | Self::PassBy | Self::DatedProfiles | Self::Wear)
     }
 
     /// What models usually miss of it; none where all levels share their error.
     fn usual_discrepancy(self) -> Option<&'static str> {
         let usual = match self {
-            Self::FrequencyResponse => {
-                "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 0.15 } }"
-            }
+            Self::FrequencyResponse => "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 0.15 } }",
             Self::DecayRate => "{ kind = \"band\", standard_deviation = { half_normal = 0.2 } }",
             Self::DatedLevels | Self::DatedProfiles => {
                 "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 1.0 } }"
@@ -181,23 +164,15 @@ impl Table {
             };
             let names = table::names(path, |names| Kind::of_columns(names).is_some())?;
             let kind = Kind::of_columns(&names).ok_or_else(|| {
-                let kinds =
-                    Kind::ALL.map(|kind| format!("{}: {}", kind.name(), kind.columns().join(", ")));
+                let kinds = Kind::ALL.map(|kind| format!("{}: {}", kind.name(), kind.columns().join(", ")));
                 let message = say!(columns_of_no_kind, columns = names.join(", "));
                 refuse(message, Message::verbatim(kinds.join("; ")))
             })?;
             if kind == Kind::AxleBox {
-                return Err(refuse(
-                    say!(is_run_without_speed),
-                    say!(write_run_into_a_plan),
-                ));
+                return Err(refuse(say!(is_run_without_speed), say!(write_run_into_a_plan)));
             }
-            if matches!(kind, Kind::DatedLevels | Kind::DatedProfiles | Kind::Wear) && !has_traffic
-            {
-                return Err(refuse(
-                    say!(dates_without_traffic),
-                    say!(give_traffic_of_the_program),
-                ));
+            if matches!(kind, Kind::DatedLevels | Kind::DatedProfiles | Kind::Wear) && !has_traffic {
+                return Err(refuse(say!(dates_without_traffic), say!(give_traffic_of_the_program)));
             }
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             let mut numbered = (2..).map(|number| format!("{stem}-{number}"));
@@ -219,17 +194,10 @@ impl Table {
     }
 
     fn text(&self, case: &Case) -> String {
-        let mut text = format!(
-            "\n[[data]]\nname = {:?}\nkind = \"{}\"\nfile = {:?}\n",
-            self.name,
-            self.kind.name(),
-            self.path
-        );
+        let mut text =
+            format!("\n[[data]]\nname = {:?}\nkind = \"{}\"\nfile = {:?}\n", self.name, self.kind.name(), self.path);
         if self.assumes_averages() {
-            _ = writeln!(
-                text,
-                "averages = {AVERAGES}  # assumed: blows in the mean of each line"
-            );
+            _ = writeln!(text, "averages = {AVERAGES}  # assumed: blows in the mean of each line");
         }
         let smeared = match case.file.track.model {
             TrackModel::OneLayerPeriodic => Some(TrackModel::OneLayer),
@@ -237,11 +205,7 @@ impl Table {
             _ => None,
         };
         if let Some(model) = smeared.filter(|_| self.kind.is_of_trains()) {
-            _ = writeln!(
-                text,
-                "set = {{ \"track.model\" = \"{}\" }}  # wheels pass all places",
-                model.name()
-            );
+            _ = writeln!(text, "set = {{ \"track.model\" = \"{}\" }}  # wheels pass all places", model.name());
         }
         if let Some(usual) = self.kind.usual_discrepancy() {
             _ = writeln!(text, "discrepancy = {usual}");
@@ -253,29 +217,19 @@ impl Table {
 /// The path of a file as seen from a folder.
 pub(super) fn from(folder: &Path, file: &Path) -> String {
     let real = |path: &Path| {
-        let there = path
-            .ancestors()
-            .find_map(|it| Some((it, it.canonicalize().ok()?)));
+        let there = path.ancestors().find_map(|it| Some((it, it.canonicalize().ok()?)));
         match there {
             Some((base, real)) => real.join(path.strip_prefix(base).unwrap_or(Path::new(""))),
             None => path.to_owned(),
         }
     };
-    let absolute =
-        |path: &Path| real(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
+    let absolute = |path: &Path| real(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
     let (folder, file) = (absolute(folder), absolute(file));
-    let common = folder
-        .components()
-        .zip(file.components())
-        .take_while(|(a, b)| a == b)
-        .count();
+    let common = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();
     let up = folder.components().skip(common).map(|_| "..");
     let down = file.components().skip(common);
     let down = down.map(|part| part.as_os_str().to_string_lossy().into_owned());
-    up.map(str::to_owned)
-        .chain(down)
-        .collect::<Vec<String>>()
-        .join("/")
+    up.map(str::to_owned).chain(down).collect::<Vec<String>>().join("/")
 }
 
 /// Priors of what the case and its vehicles have.
@@ -320,16 +274,9 @@ fn candidates(case: &Case, vehicles: &[Vehicle], tables: &[Table]) -> Vec<Candid
                 true => format!("name = {:?}\n", vehicle.name),
                 false => String::new(),
             };
-            candidates.push(Candidate {
-                name,
-                text: format!("key = \"{key}\"\n{of}{prior}"),
-            });
+            candidates.push(Candidate { name, text: format!("key = \"{key}\"\n{of}{prior}") });
         };
-        let own = |key: &str| {
-            vehicle
-                .number(&VehicleKey::of(key)?)
-                .filter(|own| *own > 0.0)
-        };
+        let own = |key: &str| vehicle.number(&VehicleKey::of(key)?).filter(|own| *own > 0.0);
         for of_key in &OF_VEHICLE {
             if let Some(own) = own(&of_key.key["vehicle.".len()..]) {
                 add(of_key.key, of_key.prior(own, of_key.factor));
@@ -337,21 +284,12 @@ fn candidates(case: &Case, vehicles: &[Vehicle], tables: &[Table]) -> Vec<Candid
         }
         let share = vehicle.traction_share;
         let [low, high] = [share.min(0.05), share.max(0.95)];
-        add(
-            "vehicle.traction_share",
-            format!("uniform = {{ min = {low}, max = {high} }}\n"),
-        );
+        add("vehicle.traction_share", format!("uniform = {{ min = {low}, max = {high} }}\n"));
         if let Some(mean) = own("speed.mean") {
             let spread = OF_SPEED.0.min(OF_SPEED.1 * mean);
             let [mean, spread] = [mean, spread].map(|speed| written("vehicle.speed.mean", speed));
-            add(
-                "vehicle.speed.mean",
-                format!("normal = {{ mean = {mean}, standard_deviation = {spread} }}\n"),
-            );
-            add(
-                "vehicle.speed.standard_deviation",
-                format!("lognormal = {{ median = {spread}, factor = 1.5 }}\n"),
-            );
+            add("vehicle.speed.mean", format!("normal = {{ mean = {mean}, standard_deviation = {spread} }}\n"));
+            add("vehicle.speed.standard_deviation", format!("lognormal = {{ median = {spread}, factor = 1.5 }}\n"));
         }
     }
     let of_trains = |table: &&Table| table.kind.is_of_trains();
@@ -361,9 +299,7 @@ fn candidates(case: &Case, vehicles: &[Vehicle], tables: &[Table]) -> Vec<Candid
         let names: Vec<&str> = under_trains.iter().map(|table| &*table.name).collect();
         candidates.push(Candidate {
             name: "preload_stiffening".to_owned(),
-            text: format!(
-                "{PRELOAD}in_data = {names:?}\nlognormal = {{ median = 1.2, factor = 1.3 }}\n"
-            ),
+            text: format!("{PRELOAD}in_data = {names:?}\nlognormal = {{ median = 1.2, factor = 1.3 }}\n"),
         });
     }
     candidates
@@ -379,9 +315,7 @@ impl Plan {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         let mut case = Case::read(measured.case, &[])?;
         if let Some(traffic) = measured.traffic {
-            case = Traffic::read(traffic)?
-                .wearing_as_measured(&case)?
-                .into_owned();
+            case = Traffic::read(traffic)?.wearing_as_measured(&case)?.into_owned();
         }
         let vehicles = match measured.traffic {
             None => Vec::new(),
@@ -390,9 +324,7 @@ impl Plan {
             })?,
         };
         let tables = Table::all(measured.tables, folder, measured.traffic.is_some())?;
-        let mut head =
-            "# Usual priors: put what you know in their place, and run this plan again.\n"
-                .to_owned();
+        let mut head = "# Usual priors: put what you know in their place, and run this plan again.\n".to_owned();
         _ = writeln!(head, "case = {:?}", from(folder, measured.case));
         if let Some(traffic) = measured.traffic {
             _ = writeln!(head, "traffic = {:?}", from(folder, traffic));
@@ -400,18 +332,15 @@ impl Plan {
         let mut candidates = candidates(&case, &vehicles, &tables);
         let data: String = tables.iter().map(|table| table.text(&case)).collect();
         let plan = |candidates: &[Candidate]| {
-            let priors = candidates
-                .iter()
-                .map(|it| format!("\n[[parameter]]\n{}", it.text));
+            let priors = candidates.iter().map(|it| format!("\n[[parameter]]\n{}", it.text));
             Self::of_text(path, format!("{head}{}{data}", priors.collect::<String>()))
         };
         let of_all = plan(&candidates)?;
         candidates.retain(|it| !of_all.posterior.data_of(&it.name).is_empty());
         let mut plan = plan(&candidates)?;
         let assumed = tables.iter().filter(|table| table.assumes_averages());
-        plan.remarks.extend(assumed.map(|table| {
-            say!(averages_are_assumed, averages = f64::from(AVERAGES)).about(&table.name)
-        }));
+        plan.remarks
+            .extend(assumed.map(|table| say!(averages_are_assumed, averages = f64::from(AVERAGES)).about(&table.name)));
         match std::fs::read_to_string(path) {
             Ok(there) if there != plan.text => Err(CaseError::Data {
                 path: path.to_owned(),

@@ -46,41 +46,25 @@ const B: &str = "b-three-dates";
 #[test]
 fn decay_rates_have_one_error() {
     let own = table(C, "decay.csv");
-    let rows = || {
-        own.lines()
-            .skip(1)
-            .map(|row| row.split(',').collect::<Vec<&str>>())
-    };
+    let rows = || own.lines().skip(1).map(|row| row.split(',').collect::<Vec<&str>>());
     let of_rate = rows().map(|row| {
         let [rate, error] = [1, 2].map(|cell| row[cell].parse::<f64>().unwrap());
         format!("{},{},{:e}\n", row[0], row[1], rate * error)
     });
     let head = "frequency_hz,decay_rate_db_per_m,standard_error_db_per_m\n";
-    let of_rate = with(
-        C,
-        "decay.csv",
-        &(head.to_owned() + &of_rate.collect::<String>()),
-    )
-    .unwrap();
+    let of_rate = with(C, "decay.csv", &(head.to_owned() + &of_rate.collect::<String>())).unwrap();
     let of_ln = with(C, "decay.csv", &own).unwrap();
     let apart = likelihood(&of_rate, "decay") - likelihood(&of_ln, "decay");
     assert!(apart.abs() < 1e-9, "{apart}");
     assert!(!remarks(&of_rate).contains("not used"));
     let both = rows().map(|row| format!("{},{},0.1,0.4\n", row[0], row[1]));
     let head = "frequency_hz,decay_rate_db_per_m,standard_error_ln,standard_error_db_per_m\n";
-    let both = refused(
-        C,
-        "decay.csv",
-        &(head.to_owned() + &both.collect::<String>()),
-    );
+    let both = refused(C, "decay.csv", &(head.to_owned() + &both.collect::<String>()));
     assert!(both[0].contains("an error must have one"), "{both:?}");
     assert!(both[1].contains("nur eines davon"), "{both:?}");
     let other = with(C, "decay.csv", &own.replace("standard_error_ln", "sd_ln")).unwrap();
     let remarks = remarks(&other);
-    assert!(
-        remarks.contains("decay.csv has columns that are not used: sd_ln"),
-        "{remarks}"
-    );
+    assert!(remarks.contains("decay.csv has columns that are not used: sd_ln"), "{remarks}");
 }
 
 /// A table behind itself counts every row twice: refused with both lines, of rates, levels and runs.
@@ -94,10 +78,7 @@ fn doubled_rows_are_refused() {
         let line = format!("line {}", rows.len() + 1);
         let said = error.to_string() + &error.message().to_string();
         assert!(said.contains("repeats line 2"), "{file}: {said}");
-        assert!(
-            format!("{error:?}").contains(&(rows.len() + 1).to_string()),
-            "{line}"
-        );
+        assert!(format!("{error:?}").contains(&(rows.len() + 1).to_string()), "{line}");
     }
 }
 
@@ -121,11 +102,7 @@ fn dates(dates: &[(f64, f64)]) -> String {
 #[test]
 fn passages_in_millions_are_refused() {
     for last in [4.0, 9999.0] {
-        let few = refused(
-            B,
-            "roughness.csv",
-            &dates(&[(0.0, 0.0), (2.0, 1.0), (last, 2.0)]),
-        );
+        let few = refused(B, "roughness.csv", &dates(&[(0.0, 0.0), (2.0, 1.0), (last, 2.0)]));
         assert!(few[0].contains("but must rise by 10000 or more"), "{few:?}");
         assert!(few[1].contains("sind es Millionen?"), "{few:?}");
     }
@@ -142,20 +119,12 @@ fn growth_begins_anew_where_the_rail_was_ground() {
     assert_eq!(plan.posterior.observed(), alone.posterior.observed());
     assert_eq!(likelihood(&plan, "growth"), likelihood(&alone, "growth"));
     let told = remarks(&plan);
-    assert!(
-        told.contains("before the date of 5000000 passages"),
-        "{told}"
-    );
+    assert!(told.contains("before the date of 5000000 passages"), "{told}");
     assert!(!remarks(&alone).contains("ground"));
     let only = refused(B, "roughness.csv", &dates(&ground[..3]));
     assert!(only[0].contains("the rail was ground"), "{only:?}");
     assert!(only[1].contains("geschliffen"), "{only:?}");
-    let wear = with(
-        B,
-        "roughness.csv",
-        &dates(&[(0.0, 0.0), (2e6, -2.7), (4e6, -5.4)]),
-    )
-    .unwrap();
+    let wear = with(B, "roughness.csv", &dates(&[(0.0, 0.0), (2e6, -2.7), (4e6, -5.4)])).unwrap();
     assert_eq!(wear.posterior.observed()[0].len(), 16);
     // One coarse band that does not fall hides no grinding; half of the bands that rise speak against it.
     let text = dates(&ground[..3]);
@@ -190,10 +159,7 @@ fn many_lines_are_taken_together() {
     let plan = with(C, "hammer.csv", &lines(391)).unwrap();
     assert_eq!(plan.posterior.observed()[0].len(), 200);
     let told = remarks(&plan);
-    assert!(
-        told.contains("the 391 lines of hammer.csv are taken together to 100 means"),
-        "{told}"
-    );
+    assert!(told.contains("the 391 lines of hammer.csv are taken together to 100 means"), "{told}");
     let plan = with(C, "hammer.csv", &lines(100)).unwrap();
     assert_eq!(plan.posterior.observed()[0].len(), 200);
     assert!(!remarks(&plan).contains("taken together"));

@@ -80,10 +80,7 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
         let bands = ["158", "126", "100"].map(|band| format!("{passages},{band},0,0.5\n"));
         bands.concat()
     };
-    let long: String = std::iter::once(0.0)
-        .chain(dates.iter().copied())
-        .map(row)
-        .collect();
+    let long: String = std::iter::once(0.0).chain(dates.iter().copied()).map(row).collect();
     let tables = ["", "[set]\ncontact.friction = 0.25\n"].map(|set| {
         let copy = one_value(&long, set);
         Plan::read(&copy.path().join("plan.toml")).unwrap()
@@ -92,41 +89,21 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
     for step in -120..=120 {
         let z = 2.5e-9f64.ln() + 0.02 * f64::from(step);
         let per_month = 6000.0 * DAYS_PER_MONTH;
-        let courses = tables
-            .each_ref()
-            .map(|table| brute_force(table, &dates, 3, z.exp(), 24.0 * per_month));
+        let courses = tables.each_ref().map(|table| brute_force(table, &dates, 3, z.exp(), 24.0 * per_month));
         let [own, treated] = courses.map(|course| course[0] / per_month);
         let loudest = courses[0][1] - 6.0;
         let reactive = |months: f64| 12.0 / months.min(25.0) * 9000.0;
-        let over = if own > 25.0 {
-            0.0
-        } else {
-            (12.0 - own).max(0.0)
-        };
-        let costs = [
-            reactive(own),
-            2300.0 + reactive(treated),
-            9000.0 + 2000.0 * over,
-        ];
+        let over = if own > 25.0 { 0.0 } else { (12.0 - own).max(0.0) };
+        let costs = [reactive(own), 2300.0 + reactive(treated), 9000.0 + 2000.0 * over];
         weights.push(plan.posterior.log_density(&[z]).unwrap().exp());
         all.push((costs, own));
         // 7000 EUR a year, 0.5 dB above the limit after 24 months, three hours of 5 each time.
-        let over = if own > 25.0 {
-            0.0
-        } else {
-            (24.0 - own).max(0.0)
-        };
+        let over = if own > 25.0 { 0.0 } else { (24.0 - own).max(0.0) };
         let costs = [costs[0], costs[1], 0.5 * (9000.0 + 2000.0 * over)];
         let hours = |months: f64| 12.0 / months.min(25.0) * 5.0;
         let hours = [hours(own), 0.5 + hours(treated), 2.5];
         let highest = [0.0, 0.0, loudest];
-        let breaks = [0, 1, 2].map(|place| {
-            [
-                costs[place] > 7000.0,
-                highest[place] > 0.5,
-                hours[place] > 3.0,
-            ]
-        });
+        let breaks = [0, 1, 2].map(|place| [costs[place] > 7000.0, highest[place] > 0.5, hours[place] > 3.0]);
         asked.push((costs, breaks));
     }
     let sum: f64 = weights.iter().sum();
@@ -142,30 +119,17 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
         means.push(cost);
         // 1000 draws that hardly follow from each other: costs scatter by up to a fifth, of which three standard errors are
         // 2 %; 0.05 of a chance.
-        assert!(
-            (action.mean_cost_per_year / cost - 1.0).abs() < 0.02,
-            "{action:?} {cost}"
-        );
+        assert!((action.mean_cost_per_year / cost - 1.0).abs() < 0.02, "{action:?} {cost}");
         let regret = action.expected_regret_per_year;
-        assert!(
-            (regret - (cost - best)).abs() < 0.02 * cost,
-            "{action:?} {best}"
-        );
+        assert!((regret - (cost - best)).abs() < 0.02 * cost, "{action:?} {best}");
         let cheapest = mean(&|(costs, _)| f64::from(u8::from(costs[place] == least(costs))));
-        assert!(
-            (action.probability_cheapest - cheapest).abs() < 0.05,
-            "{action:?} {cheapest}"
-        );
+        assert!((action.probability_cheapest - cheapest).abs() < 0.05, "{action:?} {cheapest}");
     }
     let never = mean(&|(_, months)| f64::from(u8::from(*months > 25.0)));
     assert!((found.actions[0].months_to_limit.probability_never - never).abs() < 0.05);
     let worth = means.iter().copied().fold(f64::INFINITY, f64::min) - best;
     eprintln!("{never} {worth} {means:?} {:?}", found.measurements);
-    assert!(
-        (found.evpi_per_year - worth).abs() < 0.15 * worth,
-        "{} {worth}",
-        found.evpi_per_year
-    );
+    assert!((found.evpi_per_year - worth).abs() < 0.15 * worth, "{} {worth}", found.evpi_per_year);
     // What an action must hold to: those that break it are no choice any more.
     let more = costs
         .replace(
@@ -182,8 +146,7 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
         let terms = weights.iter().zip(&asked);
         terms.map(|(weight, it)| weight * of(it)).sum::<f64>() / sum
     };
-    let share =
-        |place: usize, what: usize| mean(&|(_, breaks)| f64::from(u8::from(breaks[place][what])));
+    let share = |place: usize, what: usize| mean(&|(_, breaks)| f64::from(u8::from(breaks[place][what])));
     let means = [0, 1, 2].map(|place| mean(&|(costs, _)| costs[place]));
     let holds = [0, 1, 2].map(|place| (0..3).all(|what| share(place, what) <= 0.05));
     let best = mean(&|(costs, _)| {
@@ -196,23 +159,16 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
         let found = [found.budget, found.noise_limit, found.possession_hours];
         for (what, found) in found.into_iter().enumerate() {
             let expected = share(place, what);
-            assert!(
-                (found.unwrap() - expected).abs() < 0.05,
-                "{action:?} {expected}"
-            );
+            assert!((found.unwrap() - expected).abs() < 0.05, "{action:?} {expected}");
             unsure += usize::from((0.1..0.9).contains(&expected));
         }
         assert_eq!(action.breaks.holds(), holds[place]);
-        let before =
-            (0..3).filter(|other| (!holds[*other], means[*other]) < (!holds[place], means[place]));
+        let before = (0..3).filter(|other| (!holds[*other], means[*other]) < (!holds[place], means[place]));
         assert_eq!(action.rank, 1 + before.count(), "{means:?} {holds:?}");
         let regret = action.expected_regret_per_year;
         assert!((regret - (means[place] - best)).abs() < 0.02 * means[place]);
     }
-    assert!(
-        holds.contains(&true) && holds.contains(&false) && unsure >= 3,
-        "{holds:?} {unsure}"
-    );
+    assert!(holds.contains(&true) && holds.contains(&false) && unsure >= 3, "{holds:?} {unsure}");
     // What breaks it is never told to be the cheapest.
     let cheapest = held.actions.iter().filter(|it| !it.breaks.holds());
     assert!(cheapest.clone().all(|it| it.probability_cheapest == 0.0));
@@ -225,10 +181,7 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
     let first = &found.measurements[0];
     assert!((first.net.unwrap() - (present * first.per_year - 100.0)).abs() < 1e-9);
     let measured = found.measurements[0].per_year;
-    assert!(
-        measured > 0.0 && measured < found.evpi_per_year,
-        "{measured}"
-    );
+    assert!(measured > 0.0 && measured < found.evpi_per_year, "{measured}");
 }
 
 /// `decide.json`: mean costs to 3 %, the worth of knowing to three standard errors: that of 1000 draws is 9 a year (seven seeds), and
@@ -236,18 +189,10 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
 pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) {
     let found = Decision::of(plan, chains).unwrap();
     let expected = json("b-three-dates", "decide.json");
-    for (action, name) in
-        found
-            .actions
-            .iter()
-            .zip(["as_it_is", "soft_pads", "friction", "speed_spread"])
-    {
+    for (action, name) in found.actions.iter().zip(["as_it_is", "soft_pads", "friction", "speed_spread"]) {
         let cost = 1e3 * expected["actions"][name]["mean_cost"].as_f64().unwrap();
         eprintln!("  {name} {:.0} for {cost:.0}", action.mean_cost_per_year);
-        assert!(
-            (action.mean_cost_per_year / cost - 1.0).abs() < 0.03,
-            "{action:?}"
-        );
+        assert!((action.mean_cost_per_year / cost - 1.0).abs() < 0.03, "{action:?}");
     }
     // The levels of the date that was held out, 6e6 axles: those of 400 draws of the second implementation.
     let months = 2.5e6 / 6000.0 / DAYS_PER_MONTH;
@@ -256,33 +201,17 @@ pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) 
     let limit = LevelLimit::new(Spectrum::new(limit).unwrap());
     let forecast = Forecast::of(plan, chains, &limit, months).unwrap();
     for (band, found) in forecast.bands.iter().enumerate() {
-        for (share, level) in ["0.05", "0.25", "0.5", "0.75", "0.95"]
-            .iter()
-            .zip(found.level_then_db)
-        {
+        for (share, level) in ["0.05", "0.25", "0.5", "0.75", "0.95"].iter().zip(found.level_then_db) {
             let expected = held_out["level_db"][share][band].as_f64().unwrap();
-            assert!(
-                (level - expected).abs() < 0.4,
-                "{found:?} {share} {expected}"
-            );
+            assert!((level - expected).abs() < 0.4, "{found:?} {share} {expected}");
         }
     }
     const THREE_ERRORS: f64 = 38.0;
     let evpi = 1e3 * expected["evpi"].as_f64().unwrap();
-    assert!(
-        (found.evpi_per_year - evpi).abs() < THREE_ERRORS,
-        "{}",
-        found.evpi_per_year
-    );
-    let speed = found
-        .evppi_per_year
-        .iter()
-        .find(|it| it.title == "vehicle.speed.standard_deviation");
+    assert!((found.evpi_per_year - evpi).abs() < THREE_ERRORS, "{}", found.evpi_per_year);
+    let speed = found.evppi_per_year.iter().find(|it| it.title == "vehicle.speed.standard_deviation");
     let evppi = 1e3 * expected["evppi"]["Vs"].as_f64().unwrap();
-    assert!(
-        (speed.unwrap().per_year - evppi).abs() < THREE_ERRORS,
-        "{speed:?}"
-    );
+    assert!((speed.unwrap().per_year - evppi).abs() < THREE_ERRORS, "{speed:?}");
 }
 
 /// Levels that the model made of a wear coefficient of 3e-9 kg/J, good to 0.01 dB, at two dates: at a third that nobody measured
@@ -318,10 +247,7 @@ fn a_forecast_finds_the_levels_that_were_made() {
     let found = Forecast::of(&plan, &chains, &limit, 2.0 * months).unwrap();
     assert_eq!(found.passages_now, 2e6);
     for (band, forecast) in found.bands.iter().enumerate() {
-        assert!(
-            (forecast.level_now_db[2] - truth(1, band)).abs() < 0.05,
-            "{forecast:?}"
-        );
+        assert!((forecast.level_now_db[2] - truth(1, band)).abs() < 0.05, "{forecast:?}");
         let reached = forecast.months_to_limit.as_ref().unwrap().quantiles;
         let [low, .., high] = reached.map(Option::unwrap);
         // The common error of a date, 0.3 dB, and a second one are in it: 0.4 dB of some 3 dB.
@@ -329,10 +255,7 @@ fn a_forecast_finds_the_levels_that_were_made() {
     }
     let then = Forecast::of(&plan, &chains, &limit, months).unwrap();
     for (band, forecast) in then.bands.iter().enumerate() {
-        assert!(
-            (forecast.level_then_db[2] - truth(2, band)).abs() < 0.3,
-            "{forecast:?}"
-        );
+        assert!((forecast.level_then_db[2] - truth(2, band)).abs() < 0.3, "{forecast:?}");
         assert!(forecast.level_then_db[0] < forecast.level_then_db[1]);
     }
     // A limit that is far off is not reached, and one that is passed was reached.
@@ -340,9 +263,7 @@ fn a_forecast_finds_the_levels_that_were_made() {
         let bands = limit.spectrum().levels().iter();
         let moved = bands.map(|level| (level.band, level.level + by));
         let limit = LevelLimit::new(Spectrum::new(moved).unwrap());
-        Forecast::of(&plan, &chains, &limit, months)
-            .unwrap()
-            .months_to_limit
+        Forecast::of(&plan, &chains, &limit, months).unwrap().months_to_limit
     };
     assert_eq!(far(50.0).quantiles, [None; 5]);
     assert_eq!(far(50.0).probability_never, 1.0);
@@ -367,16 +288,15 @@ fn a_measured_value_is_worth_no_more_than_a_known_one() {
     let chains = run.run(&|_| {}, &Stop::default()).unwrap().unwrap();
     let found = Decision::of(&plan, &chains).unwrap();
     let (known, measured) = (&found.evppi_per_year[0], &found.measurements[0]);
-    assert!(
-        measured.per_year <= known.per_year,
-        "{known:?} {measured:?}"
-    );
+    assert!(measured.per_year <= known.per_year, "{known:?} {measured:?}");
     assert!(measured.per_year > 0.0, "{measured:?}");
     let copy = one_value(rows, &costs("48 months"));
     let refused = Plan::read(&copy.path().join("plan.toml")).map(|_| ());
     let refused = refused.unwrap_err().to_string();
     assert!(
-        refused.contains("`action[0].grind_every` is \"48 months\", but must be at most as long as cost.horizon, 25 months"),
+        refused.contains(
+            "`action[0].grind_every` is \"48 months\", but must be at most as long as cost.horizon, 25 months"
+        ),
         "{refused}"
     );
 }

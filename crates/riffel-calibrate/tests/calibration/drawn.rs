@@ -20,17 +20,11 @@ fn a_case_of_a_draw_grows_as_its_plan_predicts() {
         let traffic = drawn.traffic.unwrap();
         let on = traffic.on(&drawn.case, &bands, &Variant::none(""), &|_| ());
         let growth = on.unwrap().growth;
-        let lines: Vec<(f64, f64)> = (growth.wavelengths().into_iter())
-            .zip(growth.rates().iter().copied())
-            .collect();
+        let lines: Vec<(f64, f64)> = (growth.wavelengths().into_iter()).zip(growth.rates().iter().copied()).collect();
         let rise = |band: &ThirdOctave, passages: f64| {
             let (shortest, longest) = band.wavelength_range();
-            let inside = lines
-                .iter()
-                .filter(|(line, _)| (shortest..longest).contains(line));
-            let energies: Vec<f64> = inside
-                .map(|(_, rate)| (2.0 * rate * passages).exp())
-                .collect();
+            let inside = lines.iter().filter(|(line, _)| (shortest..longest).contains(line));
+            let energies: Vec<f64> = inside.map(|(_, rate)| (2.0 * rate * passages).exp()).collect();
             assert_eq!(energies.len(), 16);
             10.0 * (energies.iter().sum::<f64>() / 16.0).log10()
         };
@@ -39,10 +33,7 @@ fn a_case_of_a_draw_grows_as_its_plan_predicts() {
             let bands = bands.iter().rev();
             bands.map(|band| rise(band, passages)).collect::<Vec<f64>>()
         });
-        let (expected, predicted) = (
-            expected.concat(),
-            plan.posterior.predictions(&values).unwrap().concat(),
-        );
+        let (expected, predicted) = (expected.concat(), plan.posterior.predictions(&values).unwrap().concat());
         assert_eq!(predicted.len(), expected.len());
         let largest = predicted.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
         assert!(largest > 0.1);

@@ -23,10 +23,7 @@ fn likelihoods_are_those_of_the_second_implementation() {
                 let error = (found - expected).abs();
                 assert!(error < 1e-6, "{set} {name}: {found}, not {expected}");
             }
-            assert_eq!(
-                parts.len(),
-                point["log_likelihood"].as_object().unwrap().len()
-            );
+            assert_eq!(parts.len(), point["log_likelihood"].as_object().unwrap().len());
         }
     }
 }
@@ -42,16 +39,10 @@ fn gradients_are_those_of_differences() {
         let place = plan.posterior.place(&values);
         let begun = Instant::now();
         let point = plan.posterior.at(&place).unwrap();
-        eprintln!(
-            "{set}: gradient in {:.2} ms",
-            1e3 * begun.elapsed().as_secs_f64()
-        );
+        eprintln!("{set}: gradient in {:.2} ms", 1e3 * begun.elapsed().as_secs_f64());
         let begun = Instant::now();
         plan.posterior.log_density(&place).unwrap();
-        eprintln!(
-            "{set}: density in {:.2} ms",
-            1e3 * begun.elapsed().as_secs_f64()
-        );
+        eprintln!("{set}: density in {:.2} ms", 1e3 * begun.elapsed().as_secs_f64());
         for index in 0..place.len() {
             const STEP: f64 = 1e-4;
             let moved = |sign: f64| {
@@ -67,10 +58,7 @@ fn gradients_are_those_of_differences() {
             let is_size = name.ends_with(".discrepancy");
             let coarse = !is_size && data.iter().any(|data| data.contains("decay"));
             let share = if coarse { 0.05 } else { 1e-4 };
-            assert!(
-                error < 1e-3 + share * difference.abs(),
-                "{set} {name}: {difference} {error}"
-            );
+            assert!(error < 1e-3 + share * difference.abs(), "{set} {name}: {difference} {error}");
         }
     }
 }
@@ -105,10 +93,7 @@ fn predictions_are_those_of_the_second_implementation() {
                 let found = predicted.last().unwrap();
                 assert_eq!(found.len(), expected.len());
                 for (found, expected) in found.iter().zip(expected) {
-                    assert!(
-                        (found - expected).abs() < 1e-9,
-                        "{set}: {found}, not {expected}"
-                    );
+                    assert!((found - expected).abs() < 1e-9, "{set}: {found}, not {expected}");
                 }
             }
         }
@@ -127,15 +112,10 @@ fn timing() {
             work();
             let begun = Instant::now();
             (0..20).for_each(|_| work());
-            eprintln!(
-                "{set}: {what} {:.3} ms",
-                50.0 * begun.elapsed().as_secs_f64()
-            );
+            eprintln!("{set}: {what} {:.3} ms", 50.0 * begun.elapsed().as_secs_f64());
         };
         time("gradient", &|| drop(plan.posterior.at(&place)));
-        time("density", &|| {
-            assert!(plan.posterior.log_density(&place).is_some())
-        });
+        time("density", &|| assert!(plan.posterior.log_density(&place).is_some()));
     }
 }
 
@@ -160,18 +140,8 @@ fn what_growth_cannot_tell_leaves_the_likelihood_alone() {
     let text = std::fs::read_to_string(crate::folder("b-three-dates").join("plan.toml")).unwrap();
     let with_friction = |friction: f64| {
         let copy = tempfile::tempdir().unwrap();
-        for file in [
-            "case.toml",
-            "traffic.toml",
-            "roughness.csv",
-            "soft-pads.toml",
-            "friction.toml",
-        ] {
-            std::fs::copy(
-                crate::folder("b-three-dates").join(file),
-                copy.path().join(file),
-            )
-            .unwrap();
+        for file in ["case.toml", "traffic.toml", "roughness.csv", "soft-pads.toml", "friction.toml"] {
+            std::fs::copy(crate::folder("b-three-dates").join(file), copy.path().join(file)).unwrap();
         }
         let set = format!("case = \"case.toml\"\nset = {{ \"contact.friction\" = {friction} }}");
         let text = text.replacen("case = \"case.toml\"", &set, 1);

@@ -37,11 +37,7 @@ fn values(plan: &Plan, short: &Value) -> Vec<f64> {
     let names = plan.posterior.parameters().iter();
     names
         .map(|parameter| {
-            let key = SHORT
-                .iter()
-                .find(|(_, name)| *name == parameter.name)
-                .unwrap()
-                .0;
+            let key = SHORT.iter().find(|(_, name)| *name == parameter.name).unwrap().0;
             short[key].as_f64().unwrap()
         })
         .collect()

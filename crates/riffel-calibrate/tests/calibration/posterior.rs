@@ -76,12 +76,7 @@ fn posterior_of_three_dates_by_walkers() {
 #[test]
 #[ignore = "minutes"]
 fn posterior_of_hammer_and_decay_by_walkers() {
-    check(
-        "a-hammer-and-decay",
-        SamplerKind::Ensemble,
-        (1000, 1500),
-        0.15,
-    );
+    check("a-hammer-and-decay", SamplerKind::Ensemble, (1000, 1500), 0.15);
 }
 
 /// A population.

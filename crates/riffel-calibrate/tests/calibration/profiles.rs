@@ -132,9 +132,7 @@ fn the_direction_of_travel_turns_the_drift() {
     let rails = rail(&truth(), 11, 0.1);
     let to = TempDir::new().unwrap();
     let rising = plan(to.path(), &rails, "travel = \"rising\"\n").unwrap();
-    let turned: Vec<Vec<f64>> = (rails.iter())
-        .map(|heights| heights.iter().rev().copied().collect())
-        .collect();
+    let turned: Vec<Vec<f64>> = (rails.iter()).map(|heights| heights.iter().rev().copied().collect()).collect();
     let back = TempDir::new().unwrap();
     let falling = plan(back.path(), &turned, "travel = \"falling\"\n").unwrap();
     let wrong = plan(back.path(), &turned, "travel = \"rising\"\n").unwrap();
@@ -142,10 +140,7 @@ fn the_direction_of_travel_turns_the_drift() {
     // Segments begin at the other end, and see other parts of the noise.
     let wrong = expected - other;
     assert!(wrong > 20.0, "{expected} {other}");
-    assert!(
-        (expected - same).abs() < 0.1 * wrong,
-        "{expected} {same} {other}"
-    );
+    assert!((expected - same).abs() < 0.1 * wrong, "{expected} {same} {other}");
     let alone = plan(to.path(), &rails, "").unwrap();
     let count = |plan: &Plan| plan.posterior.observed()[0].len();
     assert_eq!(2 * count(&alone), count(&rising));
@@ -166,18 +161,10 @@ fn growth_of_profiles_begins_anew_where_the_rail_was_ground() {
     let since = plan(to.path(), &ground(1), "").unwrap();
     let told: Vec<String> = since.remarks.iter().map(ToString::to_string).collect();
     let told = told.join("\n");
-    assert!(
-        told.contains("before the date of 3000000 passages") && told.contains("was ground"),
-        "{told}"
-    );
+    assert!(told.contains("before the date of 3000000 passages") && told.contains("was ground"), "{told}");
     let all = plan(to.path(), &grown, "").unwrap();
     let count = |plan: &Plan| plan.posterior.observed()[0].len();
-    assert!(
-        3 * count(&since) < 2 * count(&all),
-        "{} {}",
-        count(&since),
-        count(&all)
-    );
+    assert!(3 * count(&since) < 2 * count(&all), "{} {}", count(&since), count(&all));
     // A wear coefficient of the truth is likelier than none.
     let at = |coefficient: f64| {
         let likelihood = since.posterior.log_likelihood(&[240e6, coefficient, 1e-6]);
@@ -185,10 +172,7 @@ fn growth_of_profiles_begins_anew_where_the_rail_was_ground() {
     };
     assert!(at(2.5e-9) > at(2.5e-12) + 5.0);
     let refusal = plan(to.path(), &ground(2), "").map(|_| ()).unwrap_err();
-    assert!(
-        refusal.contains("no later date tells of growth"),
-        "{refusal}"
-    );
+    assert!(refusal.contains("no later date tells of growth"), "{refusal}");
 }
 
 #[test]
@@ -200,31 +184,16 @@ fn profiles_that_cannot_be_used_are_said() {
     };
     for (rails, keys, parts) in [
         (&rails[..1], "", &["profiles.csv", "one date"][..]),
-        (
-            &rails[..],
-            "travel = \"north\"\n",
-            &["data[0].travel", "north", "rising"],
-        ),
-        (
-            &rails[..],
-            "rail = \"left\"\n",
-            &["profile-0.csv", "rails", "`rail`"],
-        ),
-        (
-            &rails[..],
-            "averages = 3\n",
-            &["data[0].averages", "dated-profiles"],
-        ),
+        (&rails[..], "travel = \"north\"\n", &["data[0].travel", "north", "rising"]),
+        (&rails[..], "rail = \"left\"\n", &["profile-0.csv", "rails", "`rail`"]),
+        (&rails[..], "averages = 3\n", &["data[0].averages", "dated-profiles"]),
     ] {
         let refusal = refusal(rails, keys);
         for part in parts {
             assert!(refusal.contains(part), "{part} not in: {refusal}");
         }
     }
-    let short: Vec<Vec<f64>> = rails
-        .iter()
-        .map(|heights| heights[..2000].to_vec())
-        .collect();
+    let short: Vec<Vec<f64>> = rails.iter().map(|heights| heights[..2000].to_vec()).collect();
     let short = refusal(&short, "");
     assert!(short.contains("36 longest waves"), "{short}");
     let another = [rails[0].clone(), rail(&truth(), 6, 0.1).swap_remove(1)];
@@ -236,12 +205,7 @@ fn profiles_that_cannot_be_used_are_said() {
         plan(to.path(), &rails, "").unwrap();
         let table = format!("passages,profile\n0,profile-0.csv\n2e6,{elsewhere}\n");
         fs::write(to.path().join("profiles.csv"), table).unwrap();
-        let refusal = Plan::read(&to.path().join("plan.toml"))
-            .map(|_| ())
-            .unwrap_err();
-        assert!(
-            refusal.to_string().contains("beside the table"),
-            "{refusal}"
-        );
+        let refusal = Plan::read(&to.path().join("plan.toml")).map(|_| ()).unwrap_err();
+        assert!(refusal.to_string().contains("beside the table"), "{refusal}");
     }
 }

@@ -28,35 +28,11 @@ fn what_cannot_be_used_is_said() {
     let (b, c) = ("b-three-dates", "c-all-together");
     for (set, file, from, to, parts) in [
         // Data outside the window of the case.
-        (
-            b,
-            "case.toml",
-            "min = \"36 mm\"",
-            "min = \"60 mm\"",
-            &["50.1", "outside the window", "60.0"][..],
-        ),
+        (b, "case.toml", "min = \"36 mm\"", "min = \"60 mm\"", &["50.1", "outside the window", "60.0"][..]),
         // Decisions.
-        (
-            b,
-            "plan.toml",
-            "grinding = \"9000 EUR\"",
-            "grinding = 9000",
-            &["cost.grinding", "9000", "currency"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "\"12000 EUR\"",
-            "\"12000 CHF\"",
-            &["action[0].upkeep", "12000 CHF", "in EUR"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "deviation\" = 2.0",
-            "deviation\" = -2.0",
-            &["is -2", "greater than zero"],
-        ),
+        (b, "plan.toml", "grinding = \"9000 EUR\"", "grinding = 9000", &["cost.grinding", "9000", "currency"]),
+        (b, "plan.toml", "\"12000 EUR\"", "\"12000 CHF\"", &["action[0].upkeep", "12000 CHF", "in EUR"]),
+        (b, "plan.toml", "deviation\" = 2.0", "deviation\" = -2.0", &["is -2", "greater than zero"]),
         (
             b,
             "plan.toml",
@@ -64,27 +40,9 @@ fn what_cannot_be_used_is_said() {
             "{ \"vehicle.speed",
             &["no [[parameter]]", "wheel.mass"],
         ),
-        (
-            b,
-            "plan.toml",
-            "factor = 1.05",
-            "factor = 0.95",
-            &["measurement[0].factor", "0.95", "greater than one"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "from_limit = \"-6 dB\"",
-            "from_limit = \"6 dB\"",
-            &["cost.from_limit", "6 dB", "below zero"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "\"240 months\"",
-            "\"240 moons\"",
-            &["cost.horizon", "240 moons", "18 months"],
-        ),
+        (b, "plan.toml", "factor = 1.05", "factor = 0.95", &["measurement[0].factor", "0.95", "greater than one"]),
+        (b, "plan.toml", "from_limit = \"-6 dB\"", "from_limit = \"6 dB\"", &["cost.from_limit", "6 dB", "below zero"]),
+        (b, "plan.toml", "\"240 months\"", "\"240 moons\"", &["cost.horizon", "240 moons", "18 months"]),
         (
             b,
             "plan.toml",
@@ -92,27 +50,9 @@ fn what_cannot_be_used_is_said() {
             "kind = \"decay-rate\"\nprice",
             &["measurement[1].kind", "decay-rate", "no such"],
         ),
-        (
-            b,
-            "plan.toml",
-            "upkeep = \"4000 EUR\"",
-            "investment = \"4000 EUR\"",
-            &["action[1].life", "missing"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "grinding = \"9000 EUR\"",
-            "grinding = \"9000 EUR\"\ndiscount = 3",
-            &["discount"],
-        ),
-        (
-            b,
-            "friction.toml",
-            "friction = 0.25",
-            "frixion = 0.25",
-            &["frixion"],
-        ),
+        (b, "plan.toml", "upkeep = \"4000 EUR\"", "investment = \"4000 EUR\"", &["action[1].life", "missing"]),
+        (b, "plan.toml", "grinding = \"9000 EUR\"", "grinding = \"9000 EUR\"\ndiscount = 3", &["discount"]),
+        (b, "friction.toml", "friction = 0.25", "frixion = 0.25", &["frixion"]),
         (
             b,
             "plan.toml",
@@ -156,13 +96,7 @@ fn what_cannot_be_used_is_said() {
             "[hold_out]\ndate = \"latest\"\n[sampler]",
             &["hold_out.date", "latest", "\"last\"", "3500000"],
         ),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[hold_out]\ndate = 7\n[sampler]",
-            &["hold_out.date", "7", "since the first"],
-        ),
+        (b, "plan.toml", "[sampler]", "[hold_out]\ndate = 7\n[sampler]", &["hold_out.date", "7", "since the first"]),
         (
             b,
             "plan.toml",
@@ -205,13 +139,7 @@ fn what_cannot_be_used_is_said() {
             "[[compare]]\nset = { \"contact.creep_law\" = \"half-space\" }\n[sampler]",
             &["compare[0]", "title"],
         ),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[[compare]]\ntitle = \"same\"\n[sampler]",
-            &["compare[0].set", "missing"],
-        ),
+        (b, "plan.toml", "[sampler]", "[[compare]]\ntitle = \"same\"\n[sampler]", &["compare[0].set", "missing"]),
         (
             b,
             "plan.toml",
@@ -241,105 +169,21 @@ fn what_cannot_be_used_is_said() {
             &["compare[1].title", "second time"],
         ),
         // The prior excludes what the case says.
-        (
-            b,
-            "plan.toml",
-            "mean = \"110 km/h\"",
-            "mean = \"200 km/h\"",
-            &["excludes", "vehicle.speed.mean"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "min = 0.05, max = 0.95",
-            "min = 0.6, max = 0.95",
-            &["excludes 0.5"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "median = \"300 MN/m\"",
-            "median = \"300 kg\"",
-            &["lognormal.median", "300 kg"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "vehicle.tractive_ratio",
-            "vehicle.tractiveratio",
-            &["vehicle.tractiveratio"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "wheel.mass",
-            "wheel.mas",
-            &["wheel.mas", "no such key"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "traffic = \"traffic.toml\"",
-            "",
-            &["names no traffic"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[sampler]\nkind = \"gibbs\"",
-            &["sampler.kind", "gibbs"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[sampler]\nkind = \"smc\"",
-            &["`sampler.warmup` is 1000", "left out", "smc"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "unit = \"dB per 1e6 passages\"",
-            "unit = \"dB\"",
-            &["unit", "dB per 1e6 passages"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "first_level = \"flat\"",
-            "first_level = \"normal\"",
-            &["first_level", "flat"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "kernel = \"exponential\"",
-            "kernel = \"linear\"",
-            &["kernel", "matern-3/2"],
-        ),
+        (b, "plan.toml", "mean = \"110 km/h\"", "mean = \"200 km/h\"", &["excludes", "vehicle.speed.mean"]),
+        (b, "plan.toml", "min = 0.05, max = 0.95", "min = 0.6, max = 0.95", &["excludes 0.5"]),
+        (b, "plan.toml", "median = \"300 MN/m\"", "median = \"300 kg\"", &["lognormal.median", "300 kg"]),
+        (b, "plan.toml", "vehicle.tractive_ratio", "vehicle.tractiveratio", &["vehicle.tractiveratio"]),
+        (b, "plan.toml", "wheel.mass", "wheel.mas", &["wheel.mas", "no such key"]),
+        (b, "plan.toml", "traffic = \"traffic.toml\"", "", &["names no traffic"]),
+        (b, "plan.toml", "[sampler]", "[sampler]\nkind = \"gibbs\"", &["sampler.kind", "gibbs"]),
+        (b, "plan.toml", "[sampler]", "[sampler]\nkind = \"smc\"", &["`sampler.warmup` is 1000", "left out", "smc"]),
+        (b, "plan.toml", "unit = \"dB per 1e6 passages\"", "unit = \"dB\"", &["unit", "dB per 1e6 passages"]),
+        (b, "plan.toml", "first_level = \"flat\"", "first_level = \"normal\"", &["first_level", "flat"]),
+        (b, "plan.toml", "kernel = \"exponential\"", "kernel = \"linear\"", &["kernel", "matern-3/2"]),
         // Units that are not those of the column.
-        (
-            b,
-            "roughness.csv",
-            "level_db",
-            "level_um",
-            &["level_db", "level_um"],
-        ),
-        (
-            b,
-            "roughness.csv",
-            "199.52623,1.8841084",
-            "150,1.8841084",
-            &["wavelength_mm", "150", "centre"],
-        ),
-        (
-            c,
-            "plan.toml",
-            "averages = 8 ",
-            "# averages = 8 ",
-            &["averages", "coherence"],
-        ),
+        (b, "roughness.csv", "level_db", "level_um", &["level_db", "level_um"]),
+        (b, "roughness.csv", "199.52623,1.8841084", "150,1.8841084", &["wavelength_mm", "150", "centre"]),
+        (c, "plan.toml", "averages = 8 ", "# averages = 8 ", &["averages", "coherence"]),
         (
             c,
             "plan.toml",
@@ -347,27 +191,9 @@ fn what_cannot_be_used_is_said() {
             "in_data = [\"growth\", \"axlebox\"]",
             &["axlebox", "no [[data]]"],
         ),
-        (
-            c,
-            "plan.toml",
-            "speed = \"100 km/h\"",
-            "",
-            &["speed", "missing"],
-        ),
-        (
-            c,
-            "plan.toml",
-            "at_date = \"last\"",
-            "at_date = \"latest\"",
-            &["at_date", "latest"],
-        ),
-        (
-            c,
-            "plan.toml",
-            "student_degrees = 5",
-            "averages = 5",
-            &["averages", "frequency-response"],
-        ),
+        (c, "plan.toml", "speed = \"100 km/h\"", "", &["speed", "missing"]),
+        (c, "plan.toml", "at_date = \"last\"", "at_date = \"latest\"", &["at_date", "latest"]),
+        (c, "plan.toml", "student_degrees = 5", "averages = 5", &["averages", "frequency-response"]),
     ] {
         let (_folder, plan) = changed(set, file, from, to);
         let Err(error) = plan else {
@@ -389,12 +215,7 @@ fn what_cannot_be_used_is_said() {
 fn instruments_that_change_along_the_dates_are_refused() {
     let rows = fs::read_to_string(folder("b-three-dates").join("roughness.csv")).unwrap();
     for (column, device, is_read) in [
-        (
-            "device",
-            (|date: usize, _| ["T1", "T2"][usize::from(date > 1)])
-                as fn(usize, usize) -> &'static str,
-            false,
-        ),
+        ("device", (|date: usize, _| ["T1", "T2"][usize::from(date > 1)]) as fn(usize, usize) -> &'static str, false),
         ("Seriennummer", |date, _| ["12", "17", "19"][date], false),
         ("instrument", |_, row| ["T1", "T2"][row % 2], true),
         ("device", |_, _| "T1", true),
@@ -415,10 +236,7 @@ fn instruments_that_change_along_the_dates_are_refused() {
             Ok(_) => assert!(is_read, "{column}"),
             Err(refusal) => {
                 let refusal = refusal.to_string();
-                assert!(
-                    !is_read && refusal.contains(column) && refusal.contains("line "),
-                    "{refusal}"
-                );
+                assert!(!is_read && refusal.contains(column) && refusal.contains("line "), "{refusal}");
             }
         }
     }
@@ -436,7 +254,8 @@ fn one_date_is_refused() {
 /// Growth is linear in the profile: its amplitude touches no data.
 #[test]
 fn a_key_that_no_data_touch_is_known() {
-    let key = "[[parameter]]\nkey = \"corrugation.amplitude\"\nlognormal = { median = \"30 um\", factor = 2 }\n\n[[data]]";
+    let key =
+        "[[parameter]]\nkey = \"corrugation.amplitude\"\nlognormal = { median = \"30 um\", factor = 2 }\n\n[[data]]";
     let (_folder, plan) = changed("b-three-dates", "plan.toml", "[[data]]", key);
     let plan = plan.unwrap();
     assert!(plan.posterior.data_of("corrugation.amplitude").is_empty());
@@ -464,66 +283,22 @@ fn pass_bys_that_cannot_be_used_are_said() {
     let good = "passages,level_dba\n0,80\n6000000,84\n";
     let with = |key: &str| format!("{speed}{key}\n");
     for (keys, table, parts) in [
-        (
-            "".to_owned(),
-            good,
-            &["pass-by.csv", "line 2", "speed_km_per_h", "`speed`"][..],
-        ),
-        (
-            speed.to_owned(),
-            "passages,level_dba\n-5,80\n",
-            &["passages", "-5", "before the first date"],
-        ),
-        (
-            speed.to_owned(),
-            "passages,level_dba,trains\n0,80,0\n",
-            &["trains", "is 0", "greater than zero"],
-        ),
-        (
-            speed.to_owned(),
-            "passages,level_dba\n0,-84\n",
-            &["level_dba", "-84", "between 30 and 140 dB(A)"],
-        ),
-        (
-            speed.to_owned(),
-            "passages,level_dba\n2024-03-01,84\n",
-            &["pass-by.csv", "below it no row", "`passages`"],
-        ),
-        (
-            speed.to_owned(),
-            "passages,level_dba\n0,loud\n",
-            &["line 2", "level_dba", "loud"],
-        ),
-        (
-            speed.replace("100 km/h", "5 km/h"),
-            good,
-            &["at 5 km/h", "no one-third octave", "100 Hz"],
-        ),
+        ("".to_owned(), good, &["pass-by.csv", "line 2", "speed_km_per_h", "`speed`"][..]),
+        (speed.to_owned(), "passages,level_dba\n-5,80\n", &["passages", "-5", "before the first date"]),
+        (speed.to_owned(), "passages,level_dba,trains\n0,80,0\n", &["trains", "is 0", "greater than zero"]),
+        (speed.to_owned(), "passages,level_dba\n0,-84\n", &["level_dba", "-84", "between 30 and 140 dB(A)"]),
+        (speed.to_owned(), "passages,level_dba\n2024-03-01,84\n", &["pass-by.csv", "below it no row", "`passages`"]),
+        (speed.to_owned(), "passages,level_dba\n0,loud\n", &["line 2", "level_dba", "loud"]),
+        (speed.replace("100 km/h", "5 km/h"), good, &["at 5 km/h", "no one-third octave", "100 Hz"]),
         (
             with("wheel_roughness = \"cast iron\""),
             good,
-            &[
-                "data[4].wheel_roughness",
-                "cast iron",
-                "cnossos-disc-brakes",
-            ],
+            &["data[4].wheel_roughness", "cast iron", "cnossos-disc-brakes"],
         ),
         (with("roughness = \"nothing.csv\""), good, &["nothing.csv"]),
-        (
-            with("distance = \"0.5 m\""),
-            good,
-            &["data[4].distance", "0.5", "beyond the rail"],
-        ),
-        (
-            with("wheels = 0"),
-            good,
-            &["data[4].wheels", "is 0", "greater than zero"],
-        ),
-        (
-            with("common_error = \"-2 dB\""),
-            good,
-            &["data[4].common_error", "-2 dB"],
-        ),
+        (with("distance = \"0.5 m\""), good, &["data[4].distance", "0.5", "beyond the rail"]),
+        (with("wheels = 0"), good, &["data[4].wheels", "is 0", "greater than zero"]),
+        (with("common_error = \"-2 dB\""), good, &["data[4].common_error", "-2 dB"]),
         (
             with("discrepancy = { kind = \"band\", standard_deviation = 1.0 }"),
             good,
@@ -557,42 +332,24 @@ fn data_that_no_rail_has_are_asked_about_or_refused() {
         let (head, rows) = text.split_once('\n').unwrap();
         let row = |row: &str| {
             let cells = row.split(',').enumerate();
-            let cells =
-                cells.map(|(column, cell)| change(column, cell.parse().unwrap()).to_string());
+            let cells = cells.map(|(column, cell)| change(column, cell.parse().unwrap()).to_string());
             cells.collect::<Vec<_>>().join(",")
         };
-        let other = format!(
-            "{head}\n{}\n",
-            rows.lines().map(row).collect::<Vec<_>>().join("\n")
-        );
+        let other = format!("{head}\n{}\n", rows.lines().map(row).collect::<Vec<_>>().join("\n"));
         changed("c-all-together", file, &text, &other).1
     };
     let of_metres = |column: usize, level: f64| level - if column == 2 { 120.0 } else { 0.0 };
     let remarks = changed_file("roughness.csv", &of_metres).unwrap().remarks;
-    let told = remarks
-        .iter()
-        .any(|it| it.to_string().contains("they look like dB re 1 m"));
+    let told = remarks.iter().any(|it| it.to_string().contains("they look like dB re 1 m"));
     assert!(told, "{remarks:?}");
     let of_sign = |turned: &'static [usize]| {
         move |column: usize, value: f64| {
-            if turned.contains(&column) {
-                -value
-            } else {
-                value
-            }
+            if turned.contains(&column) { -value } else { value }
         }
     };
-    for (turned, words) in [
-        (&[3][..], "it is conjugated"),
-        (&[2, 3], "it is turned in sign"),
-    ] {
-        let refusal = changed_file("hammer.csv", &of_sign(turned))
-            .map(|_| ())
-            .unwrap_err();
+    for (turned, words) in [(&[3][..], "it is conjugated"), (&[2, 3], "it is turned in sign")] {
+        let refusal = changed_file("hammer.csv", &of_sign(turned)).map(|_| ()).unwrap_err();
         let refusal = refusal.to_string();
-        assert!(
-            refusal.contains("hammer.csv") && refusal.contains(words),
-            "{refusal}"
-        );
+        assert!(refusal.contains("hammer.csv") && refusal.contains(words), "{refusal}");
     }
 }

@@ -79,14 +79,7 @@ fn chains_of_every_sampler_go_on_from_their_parts() {
         let plan = small(there.path(), kind);
         let out = there.path().join("out");
         let whole = run(&plan, &out, false);
-        assert_eq!(
-            whole.log_evidences.len(),
-            if plan.file.sampler.kind == SamplerKind::Smc {
-                2
-            } else {
-                0
-            }
-        );
+        assert_eq!(whole.log_evidences.len(), if plan.file.sampler.kind == SamplerKind::Smc { 2 } else { 0 });
         let error = 3.0 * (2.0_f64 / 300.0).sqrt();
         for told in &whole.log_evidences {
             assert!((told - log_evidence(&plan)).abs() < error, "{told}");
@@ -105,9 +98,7 @@ fn chains_go_on_until_they_conclude() {
     let there = tempfile::tempdir().unwrap();
     // One chain of set b: too few draws count of its slowest value.
     let text = fs::read_to_string(crate::folder("b-three-dates").join("plan.toml")).unwrap();
-    let text = text
-        .replace("chains = 4", "chains = 1")
-        .replace("warmup = 1000", "warmup = 200");
+    let text = text.replace("chains = 4", "chains = 1").replace("warmup = 1000", "warmup = 200");
     small(there.path(), "nuts");
     let path = there.path().join("set/plan.toml");
     let text = text.split("[[action]]").next().unwrap();
@@ -116,23 +107,14 @@ fn chains_go_on_until_they_conclude() {
     let out = there.path().join("out");
     let whole = run(&plan, &out, false);
     let summary = whole.summary(&plan);
-    assert!(
-        [2000, 4000, 8000, 16_000].contains(&summary.draws),
-        "{}",
-        summary.draws
-    );
+    assert!([2000, 4000, 8000, 16_000].contains(&summary.draws), "{}", summary.draws);
     assert!(summary.draws == 16_000 || summary.doubts().is_empty());
     // 1200 draws are five parts, those of a thousand more another four.
     fs::remove_file(out.join("chains/0-6")).unwrap();
     assert_eq!(run(&plan, &out, true).summary(&plan), summary);
     fs::write(&path, text.replace("draws = 1000", "draws = 250")).unwrap();
     let short = Plan::read(&path).unwrap();
-    assert_eq!(
-        run(&short, &there.path().join("short"), false)
-            .summary(&short)
-            .draws,
-        250
-    );
+    assert_eq!(run(&short, &there.path().join("short"), false).summary(&short).draws, 250);
 }
 
 /// All files below a folder, by name, with their bytes.
@@ -200,11 +182,7 @@ fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
     let alone = there.path().join("alone");
     whole(&two, &alone, false).unwrap();
     let own = |folder: &Path, name: &str| fs::read(folder.join(name)).unwrap();
-    for name in [
-        "summary.csv",
-        "chains/1-1",
-        "posterior.zarr/posterior/wear.coefficient/c/0/0",
-    ] {
+    for name in ["summary.csv", "chains/1-1", "posterior.zarr/posterior/wear.coefficient/c/0/0"] {
         assert!(own(&out, name) == own(&alone, name), "{name}");
         assert!(before[&out.join(name)] != own(&out, name), "{name}");
     }
@@ -220,10 +198,7 @@ fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
     assert_eq!(root["my_diagnostics"]["attributes"]["mine"], 1);
     assert_eq!(root["posterior/my_group"]["attributes"]["mine"], 1);
     assert_eq!(root["posterior"]["node_type"], "group");
-    assert_eq!(
-        document("posterior/zarr.json")["my_group"]["attributes"]["mine"],
-        1
-    );
+    assert_eq!(document("posterior/zarr.json")["my_group"]["attributes"]["mine"], 1);
 }
 
 /// Draws are believed for the plan that stands inside them: neither another tree, nor other parts of chains, nor a tree that is not
@@ -245,10 +220,8 @@ fn draws_say_of_which_plan_they_are() {
         assert!(
             matches!(
                 (name, refusal),
-                (
-                    "posterior.zarr/zarr.json",
-                    Some(CalibrationError::OtherDraws { .. })
-                ) | ("chains/1-0", Some(CalibrationError::Unfinished { .. }))
+                ("posterior.zarr/zarr.json", Some(CalibrationError::OtherDraws { .. }))
+                    | ("chains/1-0", Some(CalibrationError::Unfinished { .. }))
                     | ("calibration.json", Some(CalibrationError::OtherPlan { .. }))
             ),
             "{name}"

@@ -15,20 +15,12 @@ fn usual(set: &str, traffic: Option<&str>, tables: &[&str], to: &Path) -> Result
     let of_set = |name: &str| folder(set).join(name);
     let tables: Vec<PathBuf> = tables.iter().map(|name| of_set(name)).collect();
     let traffic = traffic.map(of_set);
-    let measured = Measured {
-        case: &of_set("case.toml"),
-        traffic: traffic.as_deref(),
-        tables: &tables,
-    };
+    let measured = Measured { case: &of_set("case.toml"), traffic: traffic.as_deref(), tables: &tables };
     Plan::usual(&to.join("plan.toml"), &measured).map_err(|error| error.to_string())
 }
 
 fn names(plan: &Plan) -> Vec<&str> {
-    plan.posterior
-        .parameters()
-        .iter()
-        .map(|it| &*it.name)
-        .collect()
+    plan.posterior.parameters().iter().map(|it| &*it.name).collect()
 }
 
 /// Only what the case has and the data can touch: a hammer feels no wheel, growth feels all.
@@ -45,17 +37,8 @@ fn data_make_uncertain_what_they_touch() {
     ];
     let set = "c-all-together";
     let hammer = usual(set, None, &["hammer.csv"], to.path()).unwrap();
-    assert_eq!(
-        names(&hammer),
-        [&of_track[..], &["hammer.discrepancy"]].concat()
-    );
-    assert!(
-        hammer.remarks[0]
-            .to_string()
-            .contains("averages is taken as 4"),
-        "{:?}",
-        hammer.remarks
-    );
+    assert_eq!(names(&hammer), [&of_track[..], &["hammer.discrepancy"]].concat());
+    assert!(hammer.remarks[0].to_string().contains("averages is taken as 4"), "{:?}", hammer.remarks);
     let tables = ["roughness.csv", "decay.csv"];
     let both = usual(set, Some("traffic.toml"), &tables, to.path()).unwrap();
     let of_trains = [
@@ -96,10 +79,7 @@ fn priors_are_the_usual_ones() {
         let prior = parameters.clone().find(|it| it.name == name).unwrap().prior;
         assert!((prior.quantile(0.5) / median - 1.0).abs() < 1e-4, "{name}");
         // One standard deviation below the median: Φ(−1) = 0.158655.
-        assert!(
-            (prior.quantile(0.158_655) * factor / median - 1.0).abs() < 1e-4,
-            "{name}"
-        );
+        assert!((prior.quantile(0.158_655) * factor / median - 1.0).abs() < 1e-4, "{name}");
     }
 }
 
@@ -117,18 +97,12 @@ fn measured_wear_is_the_prior_of_the_coefficient() {
     let (traffic, roughness) = (set.join("traffic.toml"), set.join("roughness.csv"));
     let plan = Plan::usual(
         &to.path().join("plan.toml"),
-        &Measured {
-            case: &path,
-            traffic: Some(&traffic),
-            tables: &[roughness],
-        },
+        &Measured { case: &path, traffic: Some(&traffic), tables: &[roughness] },
     );
     let plan = plan.unwrap_or_else(|error| panic!("{error}"));
     let case = Case::read(&set.join("case.toml"), &[]).unwrap();
     let on = Traffic::read(&traffic).unwrap();
-    let on = on
-        .on(&case, &bands_of(&case), &Variant::none(""), &|_| ())
-        .unwrap();
+    let on = on.on(&case, &bands_of(&case), &Variant::none(""), &|_| ()).unwrap();
     let right = 2.5e-9 * 1.2e-3 / on.growth.mean_wear().depth_per_100_mgt();
     let parameters = plan.posterior.parameters().iter();
     let wear = parameters.clone().find(|it| it.name == "wear.coefficient");
@@ -146,32 +120,18 @@ fn a_plan_can_be_run_again_and_is_not_replaced() {
     let make = || usual("a-hammer-and-decay", None, &["decay.csv"], &to);
     let plan = make().unwrap();
     assert!(!to.exists());
-    Folder::begin(&plan, &to, false)
-        .unwrap()
-        .write_plan(&plan)
-        .unwrap();
+    Folder::begin(&plan, &to, false).unwrap().write_plan(&plan).unwrap();
     let path = to.join("plan.toml");
     let again = Plan::read(&path).unwrap();
     assert_eq!(names(&again), names(&plan));
-    let middle: Vec<f64> = plan
-        .posterior
-        .parameters()
-        .iter()
-        .map(|it| it.prior.quantile(0.5))
-        .collect();
-    assert_eq!(
-        again.posterior.log_likelihood(&middle),
-        plan.posterior.log_likelihood(&middle)
-    );
+    let middle: Vec<f64> = plan.posterior.parameters().iter().map(|it| it.prior.quantile(0.5)).collect();
+    assert_eq!(again.posterior.log_likelihood(&middle), plan.posterior.log_likelihood(&middle));
     assert_eq!(make().unwrap().text, plan.text);
     // The chains of both are the same.
     Folder::begin(&again, &to, true).unwrap();
     fs::write(&path, plan.text.replace("factor = 1.05", "factor = 1.1")).unwrap();
     let error = make().err().unwrap();
-    assert!(
-        error.contains("is there already and is not the plan with usual priors"),
-        "{error}"
-    );
+    assert!(error.contains("is there already and is not the plan with usual priors"), "{error}");
     assert!(fs::read_to_string(&path).unwrap().contains("factor = 1.1 "));
 }
 
@@ -183,13 +143,8 @@ fn tables_that_tell_no_kind_are_refused() {
         (["axlebox.csv"], "whose speed no column says"),
         (["roughness.csv"], "no traffic that made them grow"),
     ] {
-        let error = usual("c-all-together", None, &tables, to.path())
-            .err()
-            .unwrap();
-        assert!(
-            error.contains(words) && error.contains(tables[0]),
-            "{error}"
-        );
+        let error = usual("c-all-together", None, &tables, to.path()).err().unwrap();
+        assert!(error.contains(words) && error.contains(tables[0]), "{error}");
     }
 }
 
@@ -205,21 +160,14 @@ fn trains_that_are_heard_have_a_usual_plan() {
         fs::write(&heard, table).unwrap();
         let levels = levels.then(|| of_set("roughness.csv"));
         let tables: Vec<PathBuf> = levels.into_iter().chain([heard.clone()]).collect();
-        let measured = Measured {
-            case: &of_set("case.toml"),
-            traffic: Some(&of_set("traffic.toml")),
-            tables: &tables,
-        };
+        let measured = Measured { case: &of_set("case.toml"), traffic: Some(&of_set("traffic.toml")), tables: &tables };
         Plan::usual(&to.path().join("plan.toml"), &measured).map_err(|error| error.to_string())
     };
     let table = "passages,level_dba,speed_km_per_h\n0,80,110\n3500000,84,110\n";
     let read = plan(table, true).unwrap();
     assert_eq!(read.posterior.data_of("wheel.mass"), ["roughness + heard"]);
     let own = read.text.split("kind = \"pass-by\"").nth(1).unwrap();
-    assert!(
-        own.contains("heard.csv") && !own.contains("discrepancy"),
-        "{own}"
-    );
+    assert!(own.contains("heard.csv") && !own.contains("discrepancy"), "{own}");
     let error = |plan: Result<Plan, String>| plan.map(|_| ()).unwrap_err();
     let slow = error(plan("passages,level_dba\n0,80\n", true));
     assert!(slow.contains("speed_km_per_h"), "{slow}");

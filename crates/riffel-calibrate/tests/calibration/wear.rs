@@ -16,11 +16,7 @@ fn plan(to: &TempDir, table: &str, traffic: bool) -> Result<Plan, String> {
         fs::copy(folder("b-three-dates").join(name), to.path().join(name)).unwrap();
     }
     fs::write(to.path().join("wear.csv"), table).unwrap();
-    let traffic = if traffic {
-        "traffic = \"traffic.toml\"\n"
-    } else {
-        ""
-    };
+    let traffic = if traffic { "traffic = \"traffic.toml\"\n" } else { "" };
     let text = format!(
         "case = \"case.toml\"\n{traffic}\
          [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = {{ median = 2.5e-9, factor = 2.0 }}\n\
@@ -38,12 +34,7 @@ fn measured_wear_is_normal_in_the_coefficient() {
     const MEDIAN: f64 = 2.5e-9;
     let to = TempDir::new().unwrap();
     let rows = ROWS.map(|(depth, mgt, factor)| format!("{depth},{mgt},{factor}\n"));
-    let plan = plan(
-        &to,
-        &format!("depth_mm,mgt,factor\n{}", rows.concat()),
-        true,
-    )
-    .unwrap();
+    let plan = plan(&to, &format!("depth_mm,mgt,factor\n{}", rows.concat()), true).unwrap();
     let case = Case::read(&to.path().join("case.toml"), &[]).unwrap();
     let traffic = Traffic::read(&to.path().join("traffic.toml")).unwrap();
     let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| ());
@@ -67,10 +58,7 @@ fn measured_wear_is_normal_in_the_coefficient() {
         let at = |place: f64| plan.posterior.log_density(&[place]).unwrap();
         let slope = (at(place + 1e-4) - at(place - 1e-4)) / 2e-4;
         let found = plan.posterior.at(&[place]).unwrap().gradient[0];
-        assert!(
-            (found - slope).abs() < 1e-4 * slope.abs().max(1.0),
-            "{found} {slope}"
-        );
+        assert!((found - slope).abs() < 1e-4 * slope.abs().max(1.0), "{found} {slope}");
     }
 }
 
@@ -78,21 +66,9 @@ fn measured_wear_is_normal_in_the_coefficient() {
 fn wear_that_is_none_is_refused() {
     let to = TempDir::new().unwrap();
     for (table, traffic, rule) in [
-        (
-            "depth_mm,mgt\n0,100\n",
-            true,
-            "`depth_mm` is 0, but must be greater than zero",
-        ),
-        (
-            "depth_mm,mgt\n1.2,-5\n",
-            true,
-            "`mgt` is -5, but must be greater than zero",
-        ),
-        (
-            "depth_mm,mgt,factor\n1.2,100,0.5\n",
-            true,
-            "`factor` is 0.5, but must be one or more",
-        ),
+        ("depth_mm,mgt\n0,100\n", true, "`depth_mm` is 0, but must be greater than zero"),
+        ("depth_mm,mgt\n1.2,-5\n", true, "`mgt` is -5, but must be greater than zero"),
+        ("depth_mm,mgt,factor\n1.2,100,0.5\n", true, "`factor` is 0.5, but must be one or more"),
         ("depth_mm,mgt,factor\n1.2,100,1\n", true, "errors"),
         ("depth_mm,mgt\n1.2,100\n1.2,100\n", true, "line 2"),
         ("depth_mm\n1.2\n", true, "depth_mm, mgt"),

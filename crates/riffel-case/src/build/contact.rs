@@ -4,9 +4,8 @@ use riffel_keys::{CaseError, say};
 use std::sync::Arc;
 
 use riffel::contact::{
-    CreepLaw, CurvatureFilter, HalfSpace, HalfSpaceCurve, HalfSpaceRolling, MeanState, NonSteady,
-    Oscillating, OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
-    WaveGeometry,
+    CreepLaw, CurvatureFilter, HalfSpace, HalfSpaceCurve, HalfSpaceRolling, MeanState, NonSteady, Oscillating,
+    OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot, WaveGeometry,
 };
 use riffel::passage::{LateContact, WaveInTime};
 use riffel::{ElasticMaterial, HertzContact, RollingContact};
@@ -48,11 +47,7 @@ impl CheckedKeys {
     }
 
     /// The ellipse of a contact; its radius along the rail is the rolling radius by default, its stiffness that of Hertz.
-    pub(crate) fn hertz_of(
-        &self,
-        steel: ElasticMaterial,
-        keys: &ContactKeys,
-    ) -> Result<HertzContact, CaseError> {
+    pub(crate) fn hertz_of(&self, steel: ElasticMaterial, keys: &ContactKeys) -> Result<HertzContact, CaseError> {
         let radius = self.file.wheel.rolling_radius.si();
         let (across, load) = (keys.transverse_radius, keys.normal_load);
         let hertz = match self.hertz_theory() {
@@ -73,20 +68,13 @@ impl CheckedKeys {
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
         let friction = self.file.contact.friction.si();
-        self.contact_of(
-            hertz,
-            friction,
-            self.mean_state()?,
-            OscillatingCreepages::Longitudinal,
-        )
+        self.contact_of(hertz, friction, self.mean_state()?, OscillatingCreepages::Longitudinal)
     }
 
     /// `Ok` if the keys of the contact go together.
     pub(crate) fn check_contact(&self) -> Result<(), CaseError> {
         let contact = &self.file.contact;
-        if contact.response == ContactDynamics::NonSteady
-            && self.creep_law_name() != CreepLawName::HALF_SPACE
-        {
+        if contact.response == ContactDynamics::NonSteady && self.creep_law_name() != CreepLawName::HALF_SPACE {
             return Err(self.text.keys.invalid(
                 "contact.creep_law",
                 "and `contact.response` exclude each other: a non-steady response is that of the exact \
@@ -95,22 +83,14 @@ impl CheckedKeys {
             ));
         }
         if !GRIDS.contains(&contact.grid) || !contact.grid.is_multiple_of(2) {
-            return Err(self.out_of_range(
-                "contact.grid",
-                contact.grid,
-                "an even number from 16 to 200",
-            ));
+            return Err(self.out_of_range("contact.grid", contact.grid, "an even number from 16 to 200"));
         }
         // Checked whatever the law is, so that a comparison changes one line.
         self.polach(contact.friction.si()).map(|_| ())
     }
 
     /// The creep law of the case on a contact; none for the exact theory.
-    pub(crate) fn creep_law(
-        &self,
-        hertz: HertzContact,
-        friction: f64,
-    ) -> Result<Option<Arc<dyn CreepLaw>>, CaseError> {
+    pub(crate) fn creep_law(&self, hertz: HertzContact, friction: f64) -> Result<Option<Arc<dyn CreepLaw>>, CaseError> {
         let Some(entry) = self.creep_law_name().entry() else {
             return Ok(None);
         };
@@ -150,8 +130,7 @@ impl CheckedKeys {
                 tables.get(key, || self.half_space(hertz, friction, mean, oscillating))?
             }
             Some(law) => {
-                let mut rolling =
-                    self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
+                let mut rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
                 if self.feels_waves() {
                     rolling = rolling.on_waves(|curvature| {
                         let law = self.creep_law(self.curved(hertz, curvature)?, friction)?;
@@ -165,11 +144,7 @@ impl CheckedKeys {
     }
 
     /// A law that answers at once, or late by a spring.
-    fn answering(
-        &self,
-        law: impl RollingContact + 'static,
-        hertz: HertzContact,
-    ) -> Arc<dyn RollingContact> {
+    fn answering(&self, law: impl RollingContact + 'static, hertz: HertzContact) -> Arc<dyn RollingContact> {
         match self.file.contact.response {
             ContactDynamics::SpringDashpot => Arc::new(SpringDashpot::new(law, hertz)),
             _ => Arc::new(law),
@@ -208,21 +183,13 @@ impl CheckedKeys {
     }
 
     /// A contact by the exact theory.
-    pub(crate) fn half_space_of(
-        &self,
-        hertz: HertzContact,
-        friction: f64,
-    ) -> Result<HalfSpace, CaseError> {
+    pub(crate) fn half_space_of(&self, hertz: HertzContact, friction: f64) -> Result<HalfSpace, CaseError> {
         let across = usize::try_from(self.file.contact.grid).unwrap_or(usize::MAX);
         self.physics("contact.grid", HalfSpace::new(hertz, friction, across))
     }
 
     /// A mean state by the exact theory, with a slope or without.
-    pub(crate) fn exact_state(
-        &self,
-        contact: &HalfSpace,
-        mean: MeanState,
-    ) -> Result<HalfSpaceRolling, CaseError> {
+    pub(crate) fn exact_state(&self, contact: &HalfSpace, mean: MeanState) -> Result<HalfSpaceRolling, CaseError> {
         let state = match mean {
             MeanState::TractiveRatio(ratio) => contact.roll_at_tractive_ratio(ratio),
             MeanState::Creepages(creepages) => contact.roll_with(creepages),
@@ -231,11 +198,7 @@ impl CheckedKeys {
     }
 
     /// The exact theory as a law that is asked at every step in time, and what it makes of the past where it answers late.
-    pub(crate) fn exact_in_time(
-        &self,
-        hertz: HertzContact,
-        friction: f64,
-    ) -> Result<CreepInTime, CaseError> {
+    pub(crate) fn exact_in_time(&self, hertz: HertzContact, friction: f64) -> Result<CreepInTime, CaseError> {
         /// Longest wave of a response, in semi-axes, from where on it is that of slow changes.
         const LONGEST: f64 = 100.0;
         /// Shortest, as far as the grid resolves one so short: no wave of a profile that is shorter moves the wheel as a point does.
@@ -259,16 +222,10 @@ impl CheckedKeys {
             let table = self.physics("contact.grid", table)?;
             let filters = LateContact::new(&table, &law, a, range);
             let filters = self.physics("contact.grid", filters)?;
-            wave = self
-                .wave(hertz)?
-                .map(|geometry| WaveInTime::late_of(geometry, Arc::new(table), &filters, range));
+            wave = self.wave(hertz)?.map(|geometry| WaveInTime::late_of(geometry, Arc::new(table), &filters, range));
             late = Some(Arc::new(filters));
         }
-        Ok(CreepInTime {
-            law: Arc::new(law),
-            late,
-            wave,
-        })
+        Ok(CreepInTime { law: Arc::new(law), late, wave })
     }
 
     /// What oscillates, with the waves where their geometry has a part.
@@ -315,14 +272,11 @@ impl CheckedKeys {
                 "and `contact.tractive_ratio` exclude each other",
                 say!(give_one_of_the_two),
             )),
-            (None, None) => Err(self.text.keys.missing(
-                "contact.tractive_ratio",
-                say!(give_contact_tractive_ratio_or_contact),
-            )),
+            (None, None) => {
+                Err(self.text.keys.missing("contact.tractive_ratio", say!(give_contact_tractive_ratio_or_contact)))
+            }
             (Some(ratio), None) => Ok(MeanState::TractiveRatio(ratio.si())),
-            (None, Some(creepage)) => self
-                .creeping("contact.creepage", creepage)
-                .map(MeanState::Creepages),
+            (None, Some(creepage)) => self.creeping("contact.creepage", creepage).map(MeanState::Creepages),
         }
     }
 }

@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use riffel::HertzContact;
 use riffel::contact::{
-    CREEP_LAWS, CreepLaw, CreepLawEntry, CreepLawInputs, FallingFriction, KalkerCoefficients,
-    SlopeReduction,
+    CREEP_LAWS, CreepLaw, CreepLawEntry, CreepLawInputs, FallingFriction, KalkerCoefficients, SlopeReduction,
 };
 
 use crate::checked_keys::CheckedKeys;
@@ -32,40 +31,23 @@ pub(crate) struct PolachTerms {
 
 impl CheckedKeys {
     /// The laws on an ellipse, with the coefficient of friction μ \[-\].
-    pub(crate) fn creep_laws(
-        &self,
-        hertz: HertzContact,
-        friction: f64,
-    ) -> Result<CreepLaws, CaseError> {
+    pub(crate) fn creep_laws(&self, hertz: HertzContact, friction: f64) -> Result<CreepLaws, CaseError> {
         let kalker = self.kalker(hertz)?;
         let inputs = self.creep_law_inputs(hertz, friction)?;
-        let laws = CREEP_LAWS
-            .iter()
-            .map(|entry| Ok((entry, entry.build(&inputs)?)));
-        Ok(CreepLaws {
-            kalker,
-            laws: self.physics("contact", laws.collect())?,
-        })
+        let laws = CREEP_LAWS.iter().map(|entry| Ok((entry, entry.build(&inputs)?)));
+        Ok(CreepLaws { kalker, laws: self.physics("contact", laws.collect())? })
     }
 
     /// Kalker's coefficients of an ellipse.
     pub(crate) fn kalker(&self, hertz: HertzContact) -> Result<KalkerCoefficients, CaseError> {
         let poisson_ratio = hertz.material().poisson_ratio();
         let kalker = KalkerCoefficients::new(poisson_ratio, hertz.axis_ratio());
-        let key = if poisson_ratio < 0.0 {
-            "steel.poisson_ratio"
-        } else {
-            "contact.transverse_radius"
-        };
+        let key = if poisson_ratio < 0.0 { "steel.poisson_ratio" } else { "contact.transverse_radius" };
         self.physics(key, kalker)
     }
 
     /// What a creep law is made of.
-    pub(crate) fn creep_law_inputs(
-        &self,
-        hertz: HertzContact,
-        friction: f64,
-    ) -> Result<CreepLawInputs, CaseError> {
+    pub(crate) fn creep_law_inputs(&self, hertz: HertzContact, friction: f64) -> Result<CreepLawInputs, CaseError> {
         let polach = self.polach(friction)?;
         Ok(CreepLawInputs {
             hertz,
@@ -79,39 +61,20 @@ impl CheckedKeys {
     /// The parameters of Polach's law: as written, or dry and constant.
     pub(crate) fn polach(&self, friction: f64) -> Result<PolachTerms, CaseError> {
         let written = self.file.contact.polach.clone().unwrap_or_default();
-        let reduction = SlopeReduction {
-            adhesion: written.adhesion_reduction.si(),
-            slip: written.slip_reduction.si(),
-        };
+        let reduction = SlopeReduction { adhesion: written.adhesion_reduction.si(), slip: written.slip_reduction.si() };
         if reduction.slip > reduction.adhesion {
             return Err(self.out_of_range(
                 "contact.polach.slip_reduction",
                 reduction.slip,
-                say!(
-                    at_most_contact_polach_adhesion_reduction,
-                    value = reduction.adhesion
-                ),
+                say!(at_most_contact_polach_adhesion_reduction, value = reduction.adhesion),
             ));
         }
-        let PolachParameters {
-            limit_friction_ratio,
-            friction_decay,
-            speed,
-            ..
-        } = written;
+        let PolachParameters { limit_friction_ratio, friction_decay, speed, .. } = written;
         if limit_friction_ratio.is_none() && friction_decay.is_none() && speed.is_none() {
             // With constant friction the law does not depend on the speed.
-            return Ok(PolachTerms {
-                friction: FallingFriction::constant(friction),
-                reduction,
-                speed: 1.0,
-            });
+            return Ok(PolachTerms { friction: FallingFriction::constant(friction), reduction, speed: 1.0 });
         }
-        let missing = |key: &str| {
-            self.text
-                .keys
-                .missing(key, say!(falling_friction_needs_limit_friction_ratio))
-        };
+        let missing = |key: &str| self.text.keys.missing(key, say!(falling_friction_needs_limit_friction_ratio));
         let key = "contact.polach.limit_friction_ratio";
         let limit_ratio = limit_friction_ratio.ok_or_else(|| missing(key))?.si();
         let key = "contact.polach.friction_decay";
@@ -119,11 +82,7 @@ impl CheckedKeys {
         let key = "contact.polach.speed";
         let speed = speed.ok_or_else(|| missing(key))?.si();
         Ok(PolachTerms {
-            friction: FallingFriction {
-                static_friction: friction,
-                limit_ratio,
-                decay,
-            },
+            friction: FallingFriction { static_friction: friction, limit_ratio, decay },
             reduction,
             speed,
         })

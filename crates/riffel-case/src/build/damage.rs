@@ -5,8 +5,7 @@ use std::sync::Arc;
 use riffel::HertzContact;
 use riffel::contact::MeanRolling;
 use riffel::damage::{
-    Bending, ClippedPower, Damage, DamageLaw, Demand, Fatigue, Flow, FlowAlong, Load,
-    ShakedownLimit,
+    Bending, ClippedPower, Damage, DamageLaw, Demand, Fatigue, Flow, FlowAlong, Load, ShakedownLimit,
 };
 use riffel_keys::{CaseError, Message, fixed, say, significant};
 
@@ -63,10 +62,7 @@ impl CheckedKeys {
     pub(crate) fn shakedown_limit(&self, name: LimitName, hertz: HertzContact) -> ShakedownLimit {
         let ratio = hertz.semi_axis_longitudinal() / hertz.semi_axis_lateral();
         match name {
-            LimitName::Elastic => ShakedownLimit::Elastic {
-                ratio,
-                poisson_ratio: hertz.material().poisson_ratio(),
-            },
+            LimitName::Elastic => ShakedownLimit::Elastic { ratio, poisson_ratio: hertz.material().poisson_ratio() },
             LimitName::Line => ShakedownLimit::Line,
             LimitName::Surface => ShakedownLimit::Surface,
             LimitName::Subsurface => ShakedownLimit::Subsurface { ratio },
@@ -87,8 +83,7 @@ impl CheckedKeys {
         let demand = Demand::new(steady, hertz.peak_pressure(), keys.yield_in_shear(), limit);
         let mut demand = self.physics("damage.limit", demand)?;
         if self.feels_waves() {
-            let on_waves =
-                demand.on_waves(hertz, |curved| self.shakedown_limit(keys.limit, curved));
+            let on_waves = demand.on_waves(hertz, |curved| self.shakedown_limit(keys.limit, curved));
             demand = self.physics("contact.longitudinal_radius", on_waves)?;
         }
         let mut laws = Vec::with_capacity(keys.laws.len());
@@ -123,9 +118,7 @@ impl CheckedKeys {
             DamageLawName::Wear => DamageLaw::Wear,
             DamageLawName::Load => {
                 let load = keys.load.as_ref().ok_or_else(|| missing("load"))?;
-                DamageLaw::Load(Load {
-                    depth_per_force: load.depth_per_force.si(),
-                })
+                DamageLaw::Load(Load { depth_per_force: load.depth_per_force.si() })
             }
             DamageLawName::Flow => {
                 let flow = keys.flow.as_ref().ok_or_else(|| missing("flow"))?;
@@ -148,15 +141,11 @@ impl CheckedKeys {
                 let Some(support) = track.support else {
                     return Err(self.text.keys.invalid(
                         "damage.laws",
-                        say!(
-                            names_bending_but_track_model_does,
-                            name = self.file.track.model.name()
-                        ),
+                        say!(names_bending_but_track_model_does, name = self.file.track.model.name()),
                         say!(choose_a_model_or_no_bending),
                     ));
                 };
-                let second_moment =
-                    self.required("rail.second_moment", self.file.rail.second_moment)?;
+                let second_moment = self.required("rail.second_moment", self.file.rail.second_moment)?;
                 let stiffness = self.file.steel.youngs_modulus.si() * second_moment.si();
                 let foundation = support.static_stiffness();
                 DamageLaw::Bending(Bending {
@@ -165,11 +154,7 @@ impl CheckedKeys {
                     law: ClippedPower::new(bending.exponent.si(), spread),
                     bending_stiffness: stiffness,
                     foundation,
-                    mean_moment: Bending::moment_at_rest(
-                        hertz.normal_force(),
-                        stiffness,
-                        foundation,
-                    ),
+                    mean_moment: Bending::moment_at_rest(hertz.normal_force(), stiffness, foundation),
                 })
             }
             DamageLawName::Fatigue => {
@@ -181,8 +166,7 @@ impl CheckedKeys {
                     ));
                 }
                 let fatigue = keys.fatigue.clone().unwrap_or_default();
-                let thresholds: Vec<f64> =
-                    fatigue.thresholds.iter().map(|force| force.si()).collect();
+                let thresholds: Vec<f64> = fatigue.thresholds.iter().map(|force| force.si()).collect();
                 let Ok(thresholds) = <[f64; 3]>::try_from(thresholds) else {
                     return Err(self.out_of_range(
                         "damage.fatigue.thresholds",
@@ -209,10 +193,7 @@ impl CheckedKeys {
         const PLASTIC: f64 = 7.3;
         let demand = &damage.demand;
         if demand.utilised_friction > FRICTION {
-            remarks.push(say!(
-                damage_beyond_friction,
-                friction = fixed(demand.utilised_friction, 2)
-            ));
+            remarks.push(say!(damage_beyond_friction, friction = fixed(demand.utilised_friction, 2)));
         }
         let over_yield = demand.contact_pressure / demand.shear_yield;
         if over_yield > PLASTIC {
@@ -236,18 +217,12 @@ impl CheckedKeys {
                     remarks.push(say!(flow_hardens));
                 }
                 DamageLaw::Flow(_) | DamageLaw::FlowAlong(_) if demand.excess() <= 0.0 => {
-                    remarks.push(say!(
-                        below_the_limit_of_flow,
-                        law = law.name(),
-                        demand = fixed(demand.value, 2)
-                    ));
+                    remarks.push(say!(below_the_limit_of_flow, law = law.name(), demand = fixed(demand.value, 2)));
                 }
                 DamageLaw::Fatigue(fatigue) if fatigue.loss == 0.0 => {
                     remarks.push(say!(fatigue_loses_nothing));
                 }
-                DamageLaw::Fatigue(fatigue)
-                    if steady.energy_per_metre() < fatigue.first_threshold() =>
-                {
+                DamageLaw::Fatigue(fatigue) if steady.energy_per_metre() < fatigue.first_threshold() => {
                     remarks.push(say!(
                         fatigue_below_threshold,
                         energy = significant(steady.energy_per_metre(), 2),

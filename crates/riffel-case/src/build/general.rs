@@ -34,11 +34,7 @@ fn of_flatness(keys: &ContactKeys) -> Option<Message> {
         return None;
     }
     let angle = keys.contact_angle.to_degrees();
-    Some(say!(
-        wheel_flatter_than_radius,
-        angle = fixed(angle, 0),
-        flatter = fixed(flatter, 2)
-    ))
+    Some(say!(wheel_flatter_than_radius, angle = fixed(angle, 0), flatter = fixed(flatter, 2)))
 }
 
 impl CheckedKeys {
@@ -49,14 +45,7 @@ impl CheckedKeys {
         vertical: &Track,
     ) -> Result<ClosedLoop, CaseError> {
         let mut remarks = Vec::new();
-        let study = self.side(
-            (keys.rail, true),
-            &keys.contact,
-            keys.mean,
-            1.0,
-            steel,
-            vertical,
-        )?;
+        let study = self.side((keys.rail, true), &keys.contact, keys.mean, 1.0, steel, vertical)?;
         let steady = study.contact.rolling.steady();
         let damage = study.contact.damage.iter();
         remarks.extend(damage.flat_map(|damage| self.damage_remarks(damage, &steady)));
@@ -86,11 +75,9 @@ impl CheckedKeys {
         let lateral_resonances = spatial.as_ref().map(SpatialTrack::lateral_resonances);
         let track: Arc<dyn Structure> = match spatial {
             Some(spatial) => Arc::new(spatial),
-            None => Arc::new(Uncoupled {
-                longitudinal: None,
-                lateral: None,
-                vertical: Some(vertical.receptance.clone()),
-            }),
+            None => {
+                Arc::new(Uncoupled { longitudinal: None, lateral: None, vertical: Some(vertical.receptance.clone()) })
+            }
         };
         let wheelset = keys.wheelset.as_ref();
         let wheelset = wheelset.map(|wheelset| {
@@ -129,11 +116,7 @@ impl CheckedKeys {
     }
 
     /// The loop of wheelsets, whose normal forces turn with the wave where the case says so.
-    fn with_direction_of_wheelsets(
-        &self,
-        feedback: Loop,
-        wheelset: &Arc<CaseWheelset>,
-    ) -> Result<Loop, CaseError> {
+    fn with_direction_of_wheelsets(&self, feedback: Loop, wheelset: &Arc<CaseWheelset>) -> Result<Loop, CaseError> {
         /// Any: whether it is told does not depend on it \[rad/s\].
         const FREQUENCY: f64 = 1e3;
         let Some(keys) = &self.file.wheelset else {
@@ -207,11 +190,7 @@ impl CheckedKeys {
     }
 
     /// The profiles across the track, of which the relative radius \[m\] is known.
-    fn conformity(
-        &self,
-        keys: ConformityKeys,
-        relative_radius: f64,
-    ) -> Result<Conformity, CaseError> {
+    fn conformity(&self, keys: ConformityKeys, relative_radius: f64) -> Result<Conformity, CaseError> {
         const KEY: &str = "contact.conformity.rail_radius";
         // That of the profiles is what it is: the wheel is convex.
         if keys.rail_radius > relative_radius && self.text.is_written(KEY) {
@@ -240,11 +219,7 @@ impl CheckedKeys {
     }
 
     /// Lone wheels, as in the loop of one axis.
-    fn lone_wheels(
-        &self,
-        hertz: HertzContact,
-        remarks: &mut Vec<Message>,
-    ) -> Result<Arc<dyn Structure>, CaseError> {
+    fn lone_wheels(&self, hertz: HertzContact, remarks: &mut Vec<Message>) -> Result<Arc<dyn Structure>, CaseError> {
         let (vertical, of_wheel) = self.wheel()?;
         remarks.extend(of_wheel);
         let inertia = match self.file.wheel.rotation() {
@@ -257,11 +232,7 @@ impl CheckedKeys {
                     .map(|rigid| Arc::new(rigid) as Arc<dyn Receptance>)
             })
             .transpose()?;
-        Ok(Arc::new(Uncoupled {
-            longitudinal,
-            lateral: None,
-            vertical: Some(vertical),
-        }))
+        Ok(Arc::new(Uncoupled { longitudinal, lateral: None, vertical: Some(vertical) }))
     }
 
     /// The track along all axes it has: without wheelsets and without twist downward alone, as in the loop of one axis.
@@ -274,8 +245,7 @@ impl CheckedKeys {
         remarks: &mut Vec<Message>,
     ) -> Result<Option<SpatialTrack>, CaseError> {
         let model = self.file.track.model;
-        let modelled = self.given.track.is_none()
-            && !matches!(model, TrackModel::MovingBeam | TrackModel::Measured);
+        let modelled = self.given.track.is_none() && !matches!(model, TrackModel::MovingBeam | TrackModel::Measured);
         if !modelled {
             if keys.wheels.len() > 1 {
                 return Err(self.text.keys.invalid(
@@ -293,9 +263,7 @@ impl CheckedKeys {
         let [across, along] = self.axes_of_track(keys, on_supports, remarks);
         let spatial = SpatialRail {
             vertical: self.beam(steel, Direction::Vertical)?,
-            lateral: across
-                .then(|| self.beam(steel, Direction::Lateral))
-                .transpose()?,
+            lateral: across.then(|| self.beam(steel, Direction::Lateral)).transpose()?,
             twist: match &keys.twist {
                 Some(twist) if across => Some(self.twist_of(twist, steel)?),
                 Some(_) => {
@@ -315,59 +283,31 @@ impl CheckedKeys {
         };
         let height = keys.twist.map_or(0.0, |twist| twist.head_height);
         let track = points.iter().fold(track, |track, &(rail, lateral_offset)| {
-            let point = ContactPoint {
-                height,
-                lateral_offset,
-            };
+            let point = ContactPoint { height, lateral_offset };
             track.with_contact(rail, point)
         });
         Ok(Some(track))
     }
 
     /// Whether the track moves across and along itself, with remarks on keys that it lacks.
-    fn axes_of_track(
-        &self,
-        keys: &GeneralKeys,
-        on_supports: bool,
-        remarks: &mut Vec<Message>,
-    ) -> [bool; 2] {
+    fn axes_of_track(&self, keys: &GeneralKeys, on_supports: bool, remarks: &mut Vec<Message>) -> [bool; 2] {
         let all_axes = keys.wheelset.is_some() || keys.twist.is_some();
         let has = |rail: bool, pad: bool| all_axes && rail && (pad || !on_supports);
         let pad = self.file.track.pad.as_ref();
         let rail = &self.file.rail;
-        let across = has(
-            rail.lateral_second_moment.is_some(),
-            pad.is_some_and(|pad| pad.lateral_stiffness.is_some()),
-        );
-        let along = has(
-            rail.area.is_some(),
-            pad.is_some_and(|pad| pad.longitudinal_stiffness.is_some()),
-        );
+        let across = has(rail.lateral_second_moment.is_some(), pad.is_some_and(|pad| pad.lateral_stiffness.is_some()));
+        let along = has(rail.area.is_some(), pad.is_some_and(|pad| pad.longitudinal_stiffness.is_some()));
         if all_axes {
             for (has, key, pad, direction) in [
-                (
-                    across,
-                    "rail.lateral_second_moment",
-                    "track.pad.lateral_stiffness",
-                    say!(across_track),
-                ),
-                (
-                    along,
-                    "rail.area",
-                    "track.pad.longitudinal_stiffness",
-                    say!(along_itself),
-                ),
+                (across, "rail.lateral_second_moment", "track.pad.lateral_stiffness", say!(across_track)),
+                (along, "rail.area", "track.pad.longitudinal_stiffness", say!(along_itself)),
             ] {
                 if !has {
                     let keys = match on_supports {
                         true => Value::from(say!(both, one = key, other = pad)),
                         false => Value::from(key),
                     };
-                    remarks.push(say!(
-                        rail_taken_as_rigid,
-                        direction = direction,
-                        keys = keys
-                    ));
+                    remarks.push(say!(rail_taken_as_rigid, direction = direction, keys = keys));
                 }
             }
         }
@@ -379,8 +319,7 @@ impl CheckedKeys {
         let model = self.file.track.model;
         let (across, along) = (rail.lateral.is_some(), rail.longitudinal.is_some());
         let two_layers = matches!(model, TrackModel::TwoLayer | TrackModel::TwoLayerPeriodic);
-        let support =
-            |has: bool, direction| has.then(|| self.support(two_layers, direction)).transpose();
+        let support = |has: bool, direction| has.then(|| self.support(two_layers, direction)).transpose();
         let (down, spacing) = self.support(two_layers, Direction::Vertical)?;
         let supports = Supports {
             vertical: Some(down),
@@ -408,14 +347,11 @@ impl CheckedKeys {
             centroid_height: keys.centroid_height,
             foot_depth,
             foot_width,
-            shear_modulus: rail
-                .shear_modulus
-                .map_or(steel.shear_modulus(), |modulus| modulus.si()),
+            shear_modulus: rail.shear_modulus.map_or(steel.shear_modulus(), |modulus| modulus.si()),
             density: rail.density.map_or(STEEL_DENSITY, |density| density.si()),
         };
         let loss_factor = rail.loss_factor.map_or(0.0, |loss| loss.si());
-        let twist =
-            Twist::new(steel, section).and_then(|twist| twist.with_loss_factor(loss_factor));
+        let twist = Twist::new(steel, section).and_then(|twist| twist.with_loss_factor(loss_factor));
         self.physics("rail.torsion_constant", twist)
     }
 }

@@ -16,8 +16,8 @@ use riffel::feedback::{Hubs, OneWheel};
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance,
-    WearCorners as Corners, WearRegimes,
+    Axis, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance, WearCorners as Corners,
+    WearRegimes,
 };
 
 pub(crate) use contact::{CreepInTime, mean_key};
@@ -63,32 +63,16 @@ impl CheckedKeys {
         if known > wavelength.min() {
             let from = Axis::new(known, wavelength.max(), wavelength.points());
             wavelength = self.physics("map.wavelength.max", from)?;
-            remarks.push(say!(
-                map_begins_where_contact_is_known,
-                wavelength = fixed(1e3 * known, 1)
-            ));
+            remarks.push(say!(map_begins_where_contact_is_known, wavelength = fixed(1e3 * known, 1)));
         }
         remarks.extend(track.remarks.iter().cloned());
         remarks.extend(closed.remarks.iter().cloned());
         if self.window != Window::BesideAnother {
             let wheelset = closed.wheelset.as_deref();
             let (feedback, axes) = (&closed.feedback, [wavelength, speed]);
-            remarks.extend(validity::remarks(
-                self,
-                &track,
-                wheelset,
-                feedback,
-                closed.hertz,
-                axes,
-            ));
+            remarks.extend(validity::remarks(self, &track, wheelset, feedback, closed.hertz, axes));
         }
-        Ok(BuiltCase {
-            track,
-            closed,
-            wavelength,
-            speed,
-            remarks,
-        })
+        Ok(BuiltCase { track, closed, wavelength, speed, remarks })
     }
 
     /// The track and the loop on it, without a word on their validity.
@@ -108,21 +92,13 @@ impl CheckedKeys {
     }
 
     /// The loop of one wheel and longitudinal creepage.
-    fn longitudinal_loop(
-        &self,
-        steel: ElasticMaterial,
-        track: &Track,
-    ) -> Result<ClosedLoop, CaseError> {
+    fn longitudinal_loop(&self, steel: ElasticMaterial, track: &Track) -> Result<ClosedLoop, CaseError> {
         let hertz = self.hertz(steel)?;
         let contact = self.contact(hertz)?;
         let steady = contact.rolling.steady();
         let (wheel, mut remarks) = self.wheel()?;
         let damage = self.damage(hertz, &steady, track)?;
-        remarks.extend(
-            damage
-                .iter()
-                .flat_map(|damage| self.damage_remarks(damage, &steady)),
-        );
+        remarks.extend(damage.iter().flat_map(|damage| self.damage_remarks(damage, &steady)));
         let feedback = OneWheel {
             track: track.receptance.clone(),
             wheel,
@@ -136,9 +112,7 @@ impl CheckedKeys {
         };
         let feedback = self.physics("contact", feedback.close())?;
         Ok(ClosedLoop {
-            feedback: self
-                .with_direction_of_lone_wheels(feedback)?
-                .with_damage(|_| damage.clone()),
+            feedback: self.with_direction_of_lone_wheels(feedback)?.with_damage(|_| damage.clone()),
             hertz,
             steady,
             law: contact.law,
@@ -177,12 +151,7 @@ impl CheckedKeys {
 
     /// Wear under a contact. A band narrower than the contact is refused where the case gives that contact; where it follows from a
     /// curve, and on the rail that is not under study, wear comes off the contact's own width.
-    fn wear(
-        &self,
-        hertz: HertzContact,
-        steady: &MeanRolling,
-        studied: bool,
-    ) -> Result<EnergyWear, CaseError> {
+    fn wear(&self, hertz: HertzContact, steady: &MeanRolling, studied: bool) -> Result<EnergyWear, CaseError> {
         let wear = &self.file.wear;
         let density = wear.density.si();
         let map = &self.file.map.speed;
@@ -196,17 +165,13 @@ impl CheckedKeys {
             ));
         }
         let regimes = match wear.law {
-            WearLaw::TgammaArea | WearLaw::UsfdSmooth => Some(WearRegimes::TgammaArea {
-                corners: Corners::Rounded,
-                spread,
-            }),
-            WearLaw::Usfd => Some(WearRegimes::TgammaArea {
-                corners: Corners::Sharp,
-                spread,
-            }),
-            WearLaw::ArchardMap => Some(WearRegimes::ArchardMap {
-                speed: wear.speed.map_or(middle, |speed| speed.si()),
-            }),
+            WearLaw::TgammaArea | WearLaw::UsfdSmooth => {
+                Some(WearRegimes::TgammaArea { corners: Corners::Rounded, spread })
+            }
+            WearLaw::Usfd => Some(WearRegimes::TgammaArea { corners: Corners::Sharp, spread }),
+            WearLaw::ArchardMap => {
+                Some(WearRegimes::ArchardMap { speed: wear.speed.map_or(middle, |speed| speed.si()) })
+            }
             WearLaw::Energy => None,
         };
         let lubrication = wear.natural_lubrication.map_or(1.0, |factor| factor.si());
@@ -221,8 +186,8 @@ impl CheckedKeys {
                 self.physics("wear.law", law)?
             }
         };
-        let takes_its_width = (!studied || self.text.keys.has("contact.from"))
-            && self.band_under_wider_contact(hertz).is_some();
+        let takes_its_width =
+            (!studied || self.text.keys.has("contact.from")) && self.band_under_wider_contact(hertz).is_some();
         match wear.band_width.filter(|_| !takes_its_width) {
             Some(width) => self.physics("wear.band_width", law.over_band(width.si())),
             None => Ok(law),
@@ -242,11 +207,7 @@ impl CheckedKeys {
 
     /// A wheel without a partner that turns with an inertia \[kg m²\]; its hub moves along the rail where the normal force turns with the
     /// wave.
-    pub(crate) fn turning_wheel(
-        &self,
-        inertia: f64,
-        radius: f64,
-    ) -> Result<RigidInertia, CaseError> {
+    pub(crate) fn turning_wheel(&self, inertia: f64, radius: f64) -> Result<RigidInertia, CaseError> {
         let rigid = RigidInertia::new(inertia, radius);
         let rigid = self.physics("wheel.inertia", rigid)?;
         match self.file.wheel.normal_direction {

@@ -4,8 +4,8 @@ use riffel_keys::{CaseError, say};
 use std::sync::Arc;
 
 use riffel::receptance::{
-    Bar, Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, MovingLoadTrack,
-    PeriodicTrack, ShearSection, Waveguide,
+    Bar, Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, MovingLoadTrack, PeriodicTrack,
+    ShearSection, Waveguide,
 };
 use riffel::{Direction, ElasticMaterial, STEEL_DENSITY};
 use riffel_keys::quantity::{Dimension, Quantity};
@@ -36,9 +36,7 @@ impl CheckedKeys {
                 remarks: given.remarks.clone(),
             });
         }
-        if direction != Direction::Vertical
-            && matches!(model, TrackModel::MovingBeam | TrackModel::Measured)
-        {
+        if direction != Direction::Vertical && matches!(model, TrackModel::MovingBeam | TrackModel::Measured) {
             return Err(self.text.keys.invalid(
                 "track.model",
                 format!("is \"{}\", which is vertical only", model.name()),
@@ -68,11 +66,7 @@ impl CheckedKeys {
     }
 
     /// A rail on the supports of the model.
-    fn on_supports(
-        &self,
-        rail: impl Waveguide + Copy + 'static,
-        direction: Direction,
-    ) -> Result<Track, CaseError> {
+    fn on_supports(&self, rail: impl Waveguide + Copy + 'static, direction: Direction) -> Result<Track, CaseError> {
         let track = &self.file.track;
         let rail_mass = Some(rail.mass_per_length());
         let built = |receptance, structure, support| Track {
@@ -88,10 +82,7 @@ impl CheckedKeys {
             let free = Arc::new(ContinuousTrack::free(rail));
             return Ok(built(free.clone(), free, None));
         }
-        let two_layers = matches!(
-            track.model,
-            TrackModel::TwoLayer | TrackModel::TwoLayerPeriodic
-        );
+        let two_layers = matches!(track.model, TrackModel::TwoLayer | TrackModel::TwoLayerPeriodic);
         let (support, spacing) = self.support(two_layers, direction)?;
         let per_metre = self.physics("track.support_spacing", support.per_metre(spacing))?;
         if track.model.is_periodic() {
@@ -126,9 +117,7 @@ impl CheckedKeys {
             None
         };
         let support = support
-            .map(|(support, spacing)| {
-                self.physics("track.support_spacing", support.per_metre(spacing))
-            })
+            .map(|(support, spacing)| self.physics("track.support_spacing", support.per_metre(spacing)))
             .transpose()?;
         let beam = self.beam(steel, Direction::Vertical)?;
         let mut built = Track {
@@ -151,12 +140,8 @@ impl CheckedKeys {
     }
 
     fn measured(&self) -> Result<Track, CaseError> {
-        let measurement =
-            self.required("track.measurement", self.file.track.measurement.as_ref())?;
-        let folder = self
-            .folder
-            .as_ref()
-            .ok_or_else(|| self.text.names_a_file("track.measurement.file"))?;
+        let measurement = self.required("track.measurement", self.file.track.measurement.as_ref())?;
+        let folder = self.folder.as_ref().ok_or_else(|| self.text.names_a_file("track.measurement.file"))?;
         let measured = measurement::read(measurement, folder).map_err(|error| {
             let key = match error.key {
                 "" => "track.measurement".to_owned(),
@@ -195,16 +180,8 @@ impl CheckedKeys {
     /// True for a rail without shear and without loss, which has closed forms of its own.
     fn is_papers_rail(&self) -> bool {
         self.beam_model() == BeamModel::EulerBernoulli
-            && self
-                .file
-                .rail
-                .loss_factor
-                .is_none_or(|loss| loss.si() == 0.0)
-            && self
-                .file
-                .track
-                .rail_damping
-                .is_none_or(|damping| damping.si() == 0.0)
+            && self.file.rail.loss_factor.is_none_or(|loss| loss.si() == 0.0)
+            && self.file.track.rail_damping.is_none_or(|damping| damping.si() == 0.0)
     }
 
     fn papers_rail(&self, steel: ElasticMaterial) -> Result<EulerBernoulliBeam, CaseError> {
@@ -213,31 +190,19 @@ impl CheckedKeys {
         self.physics("rail", beam)
     }
 
-    pub(super) fn beam(
-        &self,
-        steel: ElasticMaterial,
-        direction: Direction,
-    ) -> Result<Beam, CaseError> {
+    pub(super) fn beam(&self, steel: ElasticMaterial, direction: Direction) -> Result<Beam, CaseError> {
         let rail = &self.file.rail;
         let (second_moment, shear_coefficient) = match direction {
             Direction::Lateral => (
                 ("rail.lateral_second_moment", rail.lateral_second_moment),
-                (
-                    "rail.lateral_shear_coefficient",
-                    rail.lateral_shear_coefficient,
-                ),
+                ("rail.lateral_shear_coefficient", rail.lateral_shear_coefficient),
             ),
-            _ => (
-                ("rail.second_moment", rail.second_moment),
-                ("rail.shear_coefficient", rail.shear_coefficient),
-            ),
+            _ => (("rail.second_moment", rail.second_moment), ("rail.shear_coefficient", rail.shear_coefficient)),
         };
         let second_moment = self.of_rail(second_moment.0, second_moment.1)?;
         let mass_per_length = self.mass_per_length()?;
         let beam = match self.beam_model() {
-            BeamModel::EulerBernoulli => {
-                EulerBernoulliBeam::new(steel, second_moment, mass_per_length).map(Beam::from)
-            }
+            BeamModel::EulerBernoulli => EulerBernoulliBeam::new(steel, second_moment, mass_per_length).map(Beam::from),
             BeamModel::Timoshenko => {
                 let shear = ShearSection {
                     area: self.of_rail("rail.area", rail.area)?,
@@ -255,9 +220,7 @@ impl CheckedKeys {
             }
         };
         let (loss_factor, damping) = self.rail_loss();
-        let beam = beam
-            .and_then(|beam| beam.with_loss_factor(loss_factor))
-            .and_then(|beam| beam.with_damping(damping));
+        let beam = beam.and_then(|beam| beam.with_loss_factor(loss_factor)).and_then(|beam| beam.with_damping(damping));
         self.physics("rail", beam)
     }
 
@@ -273,11 +236,7 @@ impl CheckedKeys {
     /// Loss factor and viscous damping of the rail.
     fn rail_loss(&self) -> (f64, f64) {
         let loss_factor = self.file.rail.loss_factor.map_or(0.0, |loss| loss.si());
-        let damping = self
-            .file
-            .track
-            .rail_damping
-            .map_or(0.0, |damping| damping.si());
+        let damping = self.file.track.rail_damping.map_or(0.0, |damping| damping.si());
         (loss_factor, damping)
     }
 
@@ -286,11 +245,7 @@ impl CheckedKeys {
     }
 
     /// A value of the rail that its model cannot do without.
-    fn of_rail<D: Dimension>(
-        &self,
-        key: &str,
-        value: Option<Quantity<D>>,
-    ) -> Result<f64, CaseError> {
+    fn of_rail<D: Dimension>(&self, key: &str, value: Option<Quantity<D>>) -> Result<f64, CaseError> {
         let help = match key {
             "rail.area" | "rail.shear_coefficient" => {
                 "Timoshenko's beam needs it: give it, name a preset by rail.section, or choose \
@@ -322,36 +277,26 @@ impl CheckedKeys {
     }
 
     /// A layer in one direction; its damping is in proportion to its stiffness in all of them.
-    fn layer(
-        &self,
-        key: &str,
-        support: Option<&Support>,
-        direction: Direction,
-    ) -> Result<Layer, CaseError> {
+    fn layer(&self, key: &str, support: Option<&Support>, direction: Direction) -> Result<Layer, CaseError> {
         let support = self.required(key, support)?;
         let vertical = self.required(&format!("{key}.stiffness"), support.stiffness)?;
         let stiffness = match direction {
             Direction::Vertical => vertical,
-            Direction::Lateral => self.required(
-                &format!("{key}.lateral_stiffness"),
-                support.lateral_stiffness,
-            )?,
-            Direction::Longitudinal => self.required(
-                &format!("{key}.longitudinal_stiffness"),
-                support.longitudinal_stiffness,
-            )?,
+            Direction::Lateral => self.required(&format!("{key}.lateral_stiffness"), support.lateral_stiffness)?,
+            Direction::Longitudinal => {
+                self.required(&format!("{key}.longitudinal_stiffness"), support.longitudinal_stiffness)?
+            }
         };
         if support.damping.is_none() && support.loss_factor.is_none() {
-            return Err(self.text.keys.missing(
-                &format!("{key}.damping"),
-                say!(give_damping_loss_factor_or_both, key = key),
-            ));
+            return Err(self
+                .text
+                .keys
+                .missing(&format!("{key}.damping"), say!(give_damping_loss_factor_or_both, key = key)));
         }
         let damping = support.damping.map_or(0.0, |damping| damping.si());
         let loss_factor = support.loss_factor.map_or(0.0, |loss| loss.si());
         let share = stiffness.si() / vertical.si();
-        let layer = Layer::new(stiffness.si(), damping * share)
-            .and_then(|layer| layer.with_loss_factor(loss_factor));
+        let layer = Layer::new(stiffness.si(), damping * share).and_then(|layer| layer.with_loss_factor(loss_factor));
         self.physics(key, layer)
     }
 
@@ -359,9 +304,7 @@ impl CheckedKeys {
     fn check_position(&self) -> Result<(), CaseError> {
         let track = &self.file.track;
         match (track.position, track.support_spacing) {
-            (Some(position), Some(spacing))
-                if track.model.is_periodic() && position.si() > spacing.si() =>
-            {
+            (Some(position), Some(spacing)) if track.model.is_periodic() && position.si() > spacing.si() => {
                 let rule = say!(at_most_the_support_spacing, spacing = spacing);
                 Err(self.out_of_range("track.position", position, &rule))
             }

@@ -66,11 +66,7 @@ pub(crate) fn remarks(
         ));
     }
     if let Some([band, contact]) = keys.band_under_wider_contact(hertz) {
-        remarks.push(say!(
-            band_narrower_than_contact,
-            band = fixed(1e3 * band, 0),
-            contact = fixed(1e3 * contact, 1)
-        ));
+        remarks.push(say!(band_narrower_than_contact, band = fixed(1e3 * band, 0), contact = fixed(1e3 * contact, 1)));
     }
     if !measured && bends_only && file.track.model.is_periodic() {
         remarks.push(say!(pinned_pinned_without_shear));
@@ -123,11 +119,7 @@ pub(crate) fn remarks(
 }
 
 /// Sentences on the validity of the models of the contact, down to the shortest wavelength asked for \[m\].
-pub(crate) fn of_contact(
-    keys: &CheckedKeys,
-    hertz: HertzContact,
-    shortest_asked: f64,
-) -> Vec<Message> {
+pub(crate) fn of_contact(keys: &CheckedKeys, hertz: HertzContact, shortest_asked: f64) -> Vec<Message> {
     let mut remarks = Vec::new();
     let file = &keys.file;
     let shortest = shortest_not_averaged(hertz);
@@ -160,11 +152,7 @@ pub(crate) fn of_contact(
     if keys.creep_law_name() == CreepLawName::POLACH
         && let Some(rolling) = polach.and_then(|polach| polach.speed)
     {
-        remarks.push(say!(
-            falling_friction_at_one_speed,
-            rolling = rolling.to_string(),
-            window = keys.window.name()
-        ));
+        remarks.push(say!(falling_friction_at_one_speed, rolling = rolling.to_string(), window = keys.window.name()));
     }
     remarks
 }
@@ -172,17 +160,11 @@ pub(crate) fn of_contact(
 /// That the geometry of a wave \[m\] is beyond what is known of it.
 pub(crate) fn shorter_than_patch(hertz: HertzContact, wavelength: f64) -> Option<Message> {
     let shortest = 3.0 * hertz.semi_axis_longitudinal();
-    (wavelength < shortest)
-        .then(|| say!(wave_shorter_than_patch, shortest = fixed(1e3 * shortest, 0)))
+    (wavelength < shortest).then(|| say!(wave_shorter_than_patch, shortest = fixed(1e3 * shortest, 0)))
 }
 
 /// What the wave's own geometry would take where the case does not speak of it, and where it leaves its range.
-fn of_waves(
-    keys: &CheckedKeys,
-    feedback: &Loop,
-    hertz: HertzContact,
-    [wavelength, speed]: [Axis; 2],
-) -> Vec<Message> {
+fn of_waves(keys: &CheckedKeys, feedback: &Loop, hertz: HertzContact, [wavelength, speed]: [Axis; 2]) -> Vec<Message> {
     let amplitude = feedback.amplitude();
     let curvature = |wavelength: f64| {
         let wavenumber = TAU / wavelength;
@@ -208,18 +190,15 @@ fn of_waves(
         let speed = 0.5 * (speed.min() + speed.max());
         let per_metre = 1.0 / (feedback.steady().energy_per_metre() * amplitude);
         let ratio = wavelength.max() / wavelength.min();
-        let looks = (0..=LOOKS)
-            .map(|step| wavelength.min() * ratio.powf(f64::from(step) / f64::from(LOOKS)))
-            .map(|wavelength| {
+        let looks = (0..=LOOKS).map(|step| wavelength.min() * ratio.powf(f64::from(step) / f64::from(LOOKS))).map(
+            |wavelength| {
                 let state = feedback.at(wavelength, speed);
                 (wavelength, -state.contacts[0].energy_at_rail.re * per_metre)
-            });
-        let fastest = looks
-            .filter(|(_, growth)| *growth > 0.0)
-            .max_by(|one, other| one.1.total_cmp(&other.1));
+            },
+        );
+        let fastest = looks.filter(|(_, growth)| *growth > 0.0).max_by(|one, other| one.1.total_cmp(&other.1));
         if let Some((wavelength, growth)) = fastest {
-            let share =
-                CurvatureFilter::of(&hertz).map_or(1.0, |filter| filter.share(TAU / wavelength));
+            let share = CurvatureFilter::of(&hertz).map_or(1.0, |filter| filter.share(TAU / wavelength));
             remarks.push(say!(
                 wave_geometry_left_out,
                 takes = readable(share * curvature(wavelength)),
@@ -243,17 +222,12 @@ fn readable(growth: f64) -> Value {
 fn unstable(feedback: &Loop, known_to: f64, speed: Axis) -> Option<Message> {
     type Judged = (f64, Result<Stability, Error>);
     let judged: Vec<Judged> = stability::over(feedback, known_to, speed).collect();
-    let grows = |found: &Result<Stability, Error>| {
-        found.as_ref().is_ok_and(|found| found.frequency.is_some())
-    };
+    let grows = |found: &Result<Stability, Error>| found.as_ref().is_ok_and(|found| found.frequency.is_some());
     let unknown = |found: &Result<Stability, Error>| found.is_err();
     // From the slowest speed of which that is so to the last one in a row.
     let first = |is: &dyn Fn(&Result<Stability, Error>) -> bool| {
         let from = judged.iter().position(|(_, found)| is(found))?;
-        let last = judged[from..]
-            .iter()
-            .take_while(|(_, found)| is(found))
-            .last()?;
+        let last = judged[from..].iter().take_while(|(_, found)| is(found)).last()?;
         stability::said([judged[from].0, last.0], &judged[from].1)
     };
     first(&grows).or_else(|| first(&unknown))

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use riffel::wheelset::{
-    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, RememberingWheelset, RigidBody,
-    RigidWheelset, Segment, Suspension,
+    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, RememberingWheelset, RigidBody, RigidWheelset,
+    Segment, Suspension,
 };
 use riffel::{ElasticMaterial, Rail};
 use riffel_keys::{CaseError, Message};
@@ -51,14 +51,9 @@ impl CheckedKeys {
         rail: Rail,
         remarks: &mut Vec<Message>,
     ) -> Result<CaseWheelset, CaseError> {
-        let contacts = ContactGeometry {
-            contact_spacing: keys.contact_spacing,
-            rolling_radius,
-        };
+        let contacts = ContactGeometry { contact_spacing: keys.contact_spacing, rolling_radius };
         let suspension = keys.suspension.as_ref();
-        let suspension = suspension
-            .map(|suspension| self.suspension(suspension))
-            .transpose()?;
+        let suspension = suspension.map(|suspension| self.suspension(suspension)).transpose()?;
         match &keys.model {
             WheelsetModelKeys::Rigid(body) => {
                 let rigid = self.rigid_wheelset(body, contacts, suspension)?;
@@ -81,8 +76,8 @@ impl CheckedKeys {
                 Ok(CaseWheelset::Modal(Box::new(modal), rigid))
             }
             WheelsetModelKeys::Measured { file } => {
-                let measured = WheelsetReceptances::read(file, rail)
-                    .map_err(|error| self.wheelset_file_error(&error))?;
+                let measured =
+                    WheelsetReceptances::read(file, rail).map_err(|error| self.wheelset_file_error(&error))?;
                 remarks.extend(measured.remarks);
                 Ok(CaseWheelset::Measured(measured.wheelset))
             }
@@ -99,11 +94,7 @@ impl CheckedKeys {
         contacts: ContactGeometry,
         suspension: Option<Suspension>,
     ) -> Result<RigidWheelset, CaseError> {
-        let body = RigidBody {
-            mass: body.mass,
-            roll_inertia: body.roll_inertia,
-            spin_inertia: body.spin_inertia,
-        };
+        let body = RigidBody { mass: body.mass, roll_inertia: body.roll_inertia, spin_inertia: body.spin_inertia };
         let rigid = self.physics("wheelset", RigidWheelset::new(body, contacts))?;
         Ok(match suspension {
             Some(suspension) => rigid.with_suspension(suspension),
@@ -112,16 +103,8 @@ impl CheckedKeys {
     }
 
     fn suspension(&self, keys: &file::Suspension) -> Result<Suspension, CaseError> {
-        let stiffness = [
-            keys.longitudinal_stiffness,
-            keys.lateral_stiffness,
-            keys.vertical_stiffness,
-        ];
-        let damping = [
-            keys.longitudinal_damping,
-            keys.lateral_damping,
-            keys.vertical_damping,
-        ];
+        let stiffness = [keys.longitudinal_stiffness, keys.lateral_stiffness, keys.vertical_stiffness];
+        let damping = [keys.longitudinal_damping, keys.lateral_damping, keys.vertical_damping];
         let suspension = Suspension::new(
             stiffness.map(|stiffness| stiffness.si()),
             damping.map(|damping| damping.si()),

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
 use riffel::curving::{
-    Axle, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring, GRAVITY, Kinematics,
-    LawOnEllipse, RunningSurfaces, VehicleInCurve,
+    Axle, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring, GRAVITY, Kinematics, LawOnEllipse,
+    RunningSurfaces, VehicleInCurve,
 };
 use riffel_keys::quantity::{Dimension, Quantity};
 
@@ -36,11 +36,7 @@ impl CurvingCase {
         let kinematics = self.kinematics(curve.theory, profiles)?;
         let axle = self.axle(bogie, self.contact_spacing(profiles)?)?;
         Ok(VehicleInCurve {
-            curve: Curve {
-                radius: curve.radius.si(),
-                cant: curve.cant.si(),
-                speed: curve.speed.si(),
-            },
+            curve: Curve { radius: curve.radius.si(), cant: curve.cant.si(), speed: curve.speed.si() },
             kinematics,
             creep: self.creep(curve.theory, profiles, contact, &axle)?,
             drive_torque: self.drive_torque(bogie, running_gear.wheelsets())?,
@@ -49,31 +45,16 @@ impl CurvingCase {
         })
     }
 
-    fn table<'a, T>(
-        &self,
-        key: &str,
-        table: &'a Option<T>,
-        needs: &str,
-    ) -> Result<&'a T, CaseError> {
+    fn table<'a, T>(&self, key: &str, table: &'a Option<T>, needs: &str) -> Result<&'a T, CaseError> {
         let help = say!(give_with, key = key, needs = needs);
-        table
-            .as_ref()
-            .ok_or_else(|| self.text.keys.missing(key, &help))
+        table.as_ref().ok_or_else(|| self.text.keys.missing(key, &help))
     }
 
     pub(super) fn profiles(&self) -> Result<&Profiles, CaseError> {
-        self.table(
-            "profiles",
-            &self.file.profiles,
-            "wheel and rail, or wheel = \"cone\" and conicity",
-        )
+        self.table("profiles", &self.file.profiles, "wheel and rail, or wheel = \"cone\" and conicity")
     }
 
-    pub(super) fn required<D: Dimension>(
-        &self,
-        key: &str,
-        value: Option<Quantity<D>>,
-    ) -> Result<f64, CaseError> {
+    pub(super) fn required<D: Dimension>(&self, key: &str, value: Option<Quantity<D>>) -> Result<f64, CaseError> {
         let value = value.ok_or_else(|| self.text.keys.missing(key, ""))?;
         Ok(value.si())
     }
@@ -89,11 +70,7 @@ impl CurvingCase {
         let placed = profiles.flange_back_distance.si() - 2.0 * profiles.flange_back_position.si();
         match given {
             Some(given) if (given.si() - placed).abs() > SAME_SPACING => {
-                let rule = say!(
-                    is_but_the_profiles_lie_m,
-                    given = given,
-                    placed = number(format_args!("{placed:.4}"))
-                );
+                let rule = say!(is_but_the_profiles_lie_m, given = given, placed = number(format_args!("{placed:.4}")));
                 let help = "leave it out, or change flange_back_distance";
                 Err(self.text.keys.invalid(key, &rule, help))
             }
@@ -101,11 +78,7 @@ impl CurvingCase {
         }
     }
 
-    fn kinematics(
-        &self,
-        theory: CurvingTheory,
-        profiles: &Profiles,
-    ) -> Result<Kinematics, CaseError> {
+    fn kinematics(&self, theory: CurvingTheory, profiles: &Profiles) -> Result<Kinematics, CaseError> {
         let keys = &self.text.keys;
         let plane = match (profiles.contact_plane, profiles.contact_shift_moment) {
             (file::ContactPlane::Horizontal, Some(true)) => {
@@ -113,9 +86,9 @@ impl CurvingCase {
                 return Err(keys.invalid("profiles.contact_shift_moment", rule, ""));
             }
             (file::ContactPlane::Horizontal, _) => ContactPlane::Horizontal,
-            (file::ContactPlane::Tilted, shift_moment) => ContactPlane::Tilted {
-                shift_moment: shift_moment.unwrap_or(is_cone(profiles)),
-            },
+            (file::ContactPlane::Tilted, shift_moment) => {
+                ContactPlane::Tilted { shift_moment: shift_moment.unwrap_or(is_cone(profiles)) }
+            }
         };
         if !is_cone(profiles) {
             return self.on_profiles(theory, profiles, plane);
@@ -124,9 +97,8 @@ impl CurvingCase {
             let rule = "is set, but profiles.wheel = \"cone\" stands for both wheels";
             return Err(keys.invalid(file::LEFT_WHEEL, rule, ""));
         }
-        let conicity = profiles
-            .conicity
-            .ok_or_else(|| keys.missing("profiles.conicity", say!(profiles_wheel_cone_needs_it)))?;
+        let conicity =
+            profiles.conicity.ok_or_else(|| keys.missing("profiles.conicity", say!(profiles_wheel_cone_needs_it)))?;
         let conicity = conicity.si();
         if theory == CurvingTheory::Linear {
             return match profiles.flange {
@@ -144,23 +116,11 @@ impl CurvingCase {
         if let Some(flange) = profiles.flange {
             let is_spring = profiles.contact_plane == file::ContactPlane::Horizontal;
             let (needed, foreign, name) = match is_spring {
-                true => (
-                    &["clearance", "stiffness"][..],
-                    &["slope", "shift", "width"][..],
-                    "horizontal",
-                ),
-                false => (
-                    &["slope", "shift", "width"][..],
-                    &["clearance", "stiffness"][..],
-                    "tilted",
-                ),
+                true => (&["clearance", "stiffness"][..], &["slope", "shift", "width"][..], "horizontal"),
+                false => (&["slope", "shift", "width"][..], &["clearance", "stiffness"][..], "tilted"),
             };
             if let Some(wrong) = foreign.iter().find(|name| keys.has(&key(name))) {
-                let rule = say!(
-                    is_set_but_profiles_contact_plane,
-                    name = name,
-                    keys = needed.join(", ")
-                );
+                let rule = say!(is_set_but_profiles_contact_plane, name = name, keys = needed.join(", "));
                 return Err(keys.invalid(&key(wrong), &rule, ""));
             }
             if is_spring {
@@ -177,11 +137,7 @@ impl CurvingCase {
                 });
             }
         }
-        Ok(Kinematics::Nonlinear {
-            surfaces,
-            contact_plane: plane,
-            flange: spring,
-        })
+        Ok(Kinematics::Nonlinear { surfaces, contact_plane: plane, flange: spring })
     }
 
     /// Creep on both rails.
@@ -234,8 +190,7 @@ impl CurvingCase {
                 };
                 let hertz = HertzContact::exact(material, radius, across, load).map_err(physics)?;
                 let ratio = hertz.semi_axis_longitudinal() / hertz.semi_axis_lateral();
-                let kalker =
-                    KalkerCoefficients::new(material.poisson_ratio(), ratio).map_err(physics)?;
+                let kalker = KalkerCoefficients::new(material.poisson_ratio(), ratio).map_err(physics)?;
                 Some(CreepEllipse::new(hertz, kalker))
             }
             None => None,
@@ -245,29 +200,26 @@ impl CurvingCase {
             let help = "leave it out, or choose contact.creep_law = \"shen-hedrick-elkins\"";
             return Err(keys.invalid("contact.creep_coefficients", rule, help));
         }
-        let [left, right] = contact
-            .friction
-            .of_rails()
-            .map(|friction| match (law, ellipse) {
-                (CurvingLaw::Linear, Some(ellipse)) => Ok(Creep::Linear { ellipse, friction }),
-                (_, Some(ellipse)) => ShenHedrickElkins::new(ellipse, friction)
-                    .map(|law| Creep::Law(Arc::new(law)))
-                    .map_err(physics),
-                (_, None) => Ok(Creep::Local {
-                    law: match law {
-                        CurvingLaw::Fastsim => LawOnEllipse::Fastsim,
-                        _ => LawOnEllipse::ShenHedrickElkins,
-                    },
-                    material: material()?,
-                    rolling_radius: self.file.wheel.rolling_radius.si(),
-                    lateral_curvature: match is_cone(profiles) {
-                        true => transverse_radius()?.recip(),
-                        // Profiles tell theirs.
-                        false => f64::NAN,
-                    },
-                    friction,
-                }),
-            });
+        let [left, right] = contact.friction.of_rails().map(|friction| match (law, ellipse) {
+            (CurvingLaw::Linear, Some(ellipse)) => Ok(Creep::Linear { ellipse, friction }),
+            (_, Some(ellipse)) => {
+                ShenHedrickElkins::new(ellipse, friction).map(|law| Creep::Law(Arc::new(law))).map_err(physics)
+            }
+            (_, None) => Ok(Creep::Local {
+                law: match law {
+                    CurvingLaw::Fastsim => LawOnEllipse::Fastsim,
+                    _ => LawOnEllipse::ShenHedrickElkins,
+                },
+                material: material()?,
+                rolling_radius: self.file.wheel.rolling_radius.si(),
+                lateral_curvature: match is_cone(profiles) {
+                    true => transverse_radius()?.recip(),
+                    // Profiles tell theirs.
+                    false => f64::NAN,
+                },
+                friction,
+            }),
+        });
         Ok([left?, right?])
     }
 }

@@ -9,8 +9,7 @@ use crate::CaseKey;
 use crate::file::CurvingFile;
 use crate::key::keys_of;
 
-static KEYS: LazyLock<Vec<CaseKey>> =
-    LazyLock::new(|| keys_of(&schemars::schema_for!(CurvingFile).to_value()));
+static KEYS: LazyLock<Vec<CaseKey>> = LazyLock::new(|| keys_of(&schemars::schema_for!(CurvingFile).to_value()));
 
 impl CaseKey {
     /// The key of this name, of a case or of what curving takes of one, as `contact.friction.left`.
@@ -34,12 +33,7 @@ fn refuse_unknown_in(keys: &KeyFile, parent: &str, table: &Table) -> Result<(), 
         if known().any(|known| known.key == key) {
             continue;
         }
-        let is_table = known().any(|known| {
-            known
-                .key
-                .strip_prefix(&key)
-                .is_some_and(|rest| rest.starts_with('.'))
-        });
+        let is_table = known().any(|known| known.key.strip_prefix(&key).is_some_and(|rest| rest.starts_with('.')));
         match value {
             Value::Table(inner) if is_table => refuse_unknown_in(keys, &key, inner)?,
             // The reader tells of a value where a table is needed.
@@ -47,8 +41,7 @@ fn refuse_unknown_in(keys: &KeyFile, parent: &str, table: &Table) -> Result<(), 
             _ => {
                 let likeness = |known: &&CaseKey| strsim::jaro_winkler(&key, &known.key);
                 let nearest = known().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-                let help =
-                    nearest.map_or(String::new(), |near| format!("did you mean {}?", near.key));
+                let help = nearest.map_or(String::new(), |near| format!("did you mean {}?", near.key));
                 return Err(keys.invalid(&key, say!(is_unknown_key), &help));
             }
         }
@@ -84,17 +77,9 @@ mod tests {
     fn every_quantity_of_curving_has_a_range() {
         for known in KEYS.iter().filter(|known| known.quantity.is_some()) {
             let range = PhysicalRange::of(&known.key.replace("[]", "[0]"));
-            assert_eq!(
-                range.map(|range| range.kind),
-                known.quantity,
-                "{}",
-                known.key
-            );
+            assert_eq!(range.map(|range| range.kind), known.quantity, "{}", known.key);
         }
-        assert!(
-            KEYS.iter()
-                .any(|known| known.key == "contact.friction.left")
-        );
+        assert!(KEYS.iter().any(|known| known.key == "contact.friction.left"));
         assert!(KEYS.iter().any(|known| known.key == "bogie.drive_torque[]"));
     }
 }

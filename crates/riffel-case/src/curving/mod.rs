@@ -97,12 +97,7 @@ impl CurvingCase {
         profiles.names().into_iter().find(file).map(|(key, _)| key)
     }
 
-    fn build(
-        name: &str,
-        folder: &Path,
-        text: &str,
-        overrides: &[String],
-    ) -> Result<Self, CaseError> {
+    fn build(name: &str, folder: &Path, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
         let mut text = CaseText::parse(name, text)?;
         text.apply(overrides)?;
         Self::of_text(text, folder)
@@ -131,13 +126,7 @@ impl CurvingCase {
         }
         let mut remarks = keys::judge(&text.keys)?;
         remarks.extend(of_loop);
-        Ok(Self {
-            text,
-            folder: folder.to_owned(),
-            file,
-            remarks,
-            shared: SharedProfiles::default(),
-        })
+        Ok(Self { text, folder: folder.to_owned(), file, remarks, shared: SharedProfiles::default() })
     }
 
     /// The case with one more override `key=value`.
@@ -178,9 +167,7 @@ impl CurvingCase {
     /// # Errors
     /// [`CaseError`] where none is found.
     pub(crate) fn equilibrium(&self, vehicle: &VehicleInCurve) -> Result<VehicleState, CaseError> {
-        vehicle
-            .equilibrium()
-            .map_err(|error| self.no_equilibrium(error))
+        vehicle.equilibrium().map_err(|error| self.no_equilibrium(error))
     }
 
     /// Every equilibrium found of a vehicle of this case, first that to which straight track leads.
@@ -188,15 +175,12 @@ impl CurvingCase {
     /// # Errors
     /// [`CaseError`] where none is found.
     pub fn equilibria(&self, vehicle: &VehicleInCurve) -> Result<Vec<VehicleState>, CaseError> {
-        vehicle
-            .equilibria()
-            .map_err(|error| self.no_equilibrium(error))
+        vehicle.equilibria().map_err(|error| self.no_equilibrium(error))
     }
 
     fn no_equilibrium(&self, error: riffel::Error) -> CaseError {
         let profiles = self.file.profiles.as_ref();
-        let endless =
-            profiles.is_some_and(|profiles| is_cone(profiles) && profiles.flange.is_none());
+        let endless = profiles.is_some_and(|profiles| is_cone(profiles) && profiles.flange.is_none());
         match error {
             riffel::Error::OffTheRails { .. } if endless => {
                 let help = "cones without profiles.flange have no end; give a flange, or take a wider curve";

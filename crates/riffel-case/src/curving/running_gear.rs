@@ -8,11 +8,7 @@ use crate::file;
 
 impl CurvingCase {
     /// The wheelsets of the case with what each carries.
-    pub(super) fn axle(
-        &self,
-        bogie: &file::Bogie,
-        contact_spacing: f64,
-    ) -> Result<Axle, CaseError> {
+    pub(super) fn axle(&self, bogie: &file::Bogie, contact_spacing: f64) -> Result<Axle, CaseError> {
         Ok(Axle {
             primary_spacing: bogie.primary_spacing.si(),
             primary_longitudinal_stiffness: bogie.primary_longitudinal_stiffness.si(),
@@ -63,9 +59,7 @@ impl CurvingCase {
             return foreign("bogie.frame_lateral_shift", of_one);
         }
         let help = "two wheelsets need it; a lone one has bogie.wheelsets = 1";
-        let wheelbase = bogie
-            .wheelbase
-            .ok_or_else(|| keys.missing("bogie.wheelbase", help))?;
+        let wheelbase = bogie.wheelbase.ok_or_else(|| keys.missing("bogie.wheelbase", help))?;
         let frame = BogieFrame {
             wheelbase: wheelbase.si(),
             yaw_moment: bogie.frame_yaw_moment.map_or(0.0, |moment| moment.si()),
@@ -74,10 +68,7 @@ impl CurvingCase {
             return Ok(RunningGear::Bogie(frame));
         };
         if body.bogie_spacing.si() <= frame.wheelbase {
-            let rule = format!(
-                "is {}, but must be larger than the wheelbase of {wheelbase}",
-                body.bogie_spacing
-            );
+            let rule = format!("is {}, but must be larger than the wheelbase of {wheelbase}", body.bogie_spacing);
             return Err(keys.invalid("body.bogie_spacing", &rule, ""));
         }
         Ok(RunningGear::Vehicle {
@@ -92,11 +83,7 @@ impl CurvingCase {
     }
 
     /// Torques of the wheelsets \[N m\].
-    pub(super) fn drive_torque(
-        &self,
-        bogie: &file::Bogie,
-        wheelsets: usize,
-    ) -> Result<Vec<f64>, CaseError> {
+    pub(super) fn drive_torque(&self, bogie: &file::Bogie, wheelsets: usize) -> Result<Vec<f64>, CaseError> {
         let torques = &bogie.drive_torque;
         if torques.is_empty() {
             return Ok(vec![0.0; wheelsets]);
@@ -117,10 +104,7 @@ impl CurvingCase {
         match (&self.file.body, wheelbase) {
             (Some(body), _) => (say!(distance_of_the_bogies), body.bogie_spacing.si()),
             (None, Some(wheelbase)) => (say!(wheelbase_of_the_bogie), wheelbase.si()),
-            (None, None) => (
-                say!(distance_of_the_contacts),
-                spacing.map_or(1.5, |spacing| spacing.si()),
-            ),
+            (None, None) => (say!(distance_of_the_contacts), spacing.map_or(1.5, |spacing| spacing.si())),
         }
     }
 }

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use riffel::curving::{ContactPlane, Kinematics};
 use riffel::profile::{
-    NOMINAL, NominalProfile, Profile, ProfileError, RadiusDifference, RollingTable, Track,
-    WheelDimensions, Wheels, WheelsetOnTrack,
+    NOMINAL, NominalProfile, Profile, ProfileError, RadiusDifference, RollingTable, Track, WheelDimensions, Wheels,
+    WheelsetOnTrack,
 };
 use riffel::{ElasticMaterial, Rail};
 use std::sync::Arc;
@@ -34,10 +34,7 @@ pub(crate) struct SharedProfiles {
 impl SharedProfiles {
     /// Those that are kept as long as any case that shares them.
     pub(crate) fn kept() -> Self {
-        Self {
-            wheelsets: Shared::kept(),
-            surfaces: Shared::kept(),
-        }
+        Self { wheelsets: Shared::kept(), surfaces: Shared::kept() }
     }
 }
 
@@ -45,9 +42,7 @@ impl SharedProfiles {
 fn farthest(wheelset: &WheelsetOnTrack) -> f64 {
     let flanges = Rail::BOTH.map(|rail| wheelset.flange_shift(rail, 0.0));
     let flanges = flanges.into_iter().flatten();
-    flanges.fold(FARTHEST, |farthest, flange| {
-        farthest.max(flange + BEYOND_FLANGE)
-    })
+    flanges.fold(FARTHEST, |farthest, flange| farthest.max(flange + BEYOND_FLANGE))
 }
 
 impl CurvingCase {
@@ -84,10 +79,7 @@ impl CurvingCase {
             let rule = say!(is_cone_without_profile);
             return Err(self.text.keys.invalid("profiles.wheel", rule, help));
         }
-        let (left, right) = (
-            self.profile_of_rail(Rail::Left)?,
-            self.profile_of_rail(Rail::Right)?,
-        );
+        let (left, right) = (self.profile_of_rail(Rail::Left)?, self.profile_of_rail(Rail::Right)?);
         let wheel = self.profile("profiles.wheel", &profiles.wheel)?.profile;
         let left_wheel = match &profiles.left_wheel {
             Some(left) => self.profile(LEFT_WHEEL, left)?.profile,
@@ -99,13 +91,9 @@ impl CurvingCase {
             }
             error => self.text.keys.invalid(key, &error, ""),
         };
-        let track = Track::new(
-            [&left, &right],
-            profiles.gauge.si(),
-            profiles.gauge_height.si(),
-            profiles.inclination.slope,
-        )
-        .map_err(|error| fits("profiles.rail", error))?;
+        let track =
+            Track::new([&left, &right], profiles.gauge.si(), profiles.gauge_height.si(), profiles.inclination.slope)
+                .map_err(|error| fits("profiles.rail", error))?;
         let wheels = Wheels::new(
             [&left_wheel, &wheel],
             self.rolling_radii(),
@@ -131,11 +119,7 @@ impl CurvingCase {
             Err(self.text.keys.invalid("profiles.gauge", &rule, help))
         };
         let flange_back = profiles.flange_back_position.si();
-        let thickness = |wheel| {
-            WheelDimensions::new(wheel, flange_back)
-                .ok()?
-                .flange_thickness
-        };
+        let thickness = |wheel| WheelDimensions::new(wheel, flange_back).ok()?.flange_thickness;
         if let [Some(left), Some(right)] = wheels.map(thickness) {
             let flanges = left + right;
             let over = profiles.flange_back_distance.si() + flanges;
@@ -152,10 +136,7 @@ impl CurvingCase {
             return refuse(say!(
                 is_but_the_wheels_mm_wide,
                 gauge = gauge,
-                width = number(format_args!(
-                    "{:.1}",
-                    1e3 * (wheelset.wheels.spacing() + ends)
-                ))
+                width = number(format_args!("{:.1}", 1e3 * (wheelset.wheels.spacing() + ends)))
             ));
         }
         Ok(())
@@ -166,10 +147,7 @@ impl CurvingCase {
     ///
     /// # Errors
     /// As [`wheelset_on_track`](Self::wheelset_on_track), and where the centred wheelset does not touch both rails.
-    pub fn radius_differences(
-        &self,
-        wheelset: &WheelsetOnTrack,
-    ) -> Result<[RadiusDifference; 2], CaseError> {
+    pub fn radius_differences(&self, wheelset: &WheelsetOnTrack) -> Result<[RadiusDifference; 2], CaseError> {
         let [_, right] = self.rolling_radii();
         let farthest = farthest(wheelset);
         let of = |table: Result<RadiusDifference, ProfileError>| {
@@ -185,10 +163,7 @@ impl CurvingCase {
     pub fn rolling_radii(&self) -> [f64; 2] {
         let wheel = &self.file.wheel;
         let right = wheel.rolling_radius.si();
-        [
-            wheel.left_rolling_radius.map_or(right, |left| left.si()),
-            right,
-        ]
+        [wheel.left_rolling_radius.map_or(right, |left| left.si()), right]
     }
 
     /// What is to be told of the points of profiles that are files.
@@ -228,14 +203,8 @@ impl CurvingCase {
             let known = of_kind.map(|one| one.name).collect::<Vec<_>>().join(", ");
             let (name, known) = (nominal.name, known.as_str());
             let [rule, help] = match is_wheel {
-                true => [
-                    say!(is_nominal_rail, name = name),
-                    say!(nominal_wheels, known = known),
-                ],
-                false => [
-                    say!(is_nominal_wheel, name = name),
-                    say!(nominal_rails, known = known),
-                ],
+                true => [say!(is_nominal_rail, name = name), say!(nominal_wheels, known = known)],
+                false => [say!(is_nominal_wheel, name = name), say!(nominal_rails, known = known)],
             };
             return Err(self.text.keys.invalid(key, rule, help));
         }
@@ -252,26 +221,16 @@ impl CurvingCase {
                 true => profiles.wheel_orientation,
                 false => profiles.rail_orientation,
             }),
-            scatter: profiles
-                .and_then(|profiles| profiles.scatter)
-                .map(|scatter| scatter.si()),
-            flange_back: profiles.map_or(ProfileReading::default().flange_back, |profiles| {
-                profiles.flange_back_position.si()
-            }),
+            scatter: profiles.and_then(|profiles| profiles.scatter).map(|scatter| scatter.si()),
+            flange_back: profiles
+                .map_or(ProfileReading::default().flange_back, |profiles| profiles.flange_back_position.si()),
         };
         profile_of(name, &self.folder, reading).map_err(|error| match error {
             CaseError::Read { reason, .. } => {
                 let known = NOMINAL.map(|profile| profile.name).join(", ");
                 let path = self.folder.join(Path::new(name));
-                let rule = say!(
-                    is_but_cannot_be_read,
-                    name = name,
-                    path = path.display(),
-                    reason = reason.to_string()
-                );
-                self.text
-                    .keys
-                    .invalid(key, &rule, say!(nominal_profiles, known = known))
+                let rule = say!(is_but_cannot_be_read, name = name, path = path.display(), reason = reason.to_string());
+                self.text.keys.invalid(key, &rule, say!(nominal_profiles, known = known))
             }
             error => error,
         })
@@ -288,10 +247,8 @@ impl CurvingCase {
             let (rule, help) = (say!(is_profile_in_linear_theory), say!(choose_cone));
             return Err(self.text.keys.invalid("profiles.wheel", rule, help));
         }
-        let of_cones = [
-            ("profiles.conicity", profiles.conicity.is_some()),
-            ("profiles.flange", profiles.flange.is_some()),
-        ];
+        let of_cones =
+            [("profiles.conicity", profiles.conicity.is_some()), ("profiles.flange", profiles.flange.is_some())];
         if let Some((key, _)) = of_cones.into_iter().find(|(_, given)| *given) {
             let rule = say!(is_set_but_of_cones);
             return Err(self.text.keys.invalid(key, rule, ""));

@@ -1,9 +1,7 @@
 //! The keys of the contact.
 
 use riffel::contact::HalfSpace;
-use riffel_keys::quantity::{
-    Angle, Force, Length, Quantity, Ratio, RelativeSlope, Speed, Stiffness, VelocityDecay,
-};
+use riffel_keys::quantity::{Angle, Force, Length, Quantity, Ratio, RelativeSlope, Speed, Stiffness, VelocityDecay};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

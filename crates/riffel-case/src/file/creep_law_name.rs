@@ -63,9 +63,7 @@ impl JsonSchema for CreepLawName {
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let described = |name: &str, description: &str| json_schema!({ "description": description, "type": "string", "const": name });
         let laws = CREEP_LAWS.iter();
-        let mut laws: Vec<Schema> = laws
-            .map(|entry| described(entry.name, entry.description))
-            .collect();
+        let mut laws: Vec<Schema> = laws.map(|entry| described(entry.name, entry.description)).collect();
         laws.push(described(Self::HALF_SPACE.0, "Kalker's exact theory."));
         json_schema!({ "description": "Steady creep law.", "oneOf": laws })
     }

@@ -36,11 +36,7 @@ pub struct VectorCreepage {
 
 impl Default for VectorCreepage {
     fn default() -> Self {
-        Self {
-            longitudinal: Quantity::new(0.0),
-            lateral: Quantity::new(0.0),
-            spin: Quantity::new(0.0),
-        }
+        Self { longitudinal: Quantity::new(0.0), lateral: Quantity::new(0.0), spin: Quantity::new(0.0) }
     }
 }
 
@@ -87,14 +83,11 @@ impl<'de> Deserialize<'de> for Creepage {
             type Value = Creepage;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(
-                    "a ratio such as 0.004 or \"0.4 %\", or a table of longitudinal, lateral and spin",
-                )
+                f.write_str("a ratio such as 0.004 or \"0.4 %\", or a table of longitudinal, lateral and spin")
             }
 
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
-                Quantity::deserialize(de::value::F64Deserializer::new(value))
-                    .map(Creepage::Longitudinal)
+                Quantity::deserialize(de::value::F64Deserializer::new(value)).map(Creepage::Longitudinal)
             }
 
             fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {

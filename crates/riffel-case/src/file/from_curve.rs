@@ -55,11 +55,7 @@ pub enum CurveRail {
 impl CurveRail {
     /// Which one it is in a curve of a radius \[m\], above zero to the right.
     pub fn in_curve(self, radius: f64) -> Rail {
-        let inner = if radius > 0.0 {
-            Rail::Right
-        } else {
-            Rail::Left
-        };
+        let inner = if radius > 0.0 { Rail::Right } else { Rail::Left };
         match self {
             Self::Low => inner,
             Self::High => inner.opposite(),

@@ -89,14 +89,7 @@ mod tests {
             let read = MeasuredWear::in_words(text);
             assert_eq!(read, Some([depth.to_owned(), per.to_owned()]), "{text}");
         }
-        for text in [
-            "1.2 mm",
-            "1.2 / 100",
-            "1.2 mm / 100",
-            "1.2 mm / 100 km",
-            "1 kg / 1 MGT",
-            "",
-        ] {
+        for text in ["1.2 mm", "1.2 / 100", "1.2 mm / 100", "1.2 mm / 100 km", "1 kg / 1 MGT", ""] {
             assert_eq!(MeasuredWear::in_words(text), None, "{text}");
         }
     }

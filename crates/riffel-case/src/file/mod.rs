@@ -20,21 +20,16 @@ use riffel_keys::quantity::{Density, Length, Modulus, Quantity, Ratio, Speed, We
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use contact::{
-    Conformity, Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters,
-    WavePatch,
-};
+pub use contact::{Conformity, Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters, WavePatch};
 pub use creep_law_name::CreepLawName;
 pub use creepage::{Creepage, VectorCreepage};
 pub(crate) use curving::LEFT_WHEEL;
 pub use curving::{
-    Body, Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw,
-    CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination,
-    ProfileKind, ProfileOrientation, Profiles, RailFriction, RailProfiles, RailProfilesByRail,
+    Body, Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw, CurvingTheory,
+    CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination, ProfileKind, ProfileOrientation, Profiles,
+    RailFriction, RailProfiles, RailProfilesByRail,
 };
-pub use damage::{
-    Bending, Damage, DamageLawName, Fatigue, Flow, FlowAlong, LimitName, Load, RailGrade,
-};
+pub use damage::{Bending, Damage, DamageLawName, Fatigue, Flow, FlowAlong, LimitName, Load, RailGrade};
 pub use from_curve::{ContactOfWheel, CurveRail, FromCurve, Patch};
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measured_wear::MeasuredWear;
@@ -44,9 +39,7 @@ pub use rail::{BeamModel, Rail};
 pub use track::{Sleeper, Support, Track, TrackModel};
 pub use train::{Comb, Train};
 pub use wheel::{Rotation, Wheel};
-pub use wheelset::{
-    Axle, AxleSegment, Disc, OppositeRail, RailSide, Suspension, Wheelset, WheelsetModel,
-};
+pub use wheelset::{Axle, AxleSegment, Disc, OppositeRail, RailSide, Suspension, Wheelset, WheelsetModel};
 
 /// A Riffel case: one vehicle wheel on one track, or wheelsets on both rails.
 ///
@@ -119,10 +112,7 @@ pub struct Steel {
 
 impl Default for Steel {
     fn default() -> Self {
-        Self {
-            youngs_modulus: Quantity::new(207e9),
-            poisson_ratio: Quantity::new(0.3),
-        }
+        Self { youngs_modulus: Quantity::new(207e9), poisson_ratio: Quantity::new(0.3) }
     }
 }
 
@@ -136,9 +126,7 @@ pub struct Corrugation {
 
 impl Default for Corrugation {
     fn default() -> Self {
-        Self {
-            amplitude: Quantity::new(31.5e-6),
-        }
+        Self { amplitude: Quantity::new(31.5e-6) }
     }
 }
 

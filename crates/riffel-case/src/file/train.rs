@@ -16,10 +16,7 @@ pub struct Train {
 
 impl Default for Train {
     fn default() -> Self {
-        Self {
-            wheels: vec![Quantity::new(0.0)],
-            comb: Comb::default(),
-        }
+        Self { wheels: vec![Quantity::new(0.0)], comb: Comb::default() }
     }
 }
 

@@ -1,8 +1,7 @@
 //! The keys of the wheelset.
 
 use riffel_keys::quantity::{
-    Damping, Density, Inertia, Length, Mass, Modulus, Quantity, Ratio, Stiffness, TorsionalDamping,
-    TorsionalStiffness,
+    Damping, Density, Inertia, Length, Mass, Modulus, Quantity, Ratio, Stiffness, TorsionalDamping, TorsionalStiffness,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

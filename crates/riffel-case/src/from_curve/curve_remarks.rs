@@ -24,25 +24,11 @@ impl CaseText {
             return;
         }
         let percent = 100.0 * share;
-        self.curve_remarks.push(say!(
-            second_point_left_out,
-            rail = on_rail(rail),
-            percent = fixed(percent, 0)
-        ));
+        self.curve_remarks.push(say!(second_point_left_out, rail = on_rail(rail), percent = fixed(percent, 0)));
     }
 
-    pub(super) fn tell_where_from(
-        &mut self,
-        from: &FromCurve,
-        rail: Rail,
-        curve: &Curve,
-        contact: &MeanContact,
-    ) {
-        let Creepages {
-            longitudinal,
-            lateral,
-            spin,
-        } = contact.creepages;
+    pub(super) fn tell_where_from(&mut self, from: &FromCurve, rail: Rail, curve: &Curve, contact: &MeanContact) {
+        let Creepages { longitudinal, lateral, spin } = contact.creepages;
         let (radius, speed) = (curve.radius.abs(), curve.speed);
         let (along, across) = (100.0 * longitudinal, 100.0 * lateral);
         let angle = contact.contact_angle.to_degrees();

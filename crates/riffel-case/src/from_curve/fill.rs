@@ -34,11 +34,7 @@ impl CaseText {
         if is_number {
             instead.push(key("creepage"));
         } else if creeps {
-            let Creepages {
-                longitudinal,
-                lateral,
-                spin,
-            } = contact.creepages;
+            let Creepages { longitudinal, lateral, spin } = contact.creepages;
             self.fill_number(&key("creepage.longitudinal"), longitudinal, instead);
             self.fill_number(&key("creepage.lateral"), turn * lateral, instead);
             self.fill_spin(&key("creepage.spin"), turn * spin, instead);
@@ -53,18 +49,10 @@ impl CaseText {
         if let Some(stiffness) = contact.stiffness {
             self.fill_number(&key("stiffness"), stiffness, instead);
         }
-        self.fill_number(
-            &key("longitudinal_radius"),
-            contact.longitudinal_radius,
-            instead,
-        );
+        self.fill_number(&key("longitudinal_radius"), contact.longitudinal_radius, instead);
         if let Some(place) = &contact.place {
             let to_the_right = if mirrored { 1.0 } else { rail.sign() };
-            self.fill_number(
-                &key("lateral_offset"),
-                to_the_right * place.outward,
-                instead,
-            );
+            self.fill_number(&key("lateral_offset"), to_the_right * place.outward, instead);
             self.fill_rail_radius(table, place, instead)?;
         }
         if let Some(radius) = contact.transverse_radius {
@@ -120,24 +108,15 @@ impl CaseText {
         };
         if !self.is_written(key) {
             let name = law.name;
-            self.curve_remarks.push(say!(
-                creep_law_without_spin,
-                name = name,
-                spin = fixed(spin, 3),
-                key = key
-            ));
+            self.curve_remarks.push(say!(creep_law_without_spin, name = name, spin = fixed(spin, 3), key = key));
         }
     }
 
     /// Friction of one rail in the place of a table of both.
     pub(super) fn put_friction(&mut self, table: &str, friction: f64, instead: &mut Vec<String>) {
         let key = format!("{table}.friction");
-        let of_both = self
-            .keys
-            .table()
-            .get(table)
-            .and_then(|contact| contact.get("friction"))
-            .is_some_and(Value::is_table);
+        let of_both =
+            self.keys.table().get(table).and_then(|contact| contact.get("friction")).is_some_and(Value::is_table);
         if of_both {
             self.keys.put(&key, friction);
             self.filled_in.insert(key);
@@ -159,9 +138,7 @@ impl CaseText {
             found = found.and_then(|value| value.get(part).cloned());
         }
         let own = match found {
-            Some(Value::String(text)) => {
-                CaseKey::find(key).and_then(|known| known.quantity?.read(&text).ok())
-            }
+            Some(Value::String(text)) => CaseKey::find(key).and_then(|known| known.quantity?.read(&text).ok()),
             Some(Value::Float(number)) => Some(number),
             Some(Value::Integer(number)) => Some(number as f64),
             _ => None,

@@ -46,16 +46,11 @@ impl CurvingCase {
     ) -> Result<Result<LoadedPatch, Message>, CaseError> {
         let wheelset = self.wheelset_on_track()?;
         let steel = self.steel()?;
-        let Some(contact) = wheelset
-            .contact(lateral_shift, 0.0)
-            .ok()
-            .filter(|contact| Self::is_under(contact, rail, contact_angle))
+        let Some(contact) =
+            wheelset.contact(lateral_shift, 0.0).ok().filter(|contact| Self::is_under(contact, rail, contact_angle))
         else {
             let degrees = contact_angle.to_degrees();
-            return Ok(Err(say!(
-                no_rigid_contact_at_angle,
-                degrees = fixed(degrees, 2)
-            )));
+            return Ok(Err(say!(no_rigid_contact_at_angle, degrees = fixed(degrees, 2))));
         };
         let elements = Self::ELEMENTS_UNDER_LOAD;
         let loaded = wheelset.under_load(&contact, rail, steel, normal_force, surface, elements);
@@ -132,11 +127,7 @@ impl CaseText {
         let loaded = match loaded {
             Ok(loaded) => loaded,
             Err(reason) => {
-                self.curve_remarks.push(say!(
-                    ellipse_in_place_of_patch,
-                    rail = on_rail(rail),
-                    reason = reason
-                ));
+                self.curve_remarks.push(say!(ellipse_in_place_of_patch, rail = on_rail(rail), reason = reason));
                 return Ok(());
             }
         };
@@ -162,12 +153,7 @@ impl CaseText {
     }
 
     /// That the ellipse is wide beside the radius of the rail, with what the profiles under load have in its place.
-    fn tell_of_conformal(
-        &mut self,
-        curving: &CurvingCase,
-        rail: Rail,
-        contact: &MeanContact,
-    ) -> Result<(), CaseError> {
+    fn tell_of_conformal(&mut self, curving: &CurvingCase, rail: Rail, contact: &MeanContact) -> Result<(), CaseError> {
         /// Semi-axis over the radius of the rail, up to which patches count as flat.
         const FLAT: f64 = 0.2;
         let Some(place) = &contact.place else {
@@ -222,13 +208,7 @@ impl CaseText {
         Ok(())
     }
 
-    fn tell_of_patch(
-        &mut self,
-        rail: Rail,
-        contact: &MeanContact,
-        loaded: &LoadedPatch,
-        hertz: Option<&HertzContact>,
-    ) {
+    fn tell_of_patch(&mut self, rail: Rail, contact: &MeanContact, loaded: &LoadedPatch, hertz: Option<&HertzContact>) {
         let [a, b] = loaded.semi_axes.map(|axis| 1e3 * axis);
         let stiffness = 1e-6 * loaded.stiffness;
         let angle = loaded.contact_angle.to_degrees();

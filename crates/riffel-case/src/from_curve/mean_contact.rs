@@ -38,9 +38,8 @@ impl MeanContact {
     pub(super) fn hertz(&self, curving: &CurvingCase) -> Result<Option<HertzContact>, CaseError> {
         let steel = curving.steel()?;
         let across = (self.transverse_radius).filter(|radius| *radius > 0.0 && radius.is_finite());
-        let hertz = across.and_then(|across| {
-            HertzContact::exact(steel, self.longitudinal_radius, across, self.normal_force).ok()
-        });
+        let hertz = across
+            .and_then(|across| HertzContact::exact(steel, self.longitudinal_radius, across, self.normal_force).ok());
         Ok(hertz)
     }
 }
@@ -53,20 +52,14 @@ impl CaseText {
         state: &VehicleState,
         rail: Rail,
     ) -> Result<MeanContact, CaseError> {
-        let is_it = |wheel: &&WheelState| {
-            wheel.wheelset == usize::from(from.wheelset) && wheel.rail == rail
-        };
+        let is_it = |wheel: &&WheelState| wheel.wheelset == usize::from(from.wheelset) && wheel.rail == rail;
         let Some(wheel) = state.wheels.iter().find(is_it) else {
             unreachable!("every wheelset has a wheel on either rail")
         };
         let file = &curving.file;
-        let friction = file.contact.as_ref().map_or(0.0, |contact| {
-            contact.friction.of_rails()[usize::from(rail == Rail::Right)]
-        });
-        let across = file
-            .contact
-            .as_ref()
-            .and_then(|contact| contact.transverse_radius);
+        let friction =
+            file.contact.as_ref().map_or(0.0, |contact| contact.friction.of_rails()[usize::from(rail == Rail::Right)]);
+        let across = file.contact.as_ref().and_then(|contact| contact.transverse_radius);
         let radius_of = |curvature: Option<f64>| match curvature {
             Some(curvature) => Some(curvature.recip()),
             None => across.map(|radius| radius.si()),
@@ -79,10 +72,7 @@ impl CaseText {
                 let angle = wheel.contact_angle.to_degrees();
                 self.keys.invalid(
                     "contact.from.contact",
-                    say!(
-                        is_flange_but_the_wheel_stands,
-                        angle = number(format_args!("{angle:.1}"))
-                    ),
+                    say!(is_flange_but_the_wheel_stands, angle = number(format_args!("{angle:.1}"))),
                     say!(leave_it_out),
                 )
             })?,

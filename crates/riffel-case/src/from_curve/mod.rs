@@ -57,9 +57,7 @@ impl CaseText {
             return Err(self.names_a_file("contact.from.curve"));
         }
         if from.curve.is_some()
-            && let Some(table) = ["curve", "bogie", "body", "profiles"]
-                .into_iter()
-                .find(|table| self.keys.has(table))
+            && let Some(table) = ["curve", "bogie", "body", "profiles"].into_iter().find(|table| self.keys.has(table))
         {
             let rule = "is another file, but the tables of a curve stand in this one";
             let help = format!("leave contact.from.curve out, or [{table}]");
@@ -75,15 +73,7 @@ impl CaseText {
             true => vec![curving.equilibrium(&vehicle)?],
             false => curving.equilibria(&vehicle)?,
         };
-        self.fill_in_of(
-            &from,
-            &Equilibrium {
-                curving,
-                vehicle,
-                states,
-            },
-            given.quick,
-        )
+        self.fill_in_of(&from, &Equilibrium { curving, vehicle, states }, given.quick)
     }
 
     /// `Ok` if a vehicle has the wheelset that is asked for.
@@ -102,17 +92,8 @@ impl CaseText {
     }
 
     /// The keys of one contact in an equilibrium; quickly, one of many, without the remarks that take a contact under load.
-    fn fill_in_of(
-        &mut self,
-        from: &FromCurve,
-        equilibrium: &Equilibrium,
-        quick: bool,
-    ) -> Result<(), CaseError> {
-        let Equilibrium {
-            curving,
-            vehicle,
-            states,
-        } = equilibrium;
+    fn fill_in_of(&mut self, from: &FromCurve, equilibrium: &Equilibrium, quick: bool) -> Result<(), CaseError> {
+        let Equilibrium { curving, vehicle, states } = equilibrium;
         self.curve_remarks.extend(curving.remarks_of_profiles()?);
         let radius = vehicle.curve.radius;
         let rail = from.rail.in_curve(radius);
@@ -121,11 +102,7 @@ impl CaseText {
                 false => say!(equilibrium_from_straight_track),
                 true => say!(equilibrium_found_first),
             };
-            self.curve_remarks.push(say!(
-                several_equilibria,
-                count = states.len(),
-                which = which
-            ));
+            self.curve_remarks.push(say!(several_equilibria, count = states.len(), which = which));
         }
         let file = &curving.file;
         let mut study = self.contact_of(from, curving, &states[0], rail)?;
@@ -162,14 +139,7 @@ impl CaseText {
         if at_tractive_ratio {
             instead.push("contact.tractive_ratio".to_owned());
         }
-        self.fill_contact(
-            "contact",
-            rail,
-            &study,
-            mirrored,
-            !at_tractive_ratio,
-            &mut instead,
-        )?;
+        self.fill_contact("contact", rail, &study, mirrored, !at_tractive_ratio, &mut instead)?;
         self.fill_opposite(from, equilibrium, quick, &mut instead)?;
         self.tell_where_from(from, rail, &vehicle.curve, &study);
         self.tell_of_second_point(rail, study.elsewhere);
@@ -177,8 +147,7 @@ impl CaseText {
             self.curve_tractive_ratio = Some(study.tractive_ratio);
         } else {
             let instead = instead.join(", ");
-            self.curve_remarks
-                .push(say!(case_has_own_values, instead = instead));
+            self.curve_remarks.push(say!(case_has_own_values, instead = instead));
         }
         Ok(())
     }
@@ -196,26 +165,13 @@ impl CaseText {
         if opposite.is_none_or(|kind| kind == "absent") {
             return Ok(());
         }
-        let Equilibrium {
-            curving,
-            vehicle,
-            states,
-        } = equilibrium;
+        let Equilibrium { curving, vehicle, states } = equilibrium;
         let rail = from.rail.in_curve(vehicle.curve.radius).opposite();
         let told = self.curve_remarks.len();
-        let on_tread = FromCurve {
-            contact: None,
-            ..from.clone()
-        };
+        let on_tread = FromCurve { contact: None, ..from.clone() };
         let mut other = self.contact_of(&on_tread, curving, &states[0], rail)?;
         // Nothing will be said of a smooth rail.
-        self.take_patch(
-            from.patch.unwrap_or_default(),
-            curving,
-            rail,
-            &mut other,
-            quick || is_smooth,
-        )?;
+        self.take_patch(from.patch.unwrap_or_default(), curving, rail, &mut other, quick || is_smooth)?;
         self.put_friction("opposite_contact", other.friction, instead);
         self.fill_contact("opposite_contact", rail, &other, false, true, instead)?;
         self.tell_of_second_point(rail, other.elsewhere);
@@ -228,9 +184,7 @@ impl CaseText {
 
     /// Which contact of the curve `contact.from` asks for.
     pub(crate) fn asks_for(&self) -> Result<FromCurve, CaseError> {
-        let Asking {
-            contact: AskingContact { from },
-        } = self.keys.deserialize()?;
+        let Asking { contact: AskingContact { from } } = self.keys.deserialize()?;
         Ok(from)
     }
 

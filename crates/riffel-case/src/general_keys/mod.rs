@@ -10,9 +10,7 @@ use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::case_text::REPLACED_BY_WHEELSET;
 use crate::checked_keys::CheckedKeys;
-use crate::file::{
-    Comb, Contact, CreepLawName, Creepage, OppositeContact, OppositeRail, TrackModel,
-};
+use crate::file::{Comb, Contact, CreepLawName, Creepage, OppositeContact, OppositeRail, TrackModel};
 
 pub(crate) use wheelset::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
 
@@ -113,20 +111,12 @@ impl CheckedKeys {
         let given = [
             ("wheelset", self.file.wheelset.is_some()),
             ("train", self.file.train.is_some()),
-            (
-                "contact.creepage",
-                contact
-                    .creepage
-                    .is_some_and(|creepage| creepage.is_vector()),
-            ),
+            ("contact.creepage", contact.creepage.is_some_and(|creepage| creepage.is_vector())),
             ("contact.contact_angle", contact.contact_angle.is_some()),
             ("contact.lateral_offset", contact.lateral_offset.is_some()),
             ("contact.conformity", contact.conformity.is_some()),
             // A section that could twist does not yet make a case one of twist.
-            (
-                "rail.torsion_constant",
-                self.text.is_written("rail.torsion_constant"),
-            ),
+            ("rail.torsion_constant", self.text.is_written("rail.torsion_constant")),
         ];
         given.into_iter().find_map(|(key, is)| is.then_some(key))
     }
@@ -145,9 +135,7 @@ impl CheckedKeys {
         Ok(Some(GeneralKeys {
             contact: contact(&self.file.contact),
             mean: self.mean_state()?,
-            wheelset: wheelset
-                .map(|wheelset| self.wheelset_keys(wheelset))
-                .transpose()?,
+            wheelset: wheelset.map(|wheelset| self.wheelset_keys(wheelset)).transpose()?,
             rail: (wheelset.map(|wheelset| wheelset.rail).unwrap_or_default()).of_track(),
             opposite,
             twist: self.twist()?,
@@ -165,25 +153,18 @@ impl CheckedKeys {
             };
         }
         let written = |key: &&&str| self.text.keys.has(key);
-        REPLACED_BY_WHEELSET
-            .iter()
-            .find(written)
-            .map_or(Ok(()), |key| {
-                Err(self.text.keys.invalid(
-                    key,
-                    "and `wheelset` exclude each other",
-                    format!("leave {key} out: the wheel is part of the wheelset"),
-                ))
-            })
+        REPLACED_BY_WHEELSET.iter().find(written).map_or(Ok(()), |key| {
+            Err(self.text.keys.invalid(
+                key,
+                "and `wheelset` exclude each other",
+                format!("leave {key} out: the wheel is part of the wheelset"),
+            ))
+        })
     }
 
     /// The contact on the opposite rail, if there is such a rail.
     fn opposite(&self) -> Result<Option<OppositeKeys>, CaseError> {
-        let rail = self
-            .file
-            .wheelset
-            .as_ref()
-            .map(|wheelset| wheelset.opposite_rail);
+        let rail = self.file.wheelset.as_ref().map(|wheelset| wheelset.opposite_rail);
         let profile = match rail {
             None | Some(OppositeRail::Absent) => {
                 if self.file.opposite_contact.is_none() {
@@ -216,22 +197,16 @@ impl CheckedKeys {
             lateral_offset,
             rail_radius,
         } = written;
-        let of_its_own =
-            transverse_radius.is_some() || longitudinal_radius.is_some() || normal_load.is_some();
+        let of_its_own = transverse_radius.is_some() || longitudinal_radius.is_some() || normal_load.is_some();
         let creepages = match (creepage, self.mean_state()?) {
             (Some(creepage), _) => Some(self.creeping("opposite_contact.creepage", creepage)?),
-            (None, MeanState::Creepages(creepages)) => Some(Creepages {
-                spin: -creepages.spin,
-                ..creepages
-            }),
+            (None, MeanState::Creepages(creepages)) => Some(Creepages { spin: -creepages.spin, ..creepages }),
             (None, MeanState::TractiveRatio(_)) => None,
         };
         Ok(Some(OppositeKeys {
             profile,
             contact: ContactKeys {
-                longitudinal_radius: longitudinal_radius
-                    .map(|radius| radius.si())
-                    .or(here.longitudinal_radius),
+                longitudinal_radius: longitudinal_radius.map(|radius| radius.si()).or(here.longitudinal_radius),
                 transverse_radius: or(transverse_radius, here.transverse_radius),
                 normal_load: or(normal_load, here.normal_load),
                 stiffness: match stiffness {
@@ -255,11 +230,7 @@ impl CheckedKeys {
     /// Creepages that do not vanish and that the creep law knows.
     pub(crate) fn creeping(&self, key: &str, creepage: Creepage) -> Result<Creepages, CaseError> {
         let creepages = creepage.components();
-        let Creepages {
-            longitudinal,
-            lateral,
-            spin,
-        } = creepages;
+        let Creepages { longitudinal, lateral, spin } = creepages;
         let largest = longitudinal.abs().max(lateral.abs()).max(spin.abs());
         if creepage.is_vector() && largest < LEAST_CREEPAGE {
             return Err(self.text.keys.invalid(
@@ -281,10 +252,7 @@ impl CheckedKeys {
             let others: Vec<&str> = others.chain([CreepLawName::HALF_SPACE.name()]).collect();
             self.text.keys.invalid(
                 &format!("{key}.{component}"),
-                format!(
-                    "is {value}, but contact.creep_law = \"{}\" does not know it",
-                    law.name
-                ),
+                format!("is {value}, but contact.creep_law = \"{}\" does not know it", law.name),
                 format!("laws that do: {}", others.join(", ")),
             )
         };
@@ -333,8 +301,7 @@ impl CheckedKeys {
         let Some(torsion_constant) = rail.torsion_constant else {
             return Ok(None);
         };
-        let polar_second_moment =
-            self.of_twist("rail.polar_second_moment", rail.polar_second_moment)?;
+        let polar_second_moment = self.of_twist("rail.polar_second_moment", rail.polar_second_moment)?;
         let head_height = self.of_twist("rail.head_height", rail.head_height)?;
         let foot = match self.file.track.model {
             TrackModel::FreeBeam | TrackModel::MovingBeam | TrackModel::Measured => None,
@@ -354,13 +321,8 @@ impl CheckedKeys {
     }
 
     /// A value that a rail needs to twist.
-    fn of_twist<D: Dimension>(
-        &self,
-        key: &str,
-        value: Option<Quantity<D>>,
-    ) -> Result<f64, CaseError> {
-        let help =
-            "a rail with torsion_constant needs it: give it, or leave rail.torsion_constant out";
+    fn of_twist<D: Dimension>(&self, key: &str, value: Option<Quantity<D>>) -> Result<f64, CaseError> {
+        let help = "a rail with torsion_constant needs it: give it, or leave rail.torsion_constant out";
         let value = value.ok_or_else(|| self.text.keys.missing(key, help))?;
         Ok(value.si())
     }

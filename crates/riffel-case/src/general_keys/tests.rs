@@ -51,40 +51,26 @@ fn reference_cases_read_and_read_back() {
         assert_eq!(again.file, read.file, "{printed}");
         assert_eq!(again.general().unwrap(), general);
         let as_json = serde_json::to_value(&read.file).unwrap();
-        assert_eq!(
-            serde_json::from_value::<CaseFile>(as_json).unwrap(),
-            read.file
-        );
+        assert_eq!(serde_json::from_value::<CaseFile>(as_json).unwrap(), read.file);
     }
 }
 
 /// Keys with their overrides go to another process as text, and make the same case there.
 #[test]
 fn keys_go_to_another_process() {
-    let sets = [
-        "opposite_contact.creepage.spin=0.1 1/m",
-        "train.wheels=[\"0 m\", \"2.5 m\"]",
-        "contact.contact_angle=2°",
-    ];
+    let sets =
+        ["opposite_contact.creepage.spin=0.1 1/m", "train.wheels=[\"0 m\", \"2.5 m\"]", "contact.contact_angle=2°"];
     let text = reference("stepped-axle.toml");
     let mut written = CaseText::parse("case.toml", &text).unwrap();
     written.apply(&sets.map(str::to_owned)).unwrap();
     let keys = &written.keys;
-    let again = KeyFile::restore(
-        keys.name(),
-        keys.text(),
-        &keys.table().to_string(),
-        &keys.overrides(),
-    );
+    let again = KeyFile::restore(keys.name(), keys.text(), &keys.table().to_string(), &keys.overrides());
     let [here, there] = [written, CaseText::of(again.unwrap())]
         .map(|text| CheckedKeys::of_text(text, None, Substitutes::default(), Window::Map).unwrap());
     assert_eq!(there.file, here.file);
     let general = there.general().unwrap().unwrap();
     assert_eq!(general.wheels, [0.0, 2.5]);
-    assert_eq!(
-        general.opposite.unwrap().creepages.map(|c| c.spin),
-        Some(0.1)
-    );
+    assert_eq!(general.opposite.unwrap().creepages.map(|c| c.spin), Some(0.1));
 }
 
 #[test]
@@ -122,11 +108,7 @@ fn contacts_of_both_rails() {
     ];
     let text = reference("rigid-spin.toml");
     let found = general(&text, &wheelset);
-    let here = Creepages {
-        longitudinal: 0.001,
-        lateral: -0.005,
-        spin: 0.3,
-    };
+    let here = Creepages { longitudinal: 0.001, lateral: -0.005, spin: 0.3 };
     assert_eq!(found.mean, MeanState::Creepages(here));
     assert_eq!(found.contact.contact_angle, 3.0_f64.to_radians());
     assert_eq!(found.contact.lateral_offset, 0.01);
@@ -134,10 +116,7 @@ fn contacts_of_both_rails() {
     assert_eq!(opposite.profile, -1.0);
     let mirrored = Creepages { spin: -0.3, ..here };
     assert_eq!(opposite.creepages, Some(mirrored));
-    let contact = ContactKeys {
-        lateral_offset: -0.01,
-        ..found.contact
-    };
+    let contact = ContactKeys { lateral_offset: -0.01, ..found.contact };
     assert_eq!(opposite.contact, contact);
 
     // A table replaces the whole table, and what is written is not mirrored.
@@ -146,18 +125,13 @@ fn contacts_of_both_rails() {
         "opposite_contact.normal_load=40 kN",
         "opposite_contact.lateral_offset=2 mm",
     ];
-    let opposite = general(&text, &[&wheelset[..], &own].concat())
-        .opposite
-        .unwrap();
+    let opposite = general(&text, &[&wheelset[..], &own].concat()).opposite.unwrap();
     assert_eq!(opposite.creepages, Some(Creepages::longitudinal(-0.001)));
     assert_eq!(opposite.contact.normal_load, 40e3);
     assert_eq!(opposite.contact.lateral_offset, 0.002);
 
     // At a tractive ratio the creepage follows from the contact under study.
-    let ratio = [
-        "contact.tractive_ratio=0.3",
-        "wheelset.opposite_rail=smooth",
-    ];
+    let ratio = ["contact.tractive_ratio=0.3", "wheelset.opposite_rail=smooth"];
     let found = general(&text, &ratio);
     assert_eq!(found.mean, MeanState::TractiveRatio(0.3));
     let opposite = found.opposite.unwrap();
@@ -167,21 +141,13 @@ fn contacts_of_both_rails() {
 #[test]
 fn defaults_of_a_wheelset() {
     let text = NOMINAL_CASE.replacen("mass = \"350 kg\"", "", 1);
-    let sets = [
-        "wheelset.model=rigid",
-        "wheelset.mass=1.1 t",
-        "wheelset.roll_inertia=620 kg m2",
-        "wheelset.spin_inertia=85",
-    ];
+    let sets =
+        ["wheelset.model=rigid", "wheelset.mass=1.1 t", "wheelset.roll_inertia=620 kg m2", "wheelset.spin_inertia=85"];
     let found = general(&text, &sets);
     let wheelset = found.wheelset.unwrap();
     assert_eq!(wheelset.contact_spacing, 1.5);
     assert_eq!(wheelset.suspension, None);
-    let body = RigidBodyKeys {
-        mass: 1100.0,
-        roll_inertia: 620.0,
-        spin_inertia: 85.0,
-    };
+    let body = RigidBodyKeys { mass: 1100.0, roll_inertia: 620.0, spin_inertia: 85.0 };
     assert_eq!(wheelset.model, WheelsetModelKeys::Rigid(body));
     assert_eq!(found.rail, riffel::Rail::Right);
     assert_eq!(found.opposite, None);
@@ -216,10 +182,7 @@ fn a_wheelset_takes_the_place_of_the_wheel_of_a_preset() {
     let text = reference("rigid-spin.toml");
     let text = format!("vehicle = \"metro-trailer-car\"\n{text}");
     let read = keys(&text, &[]).unwrap();
-    assert_eq!(
-        (read.file.wheel.mass, read.file.wheel.rotation),
-        (None, None)
-    );
+    assert_eq!((read.file.wheel.mass, read.file.wheel.rotation), (None, None));
 }
 
 #[test]
@@ -229,13 +192,9 @@ fn files_are_relative_to_the_case() {
     let folder = Some(Path::new("cases"));
     let mut text = CaseText::parse("case.toml", &text).unwrap();
     text.apply(&sets.map(str::to_owned)).unwrap();
-    let read =
-        |folder| CheckedKeys::of_text(text.clone(), folder, Substitutes::default(), Window::Map);
+    let read = |folder| CheckedKeys::of_text(text.clone(), folder, Substitutes::default(), Window::Map);
     let keys = read(folder).unwrap();
-    assert_eq!(
-        keys.file.wheelset.as_ref().unwrap().model,
-        WheelsetModel::Modal
-    );
+    assert_eq!(keys.file.wheelset.as_ref().unwrap().model, WheelsetModel::Modal);
     let model = keys.general().unwrap().unwrap().wheelset.unwrap().model;
     let WheelsetModelKeys::Modal { file, .. } = model else {
         panic!("{model:?}");

@@ -91,18 +91,12 @@ impl CheckedKeys {
                 let axle = self.of_wheelset("wheelset.axle", wheelset.axle.as_ref())?;
                 let axle = self.axle_keys(axle)?;
                 self.check_places(wheelset, axle.length())?;
-                WheelsetModelKeys::Flexible {
-                    axle,
-                    discs: wheelset.discs.clone(),
-                }
+                WheelsetModelKeys::Flexible { axle, discs: wheelset.discs.clone() }
             }
-            WheelsetModel::Modal => WheelsetModelKeys::Modal {
-                file: self.wheelset_file(wheelset)?,
-                body: self.rigid_body(wheelset)?,
-            },
-            WheelsetModel::Measured => WheelsetModelKeys::Measured {
-                file: self.wheelset_file(wheelset)?,
-            },
+            WheelsetModel::Modal => {
+                WheelsetModelKeys::Modal { file: self.wheelset_file(wheelset)?, body: self.rigid_body(wheelset)? }
+            }
+            WheelsetModel::Measured => WheelsetModelKeys::Measured { file: self.wheelset_file(wheelset)? },
         };
         Ok(WheelsetKeys {
             contact_spacing: wheelset.contact_spacing.si(),
@@ -112,11 +106,7 @@ impl CheckedKeys {
     }
 
     fn rigid_body(&self, wheelset: &Wheelset) -> Result<RigidBodyKeys, CaseError> {
-        let written = [
-            wheelset.mass.is_some(),
-            wheelset.roll_inertia.is_some(),
-            wheelset.spin_inertia.is_some(),
-        ];
+        let written = [wheelset.mass.is_some(), wheelset.roll_inertia.is_some(), wheelset.spin_inertia.is_some()];
         // A preset tells axle and discs, of which the body consists.
         if let (true, Some(body)) = (written.contains(&false), self.body_of_axle(wheelset)?) {
             return Ok(RigidBodyKeys {
@@ -127,22 +117,14 @@ impl CheckedKeys {
         }
         Ok(RigidBodyKeys {
             mass: self.of_wheelset("wheelset.mass", wheelset.mass)?.si(),
-            roll_inertia: self
-                .of_wheelset("wheelset.roll_inertia", wheelset.roll_inertia)?
-                .si(),
-            spin_inertia: self
-                .of_wheelset("wheelset.spin_inertia", wheelset.spin_inertia)?
-                .si(),
+            roll_inertia: self.of_wheelset("wheelset.roll_inertia", wheelset.roll_inertia)?.si(),
+            spin_inertia: self.of_wheelset("wheelset.spin_inertia", wheelset.spin_inertia)?.si(),
         })
     }
 
     /// Mass and inertias of axle and discs; none without them.
     fn body_of_axle(&self, wheelset: &Wheelset) -> Result<Option<RigidBody>, CaseError> {
-        let Some(axle) = wheelset
-            .axle
-            .as_ref()
-            .filter(|_| !wheelset.discs.is_empty())
-        else {
+        let Some(axle) = wheelset.axle.as_ref().filter(|_| !wheelset.discs.is_empty()) else {
             return Ok(None);
         };
         let contacts = ContactGeometry {
@@ -158,20 +140,13 @@ impl CheckedKeys {
     fn wheelset_file(&self, wheelset: &Wheelset) -> Result<PathBuf, CaseError> {
         let file = self.of_wheelset("wheelset.file", wheelset.file.as_ref())?;
         // Without a folder a case that names a file has been refused.
-        Ok(self
-            .folder
-            .as_ref()
-            .map_or_else(PathBuf::new, |folder| folder.join(file)))
+        Ok(self.folder.as_ref().map_or_else(PathBuf::new, |folder| folder.join(file)))
     }
 
     /// A value that the model of the wheelset cannot do without.
     fn of_wheelset<T>(&self, key: &str, value: Option<T>) -> Result<T, CaseError> {
         value.ok_or_else(|| {
-            let model = self
-                .file
-                .wheelset
-                .as_ref()
-                .map_or("", |wheelset| wheelset.model.name());
+            let model = self.file.wheelset.as_ref().map_or("", |wheelset| wheelset.model.name());
             let help = say!(wheelset_model_needs_it, model = model);
             self.text.keys.missing(key, &help)
         })
@@ -205,24 +180,13 @@ impl CheckedKeys {
                 ));
             }
             if segments.is_empty() {
-                return Err(keys.invalid(
-                    "wheelset.axle.segments",
-                    say!(is_an_empty_list_an_axle),
-                    "",
-                ));
+                return Err(keys.invalid("wheelset.axle.segments", say!(is_an_empty_list_an_axle), ""));
             }
             let segments = segments.iter();
-            return Ok(segments
-                .map(|segment| [segment.length.si(), segment.diameter.si()])
-                .collect());
+            return Ok(segments.map(|segment| [segment.length.si(), segment.diameter.si()]).collect());
         }
         let need = |name: &str, value: Option<Quantity<_>>| {
-            value.ok_or_else(|| {
-                keys.missing(
-                    &format!("wheelset.axle.{name}"),
-                    say!(give_length_and_diameter_of_an),
-                )
-            })
+            value.ok_or_else(|| keys.missing(&format!("wheelset.axle.{name}"), say!(give_length_and_diameter_of_an)))
         };
         let length = need("length", axle.length)?.si();
         Ok(vec![[length, need("diameter", axle.diameter)?.si()]])
@@ -236,10 +200,7 @@ impl CheckedKeys {
         let suspension = wheelset.suspension.as_ref();
         let spacings = [
             ("wheelset.contact_spacing", Some(wheelset.contact_spacing)),
-            (
-                "wheelset.suspension.spacing",
-                suspension.map(|suspension| suspension.spacing),
-            ),
+            ("wheelset.suspension.spacing", suspension.map(|suspension| suspension.spacing)),
         ];
         for (key, spacing) in spacings {
             if let Some(spacing) = spacing.filter(|spacing| spacing.si() > most) {

@@ -37,15 +37,9 @@ impl Role {
     /// From a word of the name, in English or German; the first role that has one is taken, so that "phase of the frequency response" is
     /// a phase.
     const WORDS: [(Self, &'static str); 6] = [
-        (
-            Self::Coherence,
-            "coherence|coh|kohärenz|kohaerenz|gamma2|γ²|γ2",
-        ),
+        (Self::Coherence, "coherence|coh|kohärenz|kohaerenz|gamma2|γ²|γ2"),
         (Self::Phase, "phase|arg|angle|winkel|phasenwinkel"),
-        (
-            Self::Imaginary,
-            "im|imag|imaginary|imaginär|imaginärteil|imaginaerteil",
-        ),
+        (Self::Imaginary, "im|imag|imaginary|imaginär|imaginärteil|imaginaerteil"),
         (Self::Real, "re|real|realteil"),
         (
             Self::Modulus,
@@ -70,46 +64,27 @@ impl Role {
 
 impl Columns {
     /// The columns that the case names, and for those it does not, the ones that the header tells.
-    pub(super) fn find(
-        header: &[String],
-        measurement: &Measurement,
-    ) -> Result<Self, MeasurementError> {
-        Ok(Self {
-            values: Parts::find(header, measurement)?,
-            ..Self::with(header, measurement, Parts::Complex(0))?
-        })
+    pub(super) fn find(header: &[String], measurement: &Measurement) -> Result<Self, MeasurementError> {
+        Ok(Self { values: Parts::find(header, measurement)?, ..Self::with(header, measurement, Parts::Complex(0))? })
     }
 
     /// The columns where values are complex numbers in the only other column.
-    pub(super) fn complex(
-        header: &[String],
-        measurement: &Measurement,
-    ) -> Result<Self, MeasurementError> {
+    pub(super) fn complex(header: &[String], measurement: &Measurement) -> Result<Self, MeasurementError> {
         let columns = Self::with(header, measurement, Parts::Complex(0))?;
         let known = [Some(columns.frequency), columns.coherence];
-        let mut others = (0..header.len())
-            .filter(|&column| !known.contains(&Some(column)) && !header[column].is_empty());
+        let mut others =
+            (0..header.len()).filter(|&column| !known.contains(&Some(column)) && !header[column].is_empty());
         match (others.next(), others.next()) {
-            (Some(column), None) => Ok(Self {
-                values: Parts::Complex(column),
-                ..columns
-            }),
+            (Some(column), None) => Ok(Self { values: Parts::Complex(column), ..columns }),
             _ => Err(MeasurementError::file("has no column of complex numbers")),
         }
     }
 
-    fn with(
-        header: &[String],
-        measurement: &Measurement,
-        values: Parts,
-    ) -> Result<Self, MeasurementError> {
+    fn with(header: &[String], measurement: &Measurement, values: Parts) -> Result<Self, MeasurementError> {
         let frequency = match &measurement.frequency {
             Some(name) => named(header, "frequency", name)?,
             None => told(header, Role::Frequency, "frequency")?.ok_or_else(|| {
-                let message = format!(
-                    "is left out, and the header names no frequency; {}",
-                    it_has(header)
-                );
+                let message = format!("is left out, and the header names no frequency; {}", it_has(header));
                 MeasurementError::new("frequency", message)
             })?,
         };
@@ -117,11 +92,7 @@ impl Columns {
             Some(name) => Some(named(header, "coherence", name)?),
             None => told(header, Role::Coherence, "coherence")?,
         };
-        Ok(Self {
-            frequency,
-            values,
-            coherence,
-        })
+        Ok(Self { frequency, values, coherence })
     }
 
     /// All of them.
@@ -148,22 +119,14 @@ impl Parts {
     }
 
     fn find(header: &[String], measurement: &Measurement) -> Result<Self, MeasurementError> {
-        let Measurement {
-            real,
-            imaginary,
-            modulus,
-            phase,
-            ..
-        } = measurement;
+        let Measurement { real, imaginary, modulus, phase, .. } = measurement;
         match (real, imaginary, modulus, phase) {
-            (Some(real), Some(imaginary), None, None) => Ok(Self::Cartesian([
-                named(header, "real", real)?,
-                named(header, "imaginary", imaginary)?,
-            ])),
-            (None, None, Some(modulus), Some(phase)) => Ok(Self::Polar([
-                named(header, "modulus", modulus)?,
-                named(header, "phase", phase)?,
-            ])),
+            (Some(real), Some(imaginary), None, None) => {
+                Ok(Self::Cartesian([named(header, "real", real)?, named(header, "imaginary", imaginary)?]))
+            }
+            (None, None, Some(modulus), Some(phase)) => {
+                Ok(Self::Polar([named(header, "modulus", modulus)?, named(header, "phase", phase)?]))
+            }
             (None, None, None, None) => Self::told(header),
             _ => Err(MeasurementError::new(
                 "",
@@ -197,32 +160,19 @@ impl Parts {
 
 /// The column that the case names.
 fn named(header: &[String], key: &'static str, name: &str) -> Result<usize, MeasurementError> {
-    header
-        .iter()
-        .position(|known| known == name)
-        .ok_or_else(|| {
-            let message = format!(
-                "is \"{name}\", but the file has no such column; {}",
-                it_has(header)
-            );
-            MeasurementError::new(key, message)
-        })
+    header.iter().position(|known| known == name).ok_or_else(|| {
+        let message = format!("is \"{name}\", but the file has no such column; {}", it_has(header));
+        MeasurementError::new(key, message)
+    })
 }
 
 /// The one column whose name has a word of the role.
-fn told(
-    header: &[String],
-    role: Role,
-    key: &'static str,
-) -> Result<Option<usize>, MeasurementError> {
+fn told(header: &[String], role: Role, key: &'static str) -> Result<Option<usize>, MeasurementError> {
     let mut columns = (0..header.len()).filter(|&column| Role::of(&header[column]) == Some(role));
     match (columns.next(), columns.next()) {
         (Some(first), Some(second)) => Err(MeasurementError::new(
             key,
-            format!(
-                "is left out, and more than one column could be it: `{}`, `{}`",
-                header[first], header[second]
-            ),
+            format!("is left out, and more than one column could be it: `{}`, `{}`", header[first], header[second]),
         )),
         (first, _) => Ok(first),
     }
@@ -243,19 +193,7 @@ pub(super) fn unit_in_name(name: &str) -> Option<&str> {
     } else if let Some((_, rest)) = name.split_once(" / ").or_else(|| name.split_once(" in ")) {
         Some(rest)
     } else {
-        let known = [
-            "Hz",
-            "hz",
-            "kHz",
-            "khz",
-            "deg",
-            "rad",
-            "dB",
-            "db",
-            "rad_s",
-            "rad_per_s",
-            "rpm",
-        ];
+        let known = ["Hz", "hz", "kHz", "khz", "deg", "rad", "dB", "db", "rad_s", "rad_per_s", "rpm"];
         let known = known.into_iter().find(|unit| {
             let before = name.strip_suffix(unit);
             before.is_some_and(|before| before.len() > 1 && before.ends_with('_'))
@@ -308,25 +246,13 @@ mod tests {
             ("Frequenz [Hz]", Role::Frequency, Some("Hz")),
             ("rail_m_per_n_re", Role::Real, Some("m_per_n")),
             ("zz_mm_per_n_re", Role::Real, Some("mm_per_n")),
-            (
-                "yz_mm_per_s_per_kn_im",
-                Role::Imaginary,
-                Some("mm_per_s_per_kn"),
-            ),
+            ("yz_mm_per_s_per_kn_im", Role::Imaginary, Some("mm_per_s_per_kn")),
             ("zz_furlong_per_n_re", Role::Real, Some("furlong_per_n")),
             ("Imaginärteil in m/N", Role::Imaginary, Some("m/N")),
             ("|H| (dB re 1 m/N)", Role::Modulus, Some("dB re 1 m/N")),
-            (
-                "Accelerance magnitude ((m/s²)/N)",
-                Role::Modulus,
-                Some("(m/s²)/N"),
-            ),
+            ("Accelerance magnitude ((m/s²)/N)", Role::Modulus, Some("(m/s²)/N")),
             ("Mag (m/s²)/N", Role::Modulus, Some("(m/s²)/N")),
-            (
-                "Phase of the frequency response [°]",
-                Role::Phase,
-                Some("°"),
-            ),
+            ("Phase of the frequency response [°]", Role::Phase, Some("°")),
             ("Coherence", Role::Coherence, None),
         ] {
             assert_eq!(Role::of(name), Some(role));

@@ -28,9 +28,9 @@ pub(super) fn find<'a, C>(
         numbers.any(|column| row.complex(column).is_ok())
     };
     HeadedTable::find(text, columns, is_row).map_err(|reason| match reason {
-        NoHead::Numbers => MeasurementError::file(format!(
-            "has no header: its columns need names above them, such as \"{example}\""
-        )),
+        NoHead::Numbers => {
+            MeasurementError::file(format!("has no header: its columns need names above them, such as \"{example}\""))
+        }
         NoHead::NoRows => MeasurementError::file("has no row of numbers below its header"),
         NoHead::Names(error) => error,
     })
@@ -43,9 +43,7 @@ pub(super) fn unit<'a, C>(layout: &'a Layout<'_, C>, column: usize) -> Option<&'
 }
 
 /// The rows.
-pub(super) fn rows<'a, C>(
-    layout: &'a Layout<'_, C>,
-) -> impl Iterator<Item = Result<Row<'a>, MeasurementError>> {
+pub(super) fn rows<'a, C>(layout: &'a Layout<'_, C>) -> impl Iterator<Item = Result<Row<'a>, MeasurementError>> {
     layout.rows().enumerate().map(|(count, row)| {
         if count == MOST_LINES {
             return Err(MeasurementError::file(format!(
@@ -53,11 +51,7 @@ pub(super) fn rows<'a, C>(
                  be a time record"
             )));
         }
-        Ok(Row {
-            names: &layout.names,
-            place: format!("line {}", row.line),
-            row,
-        })
+        Ok(Row { names: &layout.names, place: format!("line {}", row.line), row })
     })
 }
 

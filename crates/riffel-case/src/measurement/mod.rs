@@ -39,10 +39,7 @@ pub(crate) struct MeasurementError {
 
 impl MeasurementError {
     fn new(key: &'static str, message: impl Into<Message>) -> Self {
-        Self {
-            key,
-            message: message.into(),
-        }
+        Self { key, message: message.into() }
     }
 
     fn file(message: impl Into<Message>) -> Self {
@@ -72,9 +69,7 @@ pub(crate) struct Measured {
 pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured, MeasurementError> {
     let path = folder.join(&measurement.file);
     let bytes = bytes_of(&path, "measurement")?;
-    let Measurement {
-        conjugate, negate, ..
-    } = *measurement;
+    let Measurement { conjugate, negate, .. } = *measurement;
     let remedy = Remedy::Keys { conjugate, negate };
     let is_universal = is_universal_file(&path);
     let (response, remarks) = match is_universal {
@@ -85,8 +80,7 @@ pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured,
     read.remarks.splice(0..0, remarks);
     if !is_universal {
         let unusual = doubts::doubts_about_size(&read.receptance);
-        read.remarks
-            .extend(unusual.map_err(MeasurementError::file)?);
+        read.remarks.extend(unusual.map_err(MeasurementError::file)?);
     }
     read.doubted(remedy)
 }
@@ -102,17 +96,12 @@ fn decoded(bytes: Vec<u8>) -> Result<String, MeasurementError> {
 
 /// A function that was read elsewhere.
 pub(crate) fn of_universal(function: &UniversalFunction) -> Result<Measured, MeasurementError> {
-    universal::of_function(function)?
-        .read()?
-        .doubted(Remedy::Values)
+    universal::of_function(function)?.read()?.doubted(Remedy::Values)
 }
 
 fn is_universal_file(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| {
-        ["uff", "unv", "u58", "uf"]
-            .iter()
-            .any(|known| extension.eq_ignore_ascii_case(known))
-    })
+    path.extension()
+        .is_some_and(|extension| ["uff", "unv", "u58", "uf"].iter().any(|known| extension.eq_ignore_ascii_case(known)))
 }
 
 impl Measured {
@@ -145,10 +134,7 @@ impl FrequencyResponse {
         }
         let receptance = MeasuredReceptance::new(&angular, receptances)
             .map_err(|error| MeasurementError::file(error.to_string()))?;
-        Ok(Measured {
-            receptance,
-            remarks,
-        })
+        Ok(Measured { receptance, remarks })
     }
 
     /// A Fourier transform begins at 0 Hz, where mobility and accelerance are zero whatever the receptance is, and
@@ -169,31 +155,23 @@ impl FrequencyResponse {
     /// Frequencies positive, rising and without gaps, values finite.
     fn check(&self) -> Result<(), MeasurementError> {
         let mut before: Option<f64> = None;
-        for ((&frequency, value), place) in
-            self.frequencies.iter().zip(&self.values).zip(&self.places)
-        {
+        for ((&frequency, value), place) in self.frequencies.iter().zip(&self.values).zip(&self.places) {
             let wrong = |rule: String| Err(MeasurementError::file(format!("{place}: {rule}")));
             if !frequency.is_finite() || !value.is_finite() {
                 return wrong("a value is not finite".to_owned());
             }
             if frequency <= 0.0 {
-                return wrong(format!(
-                    "the frequency is {frequency} Hz, but must be greater than zero"
-                ));
+                return wrong(format!("the frequency is {frequency} Hz, but must be greater than zero"));
             }
             if let Some(before) = before {
                 if frequency == before {
                     return wrong(format!("the frequency {frequency} Hz is there twice"));
                 }
                 if frequency < before {
-                    return wrong(format!(
-                        "the frequency falls from {before} Hz to {frequency} Hz, but must rise"
-                    ));
+                    return wrong(format!("the frequency falls from {before} Hz to {frequency} Hz, but must rise"));
                 }
                 if frequency > WIDEST_STEP * before {
-                    return wrong(format!(
-                        "nothing between {before} Hz and {frequency} Hz, more than an octave"
-                    ));
+                    return wrong(format!("nothing between {before} Hz and {frequency} Hz, more than an octave"));
                 }
             }
             before = Some(frequency);
@@ -203,21 +181,14 @@ impl FrequencyResponse {
 
     /// Angular frequencies \[rad/s\] and receptances \[m/N\].
     fn receptances(&self) -> (Vec<f64>, Vec<Complex64>) {
-        let angular: Vec<f64> = self
-            .frequencies
-            .iter()
-            .map(|frequency| std::f64::consts::TAU * frequency)
-            .collect();
+        let angular: Vec<f64> = self.frequencies.iter().map(|frequency| std::f64::consts::TAU * frequency).collect();
         let power = match self.response {
             Response::Receptance => 0,
             Response::Mobility => 1,
             Response::Accelerance => 2,
         };
-        let receptances = angular
-            .iter()
-            .zip(&self.values)
-            .map(|(&w, &value)| value / Complex64::new(0.0, w).powi(power))
-            .collect();
+        let receptances =
+            angular.iter().zip(&self.values).map(|(&w, &value)| value / Complex64::new(0.0, w).powi(power)).collect();
         (angular, receptances)
     }
 }

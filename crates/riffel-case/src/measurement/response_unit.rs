@@ -76,9 +76,7 @@ impl ValueUnit<'_> {
         };
         let Some(reference) = after_decibel(unit) else {
             return match (response_of(unit), self.key) {
-                (Some((response, factor)), _) => {
-                    self.checked(unit, response, Scale::Linear(factor))
-                }
+                (Some((response, factor)), _) => self.checked(unit, response, Scale::Linear(factor)),
                 // What is no unit may be a symbol, as in "Re(H)".
                 (None, None) if !unit.contains('/') => Ok(self.taken_for_granted(name)),
                 (None, None) => wrong(format!(
@@ -99,12 +97,8 @@ impl ValueUnit<'_> {
         match reference_of(reference) {
             Some((response, size)) => self.checked(unit, response, Scale::Decibels(size)),
             None if reference.is_empty() => wrong(match self.key {
-                Some(key) => format!(
-                    "is \"{key}\", decibels without a reference: write the reference, as {example}"
-                ),
-                None => format!(
-                    "is left out, but column `{column}` is in decibels: write the reference, as {example}"
-                ),
+                Some(key) => format!("is \"{key}\", decibels without a reference: write the reference, as {example}"),
+                None => format!("is left out, but column `{column}` is in decibels: write the reference, as {example}"),
             }),
             None => wrong(format!(
                 "is \"{unit}\", whose reference \"{reference}\" is no unit of {}: write it as {example}",
@@ -114,25 +108,13 @@ impl ValueUnit<'_> {
     }
 
     fn expected(&self) -> &'static str {
-        self.quantity.map_or(
-            "a receptance in m/N, a mobility in m/s/N or an accelerance in m/s2/N",
-            Response::name,
-        )
+        self.quantity.map_or("a receptance in m/N, a mobility in m/s/N or an accelerance in m/s2/N", Response::name)
     }
 
-    fn checked(
-        &self,
-        unit: &str,
-        response: Response,
-        scale: Scale,
-    ) -> Result<Decoded, MeasurementError> {
+    fn checked(&self, unit: &str, response: Response, scale: Scale) -> Result<Decoded, MeasurementError> {
         match self.quantity {
             Some(quantity) if quantity != response => Err(MeasurementError::new(
-                if self.key.is_some() {
-                    "unit"
-                } else {
-                    "quantity"
-                },
+                if self.key.is_some() { "unit" } else { "quantity" },
                 match self.key {
                     Some(_) => format!("is \"{unit}\", which is no unit of {}", quantity.name()),
                     None => format!(
@@ -143,11 +125,7 @@ impl ValueUnit<'_> {
                     ),
                 },
             )),
-            _ => Ok(Decoded {
-                response,
-                scale,
-                remarks: Vec::new(),
-            }),
+            _ => Ok(Decoded { response, scale, remarks: Vec::new() }),
         }
     }
 
@@ -162,11 +140,7 @@ impl ValueUnit<'_> {
             };
             say!(column_without_unit, column = column, what = what)
         });
-        Decoded {
-            response,
-            scale: Scale::Linear(1.0),
-            remarks: remark.into_iter().collect(),
-        }
+        Decoded { response, scale: Scale::Linear(1.0), remarks: remark.into_iter().collect() }
     }
 }
 
@@ -174,14 +148,8 @@ impl ValueUnit<'_> {
 fn response_in(column: &str) -> Option<Response> {
     let known = [
         (Response::Receptance, "receptance|compliance|rezeptanz"),
-        (
-            Response::Mobility,
-            "mobility|mobilität|admittance|admittanz",
-        ),
-        (
-            Response::Accelerance,
-            "accelerance|inertance|akzeleranz|inertanz",
-        ),
+        (Response::Mobility, "mobility|mobilität|admittance|admittanz"),
+        (Response::Accelerance, "accelerance|inertance|akzeleranz|inertanz"),
     ];
     let words = words(column);
     let mut known = known.into_iter();
@@ -192,25 +160,17 @@ fn response_in(column: &str) -> Option<Response> {
 /// What follows "dB", "dB re", "dB rel.", "dB ref", without a colon and an outer pair of brackets.
 pub(super) fn after_decibel(unit: &str) -> Option<&str> {
     let head = unit.get(..2)?;
-    let rest = head
-        .eq_ignore_ascii_case("db")
-        .then(|| inside(unit[2..].trim()))?;
+    let rest = head.eq_ignore_ascii_case("db").then(|| inside(unit[2..].trim()))?;
     let word = ["relative to", "rel.", "rel", "ref.", "ref", "re", "//"]
         .into_iter()
-        .find(|word| {
-            rest.get(..word.len())
-                .is_some_and(|head| head.eq_ignore_ascii_case(word))
-        });
+        .find(|word| rest.get(..word.len()).is_some_and(|head| head.eq_ignore_ascii_case(word)));
     let rest = word.map_or(rest, |word| &rest[word.len()..]);
     Some(inside(rest.trim_start_matches([':', ' ', '.']).trim()))
 }
 
 /// What stands within the brackets around a text, or the text.
 fn inside(text: &str) -> &str {
-    match text
-        .strip_prefix('(')
-        .and_then(|rest| rest.strip_suffix(')'))
-    {
+    match text.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
         Some(inside) if !inside.contains(')') => inside,
         _ => text,
     }
@@ -219,9 +179,7 @@ fn inside(text: &str) -> &str {
 /// A reference: a number, 1 if there is none, with a unit.
 fn reference_of(text: &str) -> Option<(Response, f64)> {
     let end = text
-        .find(|c: char| {
-            c.is_whitespace() || c.is_alphabetic() && !matches!(c, 'e' | 'E') || c == '('
-        })
+        .find(|c: char| c.is_whitespace() || c.is_alphabetic() && !matches!(c, 'e' | 'E') || c == '(')
         .unwrap_or(text.len());
     let (number, unit) = text.split_at(end);
     let number: f64 = match number.trim() {
@@ -236,22 +194,16 @@ fn reference_of(text: &str) -> Option<(Response, f64)> {
 pub(super) fn response_of(unit: &str) -> Option<(Response, f64)> {
     let plain = without_brackets(unit);
     // Per force, "g" is no gram.
-    let per_force = plain
-        .strip_prefix('g')
-        .and_then(|rest| rest.trim_start().strip_prefix('/'));
+    let per_force = plain.strip_prefix('g').and_then(|rest| rest.trim_start().strip_prefix('/'));
     let (text, gravity) = match per_force {
         Some(force) => (format!("m/s2/{force}"), STANDARD_GRAVITY),
         None => (plain, 1.0),
     };
     let parsed = Unit::parse(&text).ok()?;
-    [
-        Response::Receptance,
-        Response::Mobility,
-        Response::Accelerance,
-    ]
-    .into_iter()
-    .find(|response| response.exponents() == parsed.exponents)
-    .map(|response| (response, gravity * parsed.factor))
+    [Response::Receptance, Response::Mobility, Response::Accelerance]
+        .into_iter()
+        .find(|response| response.exponents() == parsed.exponents)
+        .map(|response| (response, gravity * parsed.factor))
 }
 
 /// "(m/s²)/N" as "m/s²/N", "m/(s N)" as "m/s/N", "m_per_s_per_kn" as "m/s/kN".

@@ -15,11 +15,7 @@ const BEST: f64 = 0.999;
 /// The variance of a frequency response estimated from n blows is |H|²(1 − γ²)/(2nγ²) (Bendat and Piersol, *Random
 /// Data*, for the estimator H₁), so that the weights are those of least variance. A mean of passive receptances is passive.
 /// It flattens what is narrower than 1/24 octave, so lines of good coherence are left as they are.
-pub(super) fn smooth(
-    angular: &[f64],
-    receptances: &mut [Complex64],
-    coherence: &[f64],
-) -> Option<Message> {
+pub(super) fn smooth(angular: &[f64], receptances: &mut [Complex64], coherence: &[f64]) -> Option<Message> {
     let measured = receptances.to_vec();
     let widest = OCTAVES.exp2();
     let mut poor = Vec::new();
@@ -66,10 +62,7 @@ mod tests {
         // Good lines stay, and one that is alone has no other to go by.
         assert_eq!([0, 2, 3].map(|line| receptances[line].re), [4.0, 6.0, 1.0]);
         let words = remark.to_string();
-        assert!(
-            words.contains("below 0.8 at 2 of 4 frequencies, between 16 and 24 Hz"),
-            "{words}"
-        );
+        assert!(words.contains("below 0.8 at 2 of 4 frequencies, between 16 and 24 Hz"), "{words}");
     }
 
     #[test]

@@ -17,11 +17,7 @@ pub(super) fn read(
 ) -> Result<(FrequencyResponse, Vec<Message>), MeasurementError> {
     let layout = layout(text, measurement)?;
     let units = Units::new(&layout, measurement)?;
-    let Columns {
-        frequency,
-        values,
-        coherence,
-    } = layout.columns;
+    let Columns { frequency, values, coherence } = layout.columns;
     let mut response = FrequencyResponse {
         response: units.decoded.response,
         frequencies: Vec::new(),
@@ -34,9 +30,7 @@ pub(super) fn read(
     let mut written: Vec<Vec<f64>> = vec![Vec::new(); values.all().len()];
     for row in rows(&layout) {
         let row = row?;
-        response
-            .frequencies
-            .push(units.to_hertz * row.number(frequency)?);
+        response.frequencies.push(units.to_hertz * row.number(frequency)?);
         for (column, written) in values.all().into_iter().zip(&mut written) {
             written.push(match values {
                 Parts::Complex(_) => row.complex(column)?.re,
@@ -86,17 +80,9 @@ pub(super) fn read(
 }
 
 /// The columns: those of parts by their names, or whole complex numbers.
-fn layout<'a>(
-    text: &'a str,
-    measurement: &Measurement,
-) -> Result<Layout<'a, Columns>, MeasurementError> {
+fn layout<'a>(text: &'a str, measurement: &Measurement) -> Result<Layout<'a, Columns>, MeasurementError> {
     let example = "frequency_hz,real,imaginary";
-    let in_parts = find(
-        text,
-        example,
-        |header| Columns::find(header, measurement),
-        Columns::all,
-    );
+    let in_parts = find(text, example, |header| Columns::find(header, measurement), Columns::all);
     match in_parts {
         Ok(layout) => Ok(layout),
         // Whole numbers may be complex where names tell of no parts.
@@ -149,10 +135,7 @@ struct Units {
 }
 
 impl Units {
-    fn new(
-        layout: &Layout<'_, Columns>,
-        measurement: &Measurement,
-    ) -> Result<Self, MeasurementError> {
+    fn new(layout: &Layout<'_, Columns>, measurement: &Measurement) -> Result<Self, MeasurementError> {
         let phase_in_header = match layout.columns.values {
             Parts::Polar([_, phase]) => unit(layout, phase).and_then(angle),
             Parts::Cartesian(_) | Parts::Complex(_) => None,
@@ -186,15 +169,10 @@ impl Units {
 pub(super) fn hertz_of(unit: &str) -> Option<f64> {
     let plain: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
     match plain.to_lowercase().as_str() {
-        "rad/s" | "rad_s" | "rad_per_s" | "rads-1" | "rads^-1" => {
-            Some(std::f64::consts::TAU.recip())
-        }
+        "rad/s" | "rad_s" | "rad_per_s" | "rads-1" | "rads^-1" => Some(std::f64::consts::TAU.recip()),
         "hz" => Some(1.0),
         "khz" => Some(1e3),
-        _ => Unit::parse(unit)
-            .ok()
-            .filter(|unit| unit.exponents == Exponents::new(0, 0, -1))
-            .map(|unit| unit.factor),
+        _ => Unit::parse(unit).ok().filter(|unit| unit.exponents == Exponents::new(0, 0, -1)).map(|unit| unit.factor),
     }
 }
 
@@ -203,9 +181,7 @@ fn to_hertz(layout: &Layout<'_, Columns>, key: Option<&String>) -> Result<f64, M
     let wrong = |message: String| MeasurementError::new("frequency_unit", message);
     if let Some(unit) = key {
         return hertz_of(unit).ok_or_else(|| {
-            wrong(format!(
-                "is \"{unit}\", which is no unit of a frequency: write \"Hz\", \"kHz\" or \"rad/s\""
-            ))
+            wrong(format!("is \"{unit}\", which is no unit of a frequency: write \"Hz\", \"kHz\" or \"rad/s\""))
         });
     }
     let column = layout.columns.frequency;

@@ -27,18 +27,14 @@ pub(super) fn read(
     let axis = measurement.vertical_axis;
     let file = universal_file::read(bytes).map_err(|error| MeasurementError::file(&error))?;
     let function = match measurement.function {
-        Some(number) => number
-            .checked_sub(1)
-            .and_then(|index| file.functions.get(index as usize))
-            .ok_or_else(|| {
+        Some(number) => {
+            number.checked_sub(1).and_then(|index| file.functions.get(index as usize)).ok_or_else(|| {
                 MeasurementError::new(
                     "function",
-                    format!(
-                        "is {number}, but the file has {} functions",
-                        file.functions.len()
-                    ),
+                    format!("is {number}, but the file has {} functions", file.functions.len()),
                 )
-            })?,
+            })?
+        }
         None => only(&file.functions, axis)?,
     };
     let remarks = between_nodes(function).into_iter().collect();
@@ -48,13 +44,8 @@ pub(super) fn read(
 /// A point receptance has response and force at one node; on a rail head they stand side by side.
 fn between_nodes(function: &Function) -> Option<Message> {
     let (response, reference) = (function.response.node, function.reference.node);
-    (response != reference).then(|| {
-        say!(
-            response_at_other_node,
-            response = response.to_string(),
-            reference = reference.to_string()
-        )
-    })
+    (response != reference)
+        .then(|| say!(response_at_other_node, response = response.to_string(), reference = reference.to_string()))
 }
 
 /// Whether a function responds along an axis to a force along it.
@@ -64,9 +55,7 @@ fn is_along(function: &Function, axis: VerticalAxis) -> bool {
         VerticalAxis::Y => 2,
         VerticalAxis::Z => 3,
     };
-    [&function.response, &function.reference]
-        .into_iter()
-        .all(|freedom| freedom.direction.abs() == code)
+    [&function.response, &function.reference].into_iter().all(|freedom| freedom.direction.abs() == code)
 }
 
 /// A direction by its code.
@@ -90,9 +79,7 @@ fn only(functions: &[Function], axis: VerticalAxis) -> Result<&Function, Measure
     let mut candidates = functions.iter().filter(is_response);
     match (candidates.next(), candidates.count()) {
         (Some(function), 0) => Ok(function),
-        (None, _) => Err(MeasurementError::file(
-            "the file has no frequency response (dataset 58, function type 4)",
-        )),
+        (None, _) => Err(MeasurementError::file("the file has no frequency response (dataset 58, function type 4)")),
         (Some(_), others) => Err(MeasurementError::file(format!(
             "the file has {} frequency responses: choose one by track.measurement.function",
             others + 1
@@ -101,9 +88,7 @@ fn only(functions: &[Function], axis: VerticalAxis) -> Result<&Function, Measure
 }
 
 /// A function by its numbers, whose units are SI where it names none.
-pub(super) fn of_function(
-    function: &UniversalFunction,
-) -> Result<FrequencyResponse, MeasurementError> {
+pub(super) fn of_function(function: &UniversalFunction) -> Result<FrequencyResponse, MeasurementError> {
     let vertical = function.vertical_axis;
     let axis = |kind: i32, unit: &str| Axis {
         kind,
@@ -113,11 +98,7 @@ pub(super) fn of_function(
         label: String::new(),
         unit: unit.to_owned(),
     };
-    let freedom = |direction: i32| Freedom {
-        entity: String::new(),
-        node: 0,
-        direction,
-    };
+    let freedom = |direction: i32| Freedom { entity: String::new(), node: 0, direction };
     let function = Function {
         line: 0,
         title: function.title.clone(),
@@ -132,20 +113,12 @@ pub(super) fn of_function(
         abscissa: function.frequencies.clone(),
         ordinate: function.values.clone(),
     };
-    let said = Measurement {
-        vertical_axis: vertical,
-        ..Measurement::default()
-    };
+    let said = Measurement { vertical_axis: vertical, ..Measurement::default() };
     response(&function, Some(SI), &said)
 }
 
 /// Units of a file in SI.
-const SI: Units = Units {
-    length: 1.0,
-    force: 1.0,
-    temperature: 1.0,
-    temperature_offset: 0.0,
-};
+const SI: Units = Units { length: 1.0, force: 1.0, temperature: 1.0, temperature_offset: 0.0 };
 
 fn response(
     function: &Function,
@@ -199,28 +172,14 @@ fn response(
         ));
     }
     // The sign of a direction that points against its axis.
-    let sign: i32 = directions
-        .into_iter()
-        .filter(|one| *one != 0)
-        .map(i32::signum)
-        .product();
+    let sign: i32 = directions.into_iter().filter(|one| *one != 0).map(i32::signum).product();
     let factor = f64::from(sign) * size;
     Ok(FrequencyResponse {
         response: quantity,
-        frequencies: function
-            .abscissa
-            .iter()
-            .map(|value| hertz * value)
-            .collect(),
-        values: function
-            .ordinate
-            .iter()
-            .map(|value| value * factor)
-            .collect(),
+        frequencies: function.abscissa.iter().map(|value| hertz * value).collect(),
+        values: function.ordinate.iter().map(|value| value * factor).collect(),
         coherence: None,
-        places: (1..=function.ordinate.len())
-            .map(|number| place(format!("value {number}")))
-            .collect(),
+        places: (1..=function.ordinate.len()).map(|number| place(format!("value {number}"))).collect(),
     })
 }
 
@@ -230,9 +189,7 @@ fn hertz(axis: &Axis, said: &Measurement) -> Result<Option<f64>, MeasurementErro
         Some(unit) => hertz_of(unit).map(Some).ok_or_else(|| {
             MeasurementError::new(
                 "frequency_unit",
-                format!(
-                    "is \"{unit}\", which is no unit of a frequency: write \"Hz\", \"kHz\" or \"rad/s\""
-                ),
+                format!("is \"{unit}\", which is no unit of a frequency: write \"Hz\", \"kHz\" or \"rad/s\""),
             )
         }),
         None if axis.has_unit() => Ok(hertz_of(axis.unit.trim())),
@@ -247,11 +204,7 @@ fn size(
     units: Option<Units>,
     said: &Measurement,
 ) -> Result<Result<(Response, f64), &'static str>, MeasurementError> {
-    let Function {
-        numerator,
-        denominator,
-        ..
-    } = function;
+    let Function { numerator, denominator, .. } = function;
     if said.unit.is_some() {
         let decoded = ValueUnit {
             key: said.unit.as_deref(),
@@ -277,9 +230,7 @@ fn size(
         _ if is_general => match said.quantity {
             Some(quantity) => quantity,
             None => {
-                return Ok(Err(
-                    "does not say what it is: give track.measurement.quantity and unit",
-                ));
+                return Ok(Err("does not say what it is: give track.measurement.quantity and unit"));
             }
         },
         _ => return Ok(Err("is no displacement, velocity or acceleration")),
@@ -290,9 +241,7 @@ fn size(
         return Ok(Err("is not per force"));
     }
     if units.is_none() && !(numerator.has_unit() && denominator.has_unit()) {
-        return Ok(Err(
-            "names no unit, nor does its file (dataset 164): give it by track.measurement.unit",
-        ));
+        return Ok(Err("names no unit, nor does its file (dataset 164): give it by track.measurement.unit"));
     }
     let (length, force) = units.map_or((1.0, 1.0), |units| (units.length, units.force));
     let motion = match quantity {

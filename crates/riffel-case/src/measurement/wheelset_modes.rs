@@ -13,9 +13,7 @@ use super::table::hertz_of;
 use super::{MeasurementError, bytes_of, decoded};
 
 /// The shape, in the order of [`riffel::wheelset::Port::ALL`].
-const SHAPE: [&str; 6] = [
-    "left_x", "left_y", "left_z", "right_x", "right_y", "right_z",
-];
+const SHAPE: [&str; 6] = ["left_x", "left_y", "left_z", "right_x", "right_y", "right_z"];
 
 /// Names of the other columns; the first of each is told of where it is missing.
 const FREQUENCY: [&str; 3] = ["frequency", "natural_frequency", "eigenfrequency"];
@@ -46,12 +44,8 @@ impl WheelsetModes {
         let example = "frequency_hz,damping_ratio,generalised_mass_kg,left_x,left_y,left_z,right_x,right_y,right_z";
         let layout = find(text, example, ModeColumns::find, ModeColumns::numbers)?;
         let units = Units::of(&layout)?;
-        let mut read = Self {
-            modes: Vec::new(),
-            places: Vec::new(),
-            residual: Vec::new(),
-            residual_places: Vec::new(),
-        };
+        let mut read =
+            Self { modes: Vec::new(), places: Vec::new(), residual: Vec::new(), residual_places: Vec::new() };
         let columns = &layout.columns;
         for row in rows(&layout) {
             let row = row?;
@@ -131,9 +125,8 @@ struct ModeColumns {
 impl ModeColumns {
     fn find(header: &[String]) -> Result<Self, MeasurementError> {
         let need = |names: &[&str]| {
-            told(header, names)?.ok_or_else(|| {
-                MeasurementError::file(format!("has no column `{}`; {}", names[0], it_has(header)))
-            })
+            told(header, names)?
+                .ok_or_else(|| MeasurementError::file(format!("has no column `{}`; {}", names[0], it_has(header))))
         };
         let mut shape = [0; 6];
         for (column, name) in shape.iter_mut().zip(SHAPE) {
@@ -173,10 +166,7 @@ fn told(header: &[String], names: &[&str]) -> Result<Option<usize>, MeasurementE
 
 /// What follows the name of a quantity in that of a column, without its underscore: the unit in `left_x_per_sqrt_kg`.
 fn behind(column: &str, name: &str) -> Option<String> {
-    let own = without_unit(column)
-        .trim()
-        .to_lowercase()
-        .replace([' ', '-'], "_");
+    let own = without_unit(column).trim().to_lowercase().replace([' ', '-'], "_");
     let rest = own.strip_prefix(name)?;
     match rest.strip_prefix('_') {
         Some(unit) => Some(unit.to_owned()),
@@ -194,12 +184,7 @@ struct Units {
 
 impl Units {
     fn of(layout: &Layout<'_, ModeColumns>) -> Result<Self, MeasurementError> {
-        let ModeColumns {
-            frequency,
-            damping_ratio,
-            generalised_mass,
-            shape,
-        } = layout.columns;
+        let ModeColumns { frequency, damping_ratio, generalised_mass, shape } = layout.columns;
         let unit = |column: usize| unit_of(layout, column);
         let wrong = |column: usize, rule: &str| {
             let (name, unit) = (&layout.names[column], unit(column));
@@ -207,8 +192,7 @@ impl Units {
         };
         let to_hertz = match &unit(frequency)[..] {
             "" => 1.0,
-            unit => hertz_of(unit)
-                .ok_or_else(|| wrong(frequency, "write a unit of a frequency, Hz, kHz or rad/s"))?,
+            unit => hertz_of(unit).ok_or_else(|| wrong(frequency, "write a unit of a frequency, Hz, kHz or rad/s"))?,
         };
         let to_ratio = match &unit(damping_ratio)[..] {
             "" | "-" | "1" => 1.0,
@@ -222,8 +206,7 @@ impl Units {
             None => 1.0,
             Some(column) => match &unit(column)[..] {
                 "" => 1.0,
-                unit => kilograms(unit)
-                    .ok_or_else(|| wrong(column, "write a unit of a mass, kg or t"))?,
+                unit => kilograms(unit).ok_or_else(|| wrong(column, "write a unit of a mass, kg or t"))?,
             },
         };
         let plain = |column: usize| matches!(&unit(column)[..], "" | "-" | "1");
@@ -248,27 +231,16 @@ impl Units {
                 }
                 let factors = shape.map(|column| per_root_of_mass(&unit(column)));
                 let Some(first) = factors[0] else {
-                    return Err(wrong(
-                        shape[0],
-                        "a mass-normalised shape is in 1/√kg or 1/√t",
-                    ));
+                    return Err(wrong(shape[0], "a mass-normalised shape is in 1/√kg or 1/√t"));
                 };
                 if let Some(other) = factors.iter().position(|&factor| factor != Some(first)) {
-                    let rule = format!(
-                        "all shapes have one unit, that of `{}`",
-                        layout.names[shape[0]]
-                    );
+                    let rule = format!("all shapes have one unit, that of `{}`", layout.names[shape[0]]);
                     return Err(wrong(shape[other], &rule));
                 }
                 first
             }
         };
-        Ok(Self {
-            to_hertz,
-            to_ratio,
-            to_kilograms,
-            of_shape,
-        })
+        Ok(Self { to_hertz, to_ratio, to_kilograms, of_shape })
     }
 }
 
@@ -281,26 +253,17 @@ fn unit_of(layout: &Layout<'_, ModeColumns>, column: usize) -> String {
     }
     let names = SHAPE.iter().chain(&FREQUENCY);
     let names = names.chain(&DAMPING_RATIO).chain(&GENERALISED_MASS);
-    names
-        .filter_map(|known| behind(name, known))
-        .min_by_key(String::len)
-        .unwrap_or_default()
+    names.filter_map(|known| behind(name, known)).min_by_key(String::len).unwrap_or_default()
 }
 
 /// Kilograms in a unit of mass.
 fn kilograms(unit: &str) -> Option<f64> {
-    Unit::parse(unit)
-        .ok()
-        .filter(|unit| unit.exponents == Exponents::new(1, 0, 0))
-        .map(|unit| unit.factor)
+    Unit::parse(unit).ok().filter(|unit| unit.exponents == Exponents::new(1, 0, 0)).map(|unit| unit.factor)
 }
 
 /// 1/√kg in a unit such as "1/√kg", "1/sqrt(t)", "kg^-0.5" or "per_sqrt_kg".
 fn per_root_of_mass(unit: &str) -> Option<f64> {
-    let plain: String = unit
-        .chars()
-        .filter(|c| !c.is_whitespace() && !matches!(c, '(' | ')' | '^'))
-        .collect();
+    let plain: String = unit.chars().filter(|c| !c.is_whitespace() && !matches!(c, '(' | ')' | '^')).collect();
     let ends = ["-0.5", "-1/2"].into_iter();
     let mass = ["1/√", "1/sqrt", "per_sqrt_"]
         .into_iter()

@@ -38,13 +38,8 @@ impl WheelsetReceptances {
         let EntryColumns { frequency, entries } = &layout.columns;
         let to_hertz = match unit(&layout, *frequency) {
             None => 1.0,
-            Some(unit) => hertz_of(unit).ok_or_else(|| {
-                wrong(
-                    &layout,
-                    *frequency,
-                    "write a unit of a frequency, Hz, kHz or rad/s",
-                )
-            })?,
+            Some(unit) => hertz_of(unit)
+                .ok_or_else(|| wrong(&layout, *frequency, "write a unit of a frequency, Hz, kHz or rad/s"))?,
         };
         let mut responses = Vec::with_capacity(entries.len());
         let mut remarks = Vec::new();
@@ -79,9 +74,7 @@ impl WheelsetReceptances {
             let measured = response.read()?;
             if let Some(port) = entry.ports.own() {
                 let check = check_sign(&measured.receptance, ROUNDING);
-                check.map_err(|rule| {
-                    MeasurementError::file(say!(about, subject = port, remark = rule))
-                })?;
+                check.map_err(|rule| MeasurementError::file(say!(about, subject = port, remark = rule)))?;
             }
             left_out = measured.remarks;
             receptances.push(measured.receptance);
@@ -98,11 +91,7 @@ impl WheelsetReceptances {
             }
             Ports::Both(..) => {
                 let entries = ports.filter_map(|(ports, receptance)| match ports {
-                    Ports::Both(at, from) => Some(MeasuredEntry {
-                        at,
-                        from,
-                        receptance,
-                    }),
+                    Ports::Both(at, from) => Some(MeasuredEntry { at, from, receptance }),
                     Ports::OneWheel(..) => None,
                 });
                 MeasuredWheelset::new(entries.collect())
@@ -122,24 +111,13 @@ fn violations(wheelset: &MeasuredWheelset) -> impl Iterator<Item = Message> {
     let reciprocity = reciprocity.map(|violation| {
         let (percent, hertz) = (1e2 * violation.size, violation.angular_frequency / TAU);
         let [at, from] = violation.ports.map(name);
-        say!(
-            wheelset_not_reciprocal,
-            at = at,
-            from = from,
-            percent = fixed(percent, 2),
-            hertz = fixed(hertz, 1)
-        )
+        say!(wheelset_not_reciprocal, at = at, from = from, percent = fixed(percent, 2), hertz = fixed(hertz, 1))
     });
     let passivity = wheelset.passivity_violation().filter(beyond_rounding);
     let passivity = passivity.map(|violation| {
         let (percent, hertz) = (1e2 * violation.size, violation.angular_frequency / TAU);
         let port = name(violation.ports[0]);
-        say!(
-            wheelset_gives_energy,
-            percent = fixed(percent, 2),
-            hertz = fixed(hertz, 1),
-            port = port
-        )
+        say!(wheelset_gives_energy, percent = fixed(percent, 2), hertz = fixed(hertz, 1), port = port)
     });
     reciprocity.into_iter().chain(passivity)
 }
@@ -176,9 +154,7 @@ impl Ports {
     /// Those that the name of a column begins with: `yz_re`, `left_y_right_z_re`.
     fn of(name: &str) -> Option<Self> {
         let own = without_unit(name).to_lowercase();
-        let mut words = own
-            .split(|c: char| !c.is_alphanumeric())
-            .filter(|word| !word.is_empty());
+        let mut words = own.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
         let first = words.next()?;
         let Some(rail) = rail(first) else {
             let (at, from) = first.split_at_checked(1)?;
@@ -235,11 +211,7 @@ impl EntryColumns {
         let mut frequency = None;
         // Real, imaginary, modulus, phase.
         let mut found: Vec<(Ports, [Option<usize>; 4])> = Vec::new();
-        for (column, name) in header
-            .iter()
-            .enumerate()
-            .filter(|(_, name)| !name.is_empty())
-        {
+        for (column, name) in header.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
             let part = Role::of(name).and_then(part);
             let slot = match (Ports::of(name), part) {
                 (Some(ports), Some(part)) => {
@@ -286,16 +258,10 @@ impl EntryColumns {
         });
         let entries: Vec<Entry> = entries.collect::<Result<_, _>>()?;
         let Some(first) = entries.first() else {
-            return Err(MeasurementError::file(format!(
-                "names no receptance, as zz_re and zz_im; {}",
-                it_has(header)
-            )));
+            return Err(MeasurementError::file(format!("names no receptance, as zz_re and zz_im; {}", it_has(header))));
         };
         let of_both = |entry: &Entry| matches!(entry.ports, Ports::Both(..));
-        if let Some(other) = entries
-            .iter()
-            .find(|other| of_both(other) != of_both(first))
-        {
+        if let Some(other) = entries.iter().find(|other| of_both(other) != of_both(first)) {
             return Err(MeasurementError::file(format!(
                 "has receptances of one wheel and of both: `{}`, `{}`",
                 header[first.values.first()],
@@ -313,15 +279,11 @@ impl EntryColumns {
                 Ports::Both(at, from) => at == from && at.direction == axis,
             })
         };
-        let missing: Vec<&str> = [
-            Direction::Longitudinal,
-            Direction::Lateral,
-            Direction::Vertical,
-        ]
-        .into_iter()
-        .filter(|&axis| !measured(axis))
-        .map(axis_name)
-        .collect();
+        let missing: Vec<&str> = [Direction::Longitudinal, Direction::Lateral, Direction::Vertical]
+            .into_iter()
+            .filter(|&axis| !measured(axis))
+            .map(axis_name)
+            .collect();
         (!missing.is_empty()).then(|| {
             let axes = missing.join(", ");
             say!(wheelset_not_measured_along, axes = axes)
@@ -379,17 +341,13 @@ impl Units {
                 Some(AngleUnit::Radians) => 1.0,
                 None => {
                     let name = &layout.names[phase];
-                    let message = format!(
-                        "has column `{name}` without its unit: write `{name} [deg]` or `{name} [rad]`"
-                    );
+                    let message =
+                        format!("has column `{name}` without its unit: write `{name} [deg]` or `{name} [rad]`");
                     return Err(MeasurementError::file(message));
                 }
             },
         };
-        Ok(Self {
-            decoded,
-            to_radians,
-        })
+        Ok(Self { decoded, to_radians })
     }
 
     fn value(&self, row: &Row<'_>, values: Parts) -> Result<Complex64, MeasurementError> {
@@ -401,12 +359,10 @@ impl Units {
             Parts::Complex(column) => Ok(self.decoded.linear() * row.complex(column)?),
             Parts::Polar([modulus, phase]) => {
                 let (size, angle) = (row.number(modulus)?, row.number(phase)?);
-                let size = self.decoded.modulus(size).ok_or_else(|| {
-                    row.wrong(
-                        modulus,
-                        &format!("is {size}, but a modulus is not negative"),
-                    )
-                })?;
+                let size = self
+                    .decoded
+                    .modulus(size)
+                    .ok_or_else(|| row.wrong(modulus, &format!("is {size}, but a modulus is not negative")))?;
                 Ok(Complex64::from_polar(size, self.to_radians * angle))
             }
         }

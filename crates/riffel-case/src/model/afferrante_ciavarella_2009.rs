@@ -1,9 +1,7 @@
 //! Afferrante & Ciavarella (2009).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 use crate::file::Rotation;
 
 /// A wheel that turns with its inertia, on a rail without resonances.

@@ -1,9 +1,7 @@
 //! Bhaskar, Johnson, Wood & Woodhouse (1997).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 
 /// Spring and dashpot at the contact, without inertia of rotation.
 pub(super) static MODEL: FieldModel = FieldModel {

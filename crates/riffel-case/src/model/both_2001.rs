@@ -1,9 +1,7 @@
 //! Both, Hong & Kurtze (2001).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 
 /// The washboard road.
 pub(super) static MODEL: FieldModel = FieldModel {

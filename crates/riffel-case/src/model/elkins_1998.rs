@@ -1,9 +1,7 @@
 //! Elkins, Grassie & Handal (1998).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 
 /// Torsion of a driven wheelset near saturation.
 pub(super) static MODEL: FieldModel = FieldModel {

@@ -1,9 +1,7 @@
 //! Frederick (1987).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 
 /// Wear in the complex plane.
 pub(super) static MODEL: FieldModel = FieldModel {

@@ -1,9 +1,7 @@
 //! Grassie & Edwards (2008).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 use crate::file::Rotation;
 
 /// Varying normal load under constant tangential load.

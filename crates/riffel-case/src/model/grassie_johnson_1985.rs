@@ -1,9 +1,7 @@
 //! Grassie & Johnson (1985).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 use crate::file::Rotation;
 
 /// Constant creepage: a control that levels most waves.
@@ -28,10 +26,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "the rail wears by the energy that the slip zone dissipates",
         "dissipation then keeps near the peak of the normal force, and most waves are levelled",
     ],
-    leaves_out: &[
-        "rotational inertia of the wheel",
-        "lateral creepage and spin",
-    ],
+    leaves_out: &["rotational inertia of the wheel", "lateral creepage and spin"],
     not_given: &[
         "the wave's own geometry: not found in what could be read of it, so none is taken",
         "its contact resolves the slip zone in time: the slopes of the steady law and a lag stand in",

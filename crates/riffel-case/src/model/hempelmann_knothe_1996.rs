@@ -1,9 +1,7 @@
 //! Hempelmann & Knothe (1996).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 
 /// Lateral creepage, exact contact, sleepers in the mean.
 pub(super) static MODEL: FieldModel = FieldModel {

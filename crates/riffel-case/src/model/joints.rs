@@ -221,30 +221,22 @@ impl Joints {
                 TrackJoint::FreeBeam => "free Euler–Bernoulli beam",
                 TrackJoint::Continuous => "rail and supports of the case, spread evenly",
                 TrackJoint::Discrete => "rail and supports of the case, at discrete places",
-                TrackJoint::DiscreteMean => {
-                    "rail and supports of the case, at discrete places; mean over the bay"
-                }
+                TrackJoint::DiscreteMean => "rail and supports of the case, at discrete places; mean over the bay",
                 TrackJoint::Rigid => "rigid",
             },
             Joint::Wheel => match self.wheel {
                 WheelJoint::Own => "that of the case",
                 WheelJoint::Alone(Rotation::Inertia) => "one wheel: mass and rotational inertia",
-                WheelJoint::Alone(Rotation::ConstantCreepage) => {
-                    "one wheel: mass, turning evenly (constant creepage)"
-                }
+                WheelJoint::Alone(Rotation::ConstantCreepage) => "one wheel: mass, turning evenly (constant creepage)",
                 WheelJoint::Alone(Rotation::ConstantTangentialForce) => {
                     "one wheel: mass, turning freely (constant tangential force)"
                 }
-                WheelJoint::Wheelset => {
-                    "wheelset of the case, or two of its wheels on a rigid axle"
-                }
+                WheelJoint::Wheelset => "wheelset of the case, or two of its wheels on a rigid axle",
                 WheelJoint::EvenlyTurningWheelset => {
                     "wheelset of the case, or two of its wheels on a rigid axle; turning evenly (constant creepage)"
                 }
                 WheelJoint::ElasticWheelset => "elastic wheelset of the case",
-                WheelJoint::ElasticWheelsetOnBothRails => {
-                    "elastic wheelset of the case, on both rails"
-                }
+                WheelJoint::ElasticWheelsetOnBothRails => "elastic wheelset of the case, on both rails",
                 WheelJoint::Sprung => "mass above the primary suspension, on its spring",
             },
             Joint::Creepage => match self.creepage {
@@ -257,9 +249,7 @@ impl Joints {
                 ContactJoint::Exact => "half-space, non-steady (exact)",
                 ContactJoint::QuasiStatic => "creep law of the case, quasi-static",
                 ContactJoint::Carter => "Carter in three dimensions, quasi-static",
-                ContactJoint::SpringDashpot => {
-                    "Carter in three dimensions, spring and dashpot in series"
-                }
+                ContactJoint::SpringDashpot => "Carter in three dimensions, spring and dashpot in series",
             },
             Joint::Conformity => match self.conformity {
                 true => "that of the case",

@@ -80,9 +80,7 @@ impl FieldModel {
     ///
     /// # Errors
     /// [`UnknownModel`] with the first name that no model has.
-    pub fn named<'a>(
-        names: impl IntoIterator<Item = &'a str>,
-    ) -> Result<Vec<&'static Self>, UnknownModel> {
+    pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Vec<&'static Self>, UnknownModel> {
         let mut models: Vec<&'static Self> = Vec::new();
         for name in names {
             let model = Self::find(name).ok_or_else(|| UnknownModel(name.to_owned()))?;

@@ -14,9 +14,7 @@ use riffel::wheelset::{Motion, SprungMass};
 use riffel_keys::{CaseError, say};
 use toml::{Table, Value};
 
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 use crate::Case;
 use crate::case_text::{CaseText, REPLACED_BY_WHEELSET};
 use crate::file::CreepLawName;
@@ -62,11 +60,7 @@ impl ModelOnCase {
     /// # Errors
     /// [`NotOnCase`] with the keys that the case lacks, or with what is wrong with a value under these joints.
     pub fn new(case: &Case, joints: Joints) -> Result<Self, NotOnCase> {
-        let mut keys = ModelKeys {
-            case,
-            text: case.unfilled.clone(),
-            given: case.keys.given.clone(),
-        };
+        let mut keys = ModelKeys { case, text: case.unfilled.clone(), given: case.keys.given.clone() };
         keys.track(joints.track)?;
         keys.wheel(joints.wheel)?;
         if joints.creepage == CreepageJoint::AcrossTheRail {
@@ -98,9 +92,7 @@ impl ModelOnCase {
         built.feedback = adjusted(built.feedback, even, joints.wear == WearJoint::NormalForce)
             .map_err(|error| NotOnCase(error.to_string()))?;
         Ok(Self {
-            filter: joints
-                .contact_filter
-                .then(|| ContactFilter::of(&built.hertz)),
+            filter: joints.contact_filter.then(|| ContactFilter::of(&built.hertz)),
             mean: joints.track == TrackJoint::DiscreteMean,
             case: built,
         })
@@ -114,19 +106,14 @@ impl ModelOnCase {
     /// Growth rates per passage at wavelengths \[m\] and one speed \[m/s\].
     pub fn growth_rates(&self, wavelengths: &[f64], speed: f64) -> Vec<f64> {
         let rate = self.growth_rate(speed);
-        wavelengths
-            .par_iter()
-            .map(|&wavelength| rate(wavelength))
-            .collect()
+        wavelengths.par_iter().map(|&wavelength| rate(wavelength)).collect()
     }
 
     /// The growth rate per passage over the wavelength \[m\] at one speed \[m/s\].
     pub fn growth_rate(&self, speed: f64) -> impl Fn(f64) -> f64 + Sync + '_ {
         let places = self.places();
         move |wavelength| {
-            let rates = places
-                .iter()
-                .map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate);
+            let rates = places.iter().map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate);
             self.filtered(wavelength) * rates.sum::<f64>()
         }
     }
@@ -135,9 +122,7 @@ impl ModelOnCase {
     pub fn mean_growth_rates(&self, wavelengths: &[f64], speeds: &SpeedDistribution) -> Vec<f64> {
         let mean = MeanGrowth::compute(&self.places(), wavelengths, speeds);
         let rates = wavelengths.iter().zip(mean.rates);
-        rates
-            .map(|(&wavelength, rate)| self.filtered(wavelength) * rate)
-            .collect()
+        rates.map(|(&wavelength, rate)| self.filtered(wavelength) * rate).collect()
     }
 
     fn places(&self) -> Vec<(Loop, f64)> {
@@ -150,9 +135,7 @@ impl ModelOnCase {
     /// What the filter of the contact leaves of growth at a wavelength.
     fn filtered(&self, wavelength: f64) -> f64 {
         let filter = self.filter.iter();
-        filter
-            .map(|filter| filter.amplitude(2.0 * PI / wavelength, 0.0))
-            .product()
+        filter.map(|filter| filter.amplitude(2.0 * PI / wavelength, 0.0)).product()
     }
 
     /// The loop over a support and in mid-span; none where supports are not discrete.
@@ -205,17 +188,10 @@ impl ModelKeys<'_> {
                 self.given.track = None;
                 self.set("track.model", "free-beam")?;
                 self.set("rail.beam", "euler-bernoulli")?;
-                self.remove(&[
-                    "rail.loss_factor",
-                    "rail.torsion_constant",
-                    "track.position",
-                ]);
+                self.remove(&["rail.loss_factor", "rail.torsion_constant", "track.position"]);
             }
             TrackJoint::Continuous => {
-                let spread = matches!(
-                    self.case.file.track.model,
-                    TrackModel::OneLayer | TrackModel::TwoLayer
-                );
+                let spread = matches!(self.case.file.track.model, TrackModel::OneLayer | TrackModel::TwoLayer);
                 if !spread || self.given.track.is_some() {
                     self.supports("one-layer", "two-layer")?;
                 }
@@ -245,10 +221,7 @@ impl ModelKeys<'_> {
             lacks.push("track.pad");
         }
         if !lacks.is_empty() {
-            return Err(NotOnCase::needs(&format!(
-                "supports of the rail: {} or a track.preset",
-                lacks.join(", ")
-            )));
+            return Err(NotOnCase::needs(&format!("supports of the rail: {} or a track.preset", lacks.join(", "))));
         }
         let ballast = track.ballast.as_ref();
         let model = match ballast.is_some_and(|ballast| ballast.stiffness.is_some()) {
@@ -286,17 +259,10 @@ impl ModelKeys<'_> {
             WheelJoint::Sprung => {
                 let suspension = self.case.file.wheelset.as_ref();
                 let suspension = suspension.and_then(|wheelset| wheelset.suspension.as_ref());
-                let Some(suspension) =
-                    suspension.filter(|suspension| suspension.vertical_stiffness.si() > 0.0)
-                else {
-                    return Err(NotOnCase::needs(
-                        "wheelset.suspension with a vertical_stiffness",
-                    ));
+                let Some(suspension) = suspension.filter(|suspension| suspension.vertical_stiffness.si() > 0.0) else {
+                    return Err(NotOnCase::needs("wheelset.suspension with a vertical_stiffness"));
                 };
-                let (stiffness, damping) = (
-                    suspension.vertical_stiffness.si(),
-                    suspension.vertical_damping.si(),
-                );
+                let (stiffness, damping) = (suspension.vertical_stiffness.si(), suspension.vertical_damping.si());
                 let [mass, _] = self.alone()?;
                 let load = self.case.file.contact.normal_load.si();
                 let sprung = SprungMass::new(load / GRAVITY - mass, stiffness, damping)
@@ -313,16 +279,11 @@ impl ModelKeys<'_> {
     fn alone(&mut self) -> Result<[f64; 2], NotOnCase> {
         let wheel = &self.case.file.wheel;
         let found = match &self.case.file.wheelset {
-            None => wheel
-                .mass
-                .zip(wheel.inertia)
-                .map(|(mass, inertia)| [mass.si(), inertia.si()]),
+            None => wheel.mass.zip(wheel.inertia).map(|(mass, inertia)| [mass.si(), inertia.si()]),
             Some(wheelset) => half(wheelset),
         };
         let Some([mass, inertia]) = found else {
-            return Err(NotOnCase::needs(
-                "the mass of the wheelset, which its receptances do not tell",
-            ));
+            return Err(NotOnCase::needs("the mass of the wheelset, which its receptances do not tell"));
         };
         self.remove(&[
             "wheelset",
@@ -351,9 +312,7 @@ impl ModelKeys<'_> {
             return Err(NotOnCase::needs("wheel.mass"));
         };
         if self.given.wheel.is_some() {
-            return Err(NotOnCase::needs(
-                "a wheelset: the receptance given for the wheel is vertical only",
-            ));
+            return Err(NotOnCase::needs("a wheelset: the receptance given for the wheel is vertical only"));
         }
         let half_spacing = 0.5 * Wheelset::default_contact_spacing().si();
         let mass = 2.0 * mass.si();
@@ -366,13 +325,7 @@ impl ModelKeys<'_> {
     }
 
     fn elastic(&self) -> Result<(), NotOnCase> {
-        match self
-            .case
-            .file
-            .wheelset
-            .as_ref()
-            .map(|wheelset| wheelset.model)
-        {
+        match self.case.file.wheelset.as_ref().map(|wheelset| wheelset.model) {
             None | Some(WheelsetModel::Rigid) => Err(NotOnCase::needs(
                 "a wheelset with an elastic axle: wheelset.model = \"flexible\", \"modal\" or \"measured\"",
             )),
@@ -388,23 +341,14 @@ impl ModelKeys<'_> {
             support.is_none_or(|support| support.lateral_stiffness.is_some())
         };
         let known = [
-            (
-                "rail.lateral_second_moment",
-                rail.lateral_second_moment.is_some(),
-            ),
+            ("rail.lateral_second_moment", rail.lateral_second_moment.is_some()),
             ("track.pad.lateral_stiffness", moves(&track.pad)),
             ("track.ballast.lateral_stiffness", moves(&track.ballast)),
         ];
-        let lacks: Vec<&str> = known
-            .iter()
-            .filter_map(|&(key, known)| (!known).then_some(key))
-            .collect();
+        let lacks: Vec<&str> = known.iter().filter_map(|&(key, known)| (!known).then_some(key)).collect();
         match lacks.is_empty() {
             true => Ok(()),
-            false => Err(NotOnCase::needs(&format!(
-                "a rail that moves across the track: {}",
-                lacks.join(", ")
-            ))),
+            false => Err(NotOnCase::needs(&format!("a rail that moves across the track: {}", lacks.join(", ")))),
         }
     }
 
@@ -422,11 +366,7 @@ impl ModelKeys<'_> {
             }
             CreepageJoint::AcrossTheRail => {
                 self.remove(&["opposite_contact.creepage"]);
-                let lateral = size.copysign(if steady.lateral == 0.0 {
-                    1.0
-                } else {
-                    steady.lateral
-                });
+                let lateral = size.copysign(if steady.lateral == 0.0 { 1.0 } else { steady.lateral });
                 let lateral = Table::from_iter([("lateral".to_owned(), Value::Float(lateral))]);
                 self.set("contact.creepage", lateral)
             }
@@ -473,9 +413,7 @@ impl ModelKeys<'_> {
 pub(crate) fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
     let [mass, inertia] = match wheelset.model {
         WheelsetModel::Measured => return None,
-        WheelsetModel::Rigid | WheelsetModel::Modal => {
-            [wheelset.mass?.si(), wheelset.spin_inertia?.si()]
-        }
+        WheelsetModel::Rigid | WheelsetModel::Modal => [wheelset.mass?.si(), wheelset.spin_inertia?.si()],
         WheelsetModel::Flexible => {
             let mut sums = axle(wheelset.axle.as_ref()?)?;
             for disc in &wheelset.discs {
@@ -491,17 +429,12 @@ pub(crate) fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
 /// Mass and inertia of an axle, of solid cylinders.
 fn axle(axle: &Axle) -> Option<[f64; 2]> {
     let pieces: Vec<[f64; 2]> = match &axle.segments {
-        Some(segments) => segments
-            .iter()
-            .map(|segment| [segment.length.si(), segment.diameter.si()])
-            .collect(),
+        Some(segments) => segments.iter().map(|segment| [segment.length.si(), segment.diameter.si()]).collect(),
         None => vec![[axle.length?.si(), axle.diameter?.si()]],
     };
     let masses = pieces.iter().map(|[length, diameter]| {
         let mass = axle.density.si() * length * 0.25 * PI * diameter * diameter;
         [mass, mass * diameter * diameter / 8.0]
     });
-    Some(masses.fold([0.0; 2], |sums, piece| {
-        [sums[0] + piece[0], sums[1] + piece[1]]
-    }))
+    Some(masses.fold([0.0; 2], |sums, piece| [sums[0] + piece[0], sums[1] + piece[1]]))
 }

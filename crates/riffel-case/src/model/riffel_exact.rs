@@ -28,10 +28,7 @@ pub(super) static WITH_WAVES: FieldModel = FieldModel {
     title: "Riffel, exact contact and wave geometry",
     source: "this program: the same, and the wave's own geometry, by which the contact runs slower over crests (derived in the \
              chapter \"What the wave itself does\")",
-    joints: Joints {
-        wave_geometry: true,
-        ..Joints::OURS
-    },
+    joints: Joints { wave_geometry: true, ..Joints::OURS },
     assumptions: &[
         "track and wheelset are those of the case",
         "the contact is two elastic half-spaces in non-steady rolling; the patch says where the rail wears",

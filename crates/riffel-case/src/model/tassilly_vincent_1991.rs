@@ -1,9 +1,7 @@
 //! Tassilly & Vincent (1991).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 
 /// A wheelset in a curve, on both rails.
 pub(super) static MODEL: FieldModel = FieldModel {

@@ -1,9 +1,7 @@
 //! Valdivia (1988).
 
 use super::FieldModel;
-use super::joints::{
-    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
-};
+use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 
 /// Lateral creepage and a contact filter.
 pub(super) static MODEL: FieldModel = FieldModel {

@@ -31,11 +31,7 @@ impl Case {
     fn one_contact_in_time(&self, of_loop: &Contact) -> Result<ContactInTime, CaseError> {
         let (keys, friction) = (&self.keys, self.steady.friction);
         let CreepInTime { law, late, wave } = match &self.law {
-            Some(law) => CreepInTime {
-                law: law.clone(),
-                late: None,
-                wave: None,
-            },
+            Some(law) => CreepInTime { law: law.clone(), late: None, wave: None },
             None => keys.exact_in_time(self.hertz, friction)?,
         };
         let contact = ContactInTime::of_one_wheel(self.steady, self.hertz.stiffness(), law);
@@ -50,11 +46,7 @@ impl Case {
         })
     }
 
-    fn contact_of_loop_in_time(
-        &self,
-        contact: &Contact,
-        keys: &GeneralKeys,
-    ) -> Result<ContactInTime, CaseError> {
+    fn contact_of_loop_in_time(&self, contact: &Contact, keys: &GeneralKeys) -> Result<ContactInTime, CaseError> {
         let side = keys_of_side(keys, contact.rail);
         let steel = self.keys.steel()?;
         let hertz = self.keys.hertz_of(steel, side)?;
@@ -75,11 +67,7 @@ impl Case {
         let on_all_axes = !self.feedback.is_along_one_axis();
         let contacts = self.feedback.contacts();
         if contacts.len() > MOST_CONTACTS {
-            let message = say!(
-                the_case_has_contacts_but_a,
-                count = contacts.len(),
-                most_contacts = MOST_CONTACTS
-            );
+            let message = say!(the_case_has_contacts_but_a, count = contacts.len(), most_contacts = MOST_CONTACTS);
             return refuse("train.wheels", message);
         }
         if on_all_axes && self.keys.given.track.is_some() {
@@ -109,9 +97,7 @@ impl Case {
             let message = say!(contacts_at_rest_in_time);
             return refuse("contact.conformity", message);
         }
-        if self.wheelset.is_none()
-            && self.file.wheel.rotation() == Rotation::ConstantTangentialForce
-        {
+        if self.wheelset.is_none() && self.file.wheel.rotation() == Rotation::ConstantTangentialForce {
             let message = say!(no_constant_force_in_time);
             return refuse("wheel.rotation", message);
         }
@@ -152,10 +138,7 @@ mod tests {
     /// over the largest of its kind.
     fn off(case: &Case, wavelength: f64, speed: f64) -> f64 {
         let amplitude = 1e-8;
-        let profile = Sinusoid {
-            amplitude,
-            wavelength,
-        };
+        let profile = Sinusoid { amplitude, wavelength };
         let passage = case.in_time(speed).unwrap();
         let settled = passage.settle(profile, 256).unwrap();
         let linear = case.feedback.at(wavelength, speed);
@@ -163,11 +146,7 @@ mod tests {
         let [mut of_forces, mut of_creepages] = [Off::default(); 2];
         for (contact, settled) in linear.contacts.iter().zip(&settled) {
             let first = &settled.harmonics[1];
-            let forces = [
-                first.tangential_force,
-                first.lateral_force,
-                first.normal_force,
-            ];
+            let forces = [first.tangential_force, first.lateral_force, first.normal_force];
             let creepages = [first.creepage, first.lateral_creepage];
             of_forces.add(&forces, &contact.force.map(|force| scale * force));
             of_creepages.add(&creepages, &contact.creepage.map(|creep| scale * creep));
@@ -213,14 +192,8 @@ mod tests {
     /// 10⁻⁴.
     #[test]
     fn small_waves_are_those_of_the_linear_loop() {
-        let lone = [
-            "contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}",
-            "contact.creep_law=polach",
-        ];
-        let (antiphase, angle) = (
-            "wheelset.opposite_rail=antiphase",
-            "contact.contact_angle=\"5 deg\"",
-        );
+        let lone = ["contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}", "contact.creep_law=polach"];
+        let (antiphase, angle) = ("wheelset.opposite_rail=antiphase", "contact.contact_angle=\"5 deg\"");
         let (absent, two) = ("wheelset.opposite_rail=absent", "train.wheels=[0, 2.1]");
         for (case, wavelength, speed) in [
             (case(NOMINAL_CASE, &lone), 0.12, 15.0),
@@ -262,25 +235,13 @@ mod tests {
 
     #[test]
     fn what_is_not_followed_through_time_is_refused() {
-        let even = [
-            "wheel.rotation=constant-creepage",
-            "contact.creep_law=polach",
-        ];
+        let even = ["wheel.rotation=constant-creepage", "contact.creep_law=polach"];
         assert!(case(NOMINAL_CASE, &even).in_time(30.0).is_ok());
         let nominal = |rotation| case(NOMINAL_CASE, &[rotation]);
         for (case, words) in [
-            (
-                nominal("wheel.rotation=constant-tangential-force"),
-                "leaves the rail",
-            ),
-            (
-                nominal("contact.response=spring-dashpot"),
-                "small oscillations only",
-            ),
-            (
-                trailer(&["contact.response=spring-dashpot"]),
-                "small oscillations only",
-            ),
+            (nominal("wheel.rotation=constant-tangential-force"), "leaves the rail"),
+            (nominal("contact.response=spring-dashpot"), "small oscillations only"),
+            (trailer(&["contact.response=spring-dashpot"]), "small oscillations only"),
             (trailer(&["train.wheels=[0, 2, 4, 6, 8]"]), "10 contacts"),
         ] {
             let Err(error) = case.in_time(15.0) else {

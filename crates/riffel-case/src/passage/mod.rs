@@ -4,9 +4,7 @@ mod contacts;
 mod structures;
 mod viscous_layers;
 
-use riffel::passage::{
-    ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
-};
+use riffel::passage::{ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -99,8 +97,7 @@ impl CaseInTime<'_> {
         if let Some(structures) = lossy.then(viscous).flatten() {
             return Ok(structures);
         }
-        self.structures_of(self.case, speed)
-            .or_else(|error| viscous().ok_or(error))
+        self.structures_of(self.case, speed).or_else(|error| viscous().ok_or(error))
     }
 
     fn structures_of(&self, case: &Case, speed: f64) -> Result<StructuresInTime, CaseError> {

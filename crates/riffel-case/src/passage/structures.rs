@@ -70,10 +70,7 @@ impl Case {
     /// Whether the first wheel by itself could be followed.
     fn wheel_alone_is_causal(&self, speed: f64, natural_frequencies: &[f64]) -> bool {
         let contacts = self.feedback.contacts().iter();
-        let first: Vec<Contact> = contacts
-            .filter(|contact| contact.along == 0.0)
-            .cloned()
-            .collect();
+        let first: Vec<Contact> = contacts.filter(|contact| contact.along == 0.0).cloned().collect();
         let alone = self.feedback.clone().with_contacts(first);
         alone.is_ok_and(|alone| StructuresInTime::of(&alone, speed, natural_frequencies).is_ok())
     }

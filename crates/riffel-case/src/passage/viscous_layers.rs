@@ -17,10 +17,7 @@ impl Case {
         let cut_on = support.cut_on_frequencies(rail_mass);
         let (lowest, highest) = (*cut_on.first()?, *cut_on.last()?);
         let track = &self.file.track;
-        let layers = [
-            ("track.pad", track.pad.as_ref(), highest),
-            ("track.ballast", track.ballast.as_ref(), lowest),
-        ];
+        let layers = [("track.pad", track.pad.as_ref(), highest), ("track.ballast", track.ballast.as_ref(), lowest)];
         let mut overrides = Vec::new();
         for (key, layer, w) in layers {
             let Some(layer) = layer else {
@@ -46,10 +43,7 @@ impl Case {
     pub(super) fn largest_loss_of_layers(&self) -> f64 {
         let track = &self.file.track;
         let layers = [track.pad.as_ref(), track.ballast.as_ref()];
-        let losses = layers
-            .into_iter()
-            .flatten()
-            .filter_map(|layer| layer.loss_factor);
+        let losses = layers.into_iter().flatten().filter_map(|layer| layer.loss_factor);
         losses.map(|loss| loss.si()).fold(0.0, f64::max)
     }
 
@@ -61,8 +55,7 @@ impl Case {
         let off = |step: i32| {
             let share = f64::from(step) / f64::from(STEPS);
             let w = TAU * BAND.0 * (BAND.1 / BAND.0).powf(share);
-            let [own, other] =
-                [self, other].map(|case| case.track.receptance.receptance(w, case.speed.max()));
+            let [own, other] = [self, other].map(|case| case.track.receptance.receptance(w, case.speed.max()));
             (own / other - 1.0).norm_sqr()
         };
         (0..=STEPS).map(off).sum::<f64>() / f64::from(STEPS + 1)

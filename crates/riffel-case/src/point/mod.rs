@@ -52,10 +52,7 @@ impl DirectionPoint {
         let plain = case.feedback.clone().without_normal_direction();
         let plain = plain.at(state.wavelength, state.speed);
         let added = state.normalized_dissipation - plain.normalized_dissipation;
-        Some(Self {
-            creepage: PointValue::Complex(creepage),
-            dissipation: PointValue::Complex(added),
-        })
+        Some(Self { creepage: PointValue::Complex(creepage), dissipation: PointValue::Complex(added) })
     }
 }
 
@@ -150,12 +147,8 @@ impl AllAxes {
         let forces = case.steady.forces;
         Some(Self {
             steady_force_n: [forces.longitudinal, forces.lateral],
-            track_receptance_matrix_m_per_n: state
-                .track_receptance
-                .map(|row| row.map(PointValue::Complex)),
-            wheel_receptance_matrix_m_per_n: state
-                .wheel_receptance
-                .map(|row| row.map(PointValue::Complex)),
+            track_receptance_matrix_m_per_n: state.track_receptance.map(|row| row.map(PointValue::Complex)),
+            wheel_receptance_matrix_m_per_n: state.wheel_receptance.map(|row| row.map(PointValue::Complex)),
             contacts: contacts.collect(),
         })
     }
@@ -166,9 +159,7 @@ impl Point {
     pub fn new(case: &Case, state: &LoopState) -> Self {
         let quantities = PointQuantity::ALL.into_iter();
         Self {
-            quantities: quantities
-                .filter_map(|quantity| Some((quantity, quantity.value(case, state)?)))
-                .collect(),
+            quantities: quantities.filter_map(|quantity| Some((quantity, quantity.value(case, state)?))).collect(),
             wave_geometry: WavePoint::new(case, state),
             normal_direction: DirectionPoint::new(case, state),
             damage: DamagePoint::new(case, state),
@@ -251,12 +242,7 @@ impl Case {
         match Point::new(&case, &state).not_finite() {
             None => Ok(state),
             Some(quantity) => Err(CaseError::Point {
-                message: say!(
-                    at_m_and_m_s_is,
-                    quantity = quantity.name(),
-                    wavelength = wavelength,
-                    speed = speed
-                ),
+                message: say!(at_m_and_m_s_is, quantity = quantity.name(), wavelength = wavelength, speed = speed),
             }),
         }
     }

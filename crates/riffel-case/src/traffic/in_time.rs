@@ -39,63 +39,41 @@ impl Traffic {
         // To the edges of the bands, as far as the linear loop is asked beside.
         let edges = bands.iter().copied().map(ThirdOctave::wavelength_range);
         let lines: Vec<f64> = edges.flat_map(|(low, high)| [low, high]).collect();
-        let all: f64 = self
-            .file
-            .vehicle
-            .iter()
-            .map(|vehicle| vehicle.share.si())
-            .sum();
+        let all: f64 = self.file.vehicle.iter().map(|vehicle| vehicle.share.si()).sum();
         let vehicles = self.file.vehicle.iter().enumerate();
         vehicles
             .map(|(index, vehicle)| {
                 let speeds = &self.speeds[index];
                 self.check_followed(index)?;
                 self.check_traction_share(index, case)?;
-                let wheel = match settings_of(vehicle).is_empty()
-                    && case.file.contact.response != ContactDynamics::NonSteady
-                {
-                    true => case.clone(),
-                    false => {
-                        self.wheel_on(
-                            index,
-                            case,
-                            &lines,
-                            &Variant::none(""),
-                            &PartValues::default(),
-                        )?
-                        .wheel
-                    }
-                };
+                let wheel =
+                    match settings_of(vehicle).is_empty() && case.file.contact.response != ContactDynamics::NonSteady {
+                        true => case.clone(),
+                        false => self.wheel_on(index, case, &lines, &Variant::none(""), &PartValues::default())?.wheel,
+                    };
                 let share = vehicle.share.si() / all;
                 let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
                 let prepared = wheel.wheels_in_time()?.at_any_speed()?;
                 let at = |&(speed, part): &(f64, f64)| {
-                    Ok(PassingWheel {
-                        share: share * part,
-                        traction_share,
-                        ..prepared.passing_wheel(speed)?
-                    })
+                    Ok(PassingWheel { share: share * part, traction_share, ..prepared.passing_wheel(speed)? })
                 };
                 // Which of several wheels it is about.
                 let named = |node: &(f64, f64)| {
-                    at(node).map_err(|error: CaseError| {
-                        match self.source.table().contains_key("vehicle") {
-                            false => error,
-                            true => self.source.refuse(
-                                &format!("vehicle[{index}]"),
-                                say!(
-                                    vehicle_at_km_h,
-                                    vehicle = &vehicle.name,
-                                    speed = shown_speed(node.0, 1),
-                                    error = error.message()
-                                ),
+                    at(node).map_err(|error: CaseError| match self.source.table().contains_key("vehicle") {
+                        false => error,
+                        true => self.source.refuse(
+                            &format!("vehicle[{index}]"),
+                            say!(
+                                vehicle_at_km_h,
+                                vehicle = &vehicle.name,
+                                speed = shown_speed(node.0, 1),
+                                error = error.message()
                             ),
-                        }
+                        ),
                     })
                 };
                 let nodes = speeds.nodes();
-                let wheels: Result<Vec<PassingWheel>, CaseError> =
-                    nodes.par_iter().map(named).collect();
+                let wheels: Result<Vec<PassingWheel>, CaseError> = nodes.par_iter().map(named).collect();
                 Ok(VehicleInTime {
                     name: vehicle.name.clone(),
                     share,

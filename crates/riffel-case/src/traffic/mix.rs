@@ -42,10 +42,7 @@ impl Traffic {
     /// [`CaseError`] with the key, the value and the rule. Values that go into the case are checked with it, by
     /// [`on`](Self::on).
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let mut traffic = Self::parse(
-            &path.display().to_string(),
-            &read_keys(path, "traffic file")?,
-        )?;
+        let mut traffic = Self::parse(&path.display().to_string(), &read_keys(path, "traffic file")?)?;
         traffic.folder = path.parent().unwrap_or(Path::new("")).to_owned();
         Ok(traffic)
     }
@@ -57,8 +54,7 @@ impl Traffic {
     pub fn edit(&self, change: impl FnOnce(&mut TrafficFile)) -> Result<Self, CaseError> {
         let mut file = self.file.clone();
         change(&mut file);
-        let text = toml::to_string(&file)
-            .map_err(|error| self.source.refuse("vehicle", error.to_string()))?;
+        let text = toml::to_string(&file).map_err(|error| self.source.refuse("vehicle", error.to_string()))?;
         let mut traffic = Self::parse(self.source.name(), &text)?;
         traffic.folder.clone_from(&self.folder);
         Ok(traffic)
@@ -75,16 +71,10 @@ impl Traffic {
         let file: TrafficFile = source.deserialize()?;
         let line = file.line;
         if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {
-            return Err(exclusive(
-                &source,
-                "line.mgt_per_year",
-                "line.passages_per_day",
-            ));
+            return Err(exclusive(&source, "line.mgt_per_year", "line.passages_per_day"));
         }
-        for (key, value) in [
-            ("line.passages_per_day", line.passages_per_day),
-            ("line.mgt_per_year", line.mgt_per_year),
-        ] {
+        for (key, value) in [("line.passages_per_day", line.passages_per_day), ("line.mgt_per_year", line.mgt_per_year)]
+        {
             if let Some(value) = value {
                 positive(&source, key, value)?;
             }
@@ -93,12 +83,8 @@ impl Traffic {
             return Err(source.missing("vehicle", say!(write_one_vehicle_or_more)));
         }
         let (mut speeds, mut spreads) = (Vec::new(), Vec::new());
-        let of_line = [
-            "line.passages_per_day",
-            "line.mgt_per_year",
-            "line.friction_days.mean",
-            "line.friction_days.factor",
-        ];
+        let of_line =
+            ["line.passages_per_day", "line.mgt_per_year", "line.friction_days.mean", "line.friction_days.factor"];
         let mut remarks = of_line
             .into_iter()
             .filter_map(|key| source.judge(key).transpose())
@@ -109,19 +95,12 @@ impl Traffic {
             if vehicle.name.trim().is_empty() {
                 return Err(source.invalid(&key("name"), say!(is_empty_but_tables_need_a), ""));
             }
-            if file.vehicle[..index]
-                .iter()
-                .any(|other| other.name == vehicle.name)
-            {
+            if file.vehicle[..index].iter().any(|other| other.name == vehicle.name) {
                 let rule = say!(is_a_second_time, text = &vehicle.name);
                 return Err(source.invalid(&key("name"), &rule, ""));
             }
             if line.measured_line.is_some() && !vehicle.brings_curve() {
-                let message = say!(
-                    line_measured_line_needs_for_without,
-                    key = key("curve"),
-                    name = &vehicle.name
-                );
+                let message = say!(line_measured_line_needs_for_without, key = key("curve"), name = &vehicle.name);
                 return Err(source.refuse("line.measured_line", &message));
             }
             above_zero(&source, &key("share"), Some(vehicle.share))?;
@@ -142,14 +121,7 @@ impl Traffic {
         }
         let shares = file.vehicle.iter().map(|vehicle| vehicle.share.si());
         sums_to_one(&source, "vehicle", shares)?;
-        Ok(Self {
-            source,
-            file,
-            speeds,
-            spreads,
-            folder: PathBuf::new(),
-            remarks,
-        })
+        Ok(Self { source, file, speeds, spreads, folder: PathBuf::new(), remarks })
     }
 
     /// Nothing but the wheel of the case, at some speeds.
@@ -195,9 +167,7 @@ fn no_forces_as_axle_loads(source: &KeyFile) -> Result<(), CaseError> {
     let vehicles = source.table().get("vehicle").and_then(Value::as_array);
     for (index, vehicle) in vehicles.into_iter().flatten().enumerate() {
         let written = vehicle.get("axle_load").and_then(Value::as_str);
-        let is_force = |text: &&str| {
-            text.trim().parse::<f64>().is_err() && Kind::of::<Force>().read(text).is_ok()
-        };
+        let is_force = |text: &&str| text.trim().parse::<f64>().is_err() && Kind::of::<Force>().read(text).is_ok();
         if let Some(force) = written.filter(is_force) {
             let rule = say!(is_a_force_but_must_be, force = force);
             return Err(source.invalid(&format!("vehicle[{index}].axle_load"), &rule, ""));
@@ -230,15 +200,10 @@ fn judged(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Vec<Messa
         "friction.max",
     ];
     let keys = keys.map(str::to_owned).into_iter().chain(speeds);
-    keys.filter_map(|key| source.judge(&format!("vehicle[{index}].{key}")).transpose())
-        .collect()
+    keys.filter_map(|key| source.judge(&format!("vehicle[{index}].{key}")).transpose()).collect()
 }
 
-fn distribution(
-    source: &KeyFile,
-    index: usize,
-    vehicle: &Vehicle,
-) -> Result<SpeedDistribution, CaseError> {
+fn distribution(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<SpeedDistribution, CaseError> {
     let key = |name: &str| format!("vehicle[{index}].{name}");
     match (&vehicle.speed, &vehicle.speeds) {
         (Some(_), Some(_)) => Err(exclusive(source, &key("speeds"), &key("speed"))),
@@ -248,9 +213,7 @@ fn distribution(
              speeds = [{ speed = \"100 km/h\", share = 1 }]",
         )),
         (Some(normal), None) => {
-            let deviation = normal
-                .standard_deviation
-                .map_or(0.0, |deviation| deviation.si());
+            let deviation = normal.standard_deviation.map_or(0.0, |deviation| deviation.si());
             SpeedDistribution::normal(normal.mean.si(), deviation)
                 .map_err(|error| source.invalid(&key("speed.standard_deviation"), &error, ""))
         }
@@ -261,12 +224,8 @@ fn distribution(
             }
             let shares = list.iter().map(|entry| entry.share.si());
             sums_to_one(source, &key("speeds"), shares)?;
-            let list: Vec<(f64, f64)> = list
-                .iter()
-                .map(|entry| (entry.speed.si(), entry.share.si()))
-                .collect();
-            SpeedDistribution::shares(&list)
-                .map_err(|error| source.invalid(&key("speeds"), &error, ""))
+            let list: Vec<(f64, f64)> = list.iter().map(|entry| (entry.speed.si(), entry.share.si())).collect();
+            SpeedDistribution::shares(&list).map_err(|error| source.invalid(&key("speeds"), &error, ""))
         }
     }
 }
@@ -276,18 +235,10 @@ fn exclusive(source: &KeyFile, key: &str, other: &str) -> CaseError {
     source.invalid(key, &rule, say!(give_one_of_the_two))
 }
 
-fn above_zero<D: Dimension>(
-    source: &KeyFile,
-    key: &str,
-    value: Option<Quantity<D>>,
-) -> Result<(), CaseError> {
+fn above_zero<D: Dimension>(source: &KeyFile, key: &str, value: Option<Quantity<D>>) -> Result<(), CaseError> {
     match value.filter(|value| value.si() <= 0.0) {
         Some(value) => {
-            let rule = say!(
-                is_but_must_be,
-                value = value,
-                rule = say!(greater_than_zero)
-            );
+            let rule = say!(is_but_must_be, value = value, rule = say!(greater_than_zero));
             Err(source.invalid(key, rule, ""))
         }
         None => Ok(()),
@@ -298,10 +249,6 @@ fn positive(source: &KeyFile, key: &str, value: f64) -> Result<(), CaseError> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
     }
-    let rule = say!(
-        is_but_must_be,
-        value = value,
-        rule = say!(finite_and_above_zero)
-    );
+    let rule = say!(is_but_must_be, value = value, rule = say!(finite_and_above_zero));
     Err(source.invalid(key, rule, ""))
 }

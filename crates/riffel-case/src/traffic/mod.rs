@@ -19,14 +19,10 @@ use riffel::roughness::ThirdOctave;
 pub use in_time::VehicleInTime;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
-pub use reported_growth::{
-    FASTEST_DOUBLING_DAYS, is_faster_than_known, is_of_reported_growth, reported_growth,
-};
+pub use reported_growth::{FASTEST_DOUBLING_DAYS, is_faster_than_known, is_of_reported_growth, reported_growth};
 pub use spread::{Spread, SpreadEnds, ValueShare};
 pub use spreads::SpreadEffect;
-pub use traffic_file::{
-    CurveOfVehicle, FrictionDays, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle,
-};
+pub use traffic_file::{CurveOfVehicle, FrictionDays, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 pub use usual::{LineKind, UsualTraffic, traffic_at_speeds};
 pub use vehicle_name::{WHEEL_OF_THE_CASE, vehicle_in_words};
 
@@ -34,28 +30,16 @@ use crate::Case;
 
 /// Keys of the traffic file that have a range, each with its place in the schema.
 pub(crate) const POINTERS: [(&str, &str); 11] = [
-    (
-        "line.passages_per_day",
-        "/$defs/Line/properties/passages_per_day",
-    ),
+    ("line.passages_per_day", "/$defs/Line/properties/passages_per_day"),
     ("line.mgt_per_year", "/$defs/Line/properties/mgt_per_year"),
     ("vehicle.axle_load", "/$defs/Vehicle/properties/axle_load"),
     ("vehicle.wheel_load", "/$defs/Vehicle/properties/wheel_load"),
     ("vehicle.wheel_mass", "/$defs/Vehicle/properties/wheel_mass"),
-    (
-        "vehicle.rolling_radius",
-        "/$defs/Vehicle/properties/rolling_radius",
-    ),
-    (
-        "vehicle.tractive_ratio",
-        "/$defs/Vehicle/properties/tractive_ratio",
-    ),
+    ("vehicle.rolling_radius", "/$defs/Vehicle/properties/rolling_radius"),
+    ("vehicle.tractive_ratio", "/$defs/Vehicle/properties/tractive_ratio"),
     ("vehicle.creepage", "/$defs/Vehicle/properties/creepage"),
     ("vehicle.speed.mean", "/$defs/NormalSpeed/properties/mean"),
-    (
-        "vehicle.speed.standard_deviation",
-        "/$defs/NormalSpeed/properties/standard_deviation",
-    ),
+    ("vehicle.speed.standard_deviation", "/$defs/NormalSpeed/properties/standard_deviation"),
     ("vehicle.speeds.speed", "/$defs/SpeedShare/properties/speed"),
 ];
 

@@ -8,9 +8,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, fixed, say};
 
 use super::wheels_of_vehicle::{Asked, KeptWheels};
-use super::{
-    DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, bands_of, reported_growth, vehicle_in_words,
-};
+use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, bands_of, reported_growth, vehicle_in_words};
 use crate::{Case, Hold, Variant};
 
 /// Traffic on a case: growth rates, and what the reader should know.
@@ -99,14 +97,10 @@ impl Traffic {
         let line = self.file.line;
         let of_mgt = |mgt: f64| growth.passages(mgt) / DAYS_PER_YEAR;
         let passages_per_day = line.passages_per_day.or(line.mgt_per_year.map(of_mgt));
-        let reported =
-            passages_per_day.and_then(|per_day| reported_growth::remark(&growth, per_day));
+        let reported = passages_per_day.and_then(|per_day| reported_growth::remark(&growth, per_day));
         if growth.depends_on_amplitude() {
             let amplitude = 1e6 * case.feedback.amplitude();
-            remarks.push(say!(
-                rates_follow_amplitude,
-                amplitude = fixed(amplitude, 1)
-            ));
+            remarks.push(say!(rates_follow_amplitude, amplitude = fixed(amplitude, 1)));
         }
         if case.has_other_damage() {
             remarks.push(say!(fit_scales_all_damage));
@@ -143,18 +137,13 @@ impl Traffic {
         let (kept, band) = (&KeptWheels::default(), std::slice::from_ref(band));
         let as_it_is = &Variant::none("");
         let vehicles = 0..self.file.vehicle.len();
-        let vehicles =
-            vehicles.map(|index| Ok(self.vehicle_on(index, kept, case, band, as_it_is)?.growth));
+        let vehicles = vehicles.map(|index| Ok(self.vehicle_on(index, kept, case, band, as_it_is)?.growth));
         let growth = self.of_vehicles(band, vehicles.collect::<Result<_, CaseError>>()?)?;
         let depth = growth.mean_wear().depth_per_100_mgt();
         Ok(Cow::Owned(case.clone().wearing(depth)?))
     }
 
-    fn of_vehicles(
-        &self,
-        bands: &[ThirdOctave],
-        vehicles: Vec<VehicleGrowth>,
-    ) -> Result<TrafficGrowth, CaseError> {
+    fn of_vehicles(&self, bands: &[ThirdOctave], vehicles: Vec<VehicleGrowth>) -> Result<TrafficGrowth, CaseError> {
         let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
         growth.map_err(|error| self.source.refuse("vehicle", &error))
     }
@@ -162,16 +151,13 @@ impl Traffic {
     /// The remarks on the vehicles, the one with most passages first. Of several that say the same with other values the
     /// first is kept.
     fn merged(&self, remarks: Vec<Vec<Message>>) -> Vec<Message> {
-        let mut of_vehicles: Vec<(&Vehicle, Vec<Message>)> =
-            self.file.vehicle.iter().zip(remarks).collect();
+        let mut of_vehicles: Vec<(&Vehicle, Vec<Message>)> = self.file.vehicle.iter().zip(remarks).collect();
         of_vehicles.sort_by(|a, b| b.0.share.si().total_cmp(&a.0.share.si()));
         let alone = of_vehicles.len() == 1;
         let mut said = BTreeSet::new();
         let mut merged = Vec::new();
         for (vehicle, remarks) in of_vehicles {
-            let new = remarks
-                .into_iter()
-                .filter(|remark| said.insert(remark.id()));
+            let new = remarks.into_iter().filter(|remark| said.insert(remark.id()));
             merged.extend(new.map(|remark| match alone {
                 true => remark,
                 false => remark.about(vehicle_in_words(&vehicle.name)),
@@ -189,24 +175,13 @@ impl Traffic {
         variant: &Variant,
     ) -> Result<VehicleOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
-        let asked = Asked {
-            kept,
-            traffic: self,
-            index,
-            case,
-            lines: &band_lines(bands),
-            variant,
-            speeds: None,
-        };
+        let asked = Asked { kept, traffic: self, index, case, lines: &band_lines(bands), variant, speeds: None };
         let on_case = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let at = format!("vehicle[{index}]");
         self.check_traction_share(index, case)?;
         let growth = on_case.growth.with_traction_on(traction_share);
-        Ok(VehicleOnCase {
-            growth: growth.map_err(|error| self.source.refuse(&at, &error))?,
-            ..on_case
-        })
+        Ok(VehicleOnCase { growth: growth.map_err(|error| self.source.refuse(&at, &error))?, ..on_case })
     }
 
     /// `Ok` unless a share of the axles of a vehicle is said to roll without damage, where laws beside wear damage under all.

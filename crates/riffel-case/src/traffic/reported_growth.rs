@@ -35,8 +35,6 @@ pub fn reported_growth(wavelength: f64, rate: f64, passages_per_day: f64) -> Opt
 /// The same of the band that grows fastest.
 pub(super) fn remark(growth: &TrafficGrowth, passages_per_day: f64) -> Option<Message> {
     let bands = growth.bands().iter().enumerate();
-    let (band, rate) = bands
-        .map(|(place, band)| (band, growth.band_rate(place)))
-        .max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let (band, rate) = bands.map(|(place, band)| (band, growth.band_rate(place))).max_by(|a, b| a.1.total_cmp(&b.1))?;
     reported_growth(1e-3 * band.nominal_millimetres(), rate, passages_per_day)
 }

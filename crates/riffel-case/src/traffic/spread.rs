@@ -130,12 +130,7 @@ impl<D: Dimension> Spread<D> {
     ///
     /// # Errors
     /// [`CaseError`] with key, value and rule.
-    pub(super) fn distribution(
-        &self,
-        source: &KeyFile,
-        key: &str,
-        values: Values,
-    ) -> Result<Distribution, CaseError> {
+    pub(super) fn distribution(&self, source: &KeyFile, key: &str, values: Values) -> Result<Distribution, CaseError> {
         let refused = |error: riffel::Error| source.invalid(key, &error, "");
         let distribution = match self {
             Self::Shares(list) => {
@@ -144,24 +139,15 @@ impl<D: Dimension> Spread<D> {
                     return Err(source.invalid(key, say!(is_an_empty_list), help));
                 }
                 sums_to_one(source, key, list.iter().map(|entry| entry.share.si()))?;
-                let list: Vec<(f64, f64)> = list
-                    .iter()
-                    .map(|entry| (entry.value.si(), entry.share.si()))
-                    .collect();
+                let list: Vec<(f64, f64)> = list.iter().map(|entry| (entry.value.si(), entry.share.si())).collect();
                 Distribution::shares(&list)
             }
-            Self::Ends(SpreadEnds {
-                mean: Some(mean),
-                standard_deviation: Some(deviation),
-                min: None,
-                max: None,
-            }) => Distribution::normal(mean.si(), deviation.si()),
-            Self::Ends(SpreadEnds {
-                mean: None,
-                standard_deviation: None,
-                min: Some(min),
-                max: Some(max),
-            }) => Distribution::even(min.si(), max.si()),
+            Self::Ends(SpreadEnds { mean: Some(mean), standard_deviation: Some(deviation), min: None, max: None }) => {
+                Distribution::normal(mean.si(), deviation.si())
+            }
+            Self::Ends(SpreadEnds { mean: None, standard_deviation: None, min: Some(min), max: Some(max) }) => {
+                Distribution::even(min.si(), max.si())
+            }
             Self::Ends(_) => {
                 let rule = "is neither { mean, standard_deviation } nor { min, max }";
                 return Err(source.invalid(key, rule, say!(give_both_keys_of_one_of)));
@@ -171,14 +157,9 @@ impl<D: Dimension> Spread<D> {
         let lowest = distribution.lowest();
         match values {
             Values::Positive if lowest <= 0.0 => {
-                let rule = say!(
-                    goes_down_to_but_every_value,
-                    value = Quantity::<D>::new(lowest)
-                );
+                let rule = say!(goes_down_to_but_every_value, value = Quantity::<D>::new(lowest));
                 let help = match distribution {
-                    Distribution::Normal { .. } => {
-                        "the standard deviation must be less than a quarter of the mean"
-                    }
+                    Distribution::Normal { .. } => "the standard deviation must be less than a quarter of the mean",
                     _ => "",
                 };
                 Err(source.invalid(key, &rule, help))
@@ -192,19 +173,10 @@ impl<D: Dimension> Spread<D> {
 ///
 /// # Errors
 /// [`CaseError`] with key, value and rule.
-pub(super) fn of_key(
-    source: &KeyFile,
-    at: &str,
-    kind: Kind,
-    value: &Value,
-) -> Result<Distribution, CaseError> {
+pub(super) fn of_key(source: &KeyFile, at: &str, kind: Kind, value: &Value) -> Result<Distribution, CaseError> {
     let in_si = in_si(source, at, kind, value)?;
     let spread: Spread<Ratio> = in_si.try_into().map_err(|_| {
-        let rule = say!(
-            is_no_spread_give_mean_and,
-            name = kind.name,
-            example = kind.example
-        );
+        let rule = say!(is_no_spread_give_mean_and, name = kind.name, example = kind.example);
         source.invalid(at, &rule, "")
     })?;
     spread.distribution(source, at, Values::Any)
@@ -230,8 +202,7 @@ fn in_si(source: &KeyFile, at: &str, kind: Kind, value: &Value) -> Result<Value,
         }
         Value::Array(list) => {
             let entries = list.iter().enumerate();
-            let entries =
-                entries.map(|(index, entry)| in_si(source, &format!("{at}[{index}]"), kind, entry));
+            let entries = entries.map(|(index, entry)| in_si(source, &format!("{at}[{index}]"), kind, entry));
             Ok(Value::Array(entries.collect::<Result<_, CaseError>>()?))
         }
         value => Ok(value.clone()),
@@ -242,11 +213,7 @@ fn in_si(source: &KeyFile, at: &str, kind: Kind, value: &Value) -> Result<Value,
 ///
 /// # Errors
 /// [`CaseError`] with key, value and rule.
-pub(super) fn names_of_key(
-    source: &KeyFile,
-    at: &str,
-    value: &Value,
-) -> Result<Vec<(String, f64)>, CaseError> {
+pub(super) fn names_of_key(source: &KeyFile, at: &str, value: &Value) -> Result<Vec<(String, f64)>, CaseError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]
     struct NameShare {
@@ -259,8 +226,5 @@ pub(super) fn names_of_key(
         source.invalid(at, rule, "")
     })?;
     sums_to_one(source, at, list.iter().map(|entry| entry.share.si()))?;
-    Ok(list
-        .into_iter()
-        .map(|entry| (entry.value, entry.share.si()))
-        .collect())
+    Ok(list.into_iter().map(|entry| (entry.value, entry.share.si())).collect())
 }

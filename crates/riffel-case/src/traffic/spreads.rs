@@ -61,15 +61,11 @@ impl ValuesOfKey {
         match self {
             Self::Numbers(distribution) => {
                 let nodes = distribution.nodes(rule).into_iter();
-                nodes
-                    .map(|(value, share)| (Value::Float(value), share))
-                    .collect()
+                nodes.map(|(value, share)| (Value::Float(value), share)).collect()
             }
             Self::Names(names) => {
                 let names = names.iter();
-                names
-                    .map(|(name, share)| (Value::String(name.clone()), *share))
-                    .collect()
+                names.map(|(name, share)| (Value::String(name.clone()), *share)).collect()
             }
         }
     }
@@ -78,10 +74,7 @@ impl ValuesOfKey {
 impl SpreadOfKey {
     /// Whether its values are listed one by one, which takes no rule of quadrature.
     pub(super) fn is_listed(&self) -> bool {
-        matches!(
-            self.values,
-            ValuesOfKey::Names(_) | ValuesOfKey::Numbers(Distribution::Shares(_))
-        )
+        matches!(self.values, ValuesOfKey::Names(_) | ValuesOfKey::Numbers(Distribution::Shares(_)))
     }
 
     /// `friction`, or a key of the case.
@@ -150,21 +143,9 @@ impl Spreads {
     ) -> Result<Self, CaseError> {
         let at = |name: &str| place_of(index, name);
         let taken = [
-            (
-                "load",
-                "axle_load",
-                vehicle.load.is_some() && vehicle.axle_load.is_some(),
-            ),
-            (
-                "load",
-                "wheel_load",
-                vehicle.load.is_some() && vehicle.wheel_load.is_some(),
-            ),
-            (
-                "wheel_radius",
-                "rolling_radius",
-                vehicle.wheel_radius.is_some() && vehicle.rolling_radius.is_some(),
-            ),
+            ("load", "axle_load", vehicle.load.is_some() && vehicle.axle_load.is_some()),
+            ("load", "wheel_load", vehicle.load.is_some() && vehicle.wheel_load.is_some()),
+            ("wheel_radius", "rolling_radius", vehicle.wheel_radius.is_some() && vehicle.rolling_radius.is_some()),
         ];
         if let Some((own, other, _)) = taken.into_iter().find(|(_, _, both)| *both) {
             let rule = say!(and_exclude_each_other, other = at(other));
@@ -180,35 +161,21 @@ impl Spreads {
         };
         if let Some(radius) = &vehicle.wheel_radius {
             let at = at("wheel_radius");
-            shorthand(
-                "wheel_radius",
-                WHEEL_RADIUS,
-                radius.distribution(source, &at, Values::Positive)?,
-            );
+            shorthand("wheel_radius", WHEEL_RADIUS, radius.distribution(source, &at, Values::Positive)?);
         }
         if let Some(load) = &vehicle.load {
-            shorthand(
-                "load",
-                LOAD,
-                load.distribution(source, &at("load"), Values::Positive)?,
-            );
+            shorthand("load", LOAD, load.distribution(source, &at("load"), Values::Positive)?);
         }
         if let Some(friction) = &vehicle.friction {
             let at = at("friction");
-            shorthand(
-                "friction",
-                FRICTION,
-                friction.distribution(source, &at, Values::Positive)?,
-            );
+            shorthand("friction", FRICTION, friction.distribution(source, &at, Values::Positive)?);
         }
         let given = settings(&vehicle.set);
         let spread = settings(&vehicle.spread);
-        let says_friction =
-            vehicle.friction.is_some() || given.iter().chain(&spread).any(|it| it.0 == FRICTION);
+        let says_friction = vehicle.friction.is_some() || given.iter().chain(&spread).any(|it| it.0 == FRICTION);
         if let Some(days) = days.filter(|_| !says_friction) {
             let distribution = Distribution::log_normal(days.mean.si(), days.factor.si());
-            let distribution =
-                distribution.map_err(|error| source.invalid(FRICTION_DAYS, &error, ""))?;
+            let distribution = distribution.map_err(|error| source.invalid(FRICTION_DAYS, &error, ""))?;
             shorthand(FRICTION_DAYS, FRICTION, distribution);
         }
         for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
@@ -217,8 +184,7 @@ impl Spreads {
                 let help = say!(the_nearest_key_is, key = CaseKey::nearest(&key));
                 return Err(source.invalid(&at(&own), say!(is_no_key_of_a_case), &help));
             };
-            let twice = of_keys.iter().any(|it: &SpreadOfKey| it.key == key)
-                || given.iter().any(|it| it.0 == key);
+            let twice = of_keys.iter().any(|it: &SpreadOfKey| it.key == key) || given.iter().any(|it| it.0 == key);
             if twice {
                 let rule = "is given a second time by another key of the vehicle";
                 return Err(source.invalid(&at(&own), rule, say!(give_one_of_the_two)));

@@ -51,10 +51,7 @@ impl Traffic {
         let mut curving = match &vehicle.curve {
             None | Some(CurveOfVehicle::OfCase(false)) => return Ok(None),
             Some(CurveOfVehicle::OfCase(true)) => {
-                let sets = [
-                    &crate::setting::settings(&vehicle.set)[..],
-                    &variant.settings,
-                ];
+                let sets = [&crate::setting::settings(&vehicle.set)[..], &variant.settings];
                 let mut text = case.text_with(&sets)?;
                 let from = text.keys.has("contact.from").then(|| text.asks_for());
                 match from.transpose()?.and_then(|from| from.curve) {
@@ -69,9 +66,10 @@ impl Traffic {
         };
         if let Some(CurveOfVehicle::File(_)) = &vehicle.curve {
             let own = crate::setting::settings(&vehicle.set);
-            let of_vehicle = own.iter().chain(&variant.settings).filter(|(key, _)| {
-                OF_VEHICLE.iter().any(|table| key.starts_with(table)) || key == "contact.friction"
-            });
+            let of_vehicle = own
+                .iter()
+                .chain(&variant.settings)
+                .filter(|(key, _)| OF_VEHICLE.iter().any(|table| key.starts_with(table)) || key == "contact.friction");
             for (key, value) in of_vehicle {
                 curving = curving.with(&format!("{key}={value}"))?;
             }
@@ -79,11 +77,7 @@ impl Traffic {
         if let (Some(load), Some(bogie)) = (values.of(LOAD), &curving.file.bogie) {
             let mass = 2.0 * load / STANDARD_GRAVITY;
             let more = mass - bogie.mass_per_axle.si();
-            let body = curving
-                .file
-                .body
-                .as_ref()
-                .map(|body| body.mass.si() + 4.0 * more);
+            let body = curving.file.body.as_ref().map(|body| body.mass.si() + 4.0 * more);
             curving = curving.with(&format!("bogie.mass_per_axle={mass:?}"))?;
             if let Some(body) = body {
                 curving = curving.with(&format!("body.mass={body:?}"))?;
@@ -111,11 +105,7 @@ impl ThroughCurve {
         let mut vehicle = self.vehicle.clone();
         vehicle.curve.speed = speed;
         let state = self.curving.equilibrium(&vehicle)?;
-        Ok(Equilibrium {
-            curving: self.curving.clone(),
-            states: vec![state],
-            vehicle,
-        })
+        Ok(Equilibrium { curving: self.curving.clone(), states: vec![state], vehicle })
     }
 }
 
@@ -133,8 +123,7 @@ impl Case {
         if !text.keys.has("contact.from") {
             text.asks_for_low_rail();
         }
-        text.keys
-            .write("contact.from.wheelset", Value::Integer(wheelset as i64))?;
+        text.keys.write("contact.from.wheelset", Value::Integer(wheelset as i64))?;
         let mut given = self.keys.given.clone();
         given.equilibrium = Some(equilibrium.clone());
         let folder = self.keys.folder.as_deref();
@@ -148,11 +137,7 @@ impl CaseText {
         for key in MEAN_STATE {
             self.keys.remove(key);
         }
-        let rail = self
-            .keys
-            .text_of("wheelset.rail")
-            .unwrap_or("low")
-            .to_owned();
+        let rail = self.keys.text_of("wheelset.rail").unwrap_or("low").to_owned();
         self.keys.put("contact.from.rail", rail);
     }
 }

@@ -58,10 +58,7 @@ pub struct FrictionDays {
 /// have 0.5 to 0.6, those with a friction modifier 0.25 to 0.35, wet ones 0.2 to 0.3.
 impl Default for FrictionDays {
     fn default() -> Self {
-        Self {
-            mean: Quantity::new(0.4),
-            factor: Quantity::new(1.4),
-        }
+        Self { mean: Quantity::new(0.4), factor: Quantity::new(1.4) }
     }
 }
 
@@ -172,18 +169,13 @@ impl Vehicle {
         let deviation = (fastest - slowest) / 12f64.sqrt();
         if deviation < WIDEST_NORMAL * mean {
             let standard_deviation = (deviation > 0.0).then(|| Quantity::new(deviation));
-            self.speed = Some(NormalSpeed {
-                mean: Quantity::new(mean),
-                standard_deviation,
-            });
+            self.speed = Some(NormalSpeed { mean: Quantity::new(mean), standard_deviation });
             return self;
         }
         let share = Quantity::new(1.0 / COUNT as f64);
         let places = (0..COUNT).map(|place| (place as f64 + 0.5) / COUNT as f64);
-        let speeds = places.map(|place| SpeedShare {
-            speed: Quantity::new(slowest + (fastest - slowest) * place),
-            share,
-        });
+        let speeds =
+            places.map(|place| SpeedShare { speed: Quantity::new(slowest + (fastest - slowest) * place), share });
         self.speeds = Some(speeds.collect());
         self
     }

@@ -106,20 +106,12 @@ impl UsualTraffic {
                 return Self::in_curve(curve.map_or(middle, |curve| curve.speed.si()));
             }
         };
-        Self {
-            line,
-            speeds: km_per_h.map(|speed| speed / 3.6),
-            passages_per_day,
-        }
+        Self { line, speeds: km_per_h.map(|speed| speed / 3.6), passages_per_day }
     }
 
     /// That of a curve at which a vehicle is balanced at a speed \[m/s\].
     pub fn in_curve(speed: f64) -> Self {
-        Self {
-            line: LineKind::Curve,
-            speeds: [0.9 * speed, 1.1 * speed],
-            passages_per_day: 6000.0,
-        }
+        Self { line: LineKind::Curve, speeds: [0.9 * speed, 1.1 * speed], passages_per_day: 6000.0 }
     }
 
     /// The wheel of the case at these speeds.
@@ -130,10 +122,7 @@ impl UsualTraffic {
         let vehicle = Vehicle::named(WHEEL_OF_THE_CASE).at_even_speeds(self.speeds);
         let file = TrafficFile {
             title: None,
-            line: Line {
-                passages_per_day: Some(self.passages_per_day),
-                ..Line::default()
-            },
+            line: Line { passages_per_day: Some(self.passages_per_day), ..Line::default() },
             vehicle: vec![vehicle],
         };
         Traffic::of_keys("the usual traffic", &file)
@@ -146,20 +135,12 @@ impl UsualTraffic {
     pub fn case_under(&self, case: &Case) -> Result<Case, CaseError> {
         let traffic = self.traffic()?;
         let case = traffic.wearing_as_measured(case)?;
-        case.of_vehicle(&[&window(
-            &case,
-            &band_lines(&bands_of(&case)),
-            &traffic.speeds()[0],
-        )])
+        case.of_vehicle(&[&window(&case, &band_lines(&bands_of(&case)), &traffic.speeds()[0])])
     }
 
     /// What it is: "the usual traffic of a metro (40–70 km/h, 6000 axles a day)".
     pub fn in_words(&self) -> Message {
-        traffic_at_speeds(
-            self.line.usual_traffic(),
-            self.speeds,
-            Some(self.passages_per_day),
-        )
+        traffic_at_speeds(self.line.usual_traffic(), self.speeds, Some(self.passages_per_day))
     }
 }
 

@@ -33,8 +33,7 @@ impl Traffic {
         let mut values = (0..self.file.vehicle.len()).map(|index| self.own_value(index, key));
         let differ = || say!(vehicles_differ, key = key);
         let first = values.next().unwrap_or(Some(None)).ok_or_else(differ)?;
-        let all_alike =
-            values.all(|value| value.is_some_and(|it| it.or(of_case) == first.or(of_case)));
+        let all_alike = values.all(|value| value.is_some_and(|it| it.or(of_case) == first.or(of_case)));
         all_alike.then(|| first.or(of_case)).ok_or_else(differ)
     }
 
@@ -49,8 +48,7 @@ impl Traffic {
         let settings = self.settings(index);
         // A wheelset takes the place of the wheel.
         let has_wheelset = || settings.iter().any(|(own, _)| own.starts_with("wheelset"));
-        let none =
-            self.spreads[index].of_case(key).is_some() || key == "wheel.mass" && has_wheelset();
+        let none = self.spreads[index].of_case(key).is_some() || key == "wheel.mass" && has_wheelset();
         let own = settings.iter().find(|(own, _)| own == key);
         (!none).then(|| own.and_then(|(_, value)| number(value)))
     }
@@ -79,11 +77,7 @@ impl Traffic {
             return Err(self.source.refuse(&place_of(index, key), &message));
         }
         let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
-            let message = say!(
-                vehicle,
-                vehicle = &vehicle.name,
-                error = Message::from(&error)
-            );
+            let message = say!(vehicle, vehicle = &vehicle.name, error = Message::from(&error));
             self.source.refuse(&at(""), &message)
         })?;
         let window = window(case, lines, &speeds);
@@ -97,8 +91,7 @@ impl Traffic {
                 let sets = |(own, _): &Setting| *own == key;
                 if held_setting.iter().any(sets) {
                     let held = held.as_ref();
-                    let why =
-                        held.map_or_else(|| message.to_string(), |held| held.refusal(&message));
+                    let why = held.map_or_else(|| message.to_string(), |held| held.refusal(&message));
                     return variant.refuse(say!(
                         variant_changes_friction_or_load_under,
                         title = &variant.title,
@@ -113,8 +106,7 @@ impl Traffic {
                 }
                 match own.iter().find(|(_, setting)| sets(setting)) {
                     Some((own, _)) if !variant.settings.iter().any(sets) => {
-                        let message =
-                            say!(key_and_rule, key = place_of(index, own), rule = message);
+                        let message = say!(key_and_rule, key = place_of(index, own), rule = message);
                         self.source.refuse(&place_of(index, own), &message)
                     }
                     _ => variant.explain(CaseError::Changed { key, message }),
@@ -122,25 +114,13 @@ impl Traffic {
             }
             error => error,
         })?;
-        Ok(WheelOnCase {
-            wheel,
-            speeds,
-            held,
-        })
+        Ok(WheelOnCase { wheel, speeds, held })
     }
 }
 
 /// Keys of a vehicle that a bogie in a curve has in other words.
-const OF_CURVE: [&str; 8] = [
-    "axle_load",
-    "wheel_load",
-    "rolling_radius",
-    "tractive_ratio",
-    "load",
-    "wheel_radius",
-    "friction",
-    FRICTION_DAYS,
-];
+const OF_CURVE: [&str; 8] =
+    ["axle_load", "wheel_load", "rolling_radius", "tractive_ratio", "load", "wheel_radius", "friction", FRICTION_DAYS];
 
 /// What a vehicle gives the case, each with the key of the vehicle that it comes from.
 pub(super) fn settings_of(vehicle: &Vehicle) -> Vec<(String, Setting)> {
@@ -148,33 +128,15 @@ pub(super) fn settings_of(vehicle: &Vehicle) -> Vec<(String, Setting)> {
     let load = vehicle.axle_load.map(|mass| wheel(mass.si()));
     let numbers = [
         ("axle_load", "contact.normal_load", load),
-        (
-            "wheel_load",
-            "contact.normal_load",
-            vehicle.wheel_load.map(|force| force.si()),
-        ),
-        (
-            "wheel_mass",
-            "wheel.mass",
-            vehicle.wheel_mass.map(|mass| mass.si()),
-        ),
-        (
-            "rolling_radius",
-            "wheel.rolling_radius",
-            vehicle.rolling_radius.map(|radius| radius.si()),
-        ),
-        (
-            "tractive_ratio",
-            "contact.tractive_ratio",
-            vehicle.tractive_ratio.map(|ratio| ratio.si()),
-        ),
+        ("wheel_load", "contact.normal_load", vehicle.wheel_load.map(|force| force.si())),
+        ("wheel_mass", "wheel.mass", vehicle.wheel_mass.map(|mass| mass.si())),
+        ("rolling_radius", "wheel.rolling_radius", vehicle.rolling_radius.map(|radius| radius.si())),
+        ("tractive_ratio", "contact.tractive_ratio", vehicle.tractive_ratio.map(|ratio| ratio.si())),
     ];
-    let creepage = vehicle
-        .creepage
-        .map(|creepage| ("creepage".to_owned(), creepage.setting()));
-    let numbers = numbers.into_iter().filter_map(|(own, key, value)| {
-        Some((own.to_owned(), (key.to_owned(), Value::Float(value?))))
-    });
+    let creepage = vehicle.creepage.map(|creepage| ("creepage".to_owned(), creepage.setting()));
+    let numbers = numbers
+        .into_iter()
+        .filter_map(|(own, key, value)| Some((own.to_owned(), (key.to_owned(), Value::Float(value?)))));
     let others = settings(&vehicle.set).into_iter();
     let others = others.map(|setting| (format!("set.{}", setting.0), setting));
     creepage.into_iter().chain(numbers).chain(others).collect()
@@ -195,10 +157,7 @@ pub(super) fn window(case: &Case, lines: &[f64], speeds: &SpeedDistribution) -> 
         (key.to_owned(), Value::Table(range.into_iter().collect()))
     };
     let (low, high) = speeds.range();
-    let mut window = vec![
-        axis("map.wavelength", lines[0], lines[lines.len() - 1]),
-        axis("map.speed", low, high),
-    ];
+    let mut window = vec![axis("map.wavelength", lines[0], lines[lines.len() - 1]), axis("map.speed", low, high)];
     if !case.feedback.depends_on_amplitude() {
         window.push(("corrugation.amplitude".to_owned(), Value::Float(1e-6)));
     }

@@ -31,11 +31,8 @@ fn a_case_in_the_mirror_grows_alike() {
              {{ position = {}, mass = 200, polar_inertia = 15, diametral_inertia = 8 }}]",
                 0.4 * sign
             );
-            let creepage = format!(
-                "contact.creepage={{ longitudinal = 1e-3, lateral = {}, spin = {} }}",
-                2e-3 * sign,
-                0.1 * sign
-            );
+            let creepage =
+                format!("contact.creepage={{ longitudinal = 1e-3, lateral = {}, spin = {} }}", 2e-3 * sign, 0.1 * sign);
             let overrides = [
                 format!("wheelset.rail={rail}"),
                 format!("wheelset.opposite_rail={opposite}"),
@@ -48,10 +45,7 @@ fn a_case_in_the_mirror_grows_alike() {
             Case::parse("curve.toml", text, &overrides).unwrap()
         });
         for (wavelength, speed) in [(0.04, 8.0), (0.06, 8.0), (0.1, 12.0)] {
-            let (one, other) = (
-                growth(&right, wavelength, speed),
-                growth(&left, wavelength, speed),
-            );
+            let (one, other) = (growth(&right, wavelength, speed), growth(&left, wavelength, speed));
             assert_eq!(one.len(), other.len());
             for (one, other) in one.into_iter().zip(other) {
                 assert!(one != 0.0);
@@ -90,12 +84,7 @@ fn growth_goes_with_the_scale_of_forces() {
         );
         let case = case(&text, &[]);
         let state = case.feedback.at(0.06, 30.0);
-        (
-            case.steady.creepages.longitudinal,
-            state.normal_force(),
-            state.normalized_dissipation,
-            state.growth_rate,
-        )
+        (case.steady.creepages.longitudinal, state.normal_force(), state.normalized_dissipation, state.growth_rate)
     };
     let one = scaled(1.0, 1.0);
     alike(scaled(1.0, 2.0).3, 2.0 * one.3, 1e-14);
@@ -113,37 +102,22 @@ fn growth_goes_with_the_scale_of_forces() {
 #[test]
 fn two_wheels_of_the_paper() {
     let normalized = |comb: &str, wavelength: f64| -> Vec<Complex64> {
-        let case = case(
-            NOMINAL_CASE,
-            &["train.wheels=[0, 2.5]", &format!("train.comb={comb}")],
-        );
+        let case = case(NOMINAL_CASE, &["train.wheels=[0, 2.5]", &format!("train.comb={comb}")]);
         let state = case.feedback.at(wavelength, 30.0);
         let contacts = state.contacts.iter();
         let unit = case.steady.full_slip_energy_per_metre();
-        contacts
-            .map(|contact| contact.energy_at_rail / unit)
-            .collect()
+        contacts.map(|contact| contact.energy_at_rail / unit).collect()
     };
     let exact = |parts: [[f64; 2]; 2]| parts.map(|[re, im]| Complex64::new(re, im));
     for (comb, wavelength, expected) in [
-        (
-            "resolved",
-            0.0557,
-            [[-0.013540, -0.006578], [-0.028879, 0.005927]],
-        ),
+        ("resolved", 0.0557, [[-0.013540, -0.006578], [-0.028879, 0.005927]]),
         ("mean", 0.0557, [[-0.014268, 0.008189]; 2]),
         ("mean", 0.04, [[0.043951, 0.024069]; 2]),
         ("mean", 0.08, [[-0.033842, 0.006020]; 2]),
     ] {
-        for (got, expected) in normalized(comb, wavelength)
-            .into_iter()
-            .zip(exact(expected))
-        {
+        for (got, expected) in normalized(comb, wavelength).into_iter().zip(exact(expected)) {
             // The semi-axis of the place of wear was given by four digits.
-            assert!(
-                (got - expected).norm() < 5e-5,
-                "{comb} {wavelength} {got} {expected}"
-            );
+            assert!((got - expected).norm() < 5e-5, "{comb} {wavelength} {got} {expected}");
         }
     }
 }
@@ -160,14 +134,7 @@ fn the_centroid_is_where_the_mass_is() {
         let [track, _] = case.feedback.receptances(w, 10.0).unwrap();
         let lateral = track[1][1];
         assert!((lateral.norm() / modulus - 1.0).abs() < 5e-3, "{lateral}");
-        assert!(
-            (lateral.arg().to_degrees() - degrees).abs() < 0.5,
-            "{lateral}"
-        );
-        assert!(
-            case.remarks
-                .iter()
-                .all(|remark| !remark.to_string().contains("usual"))
-        );
+        assert!((lateral.arg().to_degrees() - degrees).abs() < 0.5, "{lateral}");
+        assert!(case.remarks.iter().all(|remark| !remark.to_string().contains("usual")));
     }
 }

@@ -11,21 +11,11 @@ fn case(overrides: &[&str]) -> Result<Case, CaseError> {
 
 #[test]
 fn every_creep_law_takes_either_mean_state() {
-    for law in [
-        "carter-3d",
-        "carter-2d",
-        "johnson-vermeulen",
-        "shen-hedrick-elkins",
-        "polach",
-        "fastsim",
-        "half-space",
-    ] {
+    for law in ["carter-3d", "carter-2d", "johnson-vermeulen", "shen-hedrick-elkins", "polach", "fastsim", "half-space"]
+    {
         let law = format!("contact.creep_law={law}");
         for mean in ["contact.tractive_ratio=0.3", "contact.creepage=0.1 %"] {
-            for response in [
-                "contact.response=quasi-static",
-                "contact.response=spring-dashpot",
-            ] {
+            for response in ["contact.response=quasi-static", "contact.response=spring-dashpot"] {
                 let case = case(&[&law, mean, response]).unwrap();
                 let ratio = case.steady.tractive_ratio();
                 assert!((0.2..0.5).contains(&ratio), "{law} {mean}: {ratio}");
@@ -65,10 +55,8 @@ fn falling_friction_reaches_the_loop() {
     let case = case(&FALLING).unwrap();
     let (hertz, load) = (case.hertz, 50e3);
     let kalker = case.creep_laws().unwrap().kalker;
-    let stiffness = hertz.material().shear_modulus()
-        * hertz.semi_axis_longitudinal()
-        * hertz.semi_axis_lateral()
-        * kalker.c11;
+    let stiffness =
+        hertz.material().shear_modulus() * hertz.semi_axis_longitudinal() * hertz.semi_axis_lateral() * kalker.c11;
     let force = |creepage: f64| {
         let friction = 0.4 * (0.6 * (-0.6 * 20.0 * creepage).exp() + 0.4);
         let epsilon = std::f64::consts::PI * stiffness * creepage / (4.0 * friction * load);
@@ -84,11 +72,11 @@ fn falling_friction_reaches_the_loop() {
     let state = case.feedback.at(0.05, 25.0);
     let by_creepage = state.response.by_longitudinal.force[0];
     assert!((by_creepage.re / slope - 1.0).abs() < 1e-6);
-    assert!(case.remarks.iter().any(|remark| {
-        remark
-            .to_string()
-            .contains("falling friction is that of the slip at 20 m/s")
-    }));
+    assert!(
+        case.remarks
+            .iter()
+            .any(|remark| { remark.to_string().contains("falling friction is that of the slip at 20 m/s") })
+    );
     let dry = self::case(&FALLING[..1]).unwrap().feedback.at(0.05, 25.0);
     assert!(state.growth_rate != dry.growth_rate);
 }
@@ -98,19 +86,12 @@ fn falling_friction_reaches_the_loop() {
 fn a_clean_contact_needs_no_table() {
     let growth = |overrides: &[&str]| {
         let overrides = [&FALLING[..1], overrides].concat();
-        case(&overrides)
-            .unwrap()
-            .feedback
-            .at(0.05, 20.0)
-            .growth_rate
+        case(&overrides).unwrap().feedback.at(0.05, 20.0).growth_rate
     };
     let none = growth(&[]);
     assert_eq!(growth(&["contact.polach.slip_reduction=1"]), none);
-    let constant = [
-        "contact.polach.limit_friction_ratio=1",
-        "contact.polach.friction_decay=0.6",
-        "contact.polach.speed=20",
-    ];
+    let constant =
+        ["contact.polach.limit_friction_ratio=1", "contact.polach.friction_decay=0.6", "contact.polach.speed=20"];
     assert_eq!(growth(&constant), none);
 }
 
@@ -144,25 +125,13 @@ fn unlike_radii_are_worth_a_remark() {
 /// is late and falls as one over the creepage, 0.06 at 2 %, and the grid.
 #[test]
 fn the_exact_contact_slides_everywhere() {
-    let case = case(&[
-        "contact.response=non-steady",
-        "contact.creepage=2 %",
-        "contact.grid=32",
-    ])
-    .unwrap();
+    let case = case(&["contact.response=non-steady", "contact.creepage=2 %", "contact.grid=32"]).unwrap();
     let state = case.feedback.at(0.0557, 30.0);
     let steady = case.feedback.steady();
     let z = std::f64::consts::TAU / 0.0557 * case.hertz.semi_axis_longitudinal();
-    let share =
-        state.response.by_load.at_rail(0.0) * steady.normal_force / steady.energy_per_metre();
-    assert!(
-        (share - z.sin() / z).norm() < 0.08,
-        "{share} {}",
-        z.sin() / z
-    );
-    assert!(
-        state.response.by_longitudinal.force[0].norm() * 0.02 < 1e-3 * steady.forces.magnitude()
-    );
+    let share = state.response.by_load.at_rail(0.0) * steady.normal_force / steady.energy_per_metre();
+    assert!((share - z.sin() / z).norm() < 0.08, "{share} {}", z.sin() / z);
+    assert!(state.response.by_longitudinal.force[0].norm() * 0.02 < 1e-3 * steady.forces.magnitude());
 }
 
 #[test]
@@ -194,10 +163,7 @@ fn bad_contacts() {
     ] {
         let (overrides, sentence) = row.split_once(" => ").unwrap();
         let overrides: Vec<&str> = overrides.split("; ").collect();
-        let error = case(&overrides)
-            .err()
-            .expect("a case with a mistake")
-            .to_string();
+        let error = case(&overrides).err().expect("a case with a mistake").to_string();
         assert!(error.contains(sentence), "{error}");
     }
 }

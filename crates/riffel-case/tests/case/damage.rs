@@ -10,11 +10,8 @@ use serde_json::Value;
 /// A file of `validation/reference/damage`.
 macro_rules! reference {
     ($name:literal) => {
-        serde_json::from_str::<Value>(include_str!(concat!(
-            "../../../../validation/reference/damage/",
-            $name
-        )))
-        .expect("valid JSON")
+        serde_json::from_str::<Value>(include_str!(concat!("../../../../validation/reference/damage/", $name)))
+            .expect("valid JSON")
     };
 }
 
@@ -50,11 +47,7 @@ impl Worst {
     fn complex(&mut self, name: &'static str, at: &str, got: [f64; 2], expected: &Value) {
         let expected = complex(expected);
         let got = Complex64::new(got[0], got[1]);
-        self.put(
-            name,
-            at,
-            (got - expected).norm() / expected.norm().max(1e-300),
-        );
+        self.put(name, at, (got - expected).norm() / expected.norm().max(1e-300));
     }
 
     fn put(&mut self, name: &'static str, at: &str, error: f64) {
@@ -129,10 +122,7 @@ fn growth_by_every_law() {
     let mut worst = Worst::default();
     for expected in list(&file["points"]) {
         let name = expected["case"].as_str().unwrap();
-        let at = [
-            number(&expected["wavelength_m"]),
-            number(&expected["speed_m_per_s"]),
-        ];
+        let at = [number(&expected["wavelength_m"]), number(&expected["speed_m_per_s"])];
         let rotation = expected["rotation"].as_str().unwrap();
         let here = format!("{name} {at:?} {rotation}");
         let parameters = &file["cases"][name];
@@ -151,12 +141,7 @@ fn growth_by_every_law() {
         for limit in ["surface", "subsurface"] {
             let of_limit = &expected[limit];
             let (whole, damage) = point(&text(limit, 1), 1e-9, at);
-            worst.real(
-                "pressure",
-                &here,
-                damage.contact_pressure_pa,
-                number(&expected["contact_pressure_pa"]),
-            );
+            worst.real("pressure", &here, damage.contact_pressure_pa, number(&expected["contact_pressure_pa"]));
             worst.real("demand", &here, damage.demand, number(&of_limit["demand"]));
             worst.complex("u1", &here, damage.demand_1, &of_limit["demand_1"]);
             worst.real("FI", &here, damage.fi_surf, number(&expected["fi_surf"]));
@@ -164,43 +149,18 @@ fn growth_by_every_law() {
             let amplitude = number(&of_limit["amplitude_at_limit_m"]);
             worst.real("amplitude", &here, damage.amplitude_at_limit_m, amplitude);
             let growth = &damage.growth_by_law;
-            worst.real(
-                "wear",
-                &here,
-                of_law(growth, "wear"),
-                number(&expected["wear_growth"]),
-            );
+            worst.real("wear", &here, of_law(growth, "wear"), number(&expected["wear_growth"]));
             let load = &expected["load_wear"];
-            worst.real(
-                "load",
-                &here,
-                of_law(growth, "load"),
-                number(&load["growth"]),
-            );
+            worst.real("load", &here, of_law(growth, "load"), number(&load["growth"]));
             let drift = of_law(&damage.drift_by_law, "load");
             worst.real("load drift", &here, drift, number(&load["drift"]));
-            worst.real(
-                "M0",
-                &here,
-                damage.mean_moment_nm.unwrap(),
-                number(&bending["mean_moment_nm"]),
-            );
+            worst.real("M0", &here, damage.mean_moment_nm.unwrap(), number(&bending["mean_moment_nm"]));
             worst.complex("M1", &here, damage.moment_1.unwrap(), &bending["moment_1"]);
             let linear = number(&bending["growth_m1"]);
             worst.real("bending", &here, of_law(growth, "bending"), linear);
             let wlrm = &expected["wlrm"];
-            worst.real(
-                "D",
-                &here,
-                damage.fatigue_damage.unwrap(),
-                number(&wlrm["mean"]),
-            );
-            worst.complex(
-                "D1",
-                &here,
-                damage.fatigue_damage_1.unwrap(),
-                &wlrm["first"],
-            );
+            worst.real("D", &here, damage.fatigue_damage.unwrap(), number(&wlrm["mean"]));
+            worst.complex("D1", &here, damage.fatigue_damage_1.unwrap(), &wlrm["first"]);
             let sum: f64 = growth.0.iter().map(|(_, rate)| rate).sum();
             let told = whole.quantities.last().unwrap().1;
             let riffel_case::PointValue::Real(told) = told else {
@@ -215,8 +175,7 @@ fn growth_by_every_law() {
                 let along = of_law(&damage.growth_by_law, "flow-along");
                 worst.real("along", &here, along, expect("longitudinal").unwrap_or(0.0));
                 for wave in list(&of_limit[&format!("quasi_linear_m{exponent}")]) {
-                    let (_, damage) =
-                        point(&text(limit, exponent), number(&wave["amplitude_m"]), at);
+                    let (_, damage) = point(&text(limit, exponent), number(&wave["amplitude_m"]), at);
                     let flow = of_law(&damage.growth_by_law, "flow");
                     worst.real("clipped flow", &here, flow, number(&wave["growth"]));
                     let depth = of_law(&damage.depth_by_law_m, "flow");
@@ -236,12 +195,7 @@ fn growth_by_every_law() {
             let (_, damage) = point(&text, 1e-9, at);
             let expected = &expected["regimes"][key];
             let depth = of_law(&damage.depth_by_law_m, "wear");
-            worst.real(
-                "regime depth",
-                &here,
-                depth,
-                number(&expected["mean_depth"]),
-            );
+            worst.real("regime depth", &here, depth, number(&expected["mean_depth"]));
             let growth = of_law(&damage.growth_by_law, "wear");
             worst.real("regime growth", &here, growth, number(&expected["growth"]));
         }
@@ -275,68 +229,28 @@ fn laws_and_spreads() {
     let fatigue = Fatigue::new([15.0, 65.0, 175.0], 1e-5).unwrap();
     for row in list(&laws["regimes"]) {
         let x = number(&row["t_gamma_a"]);
-        worst.real(
-            "usfd",
-            &row.to_string(),
-            USFD.value(x),
-            number(&row["usfd"][0]),
-        );
-        worst.real(
-            "usfd slope",
-            &row.to_string(),
-            USFD.slope(x),
-            number(&row["usfd"][1]),
-        );
+        worst.real("usfd", &row.to_string(), USFD.value(x), number(&row["usfd"][0]));
+        worst.real("usfd slope", &row.to_string(), USFD.slope(x), number(&row["usfd"][1]));
     }
     for row in list(&laws["wlrm"]) {
         let x = number(&row["t_gamma"]);
         let here = row.to_string();
-        worst.real(
-            "wlrm",
-            &here,
-            1e6 * fatigue.damage().value(x),
-            1e6 * number(&row["damage"]),
-        );
-        worst.real(
-            "wlrm slope",
-            &here,
-            fatigue.damage().slope(x),
-            number(&row["slope"]),
-        );
+        worst.real("wlrm", &here, 1e6 * fatigue.damage().value(x), 1e6 * number(&row["damage"]));
+        worst.real("wlrm slope", &here, fatigue.damage().slope(x), number(&row["slope"]));
     }
     let spread = reference!("spread.json");
     for row in list(&spread["wlrm"]) {
         let of = |key: &str| number(&row[key]);
         let (mean, amplitude) = (of("mean_energy"), of("amplitude"));
         let here = row.to_string();
-        worst.real(
-            "wlrm mean",
-            &here,
-            fatigue.damage().mean(mean, amplitude),
-            of("mean"),
-        );
-        worst.real(
-            "wlrm first",
-            &here,
-            fatigue.damage().first(mean, amplitude),
-            of("first"),
-        );
+        worst.real("wlrm mean", &here, fatigue.damage().mean(mean, amplitude), of("mean"));
+        worst.real("wlrm first", &here, fatigue.damage().first(mean, amplitude), of("first"));
     }
     for row in list(&spread["usfd"]) {
         let of = |key: &str| number(&row[key]);
         let here = row.to_string();
-        worst.real(
-            "usfd mean",
-            &here,
-            USFD.mean(of("mean"), of("amplitude")),
-            of("mean_value"),
-        );
-        worst.real(
-            "usfd first",
-            &here,
-            USFD.first(of("mean"), of("amplitude")),
-            of("first"),
-        );
+        worst.real("usfd mean", &here, USFD.mean(of("mean"), of("amplitude")), of("mean_value"));
+        worst.real("usfd first", &here, USFD.first(of("mean"), of("amplitude")), of("first"));
     }
     for row in list(&spread["usfd_lognormal"]) {
         let of = |key: &str| number(&row[key]);
@@ -347,18 +261,8 @@ fn laws_and_spreads() {
     for row in list(&spread["load"]) {
         let of = |key: &str| number(&row[key]);
         let law = ClippedPower::new(1.0, of("sigma"));
-        worst.real(
-            "load",
-            &row.to_string(),
-            law.value(of("excess")),
-            of("mean"),
-        );
-        worst.real(
-            "load slope",
-            &row.to_string(),
-            law.slope(of("excess")),
-            of("slope"),
-        );
+        worst.real("load", &row.to_string(), law.value(of("excess")), of("mean"));
+        worst.real("load slope", &row.to_string(), law.slope(of("excess")), of("slope"));
     }
     worst.below(1e-9);
 }
@@ -389,15 +293,10 @@ fn hardening() {
         worst.complex("gain", &here, gain, &row["gain_1"]);
         let damage = case.feedback.contacts()[0].damage.as_ref().unwrap();
         worst.real("demand", &here, damage.demand.value, of("demand"));
-        let state = case.feedback.at(wavelength, speed).contacts[0]
-            .damage
-            .unwrap();
+        let state = case.feedback.at(wavelength, speed).contacts[0].damage.unwrap();
         let (runaway, left) = state.hardened.unwrap();
         worst.real("runaway", &here, runaway, of("runaway_number"));
-        if let Some(closed) = row
-            .get("closed_form_final")
-            .filter(|value| value.is_array())
-        {
+        if let Some(closed) = row.get("closed_form_final").filter(|value| value.is_array()) {
             let left = left * of("initial_amplitude_m");
             worst.complex("closed", &here, [left.re, left.im], closed);
         }
@@ -408,20 +307,14 @@ fn hardening() {
             gains,
         };
         let turn = std::f64::consts::TAU / Hardening::POINTS as f64;
-        let profile: Vec<f64> = (0..Hardening::POINTS)
-            .map(|place| of("initial_amplitude_m") * (turn * place as f64).cos())
-            .collect();
+        let profile: Vec<f64> =
+            (0..Hardening::POINTS).map(|place| of("initial_amplitude_m") * (turn * place as f64).cos()).collect();
         let passages: Vec<f64> = list(&row["passages"]).iter().map(number).collect();
         let outflows = law.march(&profile, &passages).unwrap();
         for (index, outflow) in outflows.iter().enumerate() {
             let now: Vec<f64> = profile.iter().zip(outflow).map(|(r, d)| r - d).collect();
             let first = Hardening::harmonic(&now, 1);
-            worst.complex(
-                "wave",
-                &here,
-                [first.re, first.im],
-                &row["first_harmonic"][index],
-            );
+            worst.complex("wave", &here, [first.re, first.im], &row["first_harmonic"][index]);
             let mean = outflow.iter().sum::<f64>() / outflow.len() as f64;
             worst.real("depth", &here, mean, number(&row["mean_depth"][index]));
         }
@@ -442,15 +335,8 @@ fn the_patch_changes_its_shape_over_a_wave() {
         for (limit, phase) in [("line", "none"), ("surface", "lag"), ("subsurface", "lag")] {
             let here = format!("{name} {hertz} {limit} {phase}");
             let more = format!("limit = \"{limit}\"\n");
-            let text = case_of(
-                &growth["cases"][name],
-                "inertia",
-                of("shear_yield_pa"),
-                &more,
-            );
-            let contact = format!(
-                "wave_geometry = true\nhertz = \"{hertz}\"\ndissipation_phase = \"{phase}\"\n"
-            );
+            let text = case_of(&growth["cases"][name], "inertia", of("shear_yield_pa"), &more);
+            let contact = format!("wave_geometry = true\nhertz = \"{hertz}\"\ndissipation_phase = \"{phase}\"\n");
             let text = text.replace("wave_geometry = false\n", &contact);
             let text = text.replace("[wear]\n", "[wear]\nlaw = \"usfd\"\nspread = 2\n");
             let (_, damage) = point(&text, 1e-9, at);
@@ -471,35 +357,18 @@ fn the_patch_changes_its_shape_over_a_wave() {
 #[test]
 fn first_yield_follows_the_shape_of_the_patch() {
     let growth = reference!("growth.json");
-    let text = case_of(
-        &growth["cases"]["heavy"],
-        "inertia",
-        300e6,
-        "limit = \"elastic\"\n",
-    );
+    let text = case_of(&growth["cases"]["heavy"], "inertia", 300e6, "limit = \"elastic\"\n");
     let demand = |radius: f64| {
-        let text = text.replace(
-            "rolling_radius = 0.46\n",
-            &format!("rolling_radius = {radius}\n"),
-        );
+        let text = text.replace("rolling_radius = 0.46\n", &format!("rolling_radius = {radius}\n"));
         let case = Case::parse("case.toml", &text, &[]).unwrap();
-        case.feedback.contacts()[0]
-            .damage
-            .as_ref()
-            .unwrap()
-            .demand
-            .value
+        case.feedback.contacts()[0].damage.as_ref().unwrap().demand.value
     };
     let waves = text.replace("wave_geometry = false", "wave_geometry = true");
     let case = Case::parse("case.toml", &waves, &[]).unwrap();
     let own = case.feedback.contacts()[0].damage.as_ref().unwrap().demand;
     let step = 1e-3;
     let slope = (demand(0.46 / (1.0 + step)) - demand(0.46 / (1.0 - step))) / (2.0 * step);
-    assert!(
-        (own.by_curvature / slope - 1.0).abs() < 1e-4,
-        "{} {slope}",
-        own.by_curvature
-    );
+    assert!((own.by_curvature / slope - 1.0).abs() < 1e-4, "{} {slope}", own.by_curvature);
     // More than the pressure alone.
     assert!((own.by_curvature / own.value - 1.0 / 3.0).abs() > 0.01);
 }

@@ -40,14 +40,8 @@ fn every_path_takes_the_sum() {
     for (text, overrides) in [
         (METRO, vec![one_layer, "contact.wave_geometry=false"]),
         (METRO, vec![one_layer, "contact.wave_geometry=true"]),
-        (
-            METRO,
-            vec![one_layer, "wheel.rotation=constant-tangential-force"],
-        ),
-        (
-            METRO,
-            vec!["track.model=one-layer-periodic", "track.position=0.2 m"],
-        ),
+        (METRO, vec![one_layer, "wheel.rotation=constant-tangential-force"]),
+        (METRO, vec!["track.model=one-layer-periodic", "track.position=0.2 m"]),
         (METRO, vec![one_layer, "train.wheels=[0, 2.1]"]),
         (wheelset, vec![]),
     ] {
@@ -67,14 +61,10 @@ fn every_path_takes_the_sum() {
                 let got = per * value;
                 // Laws cancel to some part of their sizes.
                 let damage = Point::new(&case, &state).damage.unwrap();
-                let size: f64 = (damage.growth_by_law.0.iter().chain(&damage.drift_by_law.0))
-                    .map(|(_, rate)| rate.abs())
-                    .sum();
+                let size: f64 =
+                    (damage.growth_by_law.0.iter().chain(&damage.drift_by_law.0)).map(|(_, rate)| rate.abs()).sum();
                 let tolerance = 1e-9 * size;
-                assert!(
-                    (got - sum).norm() < tolerance,
-                    "{overrides:?} {wavelength}: {got} {sum}"
-                );
+                assert!((got - sum).norm() < tolerance, "{overrides:?} {wavelength}: {got} {sum}");
                 assert!((got.re - state.growth_rate).abs() < tolerance);
                 clipped += usize::from(damage.amplitude_at_limit_m < case.feedback.amplitude());
             }
@@ -96,10 +86,7 @@ fn a_map_is_its_points() {
         for (wavelength, value) in wavelength.values().iter().zip(row) {
             let got = map.growth_rate_per_dissipation() * value.re;
             let expected = case.feedback.at(*wavelength, speed).growth_rate;
-            assert!(
-                (got - expected).abs() < 1e-8 * expected.abs().max(1e-9),
-                "{got} {expected}"
-            );
+            assert!((got - expected).abs() < 1e-8 * expected.abs().max(1e-9), "{got} {expected}");
         }
     }
 }
@@ -110,20 +97,12 @@ fn wear_alone_is_wear() {
     let plain = case(METRO, "", &[]);
     let named = case(METRO, "\n[damage]\nlaws = [\"wear\"]\n", &[]);
     for wavelength in [0.03, 0.06, 0.25] {
-        let [one, other] =
-            [&plain, &named].map(|case| case.feedback.at(wavelength, 16.0).growth_rate);
+        let [one, other] = [&plain, &named].map(|case| case.feedback.at(wavelength, 16.0).growth_rate);
         assert!((one / other - 1.0).abs() < 1e-12);
     }
     // The mild regime is the energy law of 5.3e-9 kg/J.
     let mild = case(METRO, "", &["wear.law=usfd", "contact.tractive_ratio=0.02"]);
-    let energy = case(
-        METRO,
-        "",
-        &[
-            "wear.coefficient=5.3e-9 kg/J",
-            "contact.tractive_ratio=0.02",
-        ],
-    );
+    let energy = case(METRO, "", &["wear.coefficient=5.3e-9 kg/J", "contact.tractive_ratio=0.02"]);
     let [one, other] = [&mild, &energy].map(|case| case.feedback.at(0.05, 16.0).growth_rate);
     assert!((one / other - 1.0).abs() < 1e-12, "{one} {other}");
 }
@@ -153,33 +132,20 @@ fn demand_of_the_surface_in_its_limits() {
 /// Below the limit flow makes nothing of small waves, without friction neither; where part of a wave is above it, it does.
 #[test]
 fn flow_begins_at_the_limit() {
-    let damage =
-        "\n[damage]\nshear_yield = \"900 MPa\"\nlaws = [\"flow\"]\nflow = { depth = \"1 nm\" }\n";
+    let damage = "\n[damage]\nshear_yield = \"900 MPa\"\nlaws = [\"flow\"]\nflow = { depth = \"1 nm\" }\n";
     let below = case(METRO, damage, &["track.model=one-layer"]);
     let point = damage_of(&below, 0.2, 15.0);
     assert!(point.demand < 1.0);
     assert_eq!(of(&point.growth_by_law, "flow"), 0.0);
     assert_eq!(below.feedback.at(0.2, 15.0).growth_rate, 0.0);
     let at_limit = point.amplitude_at_limit_m;
-    let above = below
-        .feedback
-        .clone()
-        .with_amplitude(1.5 * at_limit)
-        .unwrap();
+    let above = below.feedback.clone().with_amplitude(1.5 * at_limit).unwrap();
     assert!(above.at(0.2, 15.0).growth_rate != 0.0);
     // Without friction in use: u = p₀/4k of a line.
-    let rolling = case(
-        METRO,
-        damage,
-        &["track.model=one-layer", "contact.tractive_ratio=1e-6"],
-    );
+    let rolling = case(METRO, damage, &["track.model=one-layer", "contact.tractive_ratio=1e-6"]);
     let point = damage_of(&rolling, 0.2, 15.0);
     let expected = point.contact_pressure_pa / (4.0 * 900e6);
-    assert!(
-        (point.demand / expected - 1.0).abs() < 1e-5,
-        "{}",
-        point.demand
-    );
+    assert!((point.demand / expected - 1.0).abs() < 1e-5, "{}", point.demand);
 }
 
 /// FI_surf is zero where the demand of the surface is one.
@@ -188,11 +154,7 @@ fn index_and_demand_agree() {
     let probe = case(METRO, "\n[damage]\nlimit = \"surface\"\n", &[]);
     let point = damage_of(&probe, 0.1, 15.0);
     let shear = point.contact_pressure_pa * point.utilised_friction;
-    let at = case(
-        METRO,
-        "\n[damage]\nlimit = \"surface\"\n",
-        &[&format!("damage.shear_yield={shear:e}")],
-    );
+    let at = case(METRO, "\n[damage]\nlimit = \"surface\"\n", &[&format!("damage.shear_yield={shear:e}")]);
     let point = damage_of(&at, 0.1, 15.0);
     assert!((point.demand - 1.0).abs() < 1e-12 && point.fi_surf.abs() < 1e-12);
 }
@@ -203,11 +165,7 @@ fn slopes_of_the_demand() {
     use riffel::damage::{Demand, ShakedownLimit};
     let case = case(METRO, "\n[damage]\n", &["contact.tractive_ratio=0.6"]);
     let (steady, pressure) = (case.steady, case.hertz.peak_pressure());
-    for limit in [
-        ShakedownLimit::Surface,
-        ShakedownLimit::Line,
-        ShakedownLimit::Subsurface { ratio: 1.4 },
-    ] {
+    for limit in [ShakedownLimit::Surface, ShakedownLimit::Line, ShakedownLimit::Subsurface { ratio: 1.4 }] {
         let at = |load: f64, along: f64, across: f64| {
             let mut state = steady;
             state.normal_force = load;
@@ -215,20 +173,13 @@ fn slopes_of_the_demand() {
             let pressure = pressure * (load / steady.normal_force).cbrt();
             Demand::new(&state, pressure, 300e6, limit).unwrap()
         };
-        let [p, q, t] = [
-            steady.normal_force,
-            steady.forces.longitudinal,
-            0.3 * steady.forces.longitudinal,
-        ];
+        let [p, q, t] = [steady.normal_force, steady.forces.longitudinal, 0.3 * steady.forces.longitudinal];
         let here = at(p, q, t);
         let step = 1e-5 * p;
         let slopes = [[step, 0.0, 0.0], [0.0, step, 0.0], [0.0, 0.0, step]].map(|[dp, dq, dt]| {
             let [up, down] = [1.0, -1.0].map(|s| at(p + s * dp, q + s * dq, t + s * dt));
             let half = 2.0 * step;
-            [
-                (up.value - down.value) / half,
-                (up.fatigue_index - down.fatigue_index) / half,
-            ]
+            [(up.value - down.value) / half, (up.fatigue_index - down.fatigue_index) / half]
         });
         let expected = [
             [here.by_load, here.fatigue_index_by_load],
@@ -236,10 +187,7 @@ fn slopes_of_the_demand() {
             [here.by_force[1], here.fatigue_index_by_force[1]],
         ];
         for (got, expected) in slopes.as_flattened().iter().zip(expected.as_flattened()) {
-            assert!(
-                (got - expected).abs() < 1e-7 / p,
-                "{limit:?}: {got} {expected}"
-            );
+            assert!((got - expected).abs() < 1e-7 / p, "{limit:?}: {got} {expected}");
         }
     }
 }
@@ -249,12 +197,8 @@ fn slopes_of_the_demand() {
 fn grades_of_rail() {
     let shear = |damage: &str| case(METRO, damage, &[]).shear_yield();
     assert_eq!(shear("\n[damage]\ngrade = \"R260\"\n"), 300e6);
-    assert_eq!(
-        shear("\n[damage]\ngrade = \"R260\"\nshear_yield = \"410 MPa\"\n"),
-        410e6
-    );
-    let [soft, usual, hard] =
-        [RailGrade::R200, RailGrade::R260, RailGrade::R350HT].map(RailGrade::shear_yield);
+    assert_eq!(shear("\n[damage]\ngrade = \"R260\"\nshear_yield = \"410 MPa\"\n"), 410e6);
+    let [soft, usual, hard] = [RailGrade::R200, RailGrade::R260, RailGrade::R350HT].map(RailGrade::shear_yield);
     assert!(soft < usual && usual < hard);
 }
 
@@ -273,26 +217,10 @@ fn beyond_the_elastic_range() {
 #[test]
 fn bad_inputs_are_refused() {
     for (damage, overrides, words) in [
-        (
-            "\n[damage]\nshear_yield = \"-1 MPa\"\n",
-            vec![],
-            vec!["damage.shear_yield"],
-        ),
-        (
-            "\n[damage]\nlimit = \"plastic\"\n",
-            vec![],
-            vec!["plastic", "subsurface"],
-        ),
-        (
-            "\n[damage]\nlaws = [\"flow\"]\n",
-            vec![],
-            vec!["damage.flow"],
-        ),
-        (
-            "\n[damage]\nlaws = [\"wear\", \"wear\"]\n",
-            vec![],
-            vec!["damage.laws", "twice"],
-        ),
+        ("\n[damage]\nshear_yield = \"-1 MPa\"\n", vec![], vec!["damage.shear_yield"]),
+        ("\n[damage]\nlimit = \"plastic\"\n", vec![], vec!["plastic", "subsurface"]),
+        ("\n[damage]\nlaws = [\"flow\"]\n", vec![], vec!["damage.flow"]),
+        ("\n[damage]\nlaws = [\"wear\", \"wear\"]\n", vec![], vec!["damage.laws", "twice"]),
         (
             "\n[damage]\nlaws = [\"fatigue\"]\nfatigue = { thresholds = [\"15 N\", \"10 N\", \"175 N\"] }\n",
             vec![],
@@ -328,16 +256,9 @@ fn bad_inputs_are_refused() {
         }
     }
     // Friction beyond what was compared is remarked.
-    let slippery = case(
-        METRO,
-        "\n[damage]\n",
-        &["contact.friction=0.8", "contact.tractive_ratio=0.9"],
-    );
+    let slippery = case(METRO, "\n[damage]\n", &["contact.friction=0.8", "contact.tractive_ratio=0.9"]);
     let remarks: Vec<String> = slippery.remarks.iter().map(ToString::to_string).collect();
-    assert!(
-        remarks.iter().any(|remark| remark.contains("0.6")),
-        "{remarks:?}"
-    );
+    assert!(remarks.iter().any(|remark| remark.contains("0.6")), "{remarks:?}");
 }
 
 /// A rail of 1 µm in all bands under the wheel of a case at one speed.
@@ -359,18 +280,10 @@ fn lines(band: &ForecastBand) -> Vec<f64> {
 fn a_forecast_hardens() {
     let speed = 14.0;
     for (depth, wears) in [("0.2 mm", false), ("20 mm", false), ("0.2 mm", true)] {
-        let laws = if wears {
-            "\"wear\", \"flow\""
-        } else {
-            "\"flow\""
-        };
+        let laws = if wears { "\"wear\", \"flow\"" } else { "\"flow\"" };
         let laws = format!("damage.laws=[{laws}]");
         let hardens = format!("damage.flow.hardening_depth=\"{depth}\"");
-        let sharp = [
-            "damage.spread=0",
-            "damage.limit=subsurface",
-            "damage.shear_yield=200e6",
-        ];
+        let sharp = ["damage.spread=0", "damage.limit=subsurface", "damage.shear_yield=200e6"];
         let overrides = [&sharp[..], &[&laws, &hardens]].concat();
         let case = case(HEAVY_HAUL, "", &overrides);
         let demand = case.feedback.contacts()[0].damage.as_ref().unwrap().demand;
@@ -386,16 +299,12 @@ fn a_forecast_hardens() {
                     (number, ratio.norm_sqr())
                 })
                 .collect();
-            let most = ends
-                .iter()
-                .map(|end| end.0)
-                .fold(f64::NEG_INFINITY, f64::max);
+            let most = ends.iter().map(|end| end.0).fold(f64::NEG_INFINITY, f64::max);
             let told = band.hardening().unwrap();
             assert!((told.runaway_number - most).abs() < 1e-6 * most.abs().max(1e-3));
             assert_eq!(told.wave_ratio.is_none(), most >= 1.0);
             let change = band.level(1e7) - band.level(0.0);
-            let closed =
-                10.0 * (ends.iter().map(|end| end.1).sum::<f64>() / ends.len() as f64).log10();
+            let closed = 10.0 * (ends.iter().map(|end| end.1).sum::<f64>() / ends.len() as f64).log10();
             match (wears, most >= 1.0) {
                 // Wear goes on, for better or worse.
                 (true, _) => {}
@@ -408,10 +317,7 @@ fn a_forecast_hardens() {
             grown += usize::from(most >= 1.0 || closed > 0.01);
         }
         assert!(grown > 0, "{depth}");
-        let away = forecast
-            .bands()
-            .iter()
-            .any(|band| band.hardening().unwrap().wave_ratio.is_none());
+        let away = forecast.bands().iter().any(|band| band.hardening().unwrap().wave_ratio.is_none());
         assert_eq!(away, depth == "20 mm");
     }
 }
@@ -444,16 +350,9 @@ fn cracks_along_a_wave() {
             let wear = contact.wear.depth_per_energy() * energy;
             let growth = 1e-3 * fatigue.growing().value(energy) - wear / 25f64.to_radians().sin();
             let near = |found: f64, expected: f64, size: f64| {
-                assert!(
-                    (found - expected).abs() < 1e-2 * size,
-                    "{line}: {found:e} {expected:e}"
-                );
+                assert!((found - expected).abs() < 1e-2 * size, "{line}: {found:e} {expected:e}");
             };
-            near(
-                found.now.fatigue_index,
-                laws.demand.fatigue_index + index,
-                1e-2,
-            );
+            near(found.now.fatigue_index, laws.demand.fatigue_index + index, 1e-2);
             near(found.now.damage, fatigue.damage().value(energy), 1e-5);
             near(found.now.wear, wear, wear);
             near(found.now.crack_growth, growth, 1e-8);

@@ -3,9 +3,7 @@
 use std::f64::consts::PI;
 
 use riffel::contact::{Creepages, HalfSpace};
-use riffel::damage::stress::{
-    Depth, ElementStress, EllipseStress, StressMaximum, StressMeasure, Traction, UnitStress,
-};
+use riffel::damage::stress::{Depth, ElementStress, EllipseStress, StressMaximum, StressMeasure, Traction, UnitStress};
 use riffel::damage::{ShakedownLimit, orthogonal_shear};
 use riffel::{ElasticMaterial, HertzContact};
 
@@ -73,10 +71,7 @@ fn closed_forms() {
         let centre = at(ratio, [0.0; 3]).normal;
         let x = -2.0 * NU - (1.0 - 2.0 * NU) * b / (1.0 + b);
         let y = -2.0 * NU - (1.0 - 2.0 * NU) / (1.0 + b);
-        assert!(
-            (centre[0] - x).abs() < 1e-8 && (centre[1] - y).abs() < 1e-8,
-            "{ratio}"
-        );
+        assert!((centre[0] - x).abs() < 1e-8 && (centre[1] - y).abs() < 1e-8, "{ratio}");
         let end = at(ratio, [1.0 - 1e-12, 0.0, 0.0]).normal;
         let expected = match ratio {
             ratio if ratio > 1.0 => {
@@ -89,11 +84,7 @@ fn closed_forms() {
             }
             _ => (1.0 - 2.0 * NU) / 3.0,
         };
-        assert!(
-            (end[0] - expected).abs() < 1e-5,
-            "{ratio}: {} {expected}",
-            end[0]
-        );
+        assert!((end[0] - expected).abs() < 1e-5, "{ratio}: {} {expected}", end[0]);
         assert!((end[0] + end[1]).abs() < 1e-5);
     }
 }
@@ -113,11 +104,7 @@ fn equilibrium() {
             let slope = |of: fn(&UnitStress) -> [f64; 6], axis: usize, part: usize| {
                 (of(&unit(axis, 1.0))[part] - of(&unit(axis, -1.0))[part]) / (2.0 * step)
             };
-            for of in [
-                (|unit| unit.normal) as fn(&UnitStress) -> [f64; 6],
-                |unit| unit.along,
-                |unit| unit.across,
-            ] {
+            for of in [(|unit| unit.normal) as fn(&UnitStress) -> [f64; 6], |unit| unit.along, |unit| unit.across] {
                 for parts in [[0, 3, 5], [3, 1, 4], [5, 4, 2]] {
                     let sum: f64 = (0..3).map(|axis| slope(of, axis, parts[axis])).sum();
                     assert!(sum.abs() < 1e-6, "{ratio} {x} {y} {z}: {sum}");
@@ -131,10 +118,7 @@ fn equilibrium() {
 #[test]
 fn axes_may_be_exchanged() {
     for ratio in [0.5, 1.0, 2.0] {
-        let (one, other) = (
-            at(ratio, [0.4, 0.3, 0.3]),
-            at(1.0 / ratio, [0.3, 0.4, 0.3 * ratio]),
-        );
+        let (one, other) = (at(ratio, [0.4, 0.3, 0.3]), at(1.0 / ratio, [0.3, 0.4, 0.3 * ratio]));
         let [xx, yy, zz, xy, yz, zx] = other.along;
         for (a, b) in one.across.iter().zip([yy, xx, zz, xy, zx, yz]) {
             assert!((a - b).abs() < 1e-12, "{ratio}: {a} {b}");
@@ -182,10 +166,7 @@ fn shakedown() {
     }
     for row in rows!("shakedown_ellipse.csv") {
         let (ratio, friction) = (number(row[0]), number(row[1]));
-        let limit = ShakedownLimit::Elastic {
-            ratio,
-            poisson_ratio: NU,
-        };
+        let limit = ShakedownLimit::Elastic { ratio, poisson_ratio: NU };
         let [elastic, _] = limit.at(friction);
         println!("{row:?} {elastic}");
         if friction == 0.0 {
@@ -207,10 +188,7 @@ fn shakedown() {
 #[test]
 fn slope_of_the_elastic_limit() {
     for friction in [0.2, 0.45] {
-        let limit = ShakedownLimit::Elastic {
-            ratio: 1.3,
-            poisson_ratio: NU,
-        };
+        let limit = ShakedownLimit::Elastic { ratio: 1.3, poisson_ratio: NU };
         let step = 1e-3;
         let ln = |friction: f64| limit.at(friction)[0].ln();
         let difference = (ln(friction + step) - ln(friction - step)) / (2.0 * step);
@@ -252,13 +230,7 @@ fn elements_are_an_ellipse() {
             let stress = ElementStress::new(&elements, size, NU);
             let ellipse = EllipseStress::of_ratio(ratio, NU);
             for z in [0.0, 0.1, 0.27, 0.7, 1.5] {
-                for [x, y] in [
-                    [0.0, 0.0],
-                    [0.5, 0.3],
-                    [-0.31, 0.6],
-                    [-0.7, -0.1],
-                    [1.3, 0.4],
-                ] {
+                for [x, y] in [[0.0, 0.0], [0.5, 0.3], [-0.31, 0.6], [-0.7, -0.1], [1.3, 0.4]] {
                     let unit = ellipse.at([x, y, z]);
                     let got = stress.at([x, b * y, z]);
                     let bound = if z == 0.0 { 3e-2 } else { 1e-2 };
@@ -281,15 +253,10 @@ fn elements_are_an_ellipse() {
 fn exact_theory_between_its_limits() {
     for (rolling, transverse, ratio) in [(0.3, 0.3, 0.3), (0.46, 0.2, 0.6)] {
         let (half_space, ellipse) = half_space(rolling, transverse);
-        let largest = |traction: &Traction, depth| {
-            StressMaximum::find(&ellipse, traction, StressMeasure::VonMises, depth).value
-        };
+        let largest =
+            |traction: &Traction, depth| StressMaximum::find(&ellipse, traction, StressMeasure::VonMises, depth).value;
         for (longitudinal, lateral) in [(0.03, 0.04), (0.0, 0.05)] {
-            let creepages = Creepages {
-                longitudinal,
-                lateral,
-                spin: 0.0,
-            };
+            let creepages = Creepages { longitudinal, lateral, spin: 0.0 };
             let state = half_space.roll_with(creepages).unwrap();
             let exact = Traction::half_space(&half_space, &state);
             let forces = state.forces();
@@ -304,10 +271,7 @@ fn exact_theory_between_its_limits() {
         let rest = half_space.roll_with(Creepages::longitudinal(1e-7)).unwrap();
         let rest = Traction::half_space(&half_space, &rest);
         let pressure = Traction::full_slip(0.0, [1.0, 0.0]);
-        let (got, expected) = (
-            largest(&rest, Depth::Below),
-            largest(&pressure, Depth::Below),
-        );
+        let (got, expected) = (largest(&rest, Depth::Below), largest(&pressure, Depth::Below));
         assert!((got / expected - 1.0).abs() < 5e-3, "{got} {expected}");
         let state = half_space.roll_at_tractive_ratio(ratio).unwrap();
         let exact = Traction::half_space(&half_space, &state);
@@ -328,10 +292,7 @@ fn fields_are_their_points() {
     let mut worst = 0.0_f64;
     for ratio in [0.5, 1.0, 2.5] {
         let ellipse = EllipseStress::of_ratio(ratio, NU);
-        for traction in [
-            Traction::full_slip(0.4, [0.6, -0.8]),
-            Traction::partial_slip(0.4, [-0.8, -0.6], 0.4),
-        ] {
+        for traction in [Traction::full_slip(0.4, [0.6, -0.8]), Traction::partial_slip(0.4, [-0.8, -0.6], 0.4)] {
             let field = traction.field(&ellipse, [&x, &y, &z]);
             let places = z.iter().flat_map(|&z| y.iter().map(move |&y| [y, z]));
             let places = places.flat_map(|[y, z]| x.iter().map(move |&x| [x, y, z]));

@@ -28,19 +28,13 @@ fn growth_is_continuous_in_the_tractive_ratio_up_to_full_sliding() {
             case(NOMINAL_CASE, &keys)
         };
         let at = |ratio: f64, response: &str| {
-            of(&[
-                format!("contact.tractive_ratio={ratio}"),
-                format!("contact.response={response}"),
-            ])
+            of(&[format!("contact.tractive_ratio={ratio}"), format!("contact.response={response}")])
         };
         let ratios = [0.98, 0.9899, 0.9901, 0.995, 0.998, 0.9999];
         let cases = ratios.map(|ratio| at(ratio, "non-steady"));
         let slow = at(0.9999, "quasi-static");
         let creepage = slow.steady.creepages.longitudinal;
-        let sliding = of(&[
-            "contact.creep_law=full-sliding".to_owned(),
-            format!("contact.creepage={creepage}"),
-        ]);
+        let sliding = of(&["contact.creep_law=full-sliding".to_owned(), format!("contact.creepage={creepage}")]);
         for wavelength in [0.03, 0.0557, 0.09] {
             let rates = cases.each_ref().map(|case| rate(case, wavelength, 30.0));
             let [slow, sliding] = [&slow, &sliding].map(|case| rate(case, wavelength, 30.0));
@@ -76,10 +70,7 @@ fn a_curve_tends_to_full_sliding() {
         let found = rates("half-space");
         let left = [0, 1, 2].map(|step| (found[step] - sliding[step]).abs());
         let falls = left.is_sorted_by(|one, next| *next < 0.5 * one);
-        assert!(
-            falls && left[2] < 0.01 * sliding[2].abs(),
-            "{found:?} {sliding:?}"
-        );
+        assert!(falls && left[2] < 0.01 * sliding[2].abs(), "{found:?} {sliding:?}");
     }
 }
 

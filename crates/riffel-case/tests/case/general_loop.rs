@@ -47,21 +47,13 @@ fn mistakes_are_named() {
             "contact.creepage={ longitudinal = 0, lateral = 0, spin = 0 }",
             "`contact.creepage` is longitudinal 0, lateral 0 and spin 0 rad/m, but one of them must be at least 1e-9",
         ),
-        (
-            RIGID,
-            "contact.creepage={}",
-            "`contact.creepage` is longitudinal 0",
-        ),
+        (RIGID, "contact.creepage={}", "`contact.creepage` is longitudinal 0"),
         (
             STEPPED_AXLE,
             "opposite_contact.creepage={ lateral = 1e-300 }",
             "`opposite_contact.creepage` is longitudinal 0, lateral 0.000",
         ),
-        (
-            RIGID,
-            "contact.creepage=0",
-            "`contact.creepage` is 0, but must be between 1e-9 and 1",
-        ),
+        (RIGID, "contact.creepage=0", "`contact.creepage` is 0, but must be between 1e-9 and 1"),
         (
             RIGID,
             "contact.creepage.lateral=-3",
@@ -72,11 +64,7 @@ fn mistakes_are_named() {
             "contact.creepage.lateral=3 deg",
             "`contact.creepage.lateral`: \"3 deg\" is in rad, not a ratio; write it as in \"0.4 %\"",
         ),
-        (
-            RIGID,
-            "contact.creepage.spin=3 deg",
-            "`contact.creepage.spin`: \"3 deg\" is in rad, not a spin in rad/m",
-        ),
+        (RIGID, "contact.creepage.spin=3 deg", "`contact.creepage.spin`: \"3 deg\" is in rad, not a spin in rad/m"),
         (
             RIGID,
             "contact.creepage.latral=0.1",
@@ -112,31 +100,15 @@ fn mistakes_are_named() {
             "opposite_contact.contact_angle=-91 deg",
             "`opposite_contact.contact_angle` is -91 deg, but must be between -89.999 deg",
         ),
-        (
-            RIGID,
-            "contact.contact_angle=5 %",
-            "`contact.contact_angle`: \"5 %\" is a plain number, not an angle in rad",
-        ),
+        (RIGID, "contact.contact_angle=5 %", "`contact.contact_angle`: \"5 %\" is a plain number, not an angle in rad"),
         (
             RIGID,
             "contact.lateral_offset=10",
             "`contact.lateral_offset` is 10 m, but must be between -1 m and 1 m; did you mean \"10 mm\"",
         ),
-        (
-            RIGID,
-            "wheel.mass=350 kg",
-            "`wheel.mass` and `wheelset` exclude each other; leave wheel.mass out",
-        ),
-        (
-            RIGID,
-            "wheel.inertia=27",
-            "`wheel.inertia` and `wheelset` exclude",
-        ),
-        (
-            RIGID,
-            "wheel.rotation=inertia",
-            "`wheel.rotation` and `wheelset` exclude each other",
-        ),
+        (RIGID, "wheel.mass=350 kg", "`wheel.mass` and `wheelset` exclude each other; leave wheel.mass out"),
+        (RIGID, "wheel.inertia=27", "`wheel.inertia` and `wheelset` exclude"),
+        (RIGID, "wheel.rotation=inertia", "`wheel.rotation` and `wheelset` exclude each other"),
         (
             RIGID,
             "wheelset.model=flexble",
@@ -147,27 +119,15 @@ fn mistakes_are_named() {
             "wheelset.spin_inertial=85",
             "`wheelset.spin_inertial` is not a key Riffel knows; did you mean spin_inertia?",
         ),
-        (
-            RIGID,
-            "wheelset.mass=-1",
-            "`wheelset.mass` is -1 kg, but must be between",
-        ),
+        (RIGID, "wheelset.mass=-1", "`wheelset.mass` is -1 kg, but must be between"),
         (
             RIGID,
             "wheelset.suspension.lateral_damping=-1 N s/m",
             "`wheelset.suspension.lateral_damping` is -1 N s/m, but must be between 0 N s/m",
         ),
-        (
-            RIGID,
-            "wheelset.model=flexible",
-            "`wheelset.axle` is missing",
-        ),
+        (RIGID, "wheelset.model=flexible", "`wheelset.axle` is missing"),
         (RIGID, "wheelset.model=modal", "`wheelset.file` is missing"),
-        (
-            RIGID,
-            "wheelset.model=measured",
-            "`wheelset.file` is missing",
-        ),
+        (RIGID, "wheelset.model=measured", "`wheelset.file` is missing"),
         (
             STEPPED_AXLE,
             "wheelset.axle.diameter=160 mm",
@@ -178,11 +138,7 @@ fn mistakes_are_named() {
             "wheelset.axle.segments=[]",
             "`wheelset.axle.segments` is an empty list, an axle of 0 m, but the sum of the lengths must be above 0",
         ),
-        (
-            STEPPED_AXLE,
-            "wheelset.axle={ length = 2.2 }",
-            "`wheelset.axle.diameter` is missing",
-        ),
+        (STEPPED_AXLE, "wheelset.axle={ length = 2.2 }", "`wheelset.axle.diameter` is missing"),
         (
             STEPPED_AXLE,
             "wheelset.axle.segments=[{ length = -1, diameter = 0.16 }]",
@@ -223,51 +179,19 @@ fn mistakes_are_named() {
             "wheelset.opposite_rail=absent",
             "`opposite_contact` is given, but wheelset.opposite_rail is \"absent\"",
         ),
-        (
-            NOMINAL_CASE,
-            "opposite_contact.normal_load=40 kN",
-            "`opposite_contact` is given, but there is no [wheelset]",
-        ),
+        (NOMINAL_CASE, "opposite_contact.normal_load=40 kN", "`opposite_contact` is given, but there is no [wheelset]"),
         (
             TRAIN,
             "train.wheels=[\"0 m\", \"2.5 m\", \"2500 mm\"]",
             "`train.wheels[2]` is 2.5 m, where wheel 2 stands: two wheels must not be at one place",
         ),
-        (
-            TRAIN,
-            "train.wheels=[\"1 m\", \"2.5 m\"]",
-            "`train.wheels[0]` is 1 m, but must be 0 m",
-        ),
-        (
-            TRAIN,
-            "train.wheels=[]",
-            "`train.wheels` is a list of 0, but must be one to 400 distances",
-        ),
-        (
-            TRAIN,
-            "train.wheels=[0, -2.5]",
-            "`train.wheels[1]` is -2.5 m, but must be between 0 m and 10000 m",
-        ),
-        (
-            TRAIN,
-            "train.wheels=[0, \"2 s\"]",
-            "`train.wheels[1]`: \"2 s\" is in s, not a length in m",
-        ),
-        (
-            TRAIN,
-            "train.wheels=2.5 m",
-            "`train.wheels` is not a list, as it must be",
-        ),
-        (
-            TRAIN,
-            "train.comb=meen",
-            "`train.comb`: \"meen\" is not one of its choices",
-        ),
-        (
-            TWIST,
-            "rail.torsion_constant=-1",
-            "`rail.torsion_constant` is -1 m4, but must be between",
-        ),
+        (TRAIN, "train.wheels=[\"1 m\", \"2.5 m\"]", "`train.wheels[0]` is 1 m, but must be 0 m"),
+        (TRAIN, "train.wheels=[]", "`train.wheels` is a list of 0, but must be one to 400 distances"),
+        (TRAIN, "train.wheels=[0, -2.5]", "`train.wheels[1]` is -2.5 m, but must be between 0 m and 10000 m"),
+        (TRAIN, "train.wheels=[0, \"2 s\"]", "`train.wheels[1]`: \"2 s\" is in s, not a length in m"),
+        (TRAIN, "train.wheels=2.5 m", "`train.wheels` is not a list, as it must be"),
+        (TRAIN, "train.comb=meen", "`train.comb`: \"meen\" is not one of its choices"),
+        (TWIST, "rail.torsion_constant=-1", "`rail.torsion_constant` is -1 m4, but must be between"),
         (
             TWIST,
             "rail.warping_constant=1 m4",
@@ -303,10 +227,7 @@ fn what_a_rail_needs_to_twist() {
 fn laws_that_know_spin_are_named() {
     let error = error(RIGID, &["contact.creep_law=carter-3d"]);
     let help = error.help().map(|help| help.to_string());
-    assert_eq!(
-        help.as_deref(),
-        Some("laws that do: shen-hedrick-elkins, fastsim, half-space")
-    );
+    assert_eq!(help.as_deref(), Some("laws that do: shen-hedrick-elkins, fastsim, half-space"));
 }
 
 /// An override of a list is named with what is wrong in it, not the line of the file that it replaces.
@@ -316,20 +237,11 @@ fn overrides_of_lists_are_named() {
         (TRAIN, "train.wheels=[0, 2.5, 2.5]"),
         (TRAIN, "train.wheels=[0, true]"),
         (STEPPED_AXLE, "wheelset.discs=[{ position = 2 }]"),
-        (
-            STEPPED_AXLE,
-            "wheelset.discs=[{ position = 2, mass = 1, polar_inertia = 1, diametral_inertia = 1 }]",
-        ),
-        (
-            STEPPED_AXLE,
-            "wheelset.axle.segments=[{ length = 0, diameter = 0.16 }]",
-        ),
+        (STEPPED_AXLE, "wheelset.discs=[{ position = 2, mass = 1, polar_inertia = 1, diametral_inertia = 1 }]"),
+        (STEPPED_AXLE, "wheelset.axle.segments=[{ length = 0, diameter = 0.16 }]"),
     ] {
         let error = error(text, &[set]);
-        assert!(
-            error.to_string().starts_with(&format!("--set {set}: ")),
-            "{error}"
-        );
+        assert!(error.to_string().starts_with(&format!("--set {set}: ")), "{error}");
     }
 }
 
@@ -338,17 +250,11 @@ fn overrides_of_lists_are_named() {
 fn overrides_that_make_a_table_are_named() {
     let cases: [(&str, &[&str]); 2] = [
         (NOMINAL_CASE, &["opposite_contact.friction=0.3"]),
-        (
-            NOMINAL_CASE,
-            &["contact.creepage.lateral=0", "contact.creepage.spin=0"],
-        ),
+        (NOMINAL_CASE, &["contact.creepage.lateral=0", "contact.creepage.spin=0"]),
     ];
     for (text, sets) in cases {
         let error = error(text, sets).to_string();
-        assert!(
-            error.starts_with(&format!("--set {}: ", sets[0])),
-            "{error}"
-        );
+        assert!(error.starts_with(&format!("--set {}: ", sets[0])), "{error}");
     }
 }
 
@@ -365,15 +271,9 @@ fn a_creepage_in_any_direction_is_held() -> Result<(), CaseError> {
     }
     for (hold, word) in [(Hold::Force, "force"), (Hold::Ratio, "ratio")] {
         variant.hold = Some(hold);
-        let error = variant
-            .applied_to(&case)
-            .err()
-            .map(|error| error.to_string());
+        let error = variant.applied_to(&case).err().map(|error| error.to_string());
         let error = error.unwrap_or_default();
-        assert!(
-            error.contains(&format!("holds the {word} of longitudinal creepage alone")),
-            "{error}"
-        );
+        assert!(error.contains(&format!("holds the {word} of longitudinal creepage alone")), "{error}");
     }
     Ok(())
 }
@@ -392,17 +292,7 @@ fn mistakes_in_lists_are_shown() {
 #[test]
 fn tractive_ratio_and_table_exclude_each_other() {
     let both = RIGID.replacen("creepage = {", "tractive_ratio = 0.3\ncreepage = {", 1);
-    assert_eq!(
-        error(&both, &[]).to_string(),
-        "`contact.creepage` and `contact.tractive_ratio` exclude each other"
-    );
-    let set = [
-        "contact.tractive_ratio=0.3",
-        "contact.creepage.lateral=0.1 %",
-    ];
-    assert!(
-        error(NOMINAL_CASE, &set)
-            .in_words()
-            .contains("exclude each other")
-    );
+    assert_eq!(error(&both, &[]).to_string(), "`contact.creepage` and `contact.tractive_ratio` exclude each other");
+    let set = ["contact.tractive_ratio=0.3", "contact.creepage.lateral=0.1 %"];
+    assert!(error(NOMINAL_CASE, &set).in_words().contains("exclude each other"));
 }

@@ -26,9 +26,7 @@ fn measured(model: &Case, step: f64, scatter: f64) -> Case {
             break;
         }
         let mut even = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
         };
         let noise = 1.0 + scatter * 12f64.sqrt() * even();
@@ -49,10 +47,7 @@ fn measured(model: &Case, step: f64, scatter: f64) -> Case {
 
 fn frequency(case: &Case, kind: ResonanceKind) -> Vec<f64> {
     let found = case.resonances().into_iter();
-    found
-        .filter(|resonance| resonance.kind == kind)
-        .map(|resonance| resonance.angular_frequency / TAU)
-        .collect()
+    found.filter(|resonance| resonance.kind == kind).map(|resonance| resonance.angular_frequency / TAU).collect()
 }
 
 /// Over a support the peaks are full-track and rail on pad, which the table does not name, and P2 is that of the model.
@@ -64,37 +59,21 @@ fn peaks_of_a_table_are_those_of_its_model() {
     let peaks = frequency(&case, ResonanceKind::MeasuredPeak);
     for kind in [ResonanceKind::FullTrack, ResonanceKind::RailOnPad] {
         let expected = frequency(&model, kind)[0];
-        assert!(
-            peaks.iter().any(|peak| (peak - expected).abs() < 2.0),
-            "{kind} {expected}: {peaks:?}"
-        );
+        assert!(peaks.iter().any(|peak| (peak - expected).abs() < 2.0), "{kind} {expected}: {peaks:?}");
     }
-    let (p2, expected) = (
-        frequency(&case, ResonanceKind::P2),
-        frequency(&model, ResonanceKind::P2),
-    );
+    let (p2, expected) = (frequency(&case, ResonanceKind::P2), frequency(&model, ResonanceKind::P2));
     assert_eq!(p2.len(), expected.len(), "{p2:?} {expected:?}");
     for (p2, expected) in p2.iter().zip(&expected) {
         assert!((p2 - expected).abs() < 2.0, "{p2} {expected}");
     }
     // The dip where the sleepers hold the rail; without loss 234 Hz.
     let dips = frequency(&case, ResonanceKind::MeasuredDip);
-    assert!(
-        dips.iter().any(|dip| (200.0..260.0).contains(dip)),
-        "{dips:?}"
-    );
+    assert!(dips.iter().any(|dip| (200.0..260.0).contains(dip)), "{dips:?}");
     // A dip over a support is not the pinned-pinned peak.
     assert!(frequency(&case, ResonanceKind::PinnedPinned).is_empty());
-    let rail_on_pad = case
-        .resonances()
-        .into_iter()
-        .find(|peak| (peak.angular_frequency / TAU / 492.0 - 1.0).abs() < 0.02)
-        .unwrap();
-    assert!(
-        rail_on_pad
-            .damping_ratio
-            .is_some_and(|ratio| (0.02..0.3).contains(&ratio))
-    );
+    let rail_on_pad =
+        case.resonances().into_iter().find(|peak| (peak.angular_frequency / TAU / 492.0 - 1.0).abs() < 0.02).unwrap();
+    assert!(rail_on_pad.damping_ratio.is_some_and(|ratio| (0.02..0.3).contains(&ratio)));
     assert!((rail_on_pad.resolution.unwrap() / TAU - 2.0).abs() < 1e-6);
 }
 
@@ -103,15 +82,10 @@ fn peaks_of_a_table_are_those_of_its_model() {
 fn a_peak_has_the_name_that_the_case_predicts() {
     let model = model("0.3 m");
     let case = measured(&model, 2.0, 0.0);
-    let (found, expected) = (
-        frequency(&case, ResonanceKind::PinnedPinned),
-        frequency(&model, ResonanceKind::PinnedPinned),
-    );
+    let (found, expected) =
+        (frequency(&case, ResonanceKind::PinnedPinned), frequency(&model, ResonanceKind::PinnedPinned));
     assert_eq!(found.len(), 1);
-    assert!(
-        (found[0] - expected[0]).abs() < 2.0,
-        "{found:?} {expected:?}"
-    );
+    assert!((found[0] - expected[0]).abs() < 2.0, "{found:?} {expected:?}");
 }
 
 /// Scatter of 3 % in each line, as of a hammer test, adds no peak and hides none.
@@ -121,10 +95,7 @@ fn scatter_is_no_resonance() {
     let clean = frequency(&measured(&model, 2.0, 0.0), ResonanceKind::MeasuredPeak);
     let noisy = frequency(&measured(&model, 2.0, 0.03), ResonanceKind::MeasuredPeak);
     assert!(noisy.len() <= clean.len(), "{noisy:?} {clean:?}");
-    assert!(
-        noisy.iter().any(|peak| (peak / 492.0 - 1.0).abs() < 0.05),
-        "{noisy:?}"
-    );
+    assert!(noisy.iter().any(|peak| (peak / 492.0 - 1.0).abs() < 0.05), "{noisy:?}");
 }
 
 /// Every peak and dip is a candidate, wide as its damping, and nothing says that the rail has no support.
@@ -136,37 +107,15 @@ fn peaks_are_candidates() {
         .iter()
         .find(|mechanism| {
             mechanism.kind == MechanismKind::MeasuredPeak
-                && mechanism
-                    .frequency()
-                    .is_some_and(|f| (f / 492.0 - 1.0).abs() < 0.02)
+                && mechanism.frequency().is_some_and(|f| (f / 492.0 - 1.0).abs() < 0.02)
         })
         .unwrap();
-    let Prediction::Frequency {
-        spread,
-        damping_ratio,
-        ..
-    } = peak.prediction
-    else {
+    let Prediction::Frequency { spread, damping_ratio, .. } = peak.prediction else {
         panic!("{peak:?}");
     };
-    assert!(
-        damping_ratio.is_some_and(|ratio| ratio < spread && spread < 0.2),
-        "{peak:?}"
-    );
-    for kind in [
-        MechanismKind::MeasuredDip,
-        MechanismKind::PinnedPinned,
-        MechanismKind::SupportSpacing,
-    ] {
-        assert!(
-            mechanisms.iter().any(|mechanism| mechanism.kind == kind),
-            "{kind:?}"
-        );
+    assert!(damping_ratio.is_some_and(|ratio| ratio < spread && spread < 0.2), "{peak:?}");
+    for kind in [MechanismKind::MeasuredDip, MechanismKind::PinnedPinned, MechanismKind::SupportSpacing] {
+        assert!(mechanisms.iter().any(|mechanism| mechanism.kind == kind), "{kind:?}");
     }
-    assert!(
-        unknown
-            .iter()
-            .all(|sentence| !sentence.to_string().contains("no support")),
-        "{unknown:?}"
-    );
+    assert!(unknown.iter().all(|sentence| !sentence.to_string().contains("no support")), "{unknown:?}");
 }

@@ -20,10 +20,7 @@ fn model() -> Case {
 fn measured(file: &str, keys: &str) -> Result<Case, riffel_keys::CaseError> {
     let text = fs::read_to_string(folder().join("case.toml")).unwrap();
     let text = text.replace("\"two-layer\"", "\"measured\"")
-        + &format!(
-            "\n[track.measurement]\nfile = {:?}\n{keys}\n",
-            folder().join(file)
-        );
+        + &format!("\n[track.measurement]\nfile = {:?}\n{keys}\n", folder().join(file));
     Case::parse("case.toml", &text, &[])
 }
 
@@ -60,10 +57,7 @@ fn every_file_is_the_same_track() {
         };
         let expected = of(&model, MechanismKind::RailOnPad)[0];
         let peaks = of(&case, MechanismKind::MeasuredPeak);
-        assert!(
-            peaks.iter().any(|peak| (peak - expected).abs() < 10.0),
-            "{peaks:?} {expected}"
-        );
+        assert!(peaks.iter().any(|peak| (peak - expected).abs() < 10.0), "{peaks:?} {expected}");
     }
 }
 
@@ -75,25 +69,13 @@ fn remarks_say_what_was_done() {
         words.join("\n")
     };
     let analyser = words("accelerance_g.csv", "");
-    assert!(
-        analyser.contains("the measured value at 0 Hz is left out"),
-        "{analyser}"
-    );
-    assert!(
-        analyser.contains("coherence is below 0.8 at 4 of 250 frequencies, between 10 and 40 Hz"),
-        "{analyser}"
-    );
+    assert!(analyser.contains("the measured value at 0 Hz is left out"), "{analyser}");
+    assert!(analyser.contains("coherence is below 0.8 at 4 of 250 frequencies, between 10 and 40 Hz"), "{analyser}");
     assert!(!analyser.contains("names no unit"), "{analyser}");
     // Nothing is said where nothing had to be guessed, and it is where something was.
     let spreadsheet = words("receptance_db.txt", "");
-    assert!(
-        !spreadsheet.contains("measured") && !spreadsheet.contains("taken as"),
-        "{spreadsheet}"
-    );
-    let unnamed = words(
-        "mobility_savetxt.txt",
-        "quantity = \"mobility\"\nunit = \"mm/s/kN\"",
-    );
+    assert!(!spreadsheet.contains("measured") && !spreadsheet.contains("taken as"), "{spreadsheet}");
+    let unnamed = words("mobility_savetxt.txt", "quantity = \"mobility\"\nunit = \"mm/s/kN\"");
     assert!(!unnamed.contains("names no unit"), "{unnamed}");
 }
 
@@ -110,9 +92,7 @@ fn what_does_not_fit_is_refused() {
         "three_directions.uff => function = 3 => responds along z to a force along y",
         "three_directions.uff => vertical_axis = \"x\" => 3 frequency responses: choose one",
     ] {
-        let [file, keys, sentence] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}")
-        };
+        let [file, keys, sentence] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
         let error = measured(file, keys).err().expect("refused").to_string();
         assert!(error.contains(sentence), "{error}");
     }
@@ -122,8 +102,7 @@ fn what_does_not_fit_is_refused() {
 #[test]
 fn another_axis_may_be_vertical() {
     let soft = measured("three_directions.uff", "vertical_axis = \"y\"").unwrap();
-    let [h, vertical] =
-        [&soft, &model()].map(|case| case.track.receptance.receptance(TAU * 490.0, 0.0));
+    let [h, vertical] = [&soft, &model()].map(|case| case.track.receptance.receptance(TAU * 490.0, 0.0));
     assert!((h - 3.0 * vertical).norm() < 1e-6 * h.norm());
 }
 
@@ -155,19 +134,11 @@ fn other_frequencies_are_refused() {
 /// The same receptance with its frequencies in another unit.
 fn with_frequencies(head: &str, per_hertz: f64) -> Result<Case, riffel_keys::CaseError> {
     let head = format!("{head},real [m/N],imaginary [m/N]");
-    with_rows(
-        &head,
-        |f, re, im| format!("{:.12},{re:.12e},{im:e}", per_hertz * f),
-        "",
-    )
+    with_rows(&head, |f, re, im| format!("{:.12},{re:.12e},{im:e}", per_hertz * f), "")
 }
 
 /// A receptance of 1e-11 m/N for each hertz less 1e-10i m/N, 50 to 3000 Hz, with rows of frequency, real and imaginary part.
-fn with_rows(
-    head: &str,
-    row: impl Fn(f64, f64, f64) -> String,
-    keys: &str,
-) -> Result<Case, riffel_keys::CaseError> {
+fn with_rows(head: &str, row: impl Fn(f64, f64, f64) -> String, keys: &str) -> Result<Case, riffel_keys::CaseError> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("rail.csv");
     let rows = (5..=300).map(|line| {
@@ -183,11 +154,7 @@ fn with_rows(
 fn a_receptance_unlike_any_rail_is_asked_about() {
     let asked = |unit: &str| {
         let case = measured("receptance_quoted.csv", &format!("unit = \"{unit}\"")).unwrap();
-        case.remarks.iter().any(|remark| {
-            remark
-                .to_string()
-                .contains("but rails have 1e-11 to 1e-7 m/N")
-        })
+        case.remarks.iter().any(|remark| remark.to_string().contains("but rails have 1e-11 to 1e-7 m/N"))
     };
     assert!(!asked("m/N"));
     assert!(asked("m/mN"));
@@ -198,19 +165,10 @@ fn a_receptance_unlike_any_rail_is_asked_about() {
 fn values_are_read_as_programs_write_them() {
     type Row = fn(f64, f64, f64) -> String;
     let tables: [(&str, Row); 6] = [
-        ("# frequency [Hz], H [m/N]", |f, re, im| {
-            format!("{f}, ({re:e}{im:+e}j)")
-        }),
-        ("frequency [Hz],H [m/N]", |f, re, im| {
-            format!("{f},{re:e}{im:+e}i")
-        }),
-        ("Frequenz [Hz];H [m/N]", |f, re, im| {
-            format!("{f};{re:e} {im:+e}i").replace('.', ",")
-        }),
-        (
-            "Frequency [Hz],Receptance [m/N],Phase [rad]",
-            |f, re, im| format!("{f},{:e},{}", re.hypot(im), im.atan2(re)),
-        ),
+        ("# frequency [Hz], H [m/N]", |f, re, im| format!("{f}, ({re:e}{im:+e}j)")),
+        ("frequency [Hz],H [m/N]", |f, re, im| format!("{f},{re:e}{im:+e}i")),
+        ("Frequenz [Hz];H [m/N]", |f, re, im| format!("{f};{re:e} {im:+e}i").replace('.', ",")),
+        ("Frequency [Hz],Receptance [m/N],Phase [rad]", |f, re, im| format!("{f},{:e},{}", re.hypot(im), im.atan2(re))),
         ("Frequenz [Hz];real [m/N];imag [m/N]", |f, re, im| {
             let (thousands, rest) = (f.div_euclid(1e3), f.rem_euclid(1e3));
             match thousands > 0.0 {
@@ -218,17 +176,12 @@ fn values_are_read_as_programs_write_them() {
                 false => format!("{rest},0;{re:e};{im:e}"),
             }
         }),
-        ("frequency_hz real_m/N imag_m/N", |f, re, im| {
-            format!("{f} {re:.12e} {im:.12e}").replace('e', "D")
-        }),
+        ("frequency_hz real_m/N imag_m/N", |f, re, im| format!("{f} {re:.12e} {im:.12e}").replace('e', "D")),
     ];
     for (head, row) in tables {
         let case = with_rows(head, row, "unit = \"m/N\"").unwrap();
         let found = case.track.receptance.receptance(TAU * 500.0, 0.0);
-        assert!(
-            (found.re - 5e-9).abs() < 1e-17 && (found.im + 1e-10).abs() < 1e-17,
-            "{head}: {found}"
-        );
+        assert!((found.re - 5e-9).abs() < 1e-17 && (found.im + 1e-10).abs() < 1e-17, "{head}: {found}");
     }
 }
 
@@ -249,16 +202,8 @@ fn what_a_head_says_is_not_passed_over() {
         ("f (Hz),Re(H) (mm/kN),Im(H) (mm/kN)", cartesian, Ok(1e-6)),
         ("frequency [Hz],Re [m/N],Im [m/N]", cartesian, Ok(1.0)),
         ("Frequency [Hz],Mobility,Phase [deg]", of_mobility, Ok(1.0)),
-        (
-            "frequency [Hz],Re [mm/kgf],Im [mm/kgf]",
-            cartesian,
-            Err("is in mm/kgf, which is no unit"),
-        ),
-        (
-            "frequency [Hz],modulus [m/N],phase",
-            of_a_turn,
-            Err("write \"radians\""),
-        ),
+        ("frequency [Hz],Re [mm/kgf],Im [mm/kgf]", cartesian, Err("is in mm/kgf, which is no unit")),
+        ("frequency [Hz],modulus [m/N],phase", of_a_turn, Err("write \"radians\"")),
     ] {
         match (with_rows(head, row, ""), expected) {
             (Ok(case), Ok(unit)) => {
@@ -282,17 +227,8 @@ fn marks_of_missing_values_are_refused() {
         20 => "200,-9999,-9999\n".to_owned(),
         _ => format!("{},1e-9,-1e-10\n", 10 * line),
     });
-    let text = format!(
-        "frequency_hz,real_m_per_n,imag_m_per_n\n{}",
-        rows.collect::<String>()
-    );
+    let text = format!("frequency_hz,real_m_per_n,imag_m_per_n\n{}", rows.collect::<String>());
     fs::write(&file, text).unwrap();
-    let error = measured(file.to_str().unwrap(), "unit = \"m/N\"")
-        .err()
-        .unwrap()
-        .to_string();
-    assert!(
-        error.contains("line 17: column `real_m_per_n` is -9999, which marks"),
-        "{error}"
-    );
+    let error = measured(file.to_str().unwrap(), "unit = \"m/N\"").err().unwrap().to_string();
+    assert!(error.contains("line 17: column `real_m_per_n` is -9999, which marks"), "{error}");
 }

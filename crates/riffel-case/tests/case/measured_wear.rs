@@ -35,9 +35,7 @@ fn under_traffic(case: &Case, change: &str) -> TrafficOnCase {
         "" => Variant::none(""),
         change => Variant::parse("change", change).unwrap(),
     };
-    traffic
-        .on(case, &bands_of(case), &variant, &|_| ())
-        .unwrap()
+    traffic.on(case, &bands_of(case), &variant, &|_| ()).unwrap()
 }
 
 /// Rounding alone: all is in proportion to the coefficient.
@@ -70,14 +68,10 @@ fn a_measured_wear_makes_the_coefficient() {
         });
         same(depth(&slippery.unwrap()), 1.2);
     }
-    let text =
-        with_wear("measured = \"1.2 mm / 100 MGT\"").replace("coefficient = \"2.5e-9", "# \"");
+    let text = with_wear("measured = \"1.2 mm / 100 MGT\"").replace("coefficient = \"2.5e-9", "# \"");
     same(depth(&case(&text, &[])), 1.2);
     let given = case(&text, &["wear.coefficient=1e-9"]);
-    assert!(
-        given.file.wear.measured.is_none(),
-        "an override replaces it"
-    );
+    assert!(given.file.wear.measured.is_none(), "an override replaces it");
 }
 
 /// Under a traffic the mean over its axles wears as measured; a variant keeps the coefficient of the case as it is.
@@ -99,41 +93,21 @@ fn a_traffic_wears_as_measured() {
 fn a_measured_wear_that_cannot_be_is_refused() {
     let both = with_wear("measured = \"1.2 mm / 100 MGT\"");
     let cases: [(&str, &[&str], &str); 8] = [
-        (
-            &both,
-            &[],
-            "`wear.measured` and `wear.coefficient` exclude each other",
-        ),
-        (
-            NOMINAL_CASE,
-            &["wear.measured=1.2 mm"],
-            "is \"1.2 mm\", but must be a depth",
-        ),
-        (
-            NOMINAL_CASE,
-            &["wear.measured=1.2 / 100"],
-            "is \"1.2 / 100\", but must be a depth",
-        ),
+        (&both, &[], "`wear.measured` and `wear.coefficient` exclude each other"),
+        (NOMINAL_CASE, &["wear.measured=1.2 mm"], "is \"1.2 mm\", but must be a depth"),
+        (NOMINAL_CASE, &["wear.measured=1.2 / 100"], "is \"1.2 / 100\", but must be a depth"),
         (
             NOMINAL_CASE,
             &["wear.measured={ depth = \"1.2 mm\", per = \"100 MGT\", factor = 0.8 }"],
             "`wear.measured.factor` is 0.8",
         ),
-        (
-            NOMINAL_CASE,
-            &["wear.measured={ depth = \"0 mm\", per = \"100 MGT\" }"],
-            "`wear.measured.depth` is 0",
-        ),
+        (NOMINAL_CASE, &["wear.measured={ depth = \"0 mm\", per = \"100 MGT\" }"], "`wear.measured.depth` is 0"),
         (
             NOMINAL_CASE,
             &[MEASURED, "contact.creepage={ longitudinal = 0 }"],
             "a wheel that does not creep does not wear the rail",
         ),
-        (
-            NOMINAL_CASE,
-            &[MEASURED, "wear.law=usfd"],
-            "leave out other laws",
-        ),
+        (NOMINAL_CASE, &[MEASURED, "wear.law=usfd"], "leave out other laws"),
         (
             NOMINAL_CASE,
             &[MEASURED, "wear.natural_lubrication=5"],

@@ -36,28 +36,16 @@ fn table(header: &str, row: impl Fn(f64, Complex64) -> String) -> String {
 }
 
 fn cartesian() -> String {
-    table("frequency_hz,re,im", |f, h| {
-        format!("{f},{:e},{:e}", h.re, h.im)
-    })
+    table("frequency_hz,re,im", |f, h| format!("{f},{:e},{:e}", h.re, h.im))
 }
 
 fn check(case: &Case) {
-    assert!(
-        case.remarks
-            .iter()
-            .all(|remark| !remark.to_string().contains("energy"))
-    );
+    assert!(case.remarks.iter().all(|remark| !remark.to_string().contains("energy")));
     case.check_window().unwrap();
     let f = 50.0 * 50f64.powf(20.0 / 39.0);
-    let h = case
-        .track
-        .receptance
-        .receptance(std::f64::consts::TAU * f, 0.0);
+    let h = case.track.receptance.receptance(std::f64::consts::TAU * f, 0.0);
     let expected = 1e-8 / Complex64::new(1.0, f / 100.0);
-    assert!(
-        (h - expected).norm() < 1e-9 * expected.norm(),
-        "{h} {expected}"
-    );
+    assert!((h - expected).norm() < 1e-9 * expected.norm(), "{h} {expected}");
 }
 
 #[test]
@@ -72,13 +60,7 @@ fn reads_a_table_as_instruments_write_it() {
         + &table("f;mod;phase", |f, h| {
             let mobility = h * Complex64::new(0.0, std::f64::consts::TAU * f);
             // mm/s per kN: 1e-6 m/s per N.
-            format!(
-                "{};{:e};{}",
-                f / 1e3,
-                1e6 * mobility.norm(),
-                mobility.arg().to_degrees()
-            )
-            .replace('.', ",")
+            format!("{};{:e};{}", f / 1e3, 1e6 * mobility.norm(), mobility.arg().to_degrees()).replace('.', ",")
         });
     let keys = "quantity = \"mobility\"\nunit = \"mm/s/kN\"\nfrequency = \"f\"\nfrequency_unit = \"kHz\"\n\
                 modulus = \"mod\"\nphase = \"phase\"";
@@ -89,32 +71,18 @@ fn reads_a_table_as_instruments_write_it() {
 #[test]
 fn responses_with_the_wrong_signs_are_refused_and_turned() {
     let text = |signs: [f64; 2]| {
-        table("frequency_hz,re,im", |f, h| {
-            format!("{f},{:e},{:e}", signs[0] * h.re, signs[1] * h.im)
-        })
+        table("frequency_hz,re,im", |f, h| format!("{f},{:e},{:e}", signs[0] * h.re, signs[1] * h.im))
     };
     let active = "gives energy away (Im H > 0) at 40 of 40 frequencies, and";
     for (signs, says, keys) in [
         ([1.0, 1.0], "", [false, false]),
-        (
-            [1.0, -1.0],
-            "the sign of its real part is right: it is conjugated",
-            [true, false],
-        ),
+        ([1.0, -1.0], "the sign of its real part is right: it is conjugated", [true, false]),
         ([-1.0, -1.0], "it is turned in sign", [false, true]),
-        (
-            [-1.0, 1.0],
-            "it is conjugated, as with exp(−iωt), and turned in sign",
-            [true, true],
-        ),
+        ([-1.0, 1.0], "it is conjugated, as with exp(−iωt), and turned in sign", [true, true]),
     ] {
         for set in [[false, false], [true, false], [false, true], [true, true]] {
             let of = |keys: [bool; 2]| format!("conjugate = {}\nnegate = {}", keys[0], keys[1]);
-            let read = case(
-                "rail.csv",
-                text(signs).as_bytes(),
-                &format!("{CARTESIAN}\n{}", of(set)),
-            );
+            let read = case("rail.csv", text(signs).as_bytes(), &format!("{CARTESIAN}\n{}", of(set)));
             if set == keys {
                 check(&read.unwrap());
                 continue;
@@ -139,14 +107,8 @@ fn another_quantity_is_told_from_a_wrong_sign() {
         let mobility = 1e-3 * h * Complex64::new(0.0, std::f64::consts::TAU * f);
         format!("{f},{:e},{:e}", mobility.re, mobility.im)
     });
-    let refusal = case("rail.csv", text.as_bytes(), CARTESIAN)
-        .err()
-        .unwrap()
-        .to_string();
-    assert!(
-        refusal.contains("as that of a mobility or an accelerance does"),
-        "{refusal}"
-    );
+    let refusal = case("rail.csv", text.as_bytes(), CARTESIAN).err().unwrap().to_string();
+    assert!(refusal.contains("as that of a mobility or an accelerance does"), "{refusal}");
 }
 
 /// Files written by pyuff: see tests/universal-files/make_fixtures.py. Their displacement points up
@@ -167,10 +129,7 @@ fn reads_universal_files() {
         let exact = fs::read_to_string(folder.join("exact.csv")).unwrap();
         let mut compared = 0;
         for line in exact.lines().skip(1) {
-            let cells: Vec<f64> = line
-                .split(',')
-                .filter_map(|cell| cell.parse().ok())
-                .collect();
+            let cells: Vec<f64> = line.split(',').filter_map(|cell| cell.parse().ok()).collect();
             let [frequency, re, im] = cells[..] else {
                 continue;
             };
@@ -179,18 +138,12 @@ fn reads_universal_files() {
             if uneven == is_even {
                 continue;
             }
-            let h = case
-                .track
-                .receptance
-                .receptance(std::f64::consts::TAU * frequency, 0.0);
+            let h = case.track.receptance.receptance(std::f64::consts::TAU * frequency, 0.0);
             if h.is_nan() {
                 continue; // the last frequency, rounded down in the file
             }
             let expected = Complex64::new(re, im);
-            assert!(
-                (h - expected).norm() < tolerance * expected.norm(),
-                "{frequency} {h} {expected}"
-            );
+            assert!((h - expected).norm() < tolerance * expected.norm(), "{frequency} {h} {expected}");
             compared += 1;
         }
         assert!(compared > 90, "{compared}");
@@ -201,40 +154,17 @@ fn reads_universal_files() {
 fn is_not_extrapolated() {
     let case = case("rail.csv", cartesian().as_bytes(), CARTESIAN).unwrap();
     let error = case.check_frequencies(40.0, 100.0).unwrap_err().to_string();
-    assert!(
-        error.contains("is known from 50") && error.contains("not extrapolated"),
-        "{error}"
-    );
+    assert!(error.contains("is known from 50") && error.contains("not extrapolated"), "{error}");
 }
 
 #[test]
 fn bad_tables() {
     for (text, keys, sentence) in [
-        (
-            "frequency_hz,re,im\n1,1,-1\n2,,-1\n",
-            CARTESIAN,
-            "line 3: column `re` is empty",
-        ),
-        (
-            "frequency_hz,re,im\n1,1,-1\n2,NaN,-1\n",
-            CARTESIAN,
-            "line 3: column `re` is NaN, but must be finite",
-        ),
-        (
-            "frequency_hz,re,im\n1,1,-1\n2,x,-1\n",
-            CARTESIAN,
-            "line 3: column `re` is \"x\", not a number",
-        ),
-        (
-            "frequency_hz,re,im\n1,1,-1\n1,1,-1\n",
-            CARTESIAN,
-            "line 3: the frequency 1 Hz is there twice",
-        ),
-        (
-            "frequency_hz,re,im\n2,1,-1\n1,1,-1\n",
-            CARTESIAN,
-            "line 3: the frequency falls from 2 Hz to 1 Hz",
-        ),
+        ("frequency_hz,re,im\n1,1,-1\n2,,-1\n", CARTESIAN, "line 3: column `re` is empty"),
+        ("frequency_hz,re,im\n1,1,-1\n2,NaN,-1\n", CARTESIAN, "line 3: column `re` is NaN, but must be finite"),
+        ("frequency_hz,re,im\n1,1,-1\n2,x,-1\n", CARTESIAN, "line 3: column `re` is \"x\", not a number"),
+        ("frequency_hz,re,im\n1,1,-1\n1,1,-1\n", CARTESIAN, "line 3: the frequency 1 Hz is there twice"),
+        ("frequency_hz,re,im\n2,1,-1\n1,1,-1\n", CARTESIAN, "line 3: the frequency falls from 2 Hz to 1 Hz"),
         (
             "frequency_hz,re,im\n1,1,-1\n0,1,-1\n",
             CARTESIAN,
@@ -273,31 +203,11 @@ fn bad_tables() {
             "`track.measurement.real` is left out, and more than one column could be it: `rail re`, `wheel re`",
         ),
         ("100,1e-9,-1e-9\n110,1e-9,-1e-9\n", "", "has no header"),
-        (
-            "frequency_hz,re,im\n-1,1,-1\n1,1,-1\n",
-            CARTESIAN,
-            "line 2: the frequency is -1 Hz",
-        ),
-        (
-            "frequency_hz,re,im\n100,1,-1\n300,1,-1\n",
-            CARTESIAN,
-            "line 3: nothing between 100 Hz and 300 Hz",
-        ),
-        (
-            "frequency_hz,re,im\n100,1,-1\n",
-            CARTESIAN,
-            "needs two frequencies or more",
-        ),
-        (
-            "frequency_hz,re,im\n",
-            CARTESIAN,
-            "needs two frequencies or more",
-        ),
-        (
-            "frequency_hz,re,im\n100,1\n",
-            CARTESIAN,
-            "column `im` is empty",
-        ),
+        ("frequency_hz,re,im\n-1,1,-1\n1,1,-1\n", CARTESIAN, "line 2: the frequency is -1 Hz"),
+        ("frequency_hz,re,im\n100,1,-1\n300,1,-1\n", CARTESIAN, "line 3: nothing between 100 Hz and 300 Hz"),
+        ("frequency_hz,re,im\n100,1,-1\n", CARTESIAN, "needs two frequencies or more"),
+        ("frequency_hz,re,im\n", CARTESIAN, "needs two frequencies or more"),
+        ("frequency_hz,re,im\n100,1\n", CARTESIAN, "column `im` is empty"),
         ("", CARTESIAN, "`track.measurement.file` is empty"),
         (
             "f,re,im\n1,1,-1\n",
@@ -325,9 +235,7 @@ fn bad_tables() {
             "is no unit of a frequency",
         ),
     ] {
-        let error = case("rail.csv", text.as_bytes(), keys)
-            .err()
-            .unwrap_or_else(|| panic!("{text:?} is read"));
+        let error = case("rail.csv", text.as_bytes(), keys).err().unwrap_or_else(|| panic!("{text:?} is read"));
         assert!(error.to_string().contains(sentence), "{text:?}: {error}");
     }
 }
@@ -338,21 +246,13 @@ fn a_million_lines_are_no_frequency_response() {
     for line in 1..=1_000_000 {
         text.push_str(&format!("{line},1e-9,-1e-9\n"));
     }
-    let error = case("rail.csv", text.as_bytes(), CARTESIAN)
-        .err()
-        .expect("too long");
-    assert!(
-        error.to_string().contains("more than 200000 lines"),
-        "{error}"
-    );
+    let error = case("rail.csv", text.as_bytes(), CARTESIAN).err().expect("too long");
+    assert!(error.to_string().contains("more than 200000 lines"), "{error}");
 }
 
 #[test]
 fn bad_universal_files() {
-    let cases: [(&[u8], &str); 2] = [
-        (b"", "the file holds no dataset"),
-        (b"    -1\n    58\n", "line"),
-    ];
+    let cases: [(&[u8], &str); 2] = [(b"", "the file holds no dataset"), (b"    -1\n    58\n", "line")];
     for (bytes, sentence) in cases {
         let error = case("rail.uff", bytes, "").err().expect("a bad file");
         assert!(error.to_string().contains(sentence), "{error}");
@@ -375,39 +275,23 @@ fn what_a_universal_file_leaves_unsaid_is_asked_for() {
     };
     let at = |case: &Case, omega: f64| case.track.receptance.receptance(omega, 0.0);
     let plain = at(&changed(&[], "").unwrap(), std::f64::consts::TAU * 400.0);
-    let radians = changed(
-        &[("Frequency            Hz   ", "Frequency            rad/s")],
-        "",
-    );
+    let radians = changed(&[("Frequency            Hz   ", "Frequency            rad/s")], "");
     assert!((at(&radians.unwrap(), 400.0) / plain - 1.0).norm() < 1e-9);
     let no_unit = ("Displacement         m   ", "Displacement         NONE");
     let general = ("         8    1", "         1    1");
-    let nowhere = [
-        ("RAIL         1   3", "RAIL         1   0"),
-        ("RAIL         1  -3", "RAIL         1   0"),
-    ];
+    let nowhere = [("RAIL         1   3", "RAIL         1   0"), ("RAIL         1  -3", "RAIL         1   0")];
     for (changes, key, says) in [
         (&[no_unit][..], "unit = \"m/N\"", "track.measurement.unit"),
-        (
-            &[general],
-            "quantity = \"receptance\"",
-            "track.measurement.quantity",
-        ),
+        (&[general], "quantity = \"receptance\"", "track.measurement.quantity"),
         (&nowhere, "function = 1", "track.measurement.function"),
     ] {
         let refusal = changed(changes, "").err().unwrap();
         assert!(refusal.contains(says), "{refusal}");
         let read = changed(changes, key).unwrap();
         let found = at(&read, std::f64::consts::TAU * 400.0);
-        assert!(
-            (found / plain - 1.0).norm() < 1e-9,
-            "{key}: {found} {plain}"
-        );
+        assert!((found / plain - 1.0).norm() < 1e-9, "{key}: {found} {plain}");
     }
-    let unknown = changed(
-        &[("Frequency            Hz   ", "Frequency            m/s  ")],
-        "",
-    );
+    let unknown = changed(&[("Frequency            Hz   ", "Frequency            m/s  ")], "");
     assert!(unknown.err().unwrap().contains("frequency_unit"));
 }
 
@@ -415,12 +299,6 @@ fn what_a_universal_file_leaves_unsaid_is_asked_for() {
 fn a_missing_file_is_named() {
     let text = NOMINAL_CASE.replace("model = \"free-beam\"", "model = \"measured\"")
         + "\n[track.measurement]\nfile = \"nowhere.csv\"\n";
-    let error = Case::parse("case.toml", &text, &[])
-        .err()
-        .unwrap()
-        .to_string();
-    assert!(
-        error.contains("`track.measurement.file`: cannot read the measurement nowhere.csv"),
-        "{error}"
-    );
+    let error = Case::parse("case.toml", &text, &[]).err().unwrap().to_string();
+    assert!(error.contains("`track.measurement.file`: cannot read the measurement nowhere.csv"), "{error}");
 }

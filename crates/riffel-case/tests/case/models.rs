@@ -42,10 +42,7 @@ fn the_seed_model_is_the_nominal_case() {
     }
     // On a track with supports it is the same, for it leaves them out.
     let supported = on(&case(BHASKAR_TRACK_CASE, &[]), "afferrante-ciavarella-2009").unwrap();
-    assert_eq!(
-        supported.growth_rates(&wavelengths, 30.0),
-        seed.growth_rates(&wavelengths, 30.0)
-    );
+    assert_eq!(supported.growth_rates(&wavelengths, 30.0), seed.growth_rates(&wavelengths, 30.0));
 }
 
 /// Ours is the case with the exact contact, point by point.
@@ -53,14 +50,7 @@ fn the_seed_model_is_the_nominal_case() {
 fn ours_is_the_case_with_the_exact_contact() {
     let window = "map.wavelength=40-60 mm";
     let ours = on(&case(NOMINAL_CASE, &[window]), "riffel").unwrap();
-    let exact = case(
-        NOMINAL_CASE,
-        &[
-            window,
-            "contact.response=non-steady",
-            "contact.creep_law=half-space",
-        ],
-    );
+    let exact = case(NOMINAL_CASE, &[window, "contact.response=non-steady", "contact.creep_law=half-space"]);
     let wavelengths = [0.041, 0.05, 0.0557, 0.06];
     let rates = ours.growth_rates(&wavelengths, 30.0);
     for (&wavelength, rate) in wavelengths.iter().zip(rates) {
@@ -73,16 +63,8 @@ fn ours_is_the_case_with_the_exact_contact() {
 fn the_limits_of_the_inertia_have_their_numbers() {
     let with = |rotation: &str| normalized(&case(NOMINAL_CASE, &[rotation]));
     close(with("wheel.rotation=inertia"), -0.0230688, 0.0181446);
-    close(
-        with("wheel.rotation=constant-tangential-force"),
-        -0.0056052,
-        -0.0295953,
-    );
-    close(
-        with("wheel.rotation=constant-creepage"),
-        0.0054095,
-        0.0285622,
-    );
+    close(with("wheel.rotation=constant-tangential-force"), -0.0056052, -0.0295953);
+    close(with("wheel.rotation=constant-creepage"), 0.0054095, 0.0285622);
 }
 
 /// Constant creepage: wear follows the normal force, two thirds of it under a linear law, so that waves grow exactly
@@ -91,14 +73,7 @@ fn the_limits_of_the_inertia_have_their_numbers() {
 fn constant_creepage_wears_by_the_normal_force() {
     const RATIO: f64 = 1e-5;
     let ratio = format!("contact.tractive_ratio={RATIO}");
-    let linear = case(
-        NOMINAL_CASE,
-        &[
-            &ratio,
-            "wheel.rotation=constant-creepage",
-            "contact.dissipation_phase=none",
-        ],
-    );
+    let linear = case(NOMINAL_CASE, &[&ratio, "wheel.rotation=constant-creepage", "contact.dissipation_phase=none"]);
     for wavelength in [0.02, 0.04, 0.08, 0.3, 1.0] {
         let state = linear.feedback.at(wavelength, 30.0);
         let wear = state.dissipation_at_rail / state.mean_dissipation;
@@ -137,10 +112,7 @@ fn what_a_case_lacks_is_told() {
     for name in ["tassilly-vincent-1991", "elkins-1998"] {
         assert!(lacks(&nominal, name).starts_with("needs a wheelset with an elastic axle"));
     }
-    assert_eq!(
-        lacks(&nominal, "both-2001"),
-        "needs wheelset.suspension with a vertical_stiffness"
-    );
+    assert_eq!(lacks(&nominal, "both-2001"), "needs wheelset.suspension with a vertical_stiffness");
     assert_eq!(
         lacks(&case(MAIN_LINE_CASE, &[]), "hempelmann-knothe-1996"),
         "needs a rail that moves across the track: track.pad.lateral_stiffness, track.ballast.lateral_stiffness"
@@ -163,11 +135,8 @@ fn conformity_is_bhaskars() {
         "track.pad.lateral_stiffness=\"40 MN/m\"",
         "track.ballast.lateral_stiffness=\"40 MN/m\"",
     ];
-    let conformal = [
-        &wheelset[..],
-        &["contact.conformity={ rail_radius = \"200 mm\", cross_slope = \"20 1/m\" }"],
-    ]
-    .concat();
+    let conformal =
+        [&wheelset[..], &["contact.conformity={ rail_radius = \"200 mm\", cross_slope = \"20 1/m\" }"]].concat();
     let [stays, moves] = [&wheelset[..], &conformal].map(|set| case(MAIN_LINE_CASE, set));
     let growth = |case: &Case, name: &str| on(case, name).unwrap().growth_rates(&[0.05], 30.0)[0];
     for (name, acts) in [("bhaskar-1997", true), ("grassie-johnson-1985", false)] {
@@ -176,8 +145,7 @@ fn conformity_is_bhaskars() {
     }
     // Turning evenly and held along the rail, it creeps by the ripple alone: twice the slope, twice the difference.
     let sloping = |slope: &str| {
-        let set =
-            format!("contact.conformity={{ rail_radius = \"300 mm\", cross_slope = \"{slope}\" }}");
+        let set = format!("contact.conformity={{ rail_radius = \"300 mm\", cross_slope = \"{slope}\" }}");
         let set = [&wheelset[..], &[&set]].concat();
         growth(&case(MAIN_LINE_CASE, &set), "bhaskar-1997")
     };
@@ -189,14 +157,10 @@ fn conformity_is_bhaskars() {
 #[test]
 fn a_rail_flatter_than_both_together_is_refused() {
     let set = "contact.conformity.rail_radius=\"310 mm\"".to_owned();
-    let refused = Case::parse("case.toml", NOMINAL_CASE, &[set])
-        .err()
-        .unwrap();
+    let refused = Case::parse("case.toml", NOMINAL_CASE, &[set]).err().unwrap();
     let sentence = refused.in_words();
     assert!(
-        sentence.contains(
-            "`contact.conformity.rail_radius` is 0.31 m, but must be at most the transverse radius"
-        ),
+        sentence.contains("`contact.conformity.rail_radius` is 0.31 m, but must be at most the transverse radius"),
         "{sentence}"
     );
 }
@@ -206,10 +170,7 @@ fn a_rail_flatter_than_both_together_is_refused() {
 fn a_lone_wheel_becomes_one_of_two() {
     let supported = case(
         MAIN_LINE_CASE,
-        &[
-            "track.pad.lateral_stiffness=\"40 MN/m\"",
-            "track.ballast.lateral_stiffness=\"40 MN/m\"",
-        ],
+        &["track.pad.lateral_stiffness=\"40 MN/m\"", "track.ballast.lateral_stiffness=\"40 MN/m\""],
     );
     let pair = on(&supported, "frederick-1987").unwrap();
     assert!(!pair.case.feedback.is_along_one_axis());
@@ -225,13 +186,7 @@ fn a_lone_wheel_becomes_one_of_two() {
 /// A wheelset becomes a lone wheel of half its mass and half its inertia.
 #[test]
 fn a_wheelset_becomes_a_lone_wheel() {
-    let curve = case(
-        CURVE,
-        &[
-            "contact.creepage={ lateral = 0.0005 }",
-            "contact.creep_law=carter-3d",
-        ],
-    );
+    let curve = case(CURVE, &["contact.creepage={ lateral = 0.0005 }", "contact.creep_law=carter-3d"]);
     let alone = on(&curve, "afferrante-ciavarella-2009").unwrap().case.file;
     let axle = 7850.0 * 2.0 * 0.25 * std::f64::consts::PI * 0.16f64.powi(2);
     let mass = alone.wheel.mass.unwrap().si();
@@ -261,9 +216,7 @@ fn models_are_described() {
         assert!(!model.leaves_out.is_empty());
         let ours = FieldModel::EXACT.joints;
         let differences: Vec<Joint> = model.joints.differences(ours).collect();
-        let changed = differences
-            .iter()
-            .fold(model.joints, |joints, &joint| joints.with(joint, ours));
+        let changed = differences.iter().fold(model.joints, |joints, &joint| joints.with(joint, ours));
         assert_eq!(changed, ours);
         assert_eq!(differences.is_empty(), model.name == "riffel");
     }

@@ -24,25 +24,18 @@ fn p2(text: &str, overrides: &[&str]) -> (f64, f64) {
 #[test]
 fn a_suspension_is_no_p2() {
     let curve = include_str!("../../cases/metro-curve.toml");
-    let suspension =
-        |stiffness: &str| format!("wheelset.suspension.vertical_stiffness={stiffness}");
+    let suspension = |stiffness: &str| format!("wheelset.suspension.vertical_stiffness={stiffness}");
     let mut found = Vec::new();
     for stiffness in ["0.6 MN/m", "1.2 MN/m", "2.4 MN/m"] {
         for track in ["track.pad.stiffness=30 MN/m", "track.pad.stiffness=60 MN/m"] {
             let (p2, closed) = p2(curve, &[&suspension(stiffness), track]);
-            assert!(
-                (p2 / closed - 1.0).abs() < 0.1,
-                "{stiffness} {track}: {p2} {closed}"
-            );
+            assert!((p2 / closed - 1.0).abs() < 0.1, "{stiffness} {track}: {p2} {closed}");
             found.push(p2);
         }
     }
     for track in 0..2 {
         // √(1 + k/(k_t + k_b)): 2.4 of some 60 MN/m or more is two per cent of the frequency.
-        assert!(
-            (found[track] / found[4 + track] - 1.0).abs() < 0.03,
-            "{found:?}"
-        );
+        assert!((found[track] / found[4 + track] - 1.0).abs() < 0.03, "{found:?}");
     }
 }
 

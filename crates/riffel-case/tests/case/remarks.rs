@@ -33,12 +33,7 @@ fn every_remark_says_the_same_in_german() {
             "contact.polach.speed=20.5 m/s",
         ],
         &[even[0], even[1], "track.model=two-layer"],
-        &[
-            even[0],
-            even[1],
-            "track.model=two-layer-periodic",
-            "rail.beam=euler-bernoulli",
-        ],
+        &[even[0], even[1], "track.model=two-layer-periodic", "rail.beam=euler-bernoulli"],
     ];
     let mut seen: Vec<Message> = Vec::new();
     for remark in cases.into_iter().flat_map(remarks) {
@@ -75,10 +70,7 @@ fn a_loop_whose_stability_cannot_be_told_says_so() {
     let text = include_str!("../../cases/curve.toml");
     let overrides = ["wheelset.axle.loss_factor=1e-9".to_owned()];
     let case = Case::parse("curve.toml", text, &overrides).unwrap();
-    let mut told = case
-        .remarks
-        .iter()
-        .map(|remark| remark.text(Language::English));
+    let mut told = case.remarks.iter().map(|remark| remark.text(Language::English));
     assert!(told.any(|text| text.contains("whether the loop is stable")));
     assert_eq!(case.stability(20.0), None);
 }

@@ -14,22 +14,12 @@ fn message(overrides: &[&str]) -> String {
     error.to_string()
 }
 
-const PERIODIC: [&str; 3] = [
-    "rail.section=60E1",
-    "track.preset=ballasted-stiff-pads",
-    "track.model=two-layer-periodic",
-];
+const PERIODIC: [&str; 3] =
+    ["rail.section=60E1", "track.preset=ballasted-stiff-pads", "track.model=two-layer-periodic"];
 
 #[test]
 fn every_model_computes_with_either_beam() {
-    for model in [
-        "free-beam",
-        "moving-beam",
-        "one-layer",
-        "two-layer",
-        "one-layer-periodic",
-        "two-layer-periodic",
-    ] {
+    for model in ["free-beam", "moving-beam", "one-layer", "two-layer", "one-layer-periodic", "two-layer-periodic"] {
         let model = format!("track.model={model}");
         for beam in ["rail.beam=euler-bernoulli", "rail.beam=timoshenko"] {
             let case = case(&["rail.section=60E1", "track.preset=br-stiff", &model, beam]).unwrap();
@@ -57,17 +47,8 @@ fn pinned_pinned_is_named_from_timoshenko_only() {
     let euler = [&PERIODIC[..], &["rail.beam=euler-bernoulli"]].concat();
     let case = case(&euler).unwrap();
     assert!(case.track.pinned_pinned.is_none());
-    assert!(
-        case.track
-            .resonances()
-            .iter()
-            .all(|r| r.kind != ResonanceKind::PinnedPinned)
-    );
-    assert!(
-        case.remarks
-            .iter()
-            .any(|remark| remark.to_string().contains("overstated"))
-    );
+    assert!(case.track.resonances().iter().all(|r| r.kind != ResonanceKind::PinnedPinned));
+    assert!(case.remarks.iter().any(|remark| remark.to_string().contains("overstated")));
 }
 
 /// Damping and loss factor are one choice: a written one keeps the preset's other one out.
@@ -83,11 +64,7 @@ fn a_written_damping_replaces_the_loss_factor_of_the_preset() {
 /// A pad preset goes before the pads of the track preset.
 #[test]
 fn presets_of_parts_go_before_those_of_the_track() {
-    let soft = [
-        &PERIODIC[..],
-        &["track.pad.preset=pad-soft", "track.sleeper.preset=wooden"],
-    ]
-    .concat();
+    let soft = [&PERIODIC[..], &["track.pad.preset=pad-soft", "track.sleeper.preset=wooden"]].concat();
     let track = case(&soft).unwrap().file.track;
     assert_eq!(track.pad.unwrap().stiffness.unwrap().si(), 120e6);
     assert_eq!(track.sleeper.unwrap().mass.unwrap().si(), 40.0);
@@ -106,11 +83,7 @@ fn a_vehicle_fills_in_wheel_and_load() {
     assert_eq!(case.hertz.normal_force(), 104.2e3);
     assert_eq!(case.file.wheel.rolling_radius.si(), 0.625);
     let idle = self::case(&["vehicle=locomotive"]).unwrap();
-    assert!(
-        idle.remarks
-            .iter()
-            .any(|remark| remark.to_string().contains("changes nothing"))
-    );
+    assert!(idle.remarks.iter().any(|remark| remark.to_string().contains("changes nothing")));
     assert_eq!(idle.hertz.normal_force(), 50e3);
 }
 
@@ -157,10 +130,7 @@ fn lateral_and_longitudinal_directions() {
 fn lateral_needs_its_keys() {
     let case = case(&PERIODIC).unwrap();
     let error = case.track_in(Direction::Lateral).err().unwrap().to_string();
-    assert!(
-        error.contains("`track.pad.lateral_stiffness` is missing"),
-        "{error}"
-    );
+    assert!(error.contains("`track.pad.lateral_stiffness` is missing"), "{error}");
     let moving = self::case(&["track.model=moving-beam"]).unwrap();
     assert!(moving.track_in(Direction::Lateral).is_err());
 }
@@ -195,10 +165,8 @@ fn bad_tracks() {
 /// A rail without its section's area has no shear to compute.
 #[test]
 fn timoshenko_needs_area_and_shear_coefficient() {
-    let text = NOMINAL_CASE.replace(
-        "section = \"BS113A\"",
-        "mass_per_length = \"56 kg/m\"\nsecond_moment = \"2350 cm4\"",
-    );
+    let text =
+        NOMINAL_CASE.replace("section = \"BS113A\"", "mass_per_length = \"56 kg/m\"\nsecond_moment = \"2350 cm4\"");
     for (given, missing) in [
         ("rail.beam=timoshenko", "`rail.area` is missing"),
         ("rail.area=71 cm2", "`rail.shear_coefficient` is missing"),
@@ -215,14 +183,8 @@ fn every_preset_computes() {
     let presets = riffel_case::presets().iter();
     for preset in presets.filter(|preset| preset.kind != riffel_case::PresetKind::Wheelset) {
         let name = format!("{}={}", preset.kind.key(), preset.name);
-        let model = if preset
-            .values
-            .iter()
-            .any(|value| value.key == "track.support_spacing")
-            && preset
-                .values
-                .iter()
-                .all(|value| value.key != "track.sleeper.mass")
+        let model = if preset.values.iter().any(|value| value.key == "track.support_spacing")
+            && preset.values.iter().all(|value| value.key != "track.sleeper.mass")
         {
             "track.model=one-layer-periodic"
         } else {
@@ -236,10 +198,7 @@ fn every_preset_computes() {
             overrides.push("track.pad.loss_factor=0.2");
         }
         let case = case(&overrides).unwrap_or_else(|error| panic!("{name}: {error}"));
-        assert!(
-            case.feedback.at(0.05, 20.0).normal_force().is_finite(),
-            "{name}"
-        );
+        assert!(case.feedback.at(0.05, 20.0).normal_force().is_finite(), "{name}");
     }
 }
 
@@ -248,15 +207,10 @@ fn every_preset_computes() {
 fn every_rail_stands_in_a_curve() {
     let curve = include_str!("../../cases/metro-curve.toml");
     let rails = riffel_case::presets();
-    let rails = rails
-        .iter()
-        .filter(|preset| preset.kind == riffel_case::PresetKind::Rail);
+    let rails = rails.iter().filter(|preset| preset.kind == riffel_case::PresetKind::Rail);
     let mut names = Vec::new();
     for rail in rails {
-        let overrides = [
-            format!("rail.section={}", rail.name),
-            "track.model=one-layer-periodic".to_owned(),
-        ];
+        let overrides = [format!("rail.section={}", rail.name), "track.model=one-layer-periodic".to_owned()];
         let case = Case::parse("case.toml", curve, &overrides).unwrap();
         let rigid = |remark: &&riffel_keys::Message| remark.id().contains("rigid");
         assert_eq!(case.remarks.iter().find(rigid), None, "{}", rail.name);

@@ -27,11 +27,7 @@ fn the_example_runs_on_the_nominal_case() -> Result<(), CaseError> {
     assert!((on.growth.axle_mass() - 14_600.0).abs() < 1e-6);
     assert_eq!(on.growth.vehicles()[1].wheel_load, 0.5 * 21e3 * 9.80665);
     assert_eq!(on.growth.bands().len(), 7);
-    assert!(
-        on.remarks[0].to_string().starts_with("multiple unit: "),
-        "{:?}",
-        on.remarks
-    );
+    assert!(on.remarks[0].to_string().starts_with("multiple unit: "), "{:?}", on.remarks);
     Ok(())
 }
 
@@ -60,16 +56,11 @@ fn tonnes_a_year_are_axles_a_day() -> Result<(), CaseError> {
 
 #[test]
 fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
-    let set =
-        "[vehicle.set]\ncontact.friction = 0.3\nwheel = { rotation = \"constant-creepage\" }\n";
+    let set = "[vehicle.set]\ncontact.friction = 0.3\nwheel = { rotation = \"constant-creepage\" }\n";
     let text = format!("{VEHICLE}{SPEED}creepage = \"0.03 %\"\n{set}");
     let case = nominal();
     let on = on(&Traffic::parse("t.toml", &text)?, &case)?;
-    let changed = [
-        "contact.friction=0.3",
-        "contact.creepage=3e-4",
-        "wheel.rotation=constant-creepage",
-    ];
+    let changed = ["contact.friction=0.3", "contact.creepage=3e-4", "wheel.rotation=constant-creepage"];
     let changed = changed.map(str::to_owned);
     let expected = Case::parse("case.toml", NOMINAL_CASE, &changed)?;
     let wavelength = on.growth.wavelengths()[50];
@@ -87,17 +78,12 @@ fn a_speed_without_its_unit_is_asked_about() -> Result<(), CaseError> {
         let traffic = Traffic::parse("t.toml", &text)?;
         let on = on(&traffic, &case)?;
         let remarks = on.remarks.into_iter();
-        Ok(remarks
-            .map(|remark| remark.to_string())
-            .filter(|remark| remark.contains("did you mean"))
-            .collect())
+        Ok(remarks.map(|remark| remark.to_string()).filter(|remark| remark.contains("did you mean")).collect())
     };
     assert_eq!(
         asked("52")?,
-        [
-            "vehicle[0].speed.mean has no unit and is read as 52 m/s = 187.2 km/h (did you mean \"52 km/h\" or \
-             \"52 mph\"?)"
-        ]
+        ["vehicle[0].speed.mean has no unit and is read as 52 m/s = 187.2 km/h (did you mean \"52 km/h\" or \
+             \"52 mph\"?)"]
     );
     assert!(asked("\"52 m/s\"")?.is_empty());
     assert!(asked("14.5")?.is_empty());
@@ -138,16 +124,11 @@ fn a_vehicle_that_the_case_refuses_is_named() {
         "[vehicle.set]\ncontact.friction = -0.2\n => vehicle[0].set.contact.friction => between 0.001 and 1.5",
         "[vehicle.set]\ncontact.frction = 0.2\n => vehicle[0].set.contact.frction => did you mean friction",
     ] {
-        let [rest, key, rule] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}")
-        };
+        let [rest, key, rule] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
         let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}{rest}")).unwrap();
         let case = nominal();
         let error = on(&traffic, &case).unwrap_err();
-        assert!(
-            error.to_string().contains(key) && error.to_string().contains(rule),
-            "{error}"
-        );
+        assert!(error.to_string().contains(key) && error.to_string().contains(rule), "{error}");
         let CaseError::Invalid { span, .. } = error else {
             panic!("{error:?}");
         };
@@ -160,10 +141,7 @@ fn a_vehicle_that_the_case_refuses_is_named() {
 fn sets_of_overrides_follow_each_other() -> Result<(), CaseError> {
     let text = |text: &str| vec![text.to_owned()];
     let base = Case::parse("case.toml", NOMINAL_CASE, &text("contact.creepage=1e-3"))?;
-    let ratio = base.with(&[
-        &text("contact.tractive_ratio=0.3"),
-        &text("rail.section=60E1"),
-    ])?;
+    let ratio = base.with(&[&text("contact.tractive_ratio=0.3"), &text("rail.section=60E1")])?;
     assert!((ratio.steady.tractive_ratio() - 0.3).abs() < 1e-12);
     assert_eq!(ratio.file.rail.mass_per_length.unwrap().si(), 60.21);
     assert!((base.steady.creepages.longitudinal - 1e-3).abs() < 1e-15);
@@ -191,16 +169,12 @@ fn records_are_paired_by_place() -> Result<(), CaseError> {
     let [(first, earlier), (last, later)] = &dates[..] else {
         panic!("{dates:?}");
     };
-    assert_eq!(
-        (first.to_string(), last.to_string()),
-        ("2024-03-01".into(), "2025-03-01".into())
-    );
+    assert_eq!((first.to_string(), last.to_string()), ("2024-03-01".into(), "2025-03-01".into()));
     let change = later.change_since(earlier, 1e6).unwrap();
     let spectra = |survey: &Survey| survey.spectra();
     // By section: A of both, then B of both.
     let (a, b) = (spectra(later)[1].clone(), spectra(later)[0].clone());
-    let expected =
-        riffel::forecast::MeasuredChange::paired(spectra(earlier), vec![a, b], 1e6).unwrap();
+    let expected = riffel::forecast::MeasuredChange::paired(spectra(earlier), vec![a, b], 1e6).unwrap();
     assert_eq!(change, expected);
     Ok(())
 }
@@ -208,18 +182,9 @@ fn records_are_paired_by_place() -> Result<(), CaseError> {
 #[test]
 fn wrong_choices_are_refused() {
     for (message, part) in [
-        (
-            survey(TABLE).choose(&["section=C".to_owned()]).unwrap_err(),
-            "no spectrum has section=C",
-        ),
-        (
-            survey(TABLE).choose(&["rail=L".to_owned()]).unwrap_err(),
-            "no column \"rail\"",
-        ),
-        (
-            survey(TABLE).choose(&["section".to_owned()]).unwrap_err(),
-            "COLUMN=VALUE",
-        ),
+        (survey(TABLE).choose(&["section=C".to_owned()]).unwrap_err(), "no spectrum has section=C"),
+        (survey(TABLE).choose(&["rail=L".to_owned()]).unwrap_err(), "no column \"rail\""),
+        (survey(TABLE).choose(&["section".to_owned()]).unwrap_err(), "COLUMN=VALUE"),
         (survey(TABLE).by_date("section").unwrap_err(), "is no date"),
     ] {
         assert!(message.to_string().contains(part), "{message}");
@@ -229,54 +194,33 @@ fn wrong_choices_are_refused() {
 #[test]
 fn unusual_amounts_are_asked_about() {
     let traffic = |amount: &str| {
-        let text = format!(
-            "[line]\n{amount}\n[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = {{ mean = 20 }}\n"
-        );
+        let text = format!("[line]\n{amount}\n[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = {{ mean = 20 }}\n");
         Traffic::parse("t.toml", &text).unwrap()
     };
     let case = Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap();
     let remarks = |amount: &str| -> Vec<String> {
         let on = on(&traffic(amount), &case);
-        on.unwrap()
-            .remarks
-            .iter()
-            .map(ToString::to_string)
-            .collect()
+        on.unwrap().remarks.iter().map(ToString::to_string).collect()
     };
     // A thousand's point that is none.
     let asked = remarks("passages_per_day = 6.000");
     assert!(
-        asked
-            .iter()
-            .any(|remark| remark.contains("line.passages_per_day is 6; usual values are 20 to")),
+        asked.iter().any(|remark| remark.contains("line.passages_per_day is 6; usual values are 20 to")),
         "{asked:?}"
     );
     let asked = remarks("passages_per_day = 6000");
-    assert!(
-        asked
-            .iter()
-            .all(|remark| !remark.contains("passages_per_day")),
-        "{asked:?}"
-    );
+    assert!(asked.iter().all(|remark| !remark.contains("passages_per_day")), "{asked:?}");
     let asked = remarks("mgt_per_year = 2500");
-    assert!(
-        asked
-            .iter()
-            .any(|remark| remark.contains("line.mgt_per_year is 2500")),
-        "{asked:?}"
-    );
+    assert!(asked.iter().any(|remark| remark.contains("line.mgt_per_year is 2500")), "{asked:?}");
 }
 
 #[test]
 fn an_axle_load_is_no_force() {
-    let text =
-        "[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = { mean = 20 }\naxle_load = \"130 kN\"\n";
+    let text = "[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = { mean = 20 }\naxle_load = \"130 kN\"\n";
     let error = Traffic::parse("t.toml", text).err().unwrap();
     let sentence = error.to_string();
     assert!(
-        sentence.contains("130 kN")
-            && sentence.contains("wheel_load")
-            && sentence.contains("as in \"13 t\""),
+        sentence.contains("130 kN") && sentence.contains("wheel_load") && sentence.contains("as in \"13 t\""),
         "{sentence}"
     );
 }
@@ -306,11 +250,7 @@ fn a_vehicle_brings_its_wheelset() -> Result<(), CaseError> {
         "creepage = { lateral = 0.002, longitudinal = 0.001 }",
         1,
     );
-    let alone = Case::parse(
-        "alone.toml",
-        &format!("{alone}\n[wheelset]\n{WHEELSET}"),
-        &[law],
-    )?;
+    let alone = Case::parse("alone.toml", &format!("{alone}\n[wheelset]\n{WHEELSET}"), &[law])?;
     let wavelength = on.growth.wavelengths()[50];
     let expected = alone.feedback.at(wavelength, 30.0).growth_rate;
     assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
@@ -328,12 +268,8 @@ fn what_a_vehicle_cannot_bring() -> Result<(), CaseError> {
         "creepage = { sideways = 0.01 }\n =>  => vehicle[0].creepage.sideways",
         "creepage = { lateral = 0.01 }\n => contact.creep_law=carter-2d => `vehicle[0].creepage`: `contact.creepage.lateral` is 0.01",
     ] {
-        let [key, law, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}")
-        };
-        let wheelset =
-            "wheelset={ model = \"rigid\", mass = 1200, roll_inertia = 620, spin_inertia = 55 }"
-                .to_owned();
+        let [key, law, expected] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
+        let wheelset = "wheelset={ model = \"rigid\", mass = 1200, roll_inertia = 620, spin_inertia = 55 }".to_owned();
         let overrides: Vec<String> = std::iter::once(wheelset)
             .chain((!law.is_empty()).then(|| law.to_owned()))
             // The case itself has a mean state that every law knows.

@@ -32,18 +32,12 @@ fn refusal(case: &Case, vehicle: &str) -> String {
 fn all_wheels_are_the_mean_of_separate_runs() -> Result<(), CaseError> {
     let speeds = [(40.0 / 3.6, 0.25), (50.0 / 3.6, 0.75)];
     let listed = speeds.map(|(speed, share)| format!("{{ speed = {speed:?}, share = {share} }}"));
-    let all = on(
-        &curve(&[]),
-        &format!("curve = true\nspeeds = [{}]", listed.join(", ")),
-    )?;
+    let all = on(&curve(&[]), &format!("curve = true\nspeeds = [{}]", listed.join(", ")))?;
     let lines = all.growth.rates().len();
     let (mut expected, mut depth) = (vec![0.0; lines], 0.0);
     for (speed, share) in speeds {
         for wheelset in [1, 2] {
-            let keys = [
-                format!("curve.speed={speed:?}"),
-                format!("contact.from.wheelset={wheelset}"),
-            ];
+            let keys = [format!("curve.speed={speed:?}"), format!("contact.from.wheelset={wheelset}")];
             let alone = on(
                 &curve(&keys.each_ref().map(String::as_str)),
                 &format!("speeds = [{{ speed = {speed:?}, share = 1 }}]"),
@@ -57,10 +51,7 @@ fn all_wheels_are_the_mean_of_separate_runs() -> Result<(), CaseError> {
     }
     let largest = expected.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
     for (got, expected) in all.growth.rates().iter().zip(&expected) {
-        assert!(
-            (got - expected).abs() <= 1e-12 * largest,
-            "{got:e} {expected:e}"
-        );
+        assert!((got - expected).abs() <= 1e-12 * largest, "{got:e} {expected:e}");
     }
     assert!((all.growth.mean_wear().depth / depth - 1.0).abs() < 1e-12);
     Ok(())
@@ -81,18 +72,9 @@ fn wheels_that_share_a_wheelset_grow_as_they_do_alone() -> Result<(), CaseError>
 fn a_bogie_finds_its_equilibrium_on_any_gauge() {
     for gauge in [1430, 1435, 1440, 1445, 1450, 1455, 1465] {
         for radius in [120, 180, 300, 600] {
-            let keys = [
-                format!("profiles.gauge={gauge} mm"),
-                format!("curve.radius={radius} m"),
-            ];
+            let keys = [format!("profiles.gauge={gauge} mm"), format!("curve.radius={radius} m")];
             let keys = keys.each_ref().map(String::as_str);
-            assert!(
-                on(
-                    &curve(&keys),
-                    "curve = true\nspeeds = [{ speed = 10, share = 1 }]"
-                )
-                .is_ok()
-            );
+            assert!(on(&curve(&keys), "curve = true\nspeeds = [{ speed = 10, share = 1 }]").is_ok());
         }
     }
 }
@@ -107,12 +89,7 @@ fn a_speed_between_two_with_an_equilibrium_is_bridged() {
     let vehicle = "curve = true\nspeed = { mean = \"28 km/h\", standard_deviation = \"2 km/h\" }";
     let found = on(&case, vehicle).unwrap();
     let notes: Vec<String> = found.remarks.iter().map(ToString::to_string).collect();
-    assert!(
-        notes
-            .iter()
-            .any(|note| note.contains("no equilibrium in its curve at 28 km/h:")),
-        "{notes:#?}"
-    );
+    assert!(notes.iter().any(|note| note.contains("no equilibrium in its curve at 28 km/h:")), "{notes:#?}");
     let listed = "curve = true\nspeeds = [{ speed = \"28 km/h\", share = 1 }]";
     assert!(refusal(&case, listed).contains("no equilibrium was found"));
 }
@@ -121,16 +98,11 @@ fn a_speed_between_two_with_an_equilibrium_is_bridged() {
 /// twentieth of a standard deviation. Cause: second order in two standard deviations of the tails.
 #[test]
 fn speeds_of_a_distribution_take_the_states_between() -> Result<(), CaseError> {
-    let normal = on(
-        &curve(&[]),
-        "curve = true\nspeed = { mean = 12.5, standard_deviation = 1 }",
-    )?;
+    let normal = on(&curve(&[]), "curve = true\nspeed = { mean = 12.5, standard_deviation = 1 }")?;
     let steps = (-80..=80).map(|step| f64::from(step) / 20.0);
     let nodes: Vec<(f64, f64)> = steps.map(|z| (12.5 + z, (-0.5 * z * z).exp())).collect();
     let sum: f64 = nodes.iter().map(|node| node.1).sum();
-    let listed = nodes
-        .iter()
-        .map(|(v, weight)| format!("{{ speed = {v:?}, share = {:?} }}", weight / sum));
+    let listed = nodes.iter().map(|(v, weight)| format!("{{ speed = {v:?}, share = {:?} }}", weight / sum));
     let listed = listed.collect::<Vec<_>>().join(", ");
     let listed = on(&curve(&[]), &format!("curve = true\nspeeds = [{listed}]"))?;
     let rates = listed.growth.rates().iter();
@@ -160,11 +132,7 @@ fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
     let case = nominal(&[]);
     let speed = "speeds = [{ speed = 30, share = 1 }]";
     let cases = [
-        (
-            "load = { mean = 50e3, standard_deviation = 5e3 }",
-            "wheel_load",
-            "normal",
-        ),
+        ("load = { mean = 50e3, standard_deviation = 5e3 }", "wheel_load", "normal"),
         ("friction = { min = 0.2, max = 0.5 }", "friction", "even"),
         ("[line]\nfriction_days = {}", "friction", "days"),
     ];
@@ -189,10 +157,7 @@ fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
         }
         let largest = mean.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         for (got, expected) in found.growth.rates().iter().zip(&mean) {
-            assert!(
-                (got - expected).abs() < 0.01 * largest,
-                "{key}: {got:e} {expected:e}"
-            );
+            assert!((got - expected).abs() < 0.01 * largest, "{key}: {got:e} {expected:e}");
         }
     }
     Ok(())
@@ -203,10 +168,7 @@ fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
 fn friction_of_days_is_that_of_vehicles_that_say_none() {
     let case = nominal(&[]);
     let rates = |text: &str| {
-        let found = on(
-            &case,
-            &format!("speeds = [{{ speed = 30, share = 1 }}]\n{text}"),
-        );
+        let found = on(&case, &format!("speeds = [{{ speed = 30, share = 1 }}]\n{text}"));
         found.map(|found| found.growth.rates().to_vec())
     };
     let days = "\n[line]\nfriction_days = { mean = 0.3 }";
@@ -230,10 +192,7 @@ fn friction_of_days_is_that_of_vehicles_that_say_none() {
         assert!(error.to_string().contains(told), "{error}");
     }
     let error = refusal(&curve(&[]), &format!("speed.mean = 12{days}"));
-    assert!(
-        error.contains("`line.friction_days` is given, but contact.from"),
-        "{error}"
-    );
+    assert!(error.contains("`line.friction_days` is given, but contact.from"), "{error}");
 }
 
 /// Of the standard normal distribution, by bisection on a series of its integral.
@@ -265,16 +224,9 @@ fn places_across_the_rail_thin_the_wear() -> Result<(), CaseError> {
     let speed = "speeds = [{ speed = 30, share = 1 }]";
     let on_line = on(&case, speed)?;
     let b = case.hertz.semi_axis_lateral();
-    let ends = format!(
-        "lateral_position = {{ min = {:?}, max = {:?} }}",
-        -4.0 * b,
-        4.0 * b
-    );
+    let ends = format!("lateral_position = {{ min = {:?}, max = {:?} }}", -4.0 * b, 4.0 * b);
     let spread = on(&case, &format!("{ends}\n{speed}"))?;
-    let band = on(
-        &nominal(&[&format!("wear.band_width={:?}", 8.0 * b)]),
-        speed,
-    )?;
+    let band = on(&nominal(&[&format!("wear.band_width={:?}", 8.0 * b)]), speed)?;
     for other in [&spread, &band] {
         for (rate, alone) in other.growth.rates().iter().zip(on_line.growth.rates()) {
             assert!((rate / alone - 0.25).abs() < 1e-12, "{rate:e} {alone:e}");
@@ -282,14 +234,8 @@ fn places_across_the_rail_thin_the_wear() -> Result<(), CaseError> {
         let ratio = other.growth.mean_wear().depth / on_line.growth.mean_wear().depth;
         assert!((ratio - 0.25).abs() < 1e-12);
     }
-    let both = refusal(
-        &nominal(&["wear.band_width=40 mm"]),
-        &format!("{ends}\n{speed}"),
-    );
-    assert!(
-        both.contains("vehicle[0].lateral_position") && both.contains("wear.band_width"),
-        "{both}"
-    );
+    let both = refusal(&nominal(&["wear.band_width=40 mm"]), &format!("{ends}\n{speed}"));
+    assert!(both.contains("vehicle[0].lateral_position") && both.contains("wear.band_width"), "{both}");
     Ok(())
 }
 
@@ -322,21 +268,12 @@ fn a_measured_line_has_the_wheels_that_run_on_it() -> Result<(), CaseError> {
         let both = first.2.rates().iter().zip(second.2.rates());
         for (got, (one, two)) in got.iter().zip(both) {
             let expected = 0.5 * (shares[0] * one + shares[1] * two);
-            assert!(
-                (got - expected).abs() < 1e-12 * (one.abs() + two.abs()),
-                "{got:e} {expected:e}"
-            );
+            assert!((got - expected).abs() < 1e-12 * (one.abs() + two.abs()), "{got:e} {expected:e}");
         }
     };
     check(all.growth.rates(), [1.0, 1.0]);
     let covers = |line: f64| [&first, &second].map(|it| f64::from((line - it.0).abs() <= it.1));
-    for line in [
-        first.0,
-        second.0,
-        0.5 * (first.0 + second.0),
-        first.0 + 1.01 * first.1,
-        0.06,
-    ] {
+    for line in [first.0, second.0, 0.5 * (first.0 + second.0), first.0 + 1.01 * first.1, 0.06] {
         check(at(line)?.growth.rates(), covers(line));
     }
     assert_eq!(covers(0.06), [0.0; 2]);
@@ -344,29 +281,14 @@ fn a_measured_line_has_the_wheels_that_run_on_it() -> Result<(), CaseError> {
         &format!("line.measured_line = {:?}\n", first.0),
         "lateral_position = { min = \"-20 mm\", max = \"20 mm\" }",
     );
-    assert!(
-        scattered
-            .unwrap_err()
-            .to_string()
-            .contains("wear.band_width")
-    );
-    let words: Vec<String> = at(first.0)?
-        .remarks
-        .iter()
-        .map(ToString::to_string)
-        .collect();
+    assert!(scattered.unwrap_err().to_string().contains("wear.band_width"));
+    let words: Vec<String> = at(first.0)?.remarks.iter().map(ToString::to_string).collect();
     let line = format!("cover the line at {:.1} mm", 1e3 * first.0);
     assert!(words.iter().any(|words| words.contains(&line)), "{words:?}");
     // A vehicle whose wheels stand nowhere in particular.
     let text = "line.measured_line = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed.mean = 12\n";
-    let refused = Traffic::parse("t.toml", text)
-        .map(|_| ())
-        .unwrap_err()
-        .to_string();
-    assert!(
-        refused.contains("line.measured_line") && refused.contains("vehicle[0].curve"),
-        "{refused}"
-    );
+    let refused = Traffic::parse("t.toml", text).map(|_| ()).unwrap_err().to_string();
+    assert!(refused.contains("line.measured_line") && refused.contains("vehicle[0].curve"), "{refused}");
     Ok(())
 }
 
@@ -381,10 +303,7 @@ fn each_spread_tells_what_it_does() -> Result<(), CaseError> {
     let (_, effects) = traffic.on_with_effects(&case, &bands, &|_| {})?;
     let names: Vec<&str> = effects.iter().map(|effect| &*effect.what).collect();
     assert_eq!(names, ["speed", "friction"]);
-    assert!(
-        effects[0].reduction.is_some_and(|factor| factor > 1.0),
-        "{effects:?}"
-    );
+    assert!(effects[0].reduction.is_some_and(|factor| factor > 1.0), "{effects:?}");
     Ok(())
 }
 
@@ -394,15 +313,11 @@ fn a_spread_of_a_key_is_the_mean_of_its_values() -> Result<(), CaseError> {
     let case = Case::parse("c.toml", BHASKAR_TRACK_CASE, &[])?;
     let bands = bands_of(&case);
     let rates = |keys: &str| {
-        let text =
-            format!("[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = {{ mean = 30 }}\n{keys}\n");
+        let text = format!("[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = {{ mean = 30 }}\n{keys}\n");
         let on = Traffic::parse("t.toml", &text)?.on(&case, &bands, &Variant::none(""), &|_| {})?;
         Ok::<_, CaseError>(on.growth.rates().to_vec())
     };
-    let [soft, stiff] = [
-        rates("set.track.pad.stiffness = \"150 MN/m\"")?,
-        rates("set.track.pad.stiffness = 4e8")?,
-    ];
+    let [soft, stiff] = [rates("set.track.pad.stiffness = \"150 MN/m\"")?, rates("set.track.pad.stiffness = 4e8")?];
     // The key as it stands in a case, and as one word.
     for key in ["track.pad.stiffness", "\"track.pad.stiffness\""] {
         let spread = rates(&format!(
@@ -410,10 +325,7 @@ fn a_spread_of_a_key_is_the_mean_of_its_values() -> Result<(), CaseError> {
         ))?;
         for ((soft, stiff), spread) in soft.iter().zip(&stiff).zip(spread) {
             let mean = 0.25 * soft + 0.75 * stiff;
-            assert!(
-                (spread - mean).abs() <= 1e-12 * mean.abs(),
-                "{spread:e} {mean:e}"
-            );
+            assert!((spread - mean).abs() <= 1e-12 * mean.abs(), "{spread:e} {mean:e}");
         }
     }
     Ok(())
@@ -431,28 +343,16 @@ fn a_fleet_of_profiles_is_the_mean_of_its_profiles() -> Result<(), CaseError> {
         let on = Traffic::parse("t.toml", &text)?.on(&case, &bands, &Variant::none(""), &|_| {})?;
         Ok::<_, CaseError>(on.growth.rates().to_vec())
     };
-    let [new, worn] = [
-        rates("set.profiles.wheel = \"S1002\"")?,
-        rates("set.profiles.wheel = \"cone-1:40\"")?,
-    ];
-    let fleet = rates(
-        "spread.profiles.wheel = [{ value = \"S1002\", share = 0.7 }, { value = \"cone-1:40\", share = 0.3 }]",
-    )?;
+    let [new, worn] = [rates("set.profiles.wheel = \"S1002\"")?, rates("set.profiles.wheel = \"cone-1:40\"")?];
+    let fleet =
+        rates("spread.profiles.wheel = [{ value = \"S1002\", share = 0.7 }, { value = \"cone-1:40\", share = 0.3 }]")?;
     assert_ne!(new, worn);
     for ((new, worn), fleet) in new.iter().zip(&worn).zip(fleet) {
         let mean = 0.7 * new + 0.3 * worn;
-        assert!(
-            (fleet - mean).abs() <= 1e-12 * mean.abs(),
-            "{fleet:e} {mean:e}"
-        );
+        assert!((fleet - mean).abs() <= 1e-12 * mean.abs(), "{fleet:e} {mean:e}");
     }
     let wrong = rates("spread.profiles.wheel = { min = 1, max = 2 }").unwrap_err();
-    assert!(
-        wrong
-            .to_string()
-            .contains("vehicle[0].spread.profiles.wheel"),
-        "{wrong}"
-    );
+    assert!(wrong.to_string().contains("vehicle[0].spread.profiles.wheel"), "{wrong}");
     Ok(())
 }
 
@@ -462,35 +362,17 @@ fn what_is_no_spread_is_refused_with_its_key() {
     let speed = "speed = { mean = 30 }\n";
     let cases = [
         ("load = [{ value = 5e4, share = 0.5 }]", "vehicle[0].load"),
-        (
-            "load = { mean = 5e4, standard_deviation = 2e4 }",
-            "vehicle[0].load",
-        ),
+        ("load = { mean = 5e4, standard_deviation = 2e4 }", "vehicle[0].load"),
         ("load = { min = -5e4, max = 5e4 }", "vehicle[0].load"),
         ("load = { mean = 5e4, max = 6e4 }", "vehicle[0].load"),
         ("load = []", "vehicle[0].load"),
-        (
-            "load = { mean = 5e4, standard_deviation = 1e3 }\naxle_load = \"10 t\"",
-            "vehicle[0].load",
-        ),
+        ("load = { mean = 5e4, standard_deviation = 1e3 }\naxle_load = \"10 t\"", "vehicle[0].load"),
         ("friction = { min = 0.5, max = 0.3 }", "vehicle[0].friction"),
         ("wheel_radius = \"0.4 m\"", "vehicle[0].wheel_radius"),
-        (
-            "spread.contact.frition = { min = 0.3, max = 0.5 }",
-            "vehicle[0].spread.contact.frition",
-        ),
-        (
-            "spread.contact.friction = { min = \"0.3 m\", max = 0.5 }",
-            "vehicle[0].spread.contact.friction.min",
-        ),
-        (
-            "spread.contact.friction = 0.3",
-            "vehicle[0].spread.contact.friction",
-        ),
-        (
-            "spread.contact.friction = { min = -0.3, max = 0.5 }",
-            "vehicle[0].spread.contact.friction",
-        ),
+        ("spread.contact.frition = { min = 0.3, max = 0.5 }", "vehicle[0].spread.contact.frition"),
+        ("spread.contact.friction = { min = \"0.3 m\", max = 0.5 }", "vehicle[0].spread.contact.friction.min"),
+        ("spread.contact.friction = 0.3", "vehicle[0].spread.contact.friction"),
+        ("spread.contact.friction = { min = -0.3, max = 0.5 }", "vehicle[0].spread.contact.friction"),
         (
             "friction = { min = 0.3, max = 0.5 }\nspread.contact.friction = { min = 0.3, max = 0.5 }",
             "vehicle[0].spread.contact.friction",
@@ -504,21 +386,13 @@ fn what_is_no_spread_is_refused_with_its_key() {
     }
     let narrow = Case::parse("c.toml", NOMINAL_CASE, &["wear.band_width=2 mm".to_owned()]);
     let narrow = narrow.map(|_| ()).unwrap_err().to_string();
-    assert!(
-        narrow.contains("wear.band_width") && narrow.contains("one contact"),
-        "{narrow}"
-    );
+    assert!(narrow.contains("wear.band_width") && narrow.contains("one contact"), "{narrow}");
 }
 
 /// So fast that the bogie tips over: the speed is told.
 #[test]
 fn a_speed_without_equilibrium_is_told() {
-    let message = refusal(
-        &curve(&[]),
-        "curve = true\nspeeds = [{ speed = 12.5, share = 0.5 }, { speed = 60, share = 0.5 }]",
-    );
-    assert!(
-        message.contains("vehicle[0].curve") && message.contains("216.0 km/h"),
-        "{message}"
-    );
+    let message =
+        refusal(&curve(&[]), "curve = true\nspeeds = [{ speed = 12.5, share = 0.5 }, { speed = 60, share = 0.5 }]");
+    assert!(message.contains("vehicle[0].curve") && message.contains("216.0 km/h"), "{message}");
 }

@@ -36,18 +36,13 @@ fn the_nominal_case_on_waves() {
 fn what_is_left_out_is_told() {
     let said = |case: &Case| {
         let remarks = case.remarks.iter().map(ToString::to_string);
-        remarks
-            .filter(|remark| remark.contains("wave's own geometry"))
-            .count()
+        remarks.filter(|remark| remark.contains("wave's own geometry")).count()
     };
     assert_eq!(said(&case(&[])), 0);
     let without = NOMINAL_CASE.replace("wave_geometry = false", "");
     let without = Case::parse("case.toml", &without, &[]).unwrap();
     assert_eq!(said(&without), 1);
-    assert_eq!(
-        per_metre(&without, 0.05, 20.0),
-        per_metre(&case(&[]), 0.05, 20.0)
-    );
+    assert_eq!(per_metre(&without, 0.05, 20.0), per_metre(&case(&[]), 0.05, 20.0));
     assert_eq!(said(&case(&["contact.wave_geometry=true"])), 0);
 }
 
@@ -56,16 +51,11 @@ fn what_is_left_out_is_told() {
 fn a_wave_shorter_than_the_patch_is_told() {
     let says = |case: &Case, wavelength: f64| {
         let remarks = case.remarks_at_point(wavelength, 30.0);
-        let said = remarks
-            .iter()
-            .filter(|it| it.to_string().contains("three half-lengths"));
+        let said = remarks.iter().filter(|it| it.to_string().contains("three half-lengths"));
         said.count()
     };
     let waves = case(&["contact.wave_geometry=true"]);
-    assert_eq!(
-        [0.012, 0.017, 0.0185].map(|wavelength| says(&waves, wavelength)),
-        [1, 1, 0]
-    );
+    assert_eq!([0.012, 0.017, 0.0185].map(|wavelength| says(&waves, wavelength)), [1, 1, 0]);
     let short = case(&["contact.wave_geometry=true", "map.wavelength=10-80 mm"]);
     assert_eq!(says(&short, 0.012), 1);
     assert_eq!(says(&case(&[]), 0.012), 0);
@@ -76,15 +66,9 @@ fn a_wave_shorter_than_the_patch_is_told() {
 fn a_wave_as_curved_as_the_wheel_is_refused() {
     let waves = case(&["contact.wave_geometry=true", "corrugation.amplitude=0.2 mm"]);
     let error = waves.point(0.0557, 30.0).unwrap_err().to_string();
-    assert!(
-        error.contains("0.2 mm") && error.contains("0.0557 m"),
-        "{error}"
-    );
+    assert!(error.contains("0.2 mm") && error.contains("0.0557 m"), "{error}");
     assert!(waves.point(0.08, 30.0).is_ok());
-    let told = waves
-        .remarks
-        .iter()
-        .any(|remark| remark.to_string().contains("bridges the troughs"));
+    let told = waves.remarks.iter().any(|remark| remark.to_string().contains("bridges the troughs"));
     assert!(told);
 }
 
@@ -101,11 +85,7 @@ fn the_exact_theory_has_its_limits() {
             "contact.grid=32",
             &ratio,
         ]);
-        let response = exact.feedback.contacts()[0]
-            .rolling
-            .response(1.0)
-            .by_curvature
-            .unwrap();
+        let response = exact.feedback.contacts()[0].rolling.response(1.0).by_curvature.unwrap();
         let share = response.energy.re / exact.steady.energy_per_metre();
         assert!((share - limit).abs() < 0.03, "{share} {limit}");
     }
@@ -113,22 +93,15 @@ fn the_exact_theory_has_its_limits() {
 
 #[test]
 fn a_model_has_it() {
-    let nominal = case(&[
-        "map.wavelength={ min = \"30 mm\", max = \"60 mm\", points = 5 }",
-        "contact.grid=16",
-    ]);
+    let nominal = case(&["map.wavelength={ min = \"30 mm\", max = \"60 mm\", points = 5 }", "contact.grid=16"]);
     let rate = |name: &str| {
         let model = FieldModel::find(name).unwrap();
-        ModelOnCase::new(&nominal, model.joints)
-            .unwrap()
-            .growth_rates(&[0.04], 30.0)[0]
+        ModelOnCase::new(&nominal, model.joints).unwrap().growth_rates(&[0.04], 30.0)[0]
     };
     assert!(rate("riffel-wave-geometry") < rate("riffel"));
     let paper = ModelOnCase::new(
         &case(&["contact.wave_geometry=true"]),
-        FieldModel::find("afferrante-ciavarella-2009")
-            .unwrap()
-            .joints,
+        FieldModel::find("afferrante-ciavarella-2009").unwrap().joints,
     );
     let paper = paper.unwrap().growth_rates(&[0.04], 30.0)[0];
     assert_eq!(paper, rate("afferrante-ciavarella-2009"));
@@ -145,9 +118,7 @@ fn the_direction_of_the_normal_force_has_a_key() {
     let slip = written["normal_direction"]["creepage"][0].as_f64().unwrap();
     let climbing = -50e3 * 31.5e-6 / (350.0 * 30.0 * 30.0);
     assert!((slip / climbing - 1.0).abs() < 1e-12, "{slip}");
-    let added = written["normal_direction"]["dissipation"][0]
-        .as_f64()
-        .unwrap();
+    let added = written["normal_direction"]["dissipation"][0].as_f64().unwrap();
     // Per metre over e₀ = τμP₀ξ₀.
     assert!((added / (0.1 * 31.5e-6) + 992.0).abs() < 1.0, "{added}");
     let plain = case(&[]);
@@ -155,27 +126,13 @@ fn the_direction_of_the_normal_force_has_a_key() {
     assert!(Point::new(&plain, &state).normal_direction.is_none());
     // Nothing where the creepage is held.
     let held = "wheel.rotation=constant-creepage";
-    let [one, other] = [&[held][..], &[held, "wheel.normal_direction=true"]].map(|keys| {
-        case(keys)
-            .point(0.0557, 30.0)
-            .unwrap()
-            .normalized_dissipation
-    });
+    let [one, other] = [&[held][..], &[held, "wheel.normal_direction=true"]]
+        .map(|keys| case(keys).point(0.0557, 30.0).unwrap().normalized_dissipation);
     assert_eq!(one, other);
-    let rigid = [
-        "wheelset.model=rigid",
-        "wheelset.mass=1100",
-        "wheelset.roll_inertia=620",
-    ];
-    let rigid = [
-        &rigid[..],
-        &["wheelset.spin_inertia=55", "wheelset.normal_direction=true"],
-    ];
+    let rigid = ["wheelset.model=rigid", "wheelset.mass=1100", "wheelset.roll_inertia=620"];
+    let rigid = [&rigid[..], &["wheelset.spin_inertia=55", "wheelset.normal_direction=true"]];
     let text = NOMINAL_CASE.replace("mass = \"350 kg\"", "");
-    let text = text.replace(
-        "tractive_ratio = 0.1",
-        "creepage = { longitudinal = \"0.1 %\" }",
-    );
+    let text = text.replace("tractive_ratio = 0.1", "creepage = { longitudinal = \"0.1 %\" }");
     let with = |keys: &[&str]| {
         let keys: Vec<String> = keys.iter().map(ToString::to_string).collect();
         Case::parse("case.toml", &text, &keys)
@@ -184,10 +141,5 @@ fn the_direction_of_the_normal_force_has_a_key() {
     let state = rigid.point(0.0557, 30.0).unwrap();
     assert!(Point::new(&rigid, &state).normal_direction.is_some());
     let lone = with(&["wheelset.model=rigid", "wheel.normal_direction=true"]);
-    assert!(
-        lone.err()
-            .unwrap()
-            .to_string()
-            .contains("exclude each other")
-    );
+    assert!(lone.err().unwrap().to_string().contains("exclude each other"));
 }

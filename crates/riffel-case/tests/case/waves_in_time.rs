@@ -26,10 +26,7 @@ fn trailer(overrides: &[&str]) -> Case {
 /// Largest difference of the first harmonics of forces and creepages over waves of 1 µm at any contact from those of the linear loop, over the
 /// largest of its kind, and what the shape of the waves makes of it.
 fn off(case: &Case, wavelength: f64, speed: f64) -> [f64; 2] {
-    let profile = Sinusoid {
-        amplitude: 1e-6,
-        wavelength,
-    };
+    let profile = Sinusoid { amplitude: 1e-6, wavelength };
     let settled = case.in_time(speed).unwrap().settle(profile, 256).unwrap();
     let plain = case.feedback.clone().without_wave_geometry();
     let plain = plain.without_normal_direction().at(wavelength, speed);
@@ -40,26 +37,14 @@ fn off(case: &Case, wavelength: f64, speed: f64) -> [f64; 2] {
         let first = &settled.harmonics[1];
         let of = |state: &riffel::LoopState| {
             let contact = &state.contacts[index];
-            [contact.force.to_vec(), contact.creepage.to_vec()].map(|values| {
-                values
-                    .into_iter()
-                    .map(|value| scale * value)
-                    .collect::<Vec<_>>()
-            })
+            [contact.force.to_vec(), contact.creepage.to_vec()]
+                .map(|values| values.into_iter().map(|value| scale * value).collect::<Vec<_>>())
         };
         let got: [Vec<Complex64>; 2] = [
-            vec![
-                first.tangential_force,
-                first.lateral_force,
-                first.normal_force,
-            ],
+            vec![first.tangential_force, first.lateral_force, first.normal_force],
             vec![first.creepage, first.lateral_creepage],
         ];
-        for (kind, (got, (linear, plain))) in got
-            .iter()
-            .zip(of(&linear).iter().zip(of(&plain)))
-            .enumerate()
-        {
+        for (kind, (got, (linear, plain))) in got.iter().zip(of(&linear).iter().zip(of(&plain))).enumerate() {
             for ((got, linear), plain) in got.iter().zip(linear).zip(plain) {
                 let [off, by_shape, size] = &mut most[kind];
                 *off = off.max((got - linear).norm());
@@ -68,11 +53,7 @@ fn off(case: &Case, wavelength: f64, speed: f64) -> [f64; 2] {
             }
         }
     }
-    [0, 1].map(|of| {
-        most.iter()
-            .map(|kind| kind[of] / kind[2])
-            .fold(0.0, f64::max)
-    })
+    [0, 1].map(|of| most.iter().map(|kind| kind[of] / kind[2]).fold(0.0, f64::max))
 }
 
 /// First harmonics with the shape of the waves under every contact that can be followed in time, and with normal forces that turn with them; of a
@@ -80,44 +61,22 @@ fn off(case: &Case, wavelength: f64, speed: f64) -> [f64; 2] {
 #[test]
 fn shapes_of_waves_are_those_of_the_linear_loop() {
     let waves = "contact.wave_geometry=true";
-    let (turned, climbing) = (
-        "wheel.normal_direction=true",
-        "wheelset.normal_direction=true",
-    );
+    let (turned, climbing) = ("wheel.normal_direction=true", "wheelset.normal_direction=true");
     let late = ["contact.response=non-steady", "contact.grid=16"];
     let slips = NOMINAL_CASE.replace("tractive_ratio = 0.1", "creepage = \"2 %\"");
     let sliding = "contact.creep_law=full-sliding";
-    let slides_across = [
-        "contact.creepage={longitudinal=\"1 %\", lateral=\"2 %\"}",
-        sliding,
-    ];
+    let slides_across = ["contact.creepage={longitudinal=\"1 %\", lateral=\"2 %\"}", sliding];
     let antiphase = "wheelset.opposite_rail=antiphase";
     let two = ["wheelset.opposite_rail=absent", "train.wheels=[0, 2.1]"];
     for (case, wavelength, speed) in [
         (case(NOMINAL_CASE, &[waves, turned]), 0.0557, 30.0),
         (case(NOMINAL_CASE, &[turned]), 0.03, 10.0),
-        (
-            case(NOMINAL_CASE, &[&late[..], &[waves, turned]].concat()),
-            0.04,
-            30.0,
-        ),
-        (
-            case(NOMINAL_CASE, &[&late[..], &[waves]].concat()),
-            0.08,
-            30.0,
-        ),
+        (case(NOMINAL_CASE, &[&late[..], &[waves, turned]].concat()), 0.04, 30.0),
+        (case(NOMINAL_CASE, &[&late[..], &[waves]].concat()), 0.08, 30.0),
         (case(&slips, &[sliding, waves]), 0.04, 20.0),
         (trailer(&[antiphase, waves, climbing]), 0.05, 20.0),
-        (
-            trailer(&[&two[..], &[waves, climbing]].concat()),
-            0.08,
-            15.0,
-        ),
-        (
-            case(NOMINAL_CASE, &[&slides_across[..], &[waves]].concat()),
-            0.05,
-            20.0,
-        ),
+        (trailer(&[&two[..], &[waves, climbing]].concat()), 0.08, 15.0),
+        (case(NOMINAL_CASE, &[&slides_across[..], &[waves]].concat()), 0.05, 20.0),
     ] {
         let [off, by_shape] = off(&case, wavelength, speed);
         assert!(off < 1e-3, "{wavelength} {speed}: {off:.1e}");
@@ -133,10 +92,7 @@ fn grown(case: &Case, speed: f64) -> (f64, [riffel::LoopState; 2]) {
     let heights = (0..count).map(height).collect();
     let profile = Profile::new(0.0, length / f64::from(count), heights).unwrap();
     let wheel = case.passing_wheel(speed).unwrap();
-    let step = EvolutionStep {
-        largest_change: EvolutionStep::USUAL_CHANGE,
-        largest_step: 5e-4,
-    };
+    let step = EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: 5e-4 };
     let mut evolution = Evolution::new(&profile);
     let amplitude = |evolution: &Evolution| evolution.waves()[waves as usize - 1].1.norm();
     let before = amplitude(&evolution);
@@ -157,11 +113,8 @@ fn damage_of_shaped_waves_is_linear_damage() {
         "track.preset=bhaskar-inferred",
         "corrugation.amplitude=0.1 um",
     ];
-    let flow = [
-        "damage.laws=[\"flow\"]",
-        "damage.shear_yield=\"100 MPa\"",
-        "damage.flow={ depth=\"1 nm\", exponent=1 }",
-    ];
+    let flow =
+        ["damage.laws=[\"flow\"]", "damage.shear_yield=\"100 MPa\"", "damage.flow={ depth=\"1 nm\", exponent=1 }"];
     let regime = ["wear.law=usfd", "wear.spread=3"];
     for keys in [&flow[..], &regime] {
         let case = case(NOMINAL_CASE, &[&common[..], keys].concat());
@@ -182,11 +135,7 @@ fn growth_of_shaped_waves_is_linear_growth() {
     let (late, grid) = ("contact.response=non-steady", "contact.grid=16");
     let slips = NOMINAL_CASE.replace("tractive_ratio = 0.1", "creepage = \"2 %\"");
     // A track that forgets.
-    let track = [
-        "track.model=two-layer",
-        "track.preset=bhaskar-inferred",
-        "corrugation.amplitude=0.1 um",
-    ];
+    let track = ["track.model=two-layer", "track.preset=bhaskar-inferred", "corrugation.amplitude=0.1 um"];
     for (text, keys) in [
         (NOMINAL_CASE, &[waves, turned][..]),
         (NOMINAL_CASE, &[waves, turned, late, grid]),

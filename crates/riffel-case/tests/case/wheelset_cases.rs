@@ -13,25 +13,15 @@ fn of_preset(name: &str, key: &str) -> f64 {
 #[test]
 fn example_wheelsets_are_what_they_say() {
     for (text, of) in [
-        (
-            include_str!("../../cases/wheelset-metro-trailer.toml"),
-            Some(("metro-trailer-car", true)),
-        ),
-        (
-            include_str!("../../cases/wheelset-metro-motor.toml"),
-            Some(("metro-motor-car", true)),
-        ),
-        (
-            include_str!("../../cases/wheelset-coach.toml"),
-            Some(("passenger-coach", false)),
-        ),
+        (include_str!("../../cases/wheelset-metro-trailer.toml"), Some(("metro-trailer-car", true))),
+        (include_str!("../../cases/wheelset-metro-motor.toml"), Some(("metro-motor-car", true))),
+        (include_str!("../../cases/wheelset-coach.toml"), Some(("passenger-coach", false))),
         (include_str!("../../cases/wheelset-locomotive.toml"), None),
         (include_str!("../../cases/wheelset-tram.toml"), None),
     ] {
         let case = Case::parse("case.toml", text, &[]).unwrap();
         let said: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
-        let wanted =
-            |remark: &&String| remark.contains("usual") || remark.contains("taken as rigid");
+        let wanted = |remark: &&String| remark.contains("usual") || remark.contains("taken as rigid");
         assert_eq!(said.iter().find(wanted), None);
         let wheelset = case.wheelset.clone().unwrap();
         let CaseWheelset::Flexible(flexible) = &*wheelset else {
@@ -40,21 +30,13 @@ fn example_wheelsets_are_what_they_say() {
         let body = flexible.rigid_body();
         if let Some((name, spins)) = of {
             let mass = 2.0 * of_preset(name, "wheel.mass");
-            assert!(
-                (body.mass / mass - 1.0).abs() < 2e-3,
-                "{} {mass}",
-                body.mass
-            );
+            assert!((body.mass / mass - 1.0).abs() < 2e-3, "{} {mass}", body.mass);
             if spins {
                 let discs = &case.file.wheelset.as_ref().unwrap().discs;
                 let coupled = discs.iter().filter_map(|disc| disc.coupled);
                 let coupled: f64 = coupled.map(|coupled| coupled.polar_inertia.si()).sum();
                 let inertia = 2.0 * of_preset(name, "wheel.inertia") + coupled;
-                assert!(
-                    (body.spin_inertia / inertia - 1.0).abs() < 1e-2,
-                    "{} {inertia}",
-                    body.spin_inertia
-                );
+                assert!((body.spin_inertia / inertia - 1.0).abs() < 1e-2, "{} {inertia}", body.spin_inertia);
             }
         }
         let modes = case.wheelset_modes(&wheelset, 200.0).unwrap();

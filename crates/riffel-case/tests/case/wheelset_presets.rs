@@ -26,23 +26,15 @@ fn axle(diameter: f64) -> f64 {
 #[test]
 fn every_wheelset_computes() {
     let wheelsets = presets().iter();
-    let wheelsets: Vec<_> = wheelsets
-        .filter(|preset| preset.kind == PresetKind::Wheelset)
-        .collect();
+    let wheelsets: Vec<_> = wheelsets.filter(|preset| preset.kind == PresetKind::Wheelset).collect();
     assert_eq!(wheelsets.len(), 5);
     for preset in wheelsets {
         let case = case(&[&format!("wheelset.preset={}", preset.name)]).unwrap();
         let title = preset.title.text(Language::English);
         // The title says the mass; of a driven one without the rotor, which does not move with the axle.
-        let said = title
-            .split(['(', ' '])
-            .find_map(|word| word.parse::<f64>().ok());
+        let said = title.split(['(', ' ']).find_map(|word| word.parse::<f64>().ok());
         let said = said.expect("a mass in the title");
-        assert!(
-            (mass(&case) / said - 1.0).abs() < 2e-3,
-            "{title} {}",
-            mass(&case)
-        );
+        assert!((mass(&case) / said - 1.0).abs() < 2e-3, "{title} {}", mass(&case));
         let growth = case.feedback.at(0.05, 15.0).growth_rate;
         assert!(growth.is_finite(), "{title}");
     }
@@ -56,41 +48,24 @@ fn a_written_value_goes_before_that_of_the_preset() {
     assert!((mass(&thick) - all - axle(0.18) + axle(0.16)).abs() < 1e-9);
     let wheelset = thick.file.wheelset.as_ref().unwrap();
     assert_eq!(wheelset.axle.as_ref().unwrap().loss_factor.si(), 0.002);
-    assert_eq!(
-        wheelset
-            .suspension
-            .as_ref()
-            .unwrap()
-            .vertical_stiffness
-            .si(),
-        1.7e6
-    );
+    assert_eq!(wheelset.suspension.as_ref().unwrap().vertical_stiffness.si(), 1.7e6);
     assert_eq!(wheelset.discs.len(), 6);
 }
 
 /// A list is one value: discs that are written are all there are.
 #[test]
 fn written_discs_replace_the_whole_list() {
-    let wheel = |place| {
-        format!(
-            r#"{{ position = {place}, mass = 300, polar_inertia = 30, diametral_inertia = 16 }}"#
-        )
-    };
+    let wheel = |place| format!(r#"{{ position = {place}, mass = 300, polar_inertia = 30, diametral_inertia = 16 }}"#);
     let discs = format!("wheelset.discs=[{}, {}]", wheel(-0.75), wheel(0.75));
     let case = case(&[&discs]).unwrap();
-    assert!(
-        (mass(&case) - 600.0 - axle(0.16)).abs() < 1e-9,
-        "{}",
-        mass(&case)
-    );
+    assert!((mass(&case) - 600.0 - axle(0.16)).abs() < 1e-9, "{}", mass(&case));
 }
 
 /// Segments are in the place of length and diameter.
 #[test]
 fn written_segments_replace_length_and_diameter() {
-    let case = case(&[
-        r#"wheelset.axle.segments=[{ length = 1.1, diameter = 0.16 }, { length = 1.1, diameter = 0.18 }]"#,
-    ]);
+    let case =
+        case(&[r#"wheelset.axle.segments=[{ length = 1.1, diameter = 0.16 }, { length = 1.1, diameter = 0.18 }]"#]);
     let all = mass(&self::case(&[]).unwrap());
     let more = 0.5 * (axle(0.18) - axle(0.16));
     assert!((mass(&case.unwrap()) - all - more).abs() < 1e-9);
@@ -100,14 +75,9 @@ fn written_segments_replace_length_and_diameter() {
 #[test]
 fn written_discs_take_nothing_from_those_of_a_preset() {
     let discs = |coupled: &str| {
-        let wheel = |place: f64| {
-            format!(
-                "{{ position = {place}, mass = 346, polar_inertia = 42, diametral_inertia = 21.5 }}"
-            )
-        };
-        let gear = format!(
-            "{{ position = 0.4, mass = 340, polar_inertia = 19, diametral_inertia = 10{coupled} }}"
-        );
+        let wheel =
+            |place: f64| format!("{{ position = {place}, mass = 346, polar_inertia = 42, diametral_inertia = 21.5 }}");
+        let gear = format!("{{ position = 0.4, mass = 340, polar_inertia = 19, diametral_inertia = 10{coupled} }}");
         let list = format!("wheelset.discs=[{}, {}, {gear}]", wheel(-0.75), wheel(0.75));
         let case = case(&["wheelset.preset=metro-motor", &list]).unwrap();
         case.file.wheelset.unwrap().discs
@@ -128,10 +98,7 @@ fn a_rigid_wheelset_takes_the_suspension_of_a_preset() {
     ])
     .unwrap();
     assert_eq!(mass(&rigid), 1400.0);
-    assert!(matches!(
-        rigid.wheelset.as_deref(),
-        Some(CaseWheelset::Rigid(_))
-    ));
+    assert!(matches!(rigid.wheelset.as_deref(), Some(CaseWheelset::Rigid(_))));
 }
 
 /// A rigid wheelset has mass and inertias of the axle and discs of its preset, each where it is not written; and so has the wheelset of
@@ -149,10 +116,7 @@ fn a_rigid_wheelset_weighs_as_its_preset() {
     };
     assert_eq!(body(&["wheelset.model=rigid"]), expected);
     let heavier = body(&["wheelset.model=rigid", "wheelset.mass=2000 kg"]);
-    assert_eq!(
-        (heavier.mass, heavier.roll_inertia),
-        (2000.0, expected.roll_inertia)
-    );
+    assert_eq!((heavier.mass, heavier.roll_inertia), (2000.0, expected.roll_inertia));
     let curve = include_str!("../../cases/metro-curve.toml").replace("mass = \"1150 kg\"", "");
     let curve = riffel_case::CurvingCase::parse("case.toml", &curve, &[]).unwrap();
     let mass = curve.file.wheelset.mass.unwrap().si();
@@ -161,10 +125,7 @@ fn a_rigid_wheelset_weighs_as_its_preset() {
     let Some(CaseWheelset::Flexible(trailer)) = trailer.wheelset.as_deref() else {
         panic!("not flexible");
     };
-    assert!(
-        (mass / trailer.rigid_body().mass - 1.0).abs() < 1e-9,
-        "{mass}"
-    );
+    assert!((mass / trailer.rigid_body().mass - 1.0).abs() < 1e-9, "{mass}");
 }
 
 #[test]

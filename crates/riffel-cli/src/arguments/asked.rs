@@ -22,20 +22,14 @@ impl<D: Dimension> FromStr for Asked<D> {
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let _: Quantity<D> = text.parse()?;
-        Ok(Self {
-            text: text.to_owned(),
-            dimension: PhantomData,
-        })
+        Ok(Self { text: text.to_owned(), dimension: PhantomData })
     }
 }
 
 impl<D: Dimension> From<Quantity<D>> for Asked<D> {
     /// A quantity that was not written on the command line, with its unit.
     fn from(quantity: Quantity<D>) -> Self {
-        Self {
-            text: quantity.to_string(),
-            dimension: PhantomData,
-        }
+        Self { text: quantity.to_string(), dimension: PhantomData }
     }
 }
 
@@ -48,15 +42,9 @@ impl<D: Dimension> Asked<D> {
 
 /// [`Asked::within`] of a text.
 pub(crate) fn within<D: Dimension>(argument: &'static str, text: &str) -> Result<f64, CliError> {
-    let wrong = |message: &dyn Display| CliError::Range {
-        argument,
-        message: message.to_string(),
-    };
-    let _: Quantity<D> = text
-        .parse()
-        .map_err(|error: QuantityError| wrong(&format!(": {error}")))?;
-    let (si, remark) =
-        PhysicalRange::read::<D>(argument, text).map_err(|rule| wrong(&format!(" {rule}")))?;
+    let wrong = |message: &dyn Display| CliError::Range { argument, message: message.to_string() };
+    let _: Quantity<D> = text.parse().map_err(|error: QuantityError| wrong(&format!(": {error}")))?;
+    let (si, remark) = PhysicalRange::read::<D>(argument, text).map_err(|rule| wrong(&format!(" {rule}")))?;
     print_remarks(remark.as_slice());
     Ok(si)
 }

@@ -71,12 +71,10 @@ pub(crate) struct CalibrateChains {
 }
 
 #[derive(Args)]
-#[command(
-    after_help = "Example: riffel calibrate check plan.toml --runs 100 -o check\n\n\
+#[command(after_help = "Example: riffel calibrate check plan.toml --runs 100 -o check\n\n\
         Values are drawn from the priors of the plan, data from its likelihood with these values, and a chain of the plan on these \
         data; the truth is ranked among its draws. It takes N times as long as one chain.\n\n\
-        Exit status: 0 the ranks are even, 1 they are not, 2 bad input, 130 stopped by Ctrl-C."
-)]
+        Exit status: 0 the ranks are even, 1 they are not, 2 bad input, 130 stopped by Ctrl-C.")]
 pub(crate) struct CheckCalibration {
     /// Plan of the calibration.
     #[arg(value_name = "PLAN")]

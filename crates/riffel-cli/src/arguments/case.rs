@@ -33,17 +33,11 @@ impl CaseArguments {
 
     /// A case named elsewhere than on its own place of the command line.
     pub(crate) fn of(path: &Path, overrides: &[String]) -> Self {
-        Self {
-            path: path.to_owned(),
-            overrides: overrides.to_vec(),
-        }
+        Self { path: path.to_owned(), overrides: overrides.to_vec() }
     }
 
     pub(crate) fn read(&self) -> miette::Result<Case> {
-        Ok(protected(
-            &self.path,
-            Case::read(&self.path, &self.overrides)?,
-        ))
+        Ok(protected(&self.path, Case::read(&self.path, &self.overrides)?))
     }
 
     /// The contact of the case alone.
@@ -78,10 +72,7 @@ impl CaseArguments {
 
     /// The folder given for results, or one named after the case and what it holds.
     pub(crate) fn folder(&self, given: Option<&Path>, what: &str) -> PathBuf {
-        given.map_or_else(
-            || PathBuf::from(format!("{}-{what}", stem(&self.path))),
-            Path::to_owned,
-        )
+        given.map_or_else(|| PathBuf::from(format!("{}-{what}", stem(&self.path))), Path::to_owned)
     }
 }
 
@@ -110,8 +101,5 @@ fn protect(path: &Path, file: &CaseFile) {
 /// The case with a contact that answers from one wavelength \[m\] to another.
 pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
     // The window was not written by the user.
-    case.covering(from, to).map_err(|error| CliError::Case {
-        option: "--wavelength",
-        message: error.without_key(),
-    })
+    case.covering(from, to).map_err(|error| CliError::Case { option: "--wavelength", message: error.without_key() })
 }

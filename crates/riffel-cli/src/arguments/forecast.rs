@@ -91,11 +91,7 @@ pub(crate) struct Spectra {
     pub(crate) earlier: Earlier,
 
     /// Keep the earlier spectra whose column has this value [default file: that of --spectrum].
-    #[arg(
-        long = "earlier-where",
-        value_name = "COLUMN=VALUE",
-        requires = "spectrum"
-    )]
+    #[arg(long = "earlier-where", value_name = "COLUMN=VALUE", requires = "spectrum")]
     pub(crate) earlier_choose: Vec<String>,
 
     /// Axle passages between the oldest record and that of now [default: from the dates and the traffic file].
@@ -209,12 +205,7 @@ pub(crate) struct Compare {
     pub(crate) speed: Option<Asked<Speed>>,
 
     /// Standard deviation of the speed.
-    #[arg(
-        long,
-        value_name = "SPEED",
-        requires = "speed",
-        conflicts_with = "traffic"
-    )]
+    #[arg(long, value_name = "SPEED", requires = "speed", conflicts_with = "traffic")]
     pub(crate) speed_deviation: Option<Quantity<Speed>>,
 
     /// Traffic file, in place of the wheel of the case.

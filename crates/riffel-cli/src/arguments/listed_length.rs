@@ -15,9 +15,6 @@ impl FromStr for ListedLength {
     type Err = QuantityError;
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
-        Ok(Self {
-            length: text.parse()?,
-            is_bare: text.trim().parse::<f64>().is_ok(),
-        })
+        Ok(Self { length: text.parse()?, is_bare: text.trim().parse::<f64>().is_ok() })
     }
 }

@@ -79,13 +79,7 @@ pub(crate) struct Arguments {
     verbose: bool,
 
     /// Language of reports, findings, notes and errors of a case, en or de; help, heads, data and JSON are English.
-    #[arg(
-        long,
-        global = true,
-        value_name = "LANGUAGE",
-        default_value = "en",
-        hide_possible_values = true
-    )]
+    #[arg(long, global = true, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true)]
     language: Spoken,
 }
 
@@ -208,10 +202,7 @@ pub(crate) struct ResultsArguments {
 }
 
 /// The value of an argument that must be above zero, in SI.
-pub(crate) fn positive<D: Dimension>(
-    argument: &'static str,
-    value: Quantity<D>,
-) -> Result<f64, CliError> {
+pub(crate) fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64, CliError> {
     /// Nothing about a railway is smaller or larger in SI.
     const RANGE: [f64; 2] = [1e-12, 1e12];
     let si = value.si();
@@ -222,11 +213,7 @@ pub(crate) fn positive<D: Dimension>(
         true => format!("between {:e} and {:e} in SI", RANGE[0], RANGE[1]),
         false => "greater than zero".to_owned(),
     };
-    Err(CliError::Argument {
-        argument,
-        value: value.to_string(),
-        rule,
-    })
+    Err(CliError::Argument { argument, value: value.to_string(), rule })
 }
 
 #[derive(Args)]
@@ -266,9 +253,7 @@ pub(crate) struct Init {
 }
 
 #[derive(Args)]
-#[command(
-    after_help = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\""
-)]
+#[command(after_help = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\"")]
 pub(crate) struct Point {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
@@ -328,9 +313,7 @@ pub(crate) struct Wheelset {
 }
 
 #[derive(Args)]
-#[command(
-    after_help = "Example: riffel contact case.toml --ratio 4,8,16 --set contact.hertz=exact"
-)]
+#[command(after_help = "Example: riffel contact case.toml --ratio 4,8,16 --set contact.hertz=exact")]
 pub(crate) struct Contact {
     #[command(flatten)]
     pub(crate) case: CaseArguments,

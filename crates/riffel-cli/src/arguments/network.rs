@@ -37,10 +37,8 @@ pub(crate) enum NetworkCommand {
 }
 
 #[derive(Args)]
-#[command(
-    after_help = "Example: riffel network ingest railway blocks.csv --line \"Main line\" --date 2026-01-31\n\n\
-        The same survey again changes nothing, and one that was stopped is done anew: surveys are there whole or not at all."
-)]
+#[command(after_help = "Example: riffel network ingest railway blocks.csv --line \"Main line\" --date 2026-01-31\n\n\
+        The same survey again changes nothing, and one that was stopped is done anew: surveys are there whole or not at all.")]
 pub(crate) struct Ingest {
     /// Folder of the store.
     #[arg(value_name = "STORE")]
@@ -126,12 +124,7 @@ pub(crate) struct Expected {
     pub(crate) case: Option<PathBuf>,
 
     /// Traffic file [default: the usual traffic of a line of this kind].
-    #[arg(
-        long,
-        value_name = "TOML",
-        requires = "case",
-        conflicts_with = "posterior"
-    )]
+    #[arg(long, value_name = "TOML", requires = "case", conflicts_with = "posterior")]
     pub(crate) traffic: Option<PathBuf>,
 
     /// Folder of a finished calibration of the case: growth over its draws and under its traffic.
@@ -178,10 +171,8 @@ pub(crate) struct Chart {
 }
 
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  riffel network growth railway --from 2025-01-31 --to 2026-01-31\n  \
-        riffel network growth railway --line \"Main line\" --case case.toml --traffic traffic.toml"
-)]
+#[command(after_help = "Examples:\n  riffel network growth railway --from 2025-01-31 --to 2026-01-31\n  \
+        riffel network growth railway --line \"Main line\" --case case.toml --traffic traffic.toml")]
 pub(crate) struct Growth {
     #[command(flatten)]
     pub(crate) judged: Judged,
@@ -203,10 +194,8 @@ pub(crate) struct Growth {
 }
 
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  riffel network plan railway --months 12 --length \"20 km\"\n  \
-        riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000 --most-track"
-)]
+#[command(after_help = "Examples:\n  riffel network plan railway --months 12 --length \"20 km\"\n  \
+        riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000 --most-track")]
 pub(crate) struct Plan {
     #[command(flatten)]
     pub(crate) judged: Judged,
@@ -241,13 +230,8 @@ pub(crate) struct Plan {
 
 /// The name of a rail and another one for it.
 fn renamed(text: &str) -> Result<(String, String), String> {
-    match text
-        .split_once('=')
-        .map(|(old, new)| (old.trim(), new.trim()))
-    {
-        Some((old, new)) if !old.is_empty() && !new.is_empty() => {
-            Ok((old.to_owned(), new.to_owned()))
-        }
+    match text.split_once('=').map(|(old, new)| (old.trim(), new.trim())) {
+        Some((old, new)) if !old.is_empty() && !new.is_empty() => Ok((old.to_owned(), new.to_owned())),
         _ => Err("must be OLD=NEW".to_owned()),
     }
 }

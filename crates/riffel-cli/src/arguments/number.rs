@@ -17,8 +17,6 @@ pub(crate) fn sum_of_money(text: &str) -> Result<f64, String> {
     match money::read(text) {
         Ok((sum, "")) => Ok(sum),
         Err(rule) => Err(format!("the sum {rule}")),
-        Ok(_) => Err(format!(
-            "\"{text}\" is not a number; write it without its currency"
-        )),
+        Ok(_) => Err(format!("\"{text}\" is not a number; write it without its currency")),
     }
 }

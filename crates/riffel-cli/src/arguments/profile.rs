@@ -76,12 +76,7 @@ pub(crate) struct Profile {
 
     /// Lateral shifts, separated by commas, in metres or with their unit [default: from -10 mm to 10 mm
     /// every 0.1 mm, as far as both wheels touch their rails].
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        requires = "wheelset"
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "wheelset")]
     pub(crate) lateral_shift: Vec<Quantity<Length>>,
 
     /// Normal force on each wheel, in N or with its unit: patch, pressure and stiffness of both contacts, at the shift 0 or those

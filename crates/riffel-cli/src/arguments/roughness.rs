@@ -74,21 +74,13 @@ impl Layout {
 impl Part {
     /// The first argument given.
     fn given(&self) -> Option<&'static str> {
-        let given = [
-            ("--rail", self.rail.is_some()),
-            ("--from", self.from.is_some()),
-            ("--to", self.to.is_some()),
-        ];
+        let given = [("--rail", self.rail.is_some()), ("--from", self.from.is_some()), ("--to", self.to.is_some())];
         given.into_iter().find(|(_, is)| *is).map(|(name, _)| name)
     }
 
     /// What is taken of a file.
     pub(crate) fn of_record(&self) -> RecordPart {
-        RecordPart {
-            rail: self.rail.clone(),
-            from: self.from,
-            to: self.to,
-        }
+        RecordPart { rail: self.rail.clone(), from: self.from, to: self.to }
     }
 }
 
@@ -124,10 +116,7 @@ impl Statistics {
             longest: self.longest,
             window: self.window.map(|window| window.si()),
             block: self.block.si(),
-            grinding: GrindSettings {
-                merge: self.merge.si(),
-                shortest: self.grinding_length.si(),
-            },
+            grinding: GrindSettings { merge: self.merge.si(), shortest: self.grinding_length.si() },
         }
     }
 }
@@ -317,13 +306,7 @@ pub(crate) struct Report {
     pub(crate) variants: Vec<PathBuf>,
 
     /// What variants of friction or load hold, as for riffel compare: force, ratio or creepage.
-    #[arg(
-        long,
-        value_enum,
-        value_name = "WHAT",
-        requires = "variants",
-        hide_possible_values = true
-    )]
+    #[arg(long, value_enum, value_name = "WHAT", requires = "variants", hide_possible_values = true)]
     pub(crate) hold: Option<HoldArgument>,
 
     #[command(flatten)]

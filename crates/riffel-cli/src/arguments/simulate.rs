@@ -31,12 +31,7 @@ pub(crate) struct Simulate {
 
     /// Traffic file, in place of a speed: passages of every vehicle at the speeds of its distribution, each as often as its
     /// share says.
-    #[arg(
-        long,
-        value_name = "FILE",
-        conflicts_with = "speed",
-        requires = "passages"
-    )]
+    #[arg(long, value_name = "FILE", conflicts_with = "speed", requires = "passages")]
     pub(crate) traffic: Option<PathBuf>,
 
     /// Roll over a sinusoid of this amplitude and wavelength until every wave is like the one before.
@@ -139,9 +134,8 @@ impl FromStr for LengthPair {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (first, second) = text
-            .split_once(',')
-            .ok_or("give two lengths with a comma between them, as in 20um,55mm")?;
+        let (first, second) =
+            text.split_once(',').ok_or("give two lengths with a comma between them, as in 20um,55mm")?;
         let pair = [first, second].map(|part| part.trim().to_owned());
         for part in &pair {
             let read: Result<Quantity<Length>, _> = part.parse();
@@ -155,11 +149,8 @@ impl LengthPair {
     /// Amplitude and wavelength within their physical ranges. What is not usual is asked about on standard error.
     pub(crate) fn of_sinusoid(&self) -> Result<Sinusoid, CliError> {
         let read = |key: &str, what: &str, text: &str| {
-            let (si, remark) =
-                PhysicalRange::read::<Length>(key, text).map_err(|rule| CliError::Range {
-                    argument: "--sinusoid",
-                    message: format!(": {what} {rule}"),
-                })?;
+            let (si, remark) = PhysicalRange::read::<Length>(key, text)
+                .map_err(|rule| CliError::Range { argument: "--sinusoid", message: format!(": {what} {rule}") })?;
             print_remarks(remark.as_slice());
             Ok::<f64, CliError>(si)
         };
@@ -174,10 +165,8 @@ impl LengthPair {
     pub(crate) fn positive(&self, argument: &'static str) -> Result<[f64; 2], CliError> {
         let mut lengths = [0.0; 2];
         for (length, text) in lengths.iter_mut().zip(&self.0) {
-            let quantity: Quantity<Length> = text.parse().map_err(|error| CliError::Range {
-                argument,
-                message: format!(": {error}"),
-            })?;
+            let quantity: Quantity<Length> =
+                text.parse().map_err(|error| CliError::Range { argument, message: format!(": {error}") })?;
             *length = positive(argument, quantity)?;
         }
         Ok(lengths)

@@ -75,9 +75,7 @@ pub(crate) struct Merge {
 }
 
 #[derive(Args)]
-#[command(
-    after_help = "Example: riffel study sensitivity study-results --result highest_growth_rate"
-)]
+#[command(after_help = "Example: riffel study sensitivity study-results --result highest_growth_rate")]
 pub(crate) struct Sensitivity {
     /// Folder with the results of a finished study.
     #[arg(value_name = "DIR")]

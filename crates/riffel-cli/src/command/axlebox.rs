@@ -20,10 +20,7 @@ pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
     for path in &arguments.paths {
         files.push((path.clone(), AxleBoxFile::open(path, &layout)?));
     }
-    let sizes = arguments
-        .paths
-        .iter()
-        .filter_map(|path| std::fs::metadata(path).ok());
+    let sizes = arguments.paths.iter().filter_map(|path| std::fs::metadata(path).ok());
     let size: u64 = sizes.map(|file| file.len()).sum();
     let progress = Progress::new(riffel_keys::say!(progress_listening), size as usize);
     let answer = AxleBoxAnswer::new(&case, &files, &limits, &request, &|by| progress.advance(by))?;
@@ -33,11 +30,7 @@ pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
         print(&document)?;
     }
     if !arguments.results.json || arguments.results.output.is_some() {
-        let folder = arguments
-            .results
-            .output
-            .clone()
-            .unwrap_or_else(|| folder(&arguments.paths));
+        let folder = arguments.results.output.clone().unwrap_or_else(|| folder(&arguments.paths));
         let mut staging = Staging::new("axlebox", &folder)?;
         staging.write_figure("axlebox", &answer.figure(&case, &limits))?;
         staging.write_with("spectrum.csv", |file| answer.spectrum_csv(file))?;
@@ -47,11 +40,7 @@ pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
         staging.write("summary.json", document)?;
         let files = staging.publish()?.join(" ");
         if !arguments.results.json {
-            print(&format!(
-                "{}{}: {files}\n",
-                readable(&answer),
-                folder.display()
-            ))?;
+            print(&format!("{}{}: {files}\n", readable(&answer), folder.display()))?;
         }
     }
     print_remarks(&answer.remarks);
@@ -71,12 +60,7 @@ fn readable(answer: &AxleBoxAnswer) -> String {
     for rail in &answer.rails {
         text += &format!("{}\n", heard(rail));
     }
-    let mut rows = table(&[
-        "rail",
-        "wavelength mm",
-        "level dB re 1 µm",
-        "with pads of half to twice the stiffness",
-    ]);
+    let mut rows = table(&["rail", "wavelength mm", "level dB re 1 µm", "with pads of half to twice the stiffness"]);
     for rail in &answer.rails {
         for level in &rail.levels {
             let [low, high] = level.range;

@@ -55,11 +55,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
 }
 
 /// The comparison; `survey` holds all spectra of `--spectrum`.
-pub(super) fn compare(
-    case: &Case,
-    arguments: &Compare,
-    survey: Option<Survey>,
-) -> miette::Result<CompareAnswer> {
+pub(super) fn compare(case: &Case, arguments: &Compare, survey: Option<Survey>) -> miette::Result<CompareAnswer> {
     let hold = arguments.hold.map(Hold::from);
     let variants: Result<Vec<Variant>, CaseError> = arguments
         .variants
@@ -81,32 +77,19 @@ pub(super) fn compare(
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
     History::check_now(&arguments.earlier, arguments.spectrum.as_deref())?;
     let (path, layout) = (arguments.spectrum.as_deref(), &arguments.layout);
-    let dated =
-        |survey| History::of_dates(survey, &arguments.earlier, path, layout, &arguments.choose);
+    let dated = |survey| History::of_dates(survey, &arguments.earlier, path, layout, &arguments.choose);
     let survey = survey.map(dated).transpose()?;
     let steps = (1 + variants.len()) * traffic.file.vehicle.len();
-    let request = CompareRequest {
-        variants,
-        traffic,
-        speeds,
-        hold,
-        survey,
-        ground,
-        limit: (table, limit),
-    };
-    let over = over(draws.as_ref(), |draws, progress| {
-        compare_over(draws, &request, progress)
-    })?;
+    let request = CompareRequest { variants, traffic, speeds, hold, survey, ground, limit: (table, limit) };
+    let over = over(draws.as_ref(), |draws, progress| compare_over(draws, &request, progress))?;
     let progress = Progress::new(riffel_keys::say!(progress_variants), steps);
-    let mut answer = CompareAnswer::new(case, request, &|by| progress.advance(by)).map_err(
-        |error| match error {
-            AnswerError::OutsideWindow(error) => {
-                let path = arguments.spectrum.as_deref();
-                outside(&arguments.ground, path, case, error).into()
-            }
-            error => miette::Report::from(error),
-        },
-    )?;
+    let mut answer = CompareAnswer::new(case, request, &|by| progress.advance(by)).map_err(|error| match error {
+        AnswerError::OutsideWindow(error) => {
+            let path = arguments.spectrum.as_deref();
+            outside(&arguments.ground, path, case, error).into()
+        }
+        error => miette::Report::from(error),
+    })?;
     drop(progress);
     answer.over_posterior = over;
     Ok(answer)
@@ -120,11 +103,7 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
     let mut text = format!("{title}, {speeds}\n");
     if let Some(ground) = &answer.ground {
         let edition = &answer.table.edition;
-        let from = say!(
-            from_ground_to_limit,
-            ground = ground.words.clone(),
-            edition = edition
-        );
+        let from = say!(from_ground_to_limit, ground = ground.words.clone(), edition = edition);
         text += &format!("{}\n", from.text(language()));
     }
     for sentence in answer.first_said() {
@@ -154,13 +133,7 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
 /// Growth by band.
 fn bands(answer: &CompareAnswer) -> String {
     let mut header = vec![say!(wavelength_of_band).text(language())];
-    header.extend(
-        answer
-            .comparison
-            .outcomes
-            .iter()
-            .map(|outcome| outcome.title.clone()),
-    );
+    header.extend(answer.comparison.outcomes.iter().map(|outcome| outcome.title.clone()));
     let mut rows = table(&header);
     for (place, band) in answer.comparison.bands.iter().enumerate().rev() {
         let mut row = vec![number_alone(band.nominal_millimetres()).text(language())];
@@ -192,10 +165,7 @@ fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, Message
     let mean = mean.within("--speed")?;
     let deviation = arguments.speed_deviation;
     let speeds = SpeedDistribution::normal(mean, deviation.map_or(0.0, |speed| speed.si()));
-    let speeds = speeds.map_err(|error| CliError::Physics {
-        input: "--speed-deviation".to_owned(),
-        error,
-    })?;
+    let speeds = speeds.map_err(|error| CliError::Physics { input: "--speed-deviation".to_owned(), error })?;
     let words = in_words(&speeds);
     Ok((Traffic::of_case(speeds), words))
 }
@@ -203,20 +173,13 @@ fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, Message
 /// A traffic with its title.
 fn titled(traffic: Traffic) -> (Traffic, Message) {
     let title = traffic.file.title.clone();
-    (
-        traffic,
-        title.map_or_else(|| say!(traffic_word), Message::verbatim),
-    )
+    (traffic, title.map_or_else(|| say!(traffic_word), Message::verbatim))
 }
 
 fn in_words(speeds: &SpeedDistribution) -> Message {
     let speed = shown_speed(speeds.mean(), 1);
     match speeds.deviation() {
         0.0 => say!(at_speed, speed = speed),
-        deviation => say!(
-            at_spread_speed,
-            speed = speed,
-            deviation = shown_speed(deviation, 1)
-        ),
+        deviation => say!(at_spread_speed, speed = speed, deviation = shown_speed(deviation, 1)),
     }
 }

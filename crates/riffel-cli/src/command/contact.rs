@@ -23,16 +23,9 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let creepages = creepages(arguments, &theories)?;
     let ratios = ratios(arguments)?;
 
-    let progress = Progress::new(
-        riffel_keys::say!(progress_contact),
-        creepages.len() + ratios.len() + 1,
-    );
-    let request = ContactRequest {
-        creepages: Some(creepages),
-        ratios: Some(ratios),
-    };
-    let answer =
-        ContactAnswer::new(theories, request, || progress.advance(1)).map_err(of_argument)?;
+    let progress = Progress::new(riffel_keys::say!(progress_contact), creepages.len() + ratios.len() + 1);
+    let request = ContactRequest { creepages: Some(creepages), ratios: Some(ratios) };
+    let answer = ContactAnswer::new(theories, request, || progress.advance(1)).map_err(of_argument)?;
     drop(progress);
 
     let results = Results::of("contact", &arguments.case, &arguments.results);
@@ -43,9 +36,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
             staging.write_figure("patch", &answer.patch_figure())?;
             staging.write_with("creep-curve.csv", |file| answer.creep_curve_csv(file))?;
             if answer.response.is_some() {
-                staging.write_with("frequency-response.csv", |file| {
-                    answer.frequency_response_csv(file)
-                })?;
+                staging.write_with("frequency-response.csv", |file| answer.frequency_response_csv(file))?;
             }
             staging.write_with("patch.csv", |file| answer.patch_csv(file))
         },
@@ -69,9 +60,7 @@ fn creepages(arguments: &Contact, theories: &RollingTheories) -> Result<Vec<f64>
         return Ok(theories.default_creepages());
     }
     let given = arguments.creepage.iter();
-    given
-        .map(|&creepage| positive("--creepage", creepage))
-        .collect()
+    given.map(|&creepage| positive("--creepage", creepage)).collect()
 }
 
 /// The wavelengths asked for \[semi-axes\], or some equally spaced in their logarithm.
@@ -86,11 +75,9 @@ fn ratios(arguments: &Contact) -> Result<Vec<f64>, CliError> {
 /// A wavelength that the contact refuses, under the name of its argument.
 fn of_argument(error: CaseError) -> miette::Report {
     match error {
-        CaseError::Physics { input, error } => CliError::Physics {
-            input: input.replace("λ/a = ", "--ratio "),
-            error,
+        CaseError::Physics { input, error } => {
+            CliError::Physics { input: input.replace("λ/a = ", "--ratio "), error }.into()
         }
-        .into(),
         error => error.into(),
     }
 }

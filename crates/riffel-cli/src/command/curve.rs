@@ -32,26 +32,19 @@ pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
 
 /// The radii that are listed \[m\]; none where none are.
 fn radii(arguments: &Curve, case: &CurvingCase) -> miette::Result<Option<Vec<f64>>> {
-    let listed: Vec<f64> = arguments
-        .radius
-        .iter()
-        .map(|radius| radius.length.si())
-        .collect();
+    let listed: Vec<f64> = arguments.radius.iter().map(|radius| radius.length.si()).collect();
     let bare = arguments.radius.iter().find(|radius| radius.is_bare);
     let with_unit = arguments.radius.iter().find(|radius| !radius.is_bare);
     if let (Some(bare), Some(_)) = (bare, with_unit) {
         Err(CliError::Argument {
             argument: "--radius",
             value: format!("{} without a unit beside others with one", bare.length.si()),
-            rule: "a list whose items all have a unit or none; commas part the items, so that 3,800 m are two".to_owned(),
+            rule: "a list whose items all have a unit or none; commas part the items, so that 3,800 m are two"
+                .to_owned(),
         })?;
     }
     if let Some((radius, rule)) = case.radius_that_no_curve_has(&listed) {
-        Err(CliError::Argument {
-            argument: "--radius",
-            value: format!("{radius} m"),
-            rule,
-        })?;
+        Err(CliError::Argument { argument: "--radius", value: format!("{radius} m"), rule })?;
     }
     Ok((!listed.is_empty()).then_some(listed))
 }
@@ -109,60 +102,32 @@ fn wheelsets(state: &VehicleState) -> Table {
 
 /// Creepages and forces of each wheel, and of its second contact.
 fn wheels(state: &VehicleState) -> Table {
-    let head = [
-        "wheel",
-        "creepage along %",
-        "across %",
-        "spin 1/m",
-        "angle deg",
-        "P kN",
-        "Qx kN",
-        "Qy kN",
-        "|Q|/μP",
-        "Tγ N",
-    ];
+    let head =
+        ["wheel", "creepage along %", "across %", "spin 1/m", "angle deg", "P kN", "Qx kN", "Qy kN", "|Q|/μP", "Tγ N"];
     let mut rows = table(&head);
-    let mut row = |wheel: String,
-                   creepages: Creepages,
-                   angle: f64,
-                   force: f64,
-                   creep: CreepForces,
-                   shares: [f64; 2]| {
-        rows.add_row([
-            wheel,
-            format!("{:.4}", 100.0 * creepages.longitudinal),
-            format!("{:.4}", 100.0 * creepages.lateral),
-            format!("{:.3}", creepages.spin),
-            format!("{:.1}", angle.to_degrees()),
-            format!("{:.1}", 1e-3 * force),
-            format!("{:.2}", 1e-3 * creep.longitudinal),
-            format!("{:.2}", 1e-3 * creep.lateral),
-            format!("{:.3}", shares[0]),
-            format!("{:.1}", shares[1]),
-        ]);
-    };
+    let mut row =
+        |wheel: String, creepages: Creepages, angle: f64, force: f64, creep: CreepForces, shares: [f64; 2]| {
+            rows.add_row([
+                wheel,
+                format!("{:.4}", 100.0 * creepages.longitudinal),
+                format!("{:.4}", 100.0 * creepages.lateral),
+                format!("{:.3}", creepages.spin),
+                format!("{:.1}", angle.to_degrees()),
+                format!("{:.1}", 1e-3 * force),
+                format!("{:.2}", 1e-3 * creep.longitudinal),
+                format!("{:.2}", 1e-3 * creep.lateral),
+                format!("{:.3}", shares[0]),
+                format!("{:.1}", shares[1]),
+            ]);
+        };
     for wheel in &state.wheels {
         let name = format!("{} {}", wheel.wheelset, wheel.rail.name());
         let shares = [wheel.tractive_ratio, wheel.t_gamma];
-        row(
-            name.clone(),
-            wheel.creepages,
-            wheel.contact_angle,
-            wheel.normal_force,
-            wheel.creep_forces,
-            shares,
-        );
+        row(name.clone(), wheel.creepages, wheel.contact_angle, wheel.normal_force, wheel.creep_forces, shares);
         if let Some(second) = &wheel.second_contact {
             let shares = [second.tractive_ratio, second.t_gamma];
             let name = format!("{name}, second");
-            row(
-                name,
-                second.creepages,
-                second.contact_angle,
-                second.normal_force,
-                second.creep_forces,
-                shares,
-            );
+            row(name, second.creepages, second.contact_angle, second.normal_force, second.creep_forces, shares);
         }
     }
     rows
@@ -179,8 +144,5 @@ fn others(others: &[VehicleState]) -> String {
         format!("{} mm", shifts.collect::<Vec<_>>().join(" and "))
     });
     let shifts: Vec<String> = shifts.collect();
-    format!(
-        "other equilibria, wheelsets shifted by {}\n",
-        shifts.join("; ")
-    )
+    format!("other equilibria, wheelsets shifted by {}\n", shifts.join("; "))
 }

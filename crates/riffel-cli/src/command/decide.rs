@@ -25,10 +25,7 @@ pub(crate) fn run(arguments: &Decide) -> miette::Result<()> {
         staging.write("decision.json", json(&answer))?;
         let files = staging.publish()?.join(" ");
         let folder = arguments.folder.display();
-        print(&format!(
-            "{}{folder}: {files}\n",
-            readable(&answer, &tables)
-        ))?;
+        print(&format!("{}{folder}: {files}\n", readable(&answer, &tables)))?;
     }
     print_remarks(answer.remarks());
     Ok(())

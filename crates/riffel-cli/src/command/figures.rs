@@ -15,19 +15,12 @@ pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
     let model = arguments.model.into();
     for (number, make) in paper::FIGURES {
         let figure = make(model, Language::English).map_err(CliError::from)?;
-        staging.write_picture(
-            &format!("figure-{number}"),
-            &figure.picture().map_err(CliError::from)?,
-        )?;
+        staging.write_picture(&format!("figure-{number}"), &figure.picture().map_err(CliError::from)?)?;
         staging.write(&format!("figure-{number}.csv"), figure.csv)?;
         progress.advance(1);
     }
     drop(progress);
     let files = staging.publish()?;
-    print(&format!(
-        "{}: {}\n",
-        arguments.output.display(),
-        files.join(" ")
-    ))?;
+    print(&format!("{}: {}\n", arguments.output.display(), files.join(" ")))?;
     Ok(())
 }

@@ -51,8 +51,7 @@ impl History {
             Err(CliError::Argument {
                 argument: "--dates",
                 value: "left out".to_owned(),
-                rule: "given beside --earlier: the date of each record, that of now last"
-                    .to_owned(),
+                rule: "given beside --earlier: the date of each record, that of now last".to_owned(),
             })?;
         }
         let (survey, _) = survey.choose(choose)?.latest();

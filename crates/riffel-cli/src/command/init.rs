@@ -9,9 +9,7 @@ use crate::staging::{Existing, write_file};
 pub(crate) fn run(arguments: &Init) -> miette::Result<()> {
     let (text, name) = match arguments {
         Init { metro: true, .. } => (riffel_case::METRO_CASE, "metro.toml"),
-        Init {
-            main_line: true, ..
-        } => (riffel_case::MAIN_LINE_CASE, "main-line.toml"),
+        Init { main_line: true, .. } => (riffel_case::MAIN_LINE_CASE, "main-line.toml"),
         Init { tram: true, .. } => (riffel_case::TRAM_CASE, "tram.toml"),
         Init { freight: true, .. } => (riffel_case::FREIGHT_CASE, "freight.toml"),
         Init { traffic: true, .. } => (riffel_case::TRAFFIC, "traffic.toml"),

@@ -28,15 +28,9 @@ pub(crate) fn run(arguments: &ManPages) -> miette::Result<()> {
 
 /// The page of a command, and those of the commands below it.
 fn write(command: &Command, staging: &mut Staging) -> Result<(), CliError> {
-    let name = command
-        .get_display_name()
-        .unwrap_or_else(|| command.get_name());
-    staging.write_with(&format!("{name}.1"), |file| {
-        Man::new(command.clone()).render(file)
-    })?;
-    command
-        .get_subcommands()
-        .try_for_each(|below| write(below, staging))
+    let name = command.get_display_name().unwrap_or_else(|| command.get_name());
+    staging.write_with(&format!("{name}.1"), |file| Man::new(command.clone()).render(file))?;
+    command.get_subcommands().try_for_each(|below| write(below, staging))
 }
 
 fn page(command: &Command) -> io::Result<Vec<u8>> {

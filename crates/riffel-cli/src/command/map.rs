@@ -1,8 +1,6 @@
 //! `riffel map`
 
-use riffel_answers::map::{
-    BayGrowth, MapAnswer, ObservationCount, growth_in_words, growth_over, map_csv, map_netcdf,
-};
+use riffel_answers::map::{BayGrowth, MapAnswer, ObservationCount, growth_in_words, growth_over, map_csv, map_netcdf};
 use riffel_answers::ridge::{BranchDocument, branches_csv, ridge_csv};
 use riffel_answers::{LineGrowth, capital, for_whom};
 use riffel_case::Case;
@@ -29,9 +27,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
     case.check_window()?;
     let curve = match (&arguments.wavelength, &arguments.speed) {
-        (Some(wavelength), Some(speed)) => {
-            Some((wavelength.within("--wavelength")?, speed.within("--speed")?))
-        }
+        (Some(wavelength), Some(speed)) => Some((wavelength.within("--wavelength")?, speed.within("--speed")?)),
         _ => None,
     };
     let case = match curve {
@@ -45,11 +41,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     let progress = Progress::new(riffel_keys::say!(progress_growth_map), case.speed.points());
     let mut answer = MapAnswer::new(&case, |rows| progress.advance(rows));
     drop(progress);
-    let traffic = arguments
-        .traffic
-        .as_deref()
-        .map(Traffic::read)
-        .transpose()?;
+    let traffic = arguments.traffic.as_deref().map(Traffic::read).transpose()?;
     let draws = arguments.posterior.draws(&arguments.case)?;
     let over = over(draws.as_ref(), growth_over)?;
     // The calibration knows more than the case says.
@@ -95,9 +87,7 @@ fn write_files(
     staging.write_picture("map", &figure.picture()?)?;
     staging.write("map.html", figure.html()?)?;
     let progress = Progress::new(riffel_keys::say!(progress_writing_map), case.speed.points());
-    staging.write_with("map.csv", |file| {
-        map_csv(map, file, |rows| progress.advance(rows))
-    })?;
+    staging.write_with("map.csv", |file| map_csv(map, file, |rows| progress.advance(rows)))?;
     drop(progress);
     map_netcdf(map, &figure.title, &staging.path("map.nc"))?;
     staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
@@ -110,10 +100,9 @@ fn write_files(
 
 fn write_bay(staging: &mut Staging, case: &Case, bay: &BayGrowth) -> Result<(), CliError> {
     let (maps, curves) = (bay.map_figure(case), bay.curve_figure(case));
-    for (name, picture, html) in [
-        ("bay-map", maps.picture()?, maps.html()?),
-        ("bay", curves.picture()?, curves.html()?),
-    ] {
+    for (name, picture, html) in
+        [("bay-map", maps.picture()?, maps.html()?), ("bay", curves.picture()?, curves.html()?)]
+    {
         staging.write_picture(name, &picture)?;
         staging.write(&format!("{name}.html"), html)?;
     }
@@ -121,9 +110,7 @@ fn write_bay(staging: &mut Staging, case: &Case, bay: &BayGrowth) -> Result<(), 
     staging.write_with("bay-wavelength.csv", |file| bay.wavelength_csv(file))?;
     let (mean, ridge) = bay.mean();
     let progress = Progress::new(riffel_keys::say!(progress_writing_bay), case.speed.points());
-    staging.write_with("bay-mean.csv", |file| {
-        map_csv(mean, file, |rows| progress.advance(rows))
-    })?;
+    staging.write_with("bay-mean.csv", |file| map_csv(mean, file, |rows| progress.advance(rows)))?;
     drop(progress);
     map_netcdf(mean, "Mean over the bay", &staging.path("bay-mean.nc"))?;
     staging.write_with("bay-mean-ridge.csv", |file| ridge_csv(ridge, file))?;
@@ -168,15 +155,9 @@ fn readable(case: &Case, answer: &MapAnswer) -> String {
     let bay = bay.map_or_else(String::new, |bay| bay.sentence() + "\n");
     let observations = answer.observations;
     let observations = observations.map_or_else(String::new, |count| count.sentence() + "\n");
-    let remarks = answer
-        .under_traffic
-        .iter()
-        .flat_map(|it| it.remarks.clone());
+    let remarks = answer.under_traffic.iter().flat_map(|it| it.remarks.clone());
     let over = answer.over_posterior.iter().flat_map(growth_in_words);
-    let remarks: String = remarks
-        .chain(over)
-        .map(|remark| capital(&remark.text(language())) + ".\n")
-        .collect();
+    let remarks: String = remarks.chain(over).map(|remark| capital(&remark.text(language())) + ".\n").collect();
     format!(
         "{}\n{remarks}highest growth at each speed, {:.0}–{:.0} mm\n{table}\n{}\n{branches}\n{bay}{observations}",
         case.file.title.as_deref().unwrap_or("Growth map"),

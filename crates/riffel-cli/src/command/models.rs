@@ -18,10 +18,7 @@ pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette
         named => named,
     };
     let progress = Progress::new(riffel_keys::say!(progress_models), steps);
-    let request = ModelsRequest {
-        models: models.to_vec(),
-        speed,
-    };
+    let request = ModelsRequest { models: models.to_vec(), speed };
     let answer = ModelsAnswer::new(&case, &request, &|by| progress.advance(by))?;
     drop(progress);
     let results = Results::of("models", &arguments.case, &arguments.results);

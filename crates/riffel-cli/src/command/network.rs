@@ -5,16 +5,13 @@ use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::range;
 use riffel_network::{
-    Aim, Budget, DefectKind, ExpectedGrowth, GrindingPlan, Judgement, NetworkError, SectionGrowth,
-    Status, Store, StoreSettings, StripChart, SurveyFile, WorstPlace, growth, left_out_of_growth,
-    plan, status, worst,
+    Aim, Budget, DefectKind, ExpectedGrowth, GrindingPlan, Judgement, NetworkError, SectionGrowth, Status, Store,
+    StoreSettings, StripChart, SurveyFile, WorstPlace, growth, left_out_of_growth, plan, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
 
-use crate::arguments::{
-    CaseArguments, Judged, Network, NetworkCommand, Posterior, network, positive,
-};
+use crate::arguments::{CaseArguments, Judged, Network, NetworkCommand, Posterior, network, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{json, print, table};
@@ -73,9 +70,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
                 false => Aim::WorstFirst,
             };
             let found = plan(&store, &judgement, section, arguments.months, &budget, aim)?;
-            say(arguments.judged.json, &found, || {
-                plan_in_words(&found, arguments.money.is_some())
-            })?;
+            say(arguments.judged.json, &found, || plan_in_words(&found, arguments.money.is_some()))?;
             print_remarks(&found.remarks);
             tell_left_out(&store)
         }
@@ -83,10 +78,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
             let store = Store::open(&arguments.store)?;
             tell_left_out(&store)?;
             match store.damaged().count() {
-                0 => Ok(print(&format!(
-                    "{} surveys are whole\n",
-                    store.surveys()?.len()
-                ))?),
+                0 => Ok(print(&format!("{} surveys are whole\n", store.surveys()?.len()))?),
                 damaged => Err(NetworkError::NotWhole { damaged }.into()),
             }
         }
@@ -96,56 +88,33 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
 /// Name the surveys of which something is lost or damaged.
 fn tell_left_out(store: &Store) -> miette::Result<()> {
     let damaged = store.damaged();
-    let remarks: Vec<String> = damaged
-        .map(|error| format!("{error}; the survey is left out"))
-        .collect();
+    let remarks: Vec<String> = damaged.map(|error| format!("{error}; the survey is left out")).collect();
     print_remarks(&remarks);
     Ok(())
 }
 
-fn say(
-    as_json: bool,
-    found: &impl Serialize,
-    words: impl FnOnce() -> String,
-) -> miette::Result<()> {
+fn say(as_json: bool, found: &impl Serialize, words: impl FnOnce() -> String) -> miette::Result<()> {
     let text = if as_json { json(found) } else { words() };
     Ok(print(&text)?)
 }
 
 fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
     let resolution = arguments.resolution;
-    let settings = StoreSettings {
-        resolution: resolution
-            .map(|length| positive("--resolution", length))
-            .transpose()?,
-    };
+    let settings = StoreSettings { resolution: resolution.map(|length| positive("--resolution", length)).transpose()? };
     let store = Store::create_or_open(&arguments.store, settings)?;
     let file = SurveyFile::check(&arguments.path)?;
     let file = file.rename(arguments.rename.iter().cloned().collect())?;
-    let progress = Progress::new(
-        riffel_keys::say!(progress_taking_in_blocks),
-        file.rows() as usize,
-    );
+    let progress = Progress::new(riffel_keys::say!(progress_taking_in_blocks), file.rows() as usize);
     let (line, date) = (&arguments.line, &arguments.date);
-    let found = store.ingest(line, date, &file, arguments.replace, &|by| {
-        progress.advance(by)
-    })?;
+    let found = store.ingest(line, date, &file, arguments.replace, &|by| progress.advance(by))?;
     drop(progress);
     say(arguments.json, &found, || {
         if found.there_already {
             return format!("{}, {}: is there already\n", found.line, found.date);
         }
         let rails = found.measured.iter();
-        let rails: Vec<String> = rails
-            .map(|(rail, cells)| format!("{rail} {cells} cells"))
-            .collect();
-        format!(
-            "{}, {}: {}, each {} m long\n",
-            found.line,
-            found.date,
-            rails.join(", "),
-            found.resolution_m
-        )
+        let rails: Vec<String> = rails.map(|(rail, cells)| format!("{rail} {cells} cells")).collect();
+        format!("{}, {}: {}, each {} m long\n", found.line, found.date, rails.join(", "), found.resolution_m)
     })?;
     let twice = found.goes_back.iter().map(|goes_back| {
         format!(
@@ -155,8 +124,7 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
     });
     print_remarks(&twice.collect::<Vec<String>>());
     let renamed = found.renamed.iter();
-    let renamed =
-        renamed.map(|(old, new)| format!("rail {old} of the file is rail {new} of the line"));
+    let renamed = renamed.map(|(old, new)| format!("rail {old} of the file is rail {new} of the line"));
     print_remarks(&renamed.collect::<Vec<_>>());
     if let [_, ..] = &found.new_rails[..] {
         print_remarks(&[format!(
@@ -191,12 +159,7 @@ fn chart(arguments: &network::Chart) -> miette::Result<()> {
     let folder = match &arguments.output {
         Some(folder) => folder.clone(),
         None => {
-            let mut name = arguments
-                .judged
-                .store
-                .file_name()
-                .unwrap_or_default()
-                .to_owned();
+            let mut name = arguments.judged.store.file_name().unwrap_or_default().to_owned();
             name.push("-chart");
             name.into()
         }
@@ -208,11 +171,7 @@ fn chart(arguments: &network::Chart) -> miette::Result<()> {
     if arguments.judged.json {
         return Ok(());
     }
-    print(&format!(
-        "{}{}: {files}\n",
-        chart_in_words(&chart),
-        folder.display()
-    ))?;
+    print(&format!("{}{}: {files}\n", chart_in_words(&chart), folder.display()))?;
     if let left_out @ 1.. = chart.lines_not_drawn() {
         print_remarks(&[format!(
             "the picture holds the longest lines; {left_out} more are in chart.csv (--line draws one)"
@@ -231,10 +190,7 @@ fn chart_in_words(chart: &StripChart) -> String {
                     .filter(|section| !over || section.rms_over_limit > 1.0)
                     .fold(0.0, |sum, section| sum + section.to_m - section.from_m)
             };
-            let worst = survey
-                .sections
-                .iter()
-                .max_by(|one, other| one.rms_over_limit.total_cmp(&other.rms_over_limit));
+            let worst = survey.sections.iter().max_by(|one, other| one.rms_over_limit.total_cmp(&other.rms_over_limit));
             rows.add_row([
                 line.line.clone(),
                 survey.date.clone(),
@@ -256,24 +212,15 @@ fn judged(arguments: &Judged) -> miette::Result<(Store, Judgement, f64)> {
 }
 
 /// The same with the growth that the traffic of a line is expected to make.
-fn expecting(
-    store: &Store,
-    judgement: Judgement,
-    expected: &network::Expected,
-) -> miette::Result<Judgement> {
+fn expecting(store: &Store, judgement: Judgement, expected: &network::Expected) -> miette::Result<Judgement> {
     let Some(case) = &expected.case else {
         return Ok(judgement);
     };
     let bands = judgement.ends_of_bands();
-    let posterior = Posterior {
-        posterior: expected.posterior.clone(),
-    };
+    let posterior = Posterior { posterior: expected.posterior.clone() };
     let growth = match posterior.draws(&CaseArguments::of(case, &[]))? {
         Some(draws) => {
-            let progress = Progress::new(
-                riffel_keys::say!(progress_draws_of_calibration),
-                draws.count(),
-            );
+            let progress = Progress::new(riffel_keys::say!(progress_draws_of_calibration), draws.count());
             ExpectedRates::over(&draws, &bands, &|by| progress.advance(by))
         }
         None => {
@@ -285,20 +232,13 @@ fn expecting(
     let growth = growth.map_err(CliError::from)?;
     print_remarks(growth.without_rate.as_slice());
     let growth = growth.of_bands.into_iter().map(|growth| {
-        growth.map(|growth| ExpectedGrowth {
-            median: growth.median,
-            band_50: growth.band_50,
-            band_80: growth.band_80,
-        })
+        growth.map(|growth| ExpectedGrowth { median: growth.median, band_50: growth.band_50, band_80: growth.band_80 })
     });
     Ok(judgement.expecting(store, expected.line.as_deref(), growth.collect())?)
 }
 
 fn day(argument: &'static str, text: &str) -> Result<jiff::civil::Date, CliError> {
-    read_date(text).map_err(|sentence| CliError::Range {
-        argument,
-        message: format!(": {sentence}"),
-    })
+    read_date(text).map_err(|sentence| CliError::Range { argument, message: format!(": {sentence}") })
 }
 
 /// Between what months: "9.1–14.2", "more than 9.1" where there may be no end.
@@ -343,33 +283,19 @@ fn status_in_words(status: &Status) -> String {
             kilometres(line.ends_m[1]),
             kilometres(measured),
         ];
-        let cell =
-            |rms: &Option<f64>| rms.map_or_else(String::new, |rms| format!("{:.2}", 1e6 * rms));
+        let cell = |rms: &Option<f64>| rms.map_or_else(String::new, |rms| format!("{:.2}", 1e6 * rms));
         row.extend(line.rms_m.iter().map(cell));
         rows.add_row(row);
     }
-    format!(
-        "{rows}\nsurveys: {}, in cells of {} m\n",
-        status.surveys, status.resolution_m
-    )
+    format!("{rows}\nsurveys: {}, in cells of {} m\n", status.surveys, status.resolution_m)
 }
 
 fn worst_in_words(places: &[WorstPlace]) -> String {
     if places.is_empty() {
         return "no section is known in a band that has a limit\n".to_owned();
     }
-    let mut rows = table(&[
-        "line",
-        "date",
-        "rail",
-        "from km",
-        "to km",
-        "band mm",
-        "rms µm",
-        "over limit",
-        "kind",
-        "dB a year",
-    ]);
+    let mut rows =
+        table(&["line", "date", "rail", "from km", "to km", "band mm", "rms µm", "over limit", "kind", "dB a year"]);
     for place in places {
         rows.add_row([
             place.line.clone(),
@@ -388,9 +314,7 @@ fn worst_in_words(places: &[WorstPlace]) -> String {
 }
 
 fn growth_in_words(sections: &[SectionGrowth]) -> String {
-    let expected = sections
-        .iter()
-        .any(|section| section.expected_growth_db_per_year.is_some());
+    let expected = sections.iter().any(|section| section.expected_growth_db_per_year.is_some());
     let mut header = vec![
         "line",
         "rail",
@@ -466,20 +390,14 @@ fn plan_in_words(plan: &GrindingPlan, money: bool) -> String {
         false => format!("{rows}\n"),
     };
     if plan.sites.len() > SITES {
-        text += &format!(
-            "and {} more sites: --json has them all\n",
-            plan.sites.len() - SITES
-        );
+        text += &format!("and {} more sites: --json has them all\n", plan.sites.len() - SITES);
     }
     let cost = match money {
         true => format!(" for {:.0}", plan.cost),
         false => String::new(),
     };
     let least = match plan.least_left_over_limit_m < plan.left_over_limit_m {
-        true => format!(
-            ", and no plan for this leaves less than {} km",
-            kilometres(plan.least_left_over_limit_m)
-        ),
+        true => format!(", and no plan for this leaves less than {} km", kilometres(plan.least_left_over_limit_m)),
         false => String::new(),
     };
     text + &format!(

@@ -40,20 +40,12 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
         radiator: TrackRadiator {
             rail_foot: arguments.rail_foot.within("--rail-foot")?,
             sleeper_area: arguments.sleeper_area.within("--sleeper-area")?,
-            decay_rate: arguments
-                .decay_rate
-                .as_deref()
-                .map(read_decay_rates)
-                .transpose()?,
+            decay_rate: arguments.decay_rate.as_deref().map(read_decay_rates).transpose()?,
         },
-        transfer: transfer
-            .zip(arguments.vehicle_transfer.clone())
-            .map(<[String; 2]>::from),
+        transfer: transfer.zip(arguments.vehicle_transfer.clone()).map(<[String; 2]>::from),
         limit: arguments.limit.clone(),
         wheels: arguments.wheels,
-        train_length: length
-            .map(|length| length.within("--train-length"))
-            .transpose()?,
+        train_length: length.map(|length| length.within("--train-length")).transpose()?,
         distance: arguments.distance.within("--distance")?,
         height: arguments.height.within("--height")?,
         surroundings: Surroundings::HardGround,
@@ -69,9 +61,7 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
     let progress = Progress::new(riffel_keys::say!(progress_traffic), vehicles);
     let mut answer = question.answer(&case, &|by| progress.advance(by))?;
     drop(progress);
-    answer.over_posterior = over(draws.as_ref(), |draws, progress| {
-        question.over(draws, progress)
-    })?;
+    answer.over_posterior = over(draws.as_ref(), |draws, progress| question.over(draws, progress))?;
     Results::of("noise", &arguments.case, &arguments.results).answer(&answer)?;
     print_remarks(&survey.warnings);
     print_remarks(&case.remarks);

@@ -12,16 +12,11 @@ use crate::staging::{Existing, write_file};
 pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
     let case = arguments.read()?;
     let module = match &arguments.module {
-        Some(path) => fs::read(path).map_err(|reason| CliError::ReadModule {
-            path: path.clone(),
-            reason,
-        })?,
+        Some(path) => fs::read(path).map_err(|reason| CliError::ReadModule { path: path.clone(), reason })?,
         None => PAGE_MODULE.ok_or(CliError::NoModule)?.to_vec(),
     };
-    let page = page_file(&case.portable().keys, &module).map_err(|error| CliError::Page {
-        message: error.to_string(),
-        help: error.help().map(str::to_owned),
-    })?;
+    let page = page_file(&case.portable().keys, &module)
+        .map_err(|error| CliError::Page { message: error.to_string(), help: error.help().map(str::to_owned) })?;
     let existing = Existing::page(&arguments.output, arguments.force, FILE_GENERATOR);
     write_file(&arguments.output, &page, existing)?;
     print(&format!(

@@ -2,9 +2,7 @@
 
 use riffel::LoopState;
 use riffel_answers::for_whom;
-use riffel_answers::point::{
-    IrregularSupportsDocument, NeighboursDocument, PointAnswer, PointRequest,
-};
+use riffel_answers::point::{IrregularSupportsDocument, NeighboursDocument, PointAnswer, PointRequest};
 use riffel_case::{Case, CaseKey, DrawnSupports, Point, Sensitivity};
 use riffel_keys::quantity::{Kind, Length, Speed};
 
@@ -79,22 +77,9 @@ fn with_neighbours(growth: &NeighboursDocument) -> String {
 
 /// Growth along drawn supports beside equal ones.
 fn on_irregular_supports(growth: &IrregularSupportsDocument) -> String {
-    let mut table = table(&[
-        "growth rate per passage",
-        "mean",
-        "least",
-        "tenth",
-        "nine tenths",
-        "largest",
-    ]);
+    let mut table = table(&["growth rate per passage", "mean", "least", "tenth", "nine tenths", "largest"]);
     for (name, spread) in [("equal distances", &growth.even), ("drawn", &growth.along)] {
-        let values = [
-            spread.mean,
-            spread.least,
-            spread.tenth,
-            spread.nine_tenths,
-            spread.largest,
-        ];
+        let values = [spread.mean, spread.least, spread.tenth, spread.nine_tenths, spread.largest];
         let cells = values.map(|value| format!("{value:.3e}"));
         table.add_row(std::iter::once(name.to_owned()).chain(cells));
     }
@@ -115,9 +100,8 @@ fn sensitivities(all: &[Sensitivity]) -> String {
             "speed" => Some(Kind::of::<Speed>()),
             key => CaseKey::find(key).and_then(|key| key.quantity),
         };
-        let (value, unit) = kind.map_or((sensitivity.value, sensitivity.unit), |kind| {
-            kind.in_engineers_unit(sensitivity.value)
-        });
+        let (value, unit) =
+            kind.map_or((sensitivity.value, sensitivity.unit), |kind| kind.in_engineers_unit(sensitivity.value));
         table.add_row([
             sensitivity.key.clone(),
             short(value),
@@ -132,11 +116,7 @@ fn sensitivities(all: &[Sensitivity]) -> String {
 fn short(value: f64) -> String {
     let scientific = format!("{value:.4e}");
     let rounded: f64 = scientific.parse().unwrap_or(value);
-    if (1e-4..1e6).contains(&rounded.abs()) {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    }
+    if (1e-4..1e6).contains(&rounded.abs()) { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
 /// Amplitudes and phases in engineers' units.
@@ -146,11 +126,7 @@ fn readable(case: &Case, answer: &PointAnswer) -> String {
     let w = state.angular_frequency;
     let [_, wheel] = case.feedback.normal_receptances(w, state.speed);
     let mut rows = vec![
-        (
-            "receptance of the rail",
-            state.normal_receptance() * 1e9,
-            "nm/N",
-        ),
+        ("receptance of the rail", state.normal_receptance() * 1e9, "nm/N"),
         ("receptance of the wheel", wheel * 1e9, "nm/N"),
         ("normal force P₁", state.normal_force() * 1e-3, "kN"),
         ("tangential force Q₁", state.tangential_force(), "N"),
@@ -178,28 +154,17 @@ fn readable(case: &Case, answer: &PointAnswer) -> String {
     let verdict = if answer.oscillates() {
         "the loop oscillates by itself, and the rate means nothing".to_owned()
     } else if rate > 0.0 {
-        format!(
-            "grows: doubles in {:.2e} passages",
-            std::f64::consts::LN_2 / rate
-        )
+        format!("grows: doubles in {:.2e} passages", std::f64::consts::LN_2 / rate)
     } else if rate == 0.0 {
         "neither grows nor decays".to_owned()
     } else {
-        format!(
-            "decays: halves in {:.2e} passages",
-            std::f64::consts::LN_2 / -rate
-        )
+        format!("decays: halves in {:.2e} passages", std::f64::consts::LN_2 / -rate)
     };
     let full_slip = case
         .law
         .as_ref()
         .and_then(|law| law.own_slope())
-        .map(|slope| {
-            format!(
-                " (full slip from {:.4} %)",
-                100.0 * slope.saturation_creepage
-            )
-        })
+        .map(|slope| format!(" (full slip from {:.4} %)", 100.0 * slope.saturation_creepage))
         .unwrap_or_default();
     let damage = damage(case, state);
     format!(
@@ -207,11 +172,7 @@ fn readable(case: &Case, answer: &PointAnswer) -> String {
          tractive ratio {:.3}, creepage {}{full_slip}, contact {:.2} × {:.2} mm\n\
          {table}\n{}{damage}\
          Re Ŵ₁ = {:.5}, growth rate {rate:.3e} per passage: {verdict}\n{}\n",
-        case.file
-            .title
-            .as_ref()
-            .map(|title| format!("{title}\n"))
-            .unwrap_or_default(),
+        case.file.title.as_ref().map(|title| format!("{title}\n")).unwrap_or_default(),
         1e3 * state.wavelength,
         3.6 * state.speed,
         state.speed / state.wavelength,
@@ -257,11 +218,7 @@ fn creepage(case: &Case) -> String {
     if case.feedback.is_along_one_axis() {
         return longitudinal;
     }
-    format!(
-        "{longitudinal} along and {:.4} % across, spin {:.3} 1/m",
-        100.0 * creepages.lateral,
-        creepages.spin
-    )
+    format!("{longitudinal} along and {:.4} % across, spin {:.3} 1/m", 100.0 * creepages.lateral, creepages.spin)
 }
 
 /// Every contact of a loop that has several; nothing for one.
@@ -277,8 +234,7 @@ fn contacts(case: &Case, state: &LoopState) -> String {
             point.name.wheel.to_string(),
             point.name.rail.to_owned(),
             format!("{:.4}", 1e-3 * at.force[2].norm()),
-            at.growth_rate
-                .map_or_else(|| "smooth".to_owned(), |rate| format!("{rate:.3e}")),
+            at.growth_rate.map_or_else(|| "smooth".to_owned(), |rate| format!("{rate:.3e}")),
         ]);
     }
     format!("{table}\n")

@@ -31,11 +31,7 @@ pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
                 let source = value.source.text(language());
                 table.add_row([&value.key, &value.value, &badge, source]);
             }
-            let (title, key, name) = (
-                preset.title.text(language()),
-                preset.kind.key(),
-                &preset.name,
-            );
+            let (title, key, name) = (preset.title.text(language()), preset.kind.key(), &preset.name);
             format!("{title}\n{key} = \"{name}\"\n{table}\n")
         }
     };

@@ -1,9 +1,7 @@
 //! `riffel profile`
 
 use riffel::profile::{EquivalentConicity, ProfileAlignment};
-use riffel_answers::profile::{
-    Measures, OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings,
-};
+use riffel_answers::profile::{Measures, OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings};
 use riffel_case::file::{Inclination, ProfileKind, ProfileOrientation};
 use riffel_case::{CurvingCase, ProfileReading};
 
@@ -22,10 +20,7 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
     if arguments.wheelset {
         return on_track(arguments, &named, &results);
     }
-    let scatter = arguments
-        .scatter
-        .map(|scatter| positive("--scatter", scatter))
-        .transpose()?;
+    let scatter = arguments.scatter.map(|scatter| positive("--scatter", scatter)).transpose()?;
     let reading = ProfileReading {
         orientation: arguments.orientation.map(|orientation| match orientation {
             Orientation::Found => ProfileOrientation::Found,
@@ -58,12 +53,7 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
                     Some(origin) if origin.curvature.abs() < STRAIGHT => "straight".to_owned(),
                     Some(origin) => format!("{:.1}", -1e3 / origin.curvature),
                 };
-                rows.add_row([
-                    name.clone(),
-                    format!("{:.2}", 1e3 * from),
-                    format!("{:.2}", 1e3 * to),
-                    radius,
-                ]);
+                rows.add_row([name.clone(), format!("{:.2}", 1e3 * from), format!("{:.2}", 1e3 * to), radius]);
             }
             format!("{rows}\n")
         },
@@ -73,12 +63,7 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
 }
 
 /// Wear against a nominal profile.
-fn against(
-    arguments: &Profile,
-    nominal: &str,
-    reading: ProfileReading,
-    results: &Results,
-) -> miette::Result<()> {
+fn against(arguments: &Profile, nominal: &str, reading: ProfileReading, results: &Results) -> miette::Result<()> {
     let default = WearSettings::default();
     let settings = WearSettings {
         reading,
@@ -131,14 +116,9 @@ fn in_words(answer: &WearAnswer) -> String {
             "deepest mm",
             "area mm2",
         ]),
-        ProfileKind::Rail => table(&[
-            "rail",
-            "W1 vertical mm",
-            "W2 lateral mm",
-            "W3 at 45° mm",
-            "deepest mm",
-            "area mm2",
-        ]),
+        ProfileKind::Rail => {
+            table(&["rail", "W1 vertical mm", "W2 lateral mm", "W3 at 45° mm", "deepest mm", "area mm2"])
+        }
     };
     let millimetres = |length: f64| format!("{:.2}", 1e3 * length);
     let or_dash = |length: Option<f64>| length.map_or("–".to_owned(), millimetres);
@@ -182,9 +162,7 @@ fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> mi
     if let Some(load) = arguments.load {
         return under_load(arguments, &case, yaw, positive("--load", load)?, results);
     }
-    let shifts: Vec<f64> = (arguments.lateral_shift.iter())
-        .map(|shift| shift.si())
-        .collect();
+    let shifts: Vec<f64> = (arguments.lateral_shift.iter()).map(|shift| shift.si()).collect();
     let answer = OnTrackAnswer::new(&case, &shifts, yaw)?;
     results.hand_out(
         || json(&answer.document()),
@@ -234,13 +212,7 @@ fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> mi
 }
 
 /// Both contacts of a wheelset under load.
-fn under_load(
-    arguments: &Profile,
-    case: &CurvingCase,
-    yaw: f64,
-    load: f64,
-    results: &Results,
-) -> miette::Result<()> {
+fn under_load(arguments: &Profile, case: &CurvingCase, yaw: f64, load: f64, results: &Results) -> miette::Result<()> {
     /// Some tenths of a second each.
     const MOST_SHIFTS: usize = 201;
     if arguments.lateral_shift.len() > MOST_SHIFTS {

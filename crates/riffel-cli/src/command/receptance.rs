@@ -30,11 +30,8 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let track = case.track_in(direction)?;
     let speed = speed(arguments, &case)?;
     let (from, to) = range(arguments, &track)?;
-    let request = ReceptanceRequest {
-        direction,
-        speed,
-        frequencies: ReceptanceCurves::frequencies(from, to, arguments.points),
-    };
+    let request =
+        ReceptanceRequest { direction, speed, frequencies: ReceptanceCurves::frequencies(from, to, arguments.points) };
     let answer = ReceptanceAnswer::new(&case, request)?;
     // Only files and words tell it.
     let decay = LazyCell::new(|| answer.decay());
@@ -91,14 +88,8 @@ fn matrix(arguments: &Receptance, case: &Case) -> miette::Result<()> {
 }
 
 /// Frequencies of a list \[Hz\].
-pub(super) fn within(
-    argument: &'static str,
-    listed: &[Asked<Frequency>],
-) -> Result<Vec<f64>, CliError> {
-    listed
-        .iter()
-        .map(|frequency| frequency.within(argument))
-        .collect()
+pub(super) fn within(argument: &'static str, listed: &[Asked<Frequency>]) -> Result<Vec<f64>, CliError> {
+    listed.iter().map(|frequency| frequency.within(argument)).collect()
 }
 
 /// The frequencies asked for \[Hz\]; where nothing is said, as many of the usual ones as a measurement
@@ -116,18 +107,12 @@ fn range(arguments: &Receptance, track: &Track) -> Result<(f64, f64), CliError> 
     if from < to {
         return Ok((from, to));
     }
-    Err(CliError::Argument {
-        argument: "--to",
-        value: format!("{to} Hz"),
-        rule: format!("above --from, {from} Hz"),
-    })
+    Err(CliError::Argument { argument: "--to", value: format!("{to} Hz"), rule: format!("above --from, {from} Hz") })
 }
 
 /// Resonances and decay rates for the terminal.
 fn readable(case: &Case, answer: &ReceptanceAnswer, decay: Option<&[DecayRate]>) -> String {
-    let ReceptanceAnswer {
-        track, resonances, ..
-    } = answer;
+    let ReceptanceAnswer { track, resonances, .. } = answer;
     let mut text = format!("{}\n", case.file.title.as_deref().unwrap_or("Receptance"));
     let has_model = matches!(track.origin, Origin::Model);
     if resonances.is_empty() {
@@ -175,23 +160,15 @@ fn readable(case: &Case, answer: &ReceptanceAnswer, decay: Option<&[DecayRate]>)
     }
     if !answer.lateral_resonances.is_empty() {
         let named = answer.lateral_resonances.iter();
-        let named: Vec<String> = named
-            .map(|(kind, frequency)| format!("{kind} {frequency:.1} Hz"))
-            .collect();
-        text.push_str(&format!(
-            "across the track, undamped: {}\n",
-            named.join(", ")
-        ));
+        let named: Vec<String> = named.map(|(kind, frequency)| format!("{kind} {frequency:.1} Hz")).collect();
+        text.push_str(&format!("across the track, undamped: {}\n", named.join(", ")));
     }
     if let Some(rates) = decay {
         let list: Vec<String> = rates
             .iter()
             .map(|rate| {
                 let bound = if rate.upper_bound { "<" } else { "" };
-                format!(
-                    "{} Hz {bound}{:.2}",
-                    rate.nominal_frequency, rate.decay_rate
-                )
+                format!("{} Hz {bound}{:.2}", rate.nominal_frequency, rate.decay_rate)
             })
             .collect();
         text.push_str(&format!("decay rate dB/m: {}\n", list.join(", ")));

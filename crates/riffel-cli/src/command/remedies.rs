@@ -11,10 +11,7 @@ pub(super) fn run(arguments: &Compare) -> miette::Result<()> {
     let case = arguments.case.read()?;
     let traffic = arguments.traffic.as_deref().map(Traffic::read);
     let traffic = traffic.transpose()?;
-    let progress = Progress::new(
-        riffel_keys::say!(progress_remedies),
-        RemediesAnswer::steps(&case),
-    );
+    let progress = Progress::new(riffel_keys::say!(progress_remedies), RemediesAnswer::steps(&case));
     let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|by| progress.advance(by))?;
     drop(progress);
     let answer = answer.with_costs(&arguments.costs.iter().cloned().collect())?;

@@ -10,12 +10,8 @@ use crate::messages::{complain, say};
 use crate::output::print;
 
 pub(crate) fn run(arguments: &Serve, program: &[OsString]) -> miette::Result<()> {
-    let options = Options {
-        address: arguments.address,
-        port: arguments.port,
-        open: arguments.open,
-        program: program.to_vec(),
-    };
+    let options =
+        Options { address: arguments.address, port: arguments.port, open: arguments.open, program: program.to_vec() };
     if !options.address.is_loopback() {
         complain(format_args!(
             "warning: other machines can reach this page at {} and let this one compute; there is no password",

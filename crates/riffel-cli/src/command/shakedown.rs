@@ -22,9 +22,7 @@ pub(crate) fn run(arguments: &Shakedown) -> miette::Result<()> {
     let question = ShakedownQuestion {
         utilised_friction: frictions.map(|friction| friction.si()).collect(),
         wave,
-        amplitude: amplitude
-            .map(|amplitude| amplitude.within("--amplitude"))
-            .transpose()?,
+        amplitude: amplitude.map(|amplitude| amplitude.within("--amplitude")).transpose()?,
     };
     let answer = question.answer(&case)?;
     Results::of("shakedown", &arguments.case, &arguments.results).answer(&answer)?;

@@ -8,8 +8,7 @@ use std::ops::RangeInclusive;
 use riffel::forecast::SpeedDistribution;
 use riffel::passage::Outcome;
 use riffel_answers::simulate::{
-    EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest,
-    SmoothRailAnswer, Surface,
+    EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, SmoothRailAnswer, Surface,
 };
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
@@ -26,10 +25,7 @@ const STEPS: RangeInclusive<f64> = 0.05e-3..=0.1;
 
 pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
     let case = arguments.case.read()?;
-    let step = arguments
-        .step
-        .map(|step| positive("--step", step))
-        .transpose()?;
+    let step = arguments.step.map(|step| positive("--step", step)).transpose()?;
     if let Some(step) = step.filter(|step| arguments.sinusoid.is_none() && !STEPS.contains(step)) {
         Err(CliError::Argument {
             argument: "--step",
@@ -77,10 +73,7 @@ fn many(arguments: &Simulate, case: &Case, passages: u64, step: Option<f64>) -> 
         Some(path) => Traffic::read(path)?,
         None => {
             let speed = SpeedDistribution::single(arguments.speed()?);
-            Traffic::of_case(speed.map_err(|error| CliError::Physics {
-                input: "--speed".to_owned(),
-                error,
-            })?)
+            Traffic::of_case(speed.map_err(|error| CliError::Physics { input: "--speed".to_owned(), error })?)
         }
     };
     print_remarks(traffic.remarks());
@@ -99,12 +92,7 @@ fn many(arguments: &Simulate, case: &Case, passages: u64, step: Option<f64>) -> 
             (surface(arguments, case, step)?, step)
         }
     };
-    let request = EvolutionRequest {
-        traffic,
-        surface,
-        largest_step,
-        contact_filter: arguments.contact_filter,
-    };
+    let request = EvolutionRequest { traffic, surface, largest_step, contact_filter: arguments.contact_filter };
     Ok(evolution::run(arguments, case, request, passages)?)
 }
 
@@ -122,11 +110,7 @@ fn whole(passages: f64) -> Result<u64, CliError> {
     })
 }
 
-fn along_profile(
-    arguments: &Simulate,
-    case: &Case,
-    request: PassageRequest,
-) -> Result<(), CliError> {
+fn along_profile(arguments: &Simulate, case: &Case, request: PassageRequest) -> Result<(), CliError> {
     let speed = request.speed;
     let answer = PassageAnswer::new(case, request)?;
     results(arguments).hand_out(
@@ -135,9 +119,7 @@ fn along_profile(
             staging.write_figure("passage", &answer.figure(case))?;
             staging.write_with("passage.csv", |file| answer.course().csv(file))?;
             let figure = answer.figure(case);
-            answer
-                .course()
-                .netcdf(&figure.title, &staging.path("passage.nc"))?;
+            answer.course().netcdf(&figure.title, &staging.path("passage.nc"))?;
             for other in answer.other_courses() {
                 let name = format!("passage-{}-{}", other.name.wheel, other.name.rail);
                 staging.write_with(&format!("{name}.csv"), |file| other.course.csv(file))?;
@@ -162,10 +144,7 @@ fn readable_passage(case: &Case, answer: &PassageAnswer) -> String {
     format!(
         "{}\n{:.2} m from {:.3} m on at {:.1} km/h, a run-in of {:.2} m before, steps of {:.3} mm\n\
          normal force {:.2} to {:.2} kN; {}\nmean creepage {:.4} %, mean dissipation {:.4} J/m\n",
-        case.file
-            .title
-            .as_deref()
-            .unwrap_or("Wheel along a profile"),
+        case.file.title.as_deref().unwrap_or("Wheel along a profile"),
         profile.length(),
         profile.start(),
         3.6 * document.speed_m_per_s,
@@ -187,12 +166,7 @@ fn without_contact(share: f64) -> String {
 }
 
 /// Wheels on a smooth rail.
-fn on_smooth_rail(
-    arguments: &Simulate,
-    case: &Case,
-    speed: f64,
-    step: Option<f64>,
-) -> Result<(), CliError> {
+fn on_smooth_rail(arguments: &Simulate, case: &Case, speed: f64, step: Option<f64>) -> Result<(), CliError> {
     let answer = SmoothRailAnswer::new(case, speed, step)?;
     results(arguments).hand_out(
         || json(&answer.document()),
@@ -200,9 +174,7 @@ fn on_smooth_rail(
             let figure = answer.figure(case);
             staging.write_figure("smooth", &figure)?;
             staging.write_with("smooth.csv", |file| answer.course().csv(file))?;
-            answer
-                .course()
-                .netcdf(&figure.title, &staging.path("smooth.nc"))?;
+            answer.course().netcdf(&figure.title, &staging.path("smooth.nc"))?;
             let names = answer.contacts.iter().zip(answer.courses()).skip(1);
             for (name, course) in names {
                 let file = format!("smooth-{}-{}.csv", name.wheel, name.rail);
@@ -267,20 +239,13 @@ fn readable_motion(case: &Case, answer: &SmoothRailAnswer) -> String {
     };
     format!(
         "{}\nsmooth rail at {:.1} km/h, {:.1} s: {outcome}; {linear}\n{rows}\n",
-        case.file
-            .title
-            .as_deref()
-            .unwrap_or("Wheels on a smooth rail"),
+        case.file.title.as_deref().unwrap_or("Wheels on a smooth rail"),
         3.6 * document.speed_m_per_s,
         document.rolled_s,
     )
 }
 
-fn over_sinusoid(
-    arguments: &Simulate,
-    case: &Case,
-    request: SinusoidRequest,
-) -> Result<(), CliError> {
+fn over_sinusoid(arguments: &Simulate, case: &Case, request: SinusoidRequest) -> Result<(), CliError> {
     let answer = SinusoidAnswer::new(case, request)?;
     results(arguments).hand_out(
         || json(&answer.document()),
@@ -288,9 +253,7 @@ fn over_sinusoid(
             staging.write_figure("wave", &answer.figure(case))?;
             staging.write_with("wave.csv", |file| answer.course().csv(file))?;
             let figure = answer.figure(case);
-            answer
-                .course()
-                .netcdf(&figure.title, &staging.path("wave.nc"))?;
+            answer.course().netcdf(&figure.title, &staging.path("wave.nc"))?;
             staging.write("harmonics.json", json(&answer.document()))
         },
         || readable(case, &answer),
@@ -305,13 +268,7 @@ fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
     let SinusoidRequest { speed, profile, .. } = answer.request;
     let settled = &answer.settled;
     let on_all_axes = !answer.contacts.is_empty();
-    let mut heads = vec![
-        "harmonic",
-        "normal force kN",
-        "creep force kN",
-        "creepage %",
-        "dissipation J/m",
-    ];
+    let mut heads = vec!["harmonic", "normal force kN", "creep force kN", "creepage %", "dissipation J/m"];
     if on_all_axes {
         heads.extend(["lateral force kN", "lateral creepage %"]);
     }
@@ -325,11 +282,7 @@ fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
             _ => format!("{:.4}", scale * value.norm()),
         };
         let mut row = vec![
-            if n == 0 {
-                "mean".to_owned()
-            } else {
-                n.to_string()
-            },
+            if n == 0 { "mean".to_owned() } else { n.to_string() },
             size(harmonic.normal_force, 1e-3),
             size(harmonic.tangential_force, 1e-3),
             size(harmonic.creepage, 100.0),
@@ -347,10 +300,7 @@ fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
     let [least, largest] = settled.normal_force;
     format!(
         "{}\n{:.1} mm and {:.1} µm at {:.1} km/h, {:.1} Hz\n{rows}\nnormal force {:.2} to {:.2} kN; {}\n",
-        case.file
-            .title
-            .as_deref()
-            .unwrap_or("Wheel over a sinusoid"),
+        case.file.title.as_deref().unwrap_or("Wheel over a sinusoid"),
         1e3 * profile.wavelength,
         1e6 * profile.amplitude,
         3.6 * speed,

@@ -12,11 +12,9 @@ pub(crate) fn run(arguments: &Stability) -> miette::Result<()> {
         true => StabilityMap::frictions(),
         false => arguments.friction.iter().map(|value| value.si()).collect(),
     };
-    let answer = with_progress(
-        riffel_keys::say!(progress_stability),
-        friction.len(),
-        |advance| StabilityMap::new(&case, &friction, advance),
-    )?;
+    let answer = with_progress(riffel_keys::say!(progress_stability), friction.len(), |advance| {
+        StabilityMap::new(&case, &friction, advance)
+    })?;
     Results::of("stability", &arguments.case, &arguments.results).answer(&answer)?;
     Ok(())
 }

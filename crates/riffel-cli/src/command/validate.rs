@@ -22,21 +22,11 @@ pub(crate) fn run(arguments: &Validate) -> miette::Result<u8> {
         progress.advance(1);
         failed += usize::from(!row.holds);
         let verdict = if row.holds { "holds" } else { "FAILS" };
-        table.add_row([
-            row.statement,
-            row.source,
-            &row.expected,
-            &row.got,
-            row.tolerance,
-            verdict,
-        ]);
+        table.add_row([row.statement, row.source, &row.expected, &row.got, row.tolerance, verdict]);
     }
     drop(progress);
     let total = checks.len();
-    print(&format!(
-        "{table}\n{} of {total} checks hold\n",
-        total - failed
-    ))?;
+    print(&format!("{table}\n{} of {total} checks hold\n", total - failed))?;
     Ok(u8::from(failed > 0))
 }
 
@@ -50,9 +40,7 @@ fn run_field(arguments: &Validate) -> miette::Result<u8> {
         print_json(&document)?;
         return Ok(0);
     }
-    let mut table = text_table(&[
-        "site", "what", "unit", "median", "80 %", "measured", "inside",
-    ]);
+    let mut table = text_table(&["site", "what", "unit", "median", "80 %", "measured", "inside"]);
     for site in &document.cases {
         for row in rows_of(site) {
             table.add_row(row);
@@ -76,43 +64,29 @@ fn run_field(arguments: &Validate) -> miette::Result<u8> {
 
 /// What is predicted of a site, then its outcomes.
 fn rows_of(site: &SiteDocument) -> Vec<Vec<String>> {
-    let row =
-        |what: &str, unit: &str, predicted: Option<Banded>, measured: String, inside: &str| {
-            let number = |value: f64| format!("{value:.3e}").parse().map_or(String::new(), plain);
-            let [median, band] = predicted.map_or_else(Default::default, |it| {
-                let [low, high] = it.band_80.map(number);
-                [number(it.median), format!("{low} to {high}")]
-            });
-            vec![
-                site.name.clone(),
-                what.to_owned(),
-                unit.to_owned(),
-                median,
-                band,
-                measured,
-                inside.to_owned(),
-            ]
-        };
-    let of = [
-        ("", &site.predicted),
-        (", no wave geometry", &site.without_wave_geometry),
-    ];
+    let row = |what: &str, unit: &str, predicted: Option<Banded>, measured: String, inside: &str| {
+        let number = |value: f64| format!("{value:.3e}").parse().map_or(String::new(), plain);
+        let [median, band] = predicted.map_or_else(Default::default, |it| {
+            let [low, high] = it.band_80.map(number);
+            [number(it.median), format!("{low} to {high}")]
+        });
+        vec![site.name.clone(), what.to_owned(), unit.to_owned(), median, band, measured, inside.to_owned()]
+    };
+    let of = [("", &site.predicted), (", no wave geometry", &site.without_wave_geometry)];
     let mut rows = Vec::new();
     for (how, it) in of {
         let quantities = [
             ("wavelength", "mm", it.wavelength_mm),
             ("frequency", "Hz", it.frequency_hz),
-            (
-                "growth",
-                "dB per million axles",
-                it.growth_db_per_million_axles,
-            ),
+            ("growth", "dB per million axles", it.growth_db_per_million_axles),
             ("growth", "dB a month", it.growth_db_per_month),
             ("mean wear", "mm per 100 MGT", it.mean_wear_mm_per_100_mgt),
         ];
-        rows.extend(quantities.into_iter().map(|(what, unit, predicted)| {
-            row(&format!("{what}{how}"), unit, predicted, String::new(), "")
-        }));
+        rows.extend(
+            quantities
+                .into_iter()
+                .map(|(what, unit, predicted)| row(&format!("{what}{how}"), unit, predicted, String::new(), "")),
+        );
     }
     rows.extend(site.outcomes.iter().map(|outcome| {
         let measured = match outcome.measured {
@@ -122,13 +96,7 @@ fn rows_of(site: &SiteDocument) -> Vec<Vec<String>> {
             Measured::Ends([None, high]) => format!("up to {}", high.map_or(String::new(), plain)),
         };
         let inside = if outcome.inside { "inside" } else { "OUTSIDE" };
-        row(
-            &outcome.what,
-            &outcome.unit,
-            outcome.predicted,
-            measured,
-            inside,
-        )
+        row(&outcome.what, &outcome.unit, outcome.predicted, measured, inside)
     }));
     rows
 }

@@ -19,8 +19,7 @@ pub(crate) fn run(arguments: &Wheelset) -> miette::Result<()> {
     let frequencies = match &arguments.frequencies[..] {
         [] => {
             let wheelset = case.wheelset.as_ref();
-            let (lowest, highest) =
-                wheelset.map_or((0.0, f64::INFINITY), |wheelset| wheelset.frequency_range());
+            let (lowest, highest) = wheelset.map_or((0.0, f64::INFINITY), |wheelset| wheelset.frequency_range());
             ReceptanceCurves::frequencies(USUAL.0.max(lowest), HIGHEST.min(highest), USUAL.1)
         }
         listed => within("--frequencies", listed)?,
@@ -48,9 +47,7 @@ fn readable(case: &Case, answer: &WheelsetAnswer) -> String {
     let mut text = format!("{}\n", case.file.title.as_deref().unwrap_or("Wheelset"));
     if answer.modes.is_empty() {
         let why = match case.wheelset.as_deref() {
-            Some(CaseWheelset::Measured(_)) => {
-                "measured: its natural frequencies are the peaks of its receptances"
-            }
+            Some(CaseWheelset::Measured(_)) => "measured: its natural frequencies are the peaks of its receptances",
             _ => "a free rigid body: it has no natural frequency",
         };
         return text + why + "\n";

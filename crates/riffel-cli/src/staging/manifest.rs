@@ -33,17 +33,11 @@ impl Manifest {
         let text = match fs::read_to_string(&path) {
             Ok(text) => text,
             Err(reason) if reason.kind() == io::ErrorKind::NotFound => {
-                return Ok(Self {
-                    riffel_version: String::new(),
-                    written: BTreeMap::new(),
-                });
+                return Ok(Self { riffel_version: String::new(), written: BTreeMap::new() });
             }
             Err(reason) => return Err(CliError::Manifest { path, reason }),
         };
-        serde_json::from_str(&text).map_err(|error| CliError::Manifest {
-            path,
-            reason: error.into(),
-        })
+        serde_json::from_str(&text).map_err(|error| CliError::Manifest { path, reason: error.into() })
     }
 
     /// True if a command wrote the file.
@@ -71,9 +65,7 @@ pub(super) fn remove(folder: &Path, files: &Files) {
     for (name, written) in files {
         let path = folder.join(name);
         // A manifest from elsewhere must not reach out of its folder.
-        let inside = Path::new(name)
-            .file_name()
-            .is_some_and(|last| last == name.as_str());
+        let inside = Path::new(name).file_name().is_some_and(|last| last == name.as_str());
         let is_file = fs::symlink_metadata(&path).is_ok_and(|there| there.is_file());
         if inside && is_file && fingerprint(&path).is_ok_and(|now| now == *written) {
             let _ = fs::remove_file(path);

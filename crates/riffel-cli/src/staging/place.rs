@@ -32,25 +32,15 @@ pub(super) fn check(path: &Path) -> Result<(), CliError> {
         Ok(there) => there,
         Err(reason) if reason.kind() == io::ErrorKind::NotFound => return Ok(()),
         Err(reason) => {
-            return Err(CliError::Write {
-                path: path.to_owned(),
-                reason,
-            });
+            return Err(CliError::Write { path: path.to_owned(), reason });
         }
     };
     if !there.is_file() {
-        return Err(CliError::NotAFile {
-            path: path.to_owned(),
-            what: kind(there.file_type()),
-        });
+        return Err(CliError::NotAFile { path: path.to_owned(), what: kind(there.file_type()) });
     }
-    let is_input = |input: &PathBuf| {
-        fs::metadata(input).is_ok_and(|known| is_same(path, &there, input, &known))
-    };
+    let is_input = |input: &PathBuf| fs::metadata(input).is_ok_and(|known| is_same(path, &there, input, &known));
     if inputs().iter().any(is_input) {
-        return Err(CliError::IsAnInput {
-            path: path.to_owned(),
-        });
+        return Err(CliError::IsAnInput { path: path.to_owned() });
     }
     Ok(())
 }
@@ -58,10 +48,9 @@ pub(super) fn check(path: &Path) -> Result<(), CliError> {
 /// `Ok` if the path is a folder, leads to one, or is free for one.
 pub(super) fn check_folder(path: &Path) -> Result<(), CliError> {
     match fs::metadata(path) {
-        Ok(there) if !there.is_dir() => Err(CliError::NotAFolder {
-            path: path.to_owned(),
-            what: kind(there.file_type()),
-        }),
+        Ok(there) if !there.is_dir() => {
+            Err(CliError::NotAFolder { path: path.to_owned(), what: kind(there.file_type()) })
+        }
         _ => Ok(()),
     }
 }

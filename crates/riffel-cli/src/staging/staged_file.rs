@@ -21,10 +21,7 @@ struct Cells {
 
 impl StagedFile {
     pub(super) fn new(file: File, name: &str) -> Self {
-        Self {
-            file: BufWriter::new(file),
-            table: name.ends_with(".csv").then(Cells::default),
-        }
+        Self { file: BufWriter::new(file), table: name.ends_with(".csv").then(Cells::default) }
     }
 
     /// Write what is held.
@@ -82,10 +79,7 @@ impl Cells {
 
 /// Whether a spreadsheet would compute a cell: by its first sign, unless it is a number or one sign alone.
 fn is_formula(content: &[u8]) -> bool {
-    let begins = matches!(
-        content.first(),
-        Some(b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r')
-    );
+    let begins = matches!(content.first(), Some(b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r'));
     let text = std::str::from_utf8(content).unwrap_or_default();
     begins && content.len() > 1 && text.trim_end_matches('"').parse::<f64>().is_err()
 }

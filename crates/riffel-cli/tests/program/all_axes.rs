@@ -35,24 +35,16 @@ fn a_curve_is_forecast() {
         ("attack.toml", &format!("{TRAFFIC}{attack}")),
         ("ratio.toml", &format!("{TRAFFIC}tractive_ratio = 0.3\n")),
     ]);
-    let forecast = |traffic: &str| {
-        rates(&sandbox.json(&format!(
-            "forecast {CASE} --traffic {traffic} --from-limit=-6dB --json"
-        )))
-    };
+    let forecast =
+        |traffic: &str| rates(&sandbox.json(&format!("forecast {CASE} --traffic {traffic} --from-limit=-6dB --json")));
     let own = forecast("own.toml");
     assert_eq!(own.len(), 11);
     for other in ["rigid.toml", "attack.toml"] {
         for (a, b) in own.iter().zip(forecast(other)) {
-            assert!(
-                b.is_finite() && (a / b - 1.0).abs() > 1e-3,
-                "{other}: {a} {b}"
-            );
+            assert!(b.is_finite() && (a / b - 1.0).abs() > 1e-3, "{other}: {a} {b}");
         }
     }
-    let refused = sandbox.riffel(&format!(
-        "forecast {CASE} --traffic ratio.toml --from-limit=-6dB"
-    ));
+    let refused = sandbox.riffel(&format!("forecast {CASE} --traffic ratio.toml --from-limit=-6dB"));
     assert_eq!(refused.status, Some(2), "{}", refused.text);
     let words = "is no mean state of a law of full sliding, whose force is friction times load: give a creepage";
     assert!(refused.sentence().contains(words), "{}", refused.text);
@@ -71,13 +63,9 @@ fn a_wheelset_is_studied() {
     let sandbox = sandbox(&[("plan.toml", &plan)]);
     let outcome = sandbox.riffel("study plan.toml -o results");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    let row = outcome
-        .text
-        .lines()
-        .find_map(|line| line.trim().strip_prefix("p_growth_rate_per_passage"));
-    let mean: f64 = row
-        .and_then(|row| row.split_whitespace().next()?.parse().ok())
-        .unwrap_or_else(|| panic!("{}", outcome.text));
+    let row = outcome.text.lines().find_map(|line| line.trim().strip_prefix("p_growth_rate_per_passage"));
+    let mean: f64 =
+        row.and_then(|row| row.split_whitespace().next()?.parse().ok()).unwrap_or_else(|| panic!("{}", outcome.text));
     let [thin, thick] = [150, 170].map(|diameter| {
         let point = sandbox.json(&format!(
             "point {CASE} --wavelength 0.06 --speed 10 --json --set 'wheelset.axle.diameter={diameter} mm' \
@@ -95,18 +83,9 @@ fn a_wheelset_is_studied() {
 #[test]
 fn variants_of_a_wheelset_are_compared() {
     let sandbox = sandbox(&[
-        (
-            "axle.toml",
-            "title = \"thin axle\"\nwheelset.axle.diameter = \"130 mm\"\n",
-        ),
-        (
-            "attack.toml",
-            "title = \"attack\"\ncontact.creepage = { lateral = \"0.8 %\" }\n",
-        ),
-        (
-            "friction.toml",
-            "title = \"friction\"\ncontact.friction = 0.2\n",
-        ),
+        ("axle.toml", "title = \"thin axle\"\nwheelset.axle.diameter = \"130 mm\"\n"),
+        ("attack.toml", "title = \"attack\"\ncontact.creepage = { lateral = \"0.8 %\" }\n"),
+        ("friction.toml", "title = \"friction\"\ncontact.friction = 0.2\n"),
     ]);
     let variants = "--with axle.toml --with attack.toml --with friction.toml";
     let outcome = sandbox.riffel(&format!("compare {CASE} {variants} -o out"));
@@ -118,15 +97,9 @@ fn variants_of_a_wheelset_are_compared() {
     for (index, value) in values.iter().enumerate() {
         assert!(!values[..index].contains(value), "{last:?}");
     }
-    let refused = sandbox.riffel(&format!(
-        "compare {CASE} --with friction.toml --hold force -o again"
-    ));
+    let refused = sandbox.riffel(&format!("compare {CASE} --with friction.toml --hold force -o again"));
     assert_eq!(refused.status, Some(2), "{}", refused.text);
-    assert!(
-        refused.sentence().contains("choose --hold creepage"),
-        "{}",
-        refused.text
-    );
+    assert!(refused.sentence().contains("choose --hold creepage"), "{}", refused.text);
 }
 
 /// A report of the case alone, in numbers.
@@ -137,11 +110,7 @@ fn a_wheelset_is_reported() {
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
     let words = page.split("<script").next().unwrap();
-    for expected in [
-        "Leading wheelset in a curve",
-        "flexible",
-        "(0.000, 1.700) %",
-    ] {
+    for expected in ["Leading wheelset in a curve", "flexible", "(0.000, 1.700) %"] {
         assert!(words.contains(expected), "{expected}");
     }
     assert!(!words.contains("NaN"));
@@ -150,18 +119,14 @@ fn a_wheelset_is_reported() {
 /// A long train has as many equations as it needs, and each wheel a growth rate.
 #[test]
 fn a_long_train_has_an_answer() {
-    let places: Vec<String> = (0..36)
-        .map(|wheel| format!("{}", 2.5 * f64::from(wheel)))
-        .collect();
+    let places: Vec<String> = (0..36).map(|wheel| format!("{}", 2.5 * f64::from(wheel))).collect();
     let point = Sandbox::new().json(&format!(
         "point cases/nominal.toml --wavelength 0.05 --speed 20 --json --set 'train.wheels=[{}]'",
         places.join(", ")
     ));
     let contacts = point["contacts"].as_array().unwrap();
     assert_eq!(contacts.len(), 36);
-    let rates = contacts
-        .iter()
-        .map(|contact| number(&contact["growth_rate_per_passage"]));
+    let rates = contacts.iter().map(|contact| number(&contact["growth_rate_per_passage"]));
     let mean = rates.sum::<f64>() / 36.0;
     let whole = number(&point["growth_rate_per_passage"]);
     assert!((whole / mean - 1.0).abs() < 1e-9, "{whole} {mean}");

@@ -10,10 +10,7 @@ use crate::sandbox::Sandbox;
 fn ask(sandbox: &Sandbox, name: &str, question: &str) -> Output {
     let mut command = sandbox.command();
     command.arg("ask").args(shlex::split(name).unwrap());
-    command
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     let mut input = child.stdin.take().unwrap();
     // A question by an unknown name is refused before it is read.
@@ -35,9 +32,7 @@ fn answer(sandbox: &Sandbox, name: &str, question: &Value) -> Value {
 /// What is said on standard error, line by line.
 fn said(output: &Output) -> Vec<Value> {
     let lines = std::str::from_utf8(&output.stderr).unwrap().lines();
-    lines
-        .map(|line| serde_json::from_str(line).unwrap())
-        .collect()
+    lines.map(|line| serde_json::from_str(line).unwrap()).collect()
 }
 
 fn spectrum() -> Value {
@@ -56,14 +51,8 @@ fn the_answer_is_that_of_the_command() {
     assert_eq!(answer(&sandbox, "point", &point), sandbox.json(command));
     let remedies = json!({ "case": "cases/nominal.toml", "remedies": true });
     let ranked = answer(&sandbox, "compare", &remedies);
-    assert_eq!(
-        ranked,
-        sandbox.json("compare cases/nominal.toml --remedies --json")
-    );
-    assert_eq!(
-        ranked["remedies"][0]["changes"][0]["key"],
-        "speed.standard_deviation"
-    );
+    assert_eq!(ranked, sandbox.json("compare cases/nominal.toml --remedies --json"));
+    assert_eq!(ranked["remedies"][0]["changes"][0]["key"], "speed.standard_deviation");
     let presets = answer(&sandbox, "presets", &json!({ "name": "60E1" }));
     assert_eq!(presets, sandbox.json("presets 60E1 --json"));
 }
@@ -95,11 +84,7 @@ fn documents_stand_in_place_of_files() {
     assert_eq!(by_files, answer(&sandbox, "noise", &documents));
     assert!(by_files["course"]["months_to_limit"].is_null());
     let report = json!({ "case": documents["case"], "output": "report.html" });
-    assert!(
-        ask(&sandbox, "report", &report.to_string())
-            .status
-            .success()
-    );
+    assert!(ask(&sandbox, "report", &report.to_string()).status.success());
     assert!(read("report.html").contains("question:case"));
     // What is wrong in a document is told by its key.
     documents["traffic"]["vehicle"][0]["share"] = json!(0.5);
@@ -107,20 +92,11 @@ fn documents_stand_in_place_of_files() {
     assert_eq!(refused.status.code(), Some(2));
     let error = &said(&refused)[0]["error"];
     let sentence = error["message"].as_str().unwrap();
-    assert!(
-        sentence.contains("the shares of `vehicle` sum to 0.5"),
-        "{sentence}"
-    );
-    documents["roughness"]["level_db"]
-        .as_array_mut()
-        .unwrap()
-        .pop();
+    assert!(sentence.contains("the shares of `vehicle` sum to 0.5"), "{sentence}");
+    documents["roughness"]["level_db"].as_array_mut().unwrap().pop();
     let refused = ask(&sandbox, "noise", &documents.to_string());
     let error = said(&refused)[0]["error"]["message"].to_string();
-    assert!(
-        error.contains("question:roughness: level_db has 7 values"),
-        "{error}"
-    );
+    assert!(error.contains("question:roughness: level_db has 7 values"), "{error}");
 }
 
 #[test]
@@ -134,13 +110,7 @@ fn remarks_are_data_in_the_language_asked_for() {
         .map(|mut line| line["remark"].take())
         .find(|remark| remark["id"] == "bands-left-out")
         .unwrap();
-    assert!(
-        left_out["text"]
-            .as_str()
-            .unwrap()
-            .contains("fehlt in jedem Pegel"),
-        "{left_out}"
-    );
+    assert!(left_out["text"].as_str().unwrap().contains("fehlt in jedem Pegel"), "{left_out}");
     let frequencies = left_out["values"]["frequencies"].as_array().unwrap();
     assert!(frequencies.contains(&json!(5000)), "{left_out}");
     let quiet = ask(&sandbox, "noise --quiet", &question.to_string());
@@ -156,86 +126,36 @@ fn what_is_wrong_is_one_line_of_json() {
         ("nose", "{}".to_owned(), "NAME is nose, but must be one of"),
         ("network", "{}".to_owned(), "NAME is network, but"),
         ("serve", "{}".to_owned(), "NAME is serve, but"),
-        (
-            "point",
-            "[1]".to_owned(),
-            "the question is not a JSON object",
-        ),
+        ("point", "[1]".to_owned(), "the question is not a JSON object"),
         ("point", "{".to_owned(), "the question is not JSON: EOF"),
         ("point", String::new(), "the question is not JSON: EOF"),
-        (
-            "point",
-            format!("{{{point}, \"wavelenth\": 1}}"),
-            "`wavelenth` is not a key of point; its keys are case, ",
-        ),
-        (
-            "point",
-            r#"{"help": true}"#.to_owned(),
-            "`help` is not a key of point",
-        ),
-        (
-            "point",
-            format!("{{{point}, \"wavelength\": 0.05, \"quiet\": true}}"),
-            "`quiet` is not a key of point",
-        ),
-        (
-            "network worst",
-            r#"{"store": "s", "language": "de"}"#.to_owned(),
-            "`language` is not a key of network worst",
-        ),
-        (
-            "presets",
-            r#"{"json": false}"#.to_owned(),
-            "`json` is not a key of presets; its keys are name",
-        ),
-        (
-            "presets",
-            r#"{"version": null}"#.to_owned(),
-            "`version` is not a key",
-        ),
-        (
-            "point",
-            format!("{{{point}, \"wavelength\": [0.05]}}"),
-            "`wavelength` is [0.05], but must be a number",
-        ),
-        (
-            "point",
-            format!("{{{point}, \"wavelength\": true}}"),
-            "`wavelength` is true, but must be a number",
-        ),
+        ("point", format!("{{{point}, \"wavelenth\": 1}}"), "`wavelenth` is not a key of point; its keys are case, "),
+        ("point", r#"{"help": true}"#.to_owned(), "`help` is not a key of point"),
+        ("point", format!("{{{point}, \"wavelength\": 0.05, \"quiet\": true}}"), "`quiet` is not a key of point"),
+        ("network worst", r#"{"store": "s", "language": "de"}"#.to_owned(), "`language` is not a key of network worst"),
+        ("presets", r#"{"json": false}"#.to_owned(), "`json` is not a key of presets; its keys are name"),
+        ("presets", r#"{"version": null}"#.to_owned(), "`version` is not a key"),
+        ("point", format!("{{{point}, \"wavelength\": [0.05]}}"), "`wavelength` is [0.05], but must be a number"),
+        ("point", format!("{{{point}, \"wavelength\": true}}"), "`wavelength` is true, but must be a number"),
         (
             "point",
             format!("{{{point}, \"wavelength\": {{\"x\": 1}}}}"),
             "`wavelength` is {\"x\":1}, but must be a number",
         ),
-        (
-            "point",
-            format!("{{{point}, \"wavelength\": \"5 kg\"}}"),
-            "invalid value '5 kg' for '--wavelength",
-        ),
+        ("point", format!("{{{point}, \"wavelength\": \"5 kg\"}}"), "invalid value '5 kg' for '--wavelength"),
         (
             "point",
             r#"{"case": "-", "speed": 30, "wavelength": 0.05}"#.to_owned(),
             "`case` is \"-\", but must be a file: standard input holds the question",
         ),
-        (
-            "map",
-            r#"{"case": "nothing.toml"}"#.to_owned(),
-            "nothing.toml",
-        ),
-        (
-            "map",
-            r#"{"case": {"wheels": 1}}"#.to_owned(),
-            "`wheels` is not a key",
-        ),
+        ("map", r#"{"case": "nothing.toml"}"#.to_owned(), "nothing.toml"),
+        ("map", r#"{"case": {"wheels": 1}}"#.to_owned(), "`wheels` is not a key"),
     ] {
         let output = ask(&sandbox, name, &question);
         assert_eq!(output.status.code(), Some(2), "{name} {question}");
         assert!(output.stdout.is_empty(), "{name} {question}");
         let lines = said(&output);
-        let [line] = &lines[..] else {
-            panic!("{name} {question}: {lines:?}")
-        };
+        let [line] = &lines[..] else { panic!("{name} {question}: {lines:?}") };
         let told = line["error"]["message"].as_str().unwrap();
         assert!(told.contains(message), "{told}");
     }
@@ -249,10 +169,7 @@ fn the_schema_of_a_question_has_its_keys() {
     let of = |key: &str| schema["properties"][key].clone();
     assert_eq!(of("roughness")["type"], json!(["string", "object"]));
     assert_eq!(of("where")["type"], "array");
-    assert_eq!(
-        (&of("wheels")["type"], &of("wheels")["default"]),
-        (&json!("integer"), &json!(4))
-    );
+    assert_eq!((&of("wheels")["type"], &of("wheels")["default"]), (&json!("integer"), &json!(4)));
     assert_eq!(of("months")["default"], json!(12));
     assert!(of("json").is_null() && of("language").is_null());
     let below = sandbox.json("schema --question network worst");
@@ -269,19 +186,9 @@ fn an_answer_has_its_german_beside_it() {
     let mut german = answer(&sandbox, "--translations wheelset", &question);
     let beside = german.as_object_mut().unwrap().remove("german").unwrap();
     assert_eq!(english, german);
-    assert_eq!(
-        beside["first torsion (discs against wheels)"],
-        "erste Torsion (Scheiben gegen Räder)"
-    );
-    let refused = ask(
-        &sandbox,
-        "--translations wheelset",
-        r#"{ "case": "none.toml" }"#,
-    );
+    assert_eq!(beside["first torsion (discs against wheels)"], "erste Torsion (Scheiben gegen Räder)");
+    let refused = ask(&sandbox, "--translations wheelset", r#"{ "case": "none.toml" }"#);
     let error = &said(&refused)[0]["error"];
     let german = &error["german"][error["message"].as_str().unwrap()];
-    assert!(
-        german.as_str().unwrap().contains("ist nicht zu lesen"),
-        "{error}"
-    );
+    assert!(german.as_str().unwrap().contains("ist nicht zu lesen"), "{error}");
 }

@@ -25,9 +25,7 @@ fn run(sandbox: &Sandbox, wavelength: f64) -> Vec<f64> {
     });
     let text = format!("position_m,height_um\n{}", rows.collect::<String>());
     std::fs::write(sandbox.path("profile.csv"), text).unwrap();
-    let document = sandbox.json(&format!(
-        "simulate cases/nominal.toml --speed {SPEED} --profile profile.csv --json"
-    ));
+    let document = sandbox.json(&format!("simulate cases/nominal.toml --speed {SPEED} --profile profile.csv --json"));
     let forces: Vec<f64> = serde_json::from_value(document["normal_force_n"].clone()).unwrap();
     forces.iter().map(|force| (force - 50e3) / 350.0).collect()
 }
@@ -55,13 +53,7 @@ fn a_wave_is_found_and_goes_on() {
     let sandbox = Sandbox::new();
     let run = run(&sandbox, 0.1);
     let head = "time_s,acceleration_left_m_per_s2,speed_km_per_h";
-    write(
-        &sandbox,
-        "run.csv",
-        head,
-        |time, value| format!("{time:.6},{value:.6},72\n"),
-        &run,
-    );
+    write(&sandbox, "run.csv", head, |time, value| format!("{time:.6},{value:.6},72\n"), &run);
     let of = "axlebox run.csv --case cases/nominal.toml";
     let written = sandbox.riffel(&format!("{of} -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
@@ -119,29 +111,15 @@ fn a_wave_is_found_and_goes_on() {
 #[test]
 fn bad_runs_are_refused_and_nothing_is_written() {
     let sandbox = Sandbox::new();
-    let noise: Vec<f64> = (0..4_000)
-        .map(|row| f64::from((row * 7919) % 1000) / 100.0 - 5.0)
-        .collect();
+    let noise: Vec<f64> = (0..4_000).map(|row| f64::from((row * 7919) % 1000) / 100.0 - 5.0).collect();
     let case = "--case cases/nominal.toml";
     let head = "time_s,acceleration_m_per_s2,speed_km_per_h";
     let at = |speed: f64| move |time: f64, value: f64| format!("{time:.6},{value},{speed}\n");
     write(&sandbox, "standing.csv", head, at(0.0), &noise);
     write(&sandbox, "backward.csv", head, at(-72.0), &noise);
     write(&sandbox, "run.csv", head, at(72.0), &noise);
-    write(
-        &sandbox,
-        "nowhere.csv",
-        "time_s,acceleration_m_per_s2,fuel",
-        at(1.0),
-        &noise,
-    );
-    write(
-        &sandbox,
-        "gravity.csv",
-        head,
-        |time, value| format!("{time:.6},{},72\n", 0.01 * value + 1.0),
-        &noise,
-    );
+    write(&sandbox, "nowhere.csv", "time_s,acceleration_m_per_s2,fuel", at(1.0), &noise);
+    write(&sandbox, "gravity.csv", head, |time, value| format!("{time:.6},{},72\n", 0.01 * value + 1.0), &noise);
     write(
         &sandbox,
         "resting.csv",
@@ -169,44 +147,19 @@ fn bad_runs_are_refused_and_nothing_is_written() {
             "axlebox contrary.csv",
             "the odometer makes 144.0 km/h in the mean, but the speeds make 72.0 km/h in the mean: one of the two is wrong",
         ),
-        (
-            "axlebox losing.csv",
-            "samples are lost where the time leaps 4 times",
-        ),
-        (
-            "axlebox standing.csv",
-            "the train never runs faster than 20.0 km/h",
-        ),
-        (
-            "axlebox backward.csv",
-            "the speed is -20 m/s, but must be zero or greater",
-        ),
-        (
-            "axlebox nowhere.csv",
-            "there is no column of speeds or of an odometer",
-        ),
+        ("axlebox losing.csv", "samples are lost where the time leaps 4 times"),
+        ("axlebox standing.csv", "the train never runs faster than 20.0 km/h"),
+        ("axlebox backward.csv", "the speed is -20 m/s, but must be zero or greater"),
+        ("axlebox nowhere.csv", "there is no column of speeds or of an odometer"),
         ("axlebox gravity.csv", "as gravity is in g"),
-        (
-            "axlebox run.csv --rate \"100 Hz\"",
-            "the times make 20000 samples a second, but --rate says",
-        ),
-        (
-            "axlebox run.csv --rate \"-1 Hz\"",
-            "--rate is -1 Hz, but must be greater than zero",
-        ),
-        (
-            "axlebox run.csv --longest \"15 mm\"",
-            "--longest is 0.015 m, but must be at least twice",
-        ),
+        ("axlebox run.csv --rate \"100 Hz\"", "the times make 20000 samples a second, but --rate says"),
+        ("axlebox run.csv --rate \"-1 Hz\"", "--rate is -1 Hz, but must be greater than zero"),
+        ("axlebox run.csv --longest \"15 mm\"", "--longest is 0.015 m, but must be at least twice"),
         ("axlebox none.csv", "none.csv"),
     ] {
         let outcome = sandbox.riffel(&format!("{arguments} {case} -o out"));
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
-        assert!(
-            outcome.sentence().contains(words),
-            "{arguments}: {}",
-            outcome.text
-        );
+        assert!(outcome.sentence().contains(words), "{arguments}: {}", outcome.text);
         assert!(!sandbox.path("out").exists(), "{arguments}");
     }
 }

@@ -21,15 +21,11 @@ fn a_dry_run_says_which_data_tell_a_key() {
         assert!(outcome.text.contains(line), "{}", outcome.text);
     }
     assert!(!sandbox.path("out").exists());
-    let compared =
-        "\n[[compare]]\ntitle = \"without preload\"\nwithout = [\"preload_stiffening\"]\n";
+    let compared = "\n[[compare]]\ntitle = \"without preload\"\nwithout = [\"preload_stiffening\"]\n";
     let text = fs::read_to_string(sandbox.path(&plan)).unwrap();
     for (hold_out, words) in [
         ("", "hammer, decay, growth + axle-box, date of 0 passages"),
-        (
-            "[hold_out]\ndate = \"last\"\n",
-            "to compare them: growth + axle-box, date of",
-        ),
+        ("[hold_out]\ndate = \"last\"\n", "to compare them: growth + axle-box, date of"),
     ] {
         fs::write(sandbox.path(&plan), format!("{text}{compared}{hold_out}")).unwrap();
         let outcome = sandbox.riffel(&format!("calibrate {plan} --dry-run"));
@@ -46,11 +42,7 @@ fn a_case_and_its_tables_make_a_plan() {
     let make = format!("calibrate {SET}/case.toml --with {SET}/decay.csv -o out --dry-run");
     let outcome = sandbox.riffel(&make);
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    assert!(
-        outcome.text.contains("track.sleeper.mass: decay"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("track.sleeper.mass: decay"), "{}", outcome.text);
     let plan = sandbox.json(&format!("{make} --json"));
     let priors = plan["parameters"].as_array().unwrap();
     let sleeper = priors.iter().find(|one| one["key"] == "track.sleeper.mass");
@@ -66,39 +58,21 @@ fn a_case_and_its_tables_make_a_plan() {
         "calibrate {set}/case.toml --with {set}/roughness.csv --traffic driven.toml -o out --dry-run --json"
     ));
     let priors = plan["parameters"].as_array().unwrap();
-    let share = priors
-        .iter()
-        .find(|one| one["key"] == "vehicle.traction_share");
-    assert_eq!(
-        share.unwrap()["prior"],
-        serde_json::json!({ "min": 0.05, "max": 1 })
-    );
+    let share = priors.iter().find(|one| one["key"] == "vehicle.traction_share");
+    assert_eq!(share.unwrap()["prior"], serde_json::json!({ "min": 0.05, "max": 1 }));
     assert!(!sandbox.path("out").exists());
     fs::create_dir(sandbox.path("out")).unwrap();
     fs::write(sandbox.path("out/plan.toml"), "mine").unwrap();
     for (command, words) in [
         (make, "is not the plan with usual priors"),
-        (
-            format!("calibrate {SET}/case.toml --with {SET}/case.toml"),
-            "no kind of measurement",
-        ),
-        (
-            format!("calibrate {SET}/plan.toml --traffic a.toml"),
-            "--with",
-        ),
+        (format!("calibrate {SET}/case.toml --with {SET}/case.toml"), "no kind of measurement"),
+        (format!("calibrate {SET}/plan.toml --traffic a.toml"), "--with"),
     ] {
         let outcome = sandbox.riffel(&command);
         assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-        assert!(
-            outcome.sentence().contains(words),
-            "{words}: {}",
-            outcome.text
-        );
+        assert!(outcome.sentence().contains(words), "{words}: {}", outcome.text);
     }
-    assert_eq!(
-        fs::read_to_string(sandbox.path("out/plan.toml")).unwrap(),
-        "mine"
-    );
+    assert_eq!(fs::read_to_string(sandbox.path("out/plan.toml")).unwrap(), "mine");
 }
 
 /// Levels of two bands that the model makes itself; with too few simulations or draws it is said.
@@ -122,12 +96,9 @@ fn simulated_data_hold_the_truth_as_often_as_is_said() {
     fs::write(sandbox.path(&plan), text).unwrap();
     let outcome = sandbox.riffel(&format!("calibrate check {plan} --runs 20 -o ranks"));
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    for words in [
-        "wear.coefficient",
-        "ln likelihood",
-        "passages to the limit",
-        "in 20 simulations the truth lies anywhere",
-    ] {
+    for words in
+        ["wear.coefficient", "ln likelihood", "passages to the limit", "in 20 simulations the truth lies anywhere"]
+    {
         assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
     }
     let document = fs::read(sandbox.path("ranks/ranks.json")).unwrap();
@@ -135,19 +106,9 @@ fn simulated_data_hold_the_truth_as_often_as_is_said() {
     assert_eq!(document["values"][0]["ranks"].as_array().unwrap().len(), 20);
     let of = [0, 1, 2].map(|place| document["values"][place]["of"].clone());
     let parameter = serde_json::json!({ "parameter": "wear.coefficient" });
-    assert_eq!(
-        of,
-        [
-            parameter,
-            "log-likelihood".into(),
-            "passages-to-limit".into()
-        ]
-    );
+    assert_eq!(of, [parameter, "log-likelihood".into(), "passages-to-limit".into()]);
     assert!(sandbox.path("ranks/ranks.png").exists());
-    for (draws, runs, words) in [
-        ("198", 19, "--runs is 19"),
-        ("98", 20, "sampler.draws is 98"),
-    ] {
+    for (draws, runs, words) in [("198", 19, "--runs is 19"), ("98", 20, "sampler.draws is 98")] {
         fs::write(sandbox.path(&plan), text.replace("198", draws)).unwrap();
         let outcome = sandbox.riffel(&format!("calibrate check {plan} --runs {runs}"));
         assert_eq!(outcome.status, Some(2), "{}", outcome.text);
@@ -164,11 +125,7 @@ fn what_is_wrong_is_said_and_other_files_stay() {
     fs::write(sandbox.path("mine/notes.txt"), "keep").unwrap();
     let outcome = sandbox.riffel(&format!("calibrate {plan} -o mine"));
     assert_eq!(outcome.status, Some(2));
-    assert!(
-        outcome
-            .sentence()
-            .contains("mine is not empty and holds no calibration")
-    );
+    assert!(outcome.sentence().contains("mine is not empty and holds no calibration"));
     let text = fs::read_to_string(sandbox.path(&plan)).unwrap();
     fs::write(sandbox.path(&plan), text.replacen("300 MN/m", "300 kg", 1)).unwrap();
     let outcome = sandbox.riffel(&format!("calibrate {plan} -o out"));
@@ -209,16 +166,10 @@ fn chains_lead_to_a_forecast_and_a_decision() {
         assert!(sandbox.path(&format!("out/{name}")).exists(), "{name}");
     }
     let told = fs::read_to_string(sandbox.path("out/identifiability.csv")).unwrap();
-    let by: Vec<&str> = told
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').nth(1).unwrap())
-        .collect();
+    let by: Vec<&str> = told.lines().skip(1).map(|line| line.split(',').nth(1).unwrap()).collect();
     assert_eq!(by, ["data", "prior"], "{told}");
     // Densities of data given the others, one for each draw and contrast.
-    let array = fs::read_to_string(
-        sandbox.path("out/posterior.zarr/log_likelihood/dated-levels/zarr.json"),
-    );
+    let array = fs::read_to_string(sandbox.path("out/posterior.zarr/log_likelihood/dated-levels/zarr.json"));
     let array: serde_json::Value = serde_json::from_str(&array.unwrap()).unwrap();
     assert_eq!(array["shape"], serde_json::json!([2, 400, 2]));
     // The document of the same chains has what the table has.
@@ -228,11 +179,7 @@ fn chains_lead_to_a_forecast_and_a_decision() {
     let document = documents.into_iter::<serde_json::Value>().next();
     let document = document.unwrap().unwrap();
     let summary = fs::read_to_string(sandbox.path("out/summary.csv")).unwrap();
-    for (line, value) in summary
-        .lines()
-        .skip(1)
-        .zip(document["parameters"].as_array().unwrap())
-    {
+    for (line, value) in summary.lines().skip(1).zip(document["parameters"].as_array().unwrap()) {
         let cells: Vec<&str> = line.split(',').collect();
         let median: f64 = cells[6].parse().unwrap();
         let own = value["quantiles"][2].as_f64().unwrap();
@@ -244,32 +191,15 @@ fn chains_lead_to_a_forecast_and_a_decision() {
     assert_eq!(document["is_conclusive"], outcome.status == Some(0));
     assert_eq!(document["data"][0]["measured"], "level_rise_db");
     // The same forecast on demand; another limit, other months.
-    let forecast = sandbox.json(&format!(
-        "forecast {set}/case.toml --posterior out --json -q"
-    ));
+    let forecast = sandbox.json(&format!("forecast {set}/case.toml --posterior out --json -q"));
     let level = |key: &str, place: usize| forecast["bands"][1][key][place].as_f64().unwrap();
     assert!((level("level_now_db", 2) - 2.9).abs() < 0.1, "{forecast}");
-    assert!(
-        level("level_then_db", 0) > level("level_now_db", 4),
-        "{forecast}"
-    );
+    assert!(level("level_then_db", 0) > level("level_now_db", 4), "{forecast}");
     for (arguments, words) in [
-        (
-            format!("{set}/case.toml --posterior out --set contact.friction=0.3"),
-            "without --set",
-        ),
-        (
-            format!("{set}/case.toml --posterior out --months 0"),
-            "must be above zero and at most 12000",
-        ),
-        (
-            format!("{set}/case.toml --posterior out --traffic {set}/traffic.toml"),
-            "cannot be used with",
-        ),
-        (
-            format!("{set}/case.toml --posterior {set}"),
-            "holds no calibration",
-        ),
+        (format!("{set}/case.toml --posterior out --set contact.friction=0.3"), "without --set"),
+        (format!("{set}/case.toml --posterior out --months 0"), "must be above zero and at most 12000"),
+        (format!("{set}/case.toml --posterior out --traffic {set}/traffic.toml"), "cannot be used with"),
+        (format!("{set}/case.toml --posterior {set}"), "holds no calibration"),
     ] {
         let outcome = sandbox.riffel(&format!("forecast {arguments}"));
         assert_eq!(outcome.status, Some(2), "{}", outcome.text);
@@ -279,26 +209,15 @@ fn chains_lead_to_a_forecast_and_a_decision() {
     // Actions may come later; data may not.
     let outcome = sandbox.riffel("decide out");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    assert!(
-        outcome.sentence().contains("`cost` is missing"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.sentence().contains("`cost` is missing"), "{}", outcome.text);
     let costs = "[cost]\ngrinding = \"9000 EUR\"\n[[action]]\nchanges = \"friction.toml\"\nupkeep = \"100 EUR\"\n";
     fs::write(sandbox.path(&plan), format!("{head}{costs}")).unwrap();
     let decision = sandbox.json("decide out --json -q");
     // A third less friction for next to nothing is the cheapest everywhere, and nothing is worth knowing.
-    assert_eq!(
-        decision["actions"][1]["probability_cheapest"], 1.0,
-        "{decision}"
-    );
+    assert_eq!(decision["actions"][1]["probability_cheapest"], 1.0, "{decision}");
     assert_eq!(decision["evpi_per_year"], 0.0);
     let outcome = sandbox.riffel("decide out");
-    assert!(
-        outcome.text.contains("cheapest in the mean: friction"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("cheapest in the mean: friction"), "{}", outcome.text);
     assert!(sandbox.path("out/decision.png").exists());
     // A factor that leads beyond what can be computed.
     let more = costs.replace(
@@ -308,25 +227,13 @@ fn chains_lead_to_a_forecast_and_a_decision() {
     fs::write(sandbox.path(&plan), format!("{head}{more}")).unwrap();
     let outcome = sandbox.riffel("decide out");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    for words in [
-        "\"all driven\"",
-        "`vehicle.traction_share` becomes",
-        "must be between 0 and 1",
-    ] {
-        assert!(
-            outcome.sentence().contains(words),
-            "{words}: {}",
-            outcome.text
-        );
+    for words in ["\"all driven\"", "`vehicle.traction_share` becomes", "must be between 0 and 1"] {
+        assert!(outcome.sentence().contains(words), "{words}: {}", outcome.text);
     }
     fs::write(sandbox.path(&plan), head.replace("0.95", "0.9")).unwrap();
     let outcome = sandbox.riffel("decide out");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    assert!(
-        outcome.sentence().contains("another plan"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.sentence().contains("another plan"), "{}", outcome.text);
 }
 
 /// A population tells the evidence; the copy of its plan beside the results, read from there, has the same results elsewhere.
@@ -343,10 +250,7 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
     fs::write(sandbox.path(&format!("{set}/smc.toml")), plan).unwrap();
     let outcome = sandbox.riffel(&format!("calibrate {set}/smc.toml -o out"));
     assert!(outcome.status < Some(2), "{}", outcome.text);
-    for words in [
-        "ln evidence -",
-        "by 2 runs; it moves with the width of the priors",
-    ] {
+    for words in ["ln evidence -", "by 2 runs; it moves with the width of the priors"] {
         assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
     }
     let outcome = sandbox.riffel("calibrate out/plan.toml -o elsewhere/again");
@@ -364,9 +268,8 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     let set = "validation/calibration/b-three-dates";
     sandbox.copy(set);
     let write = |level: f64| {
-        let levels = format!(
-            "passages,wavelength_mm,level_db,standard_error_db\n0,125,0,0.1\n10000000,125,{level},0.1\n"
-        );
+        let levels =
+            format!("passages,wavelength_mm,level_db,standard_error_db\n0,125,0,0.1\n10000000,125,{level},0.1\n");
         fs::write(sandbox.path(&format!("{set}/two.csv")), levels).unwrap();
     };
     write(0.0);
@@ -384,10 +287,7 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     let (low, middle, high) = (mean - deviation, mean, mean + deviation);
     let [of_low, of_middle, of_high] = [low, middle, high].map(growth);
     let slope = 0.5 * (of_high - of_low);
-    assert!(
-        (of_high - of_middle - slope).abs() < 0.03 * slope,
-        "{slope}"
-    );
+    assert!((of_high - of_middle - slope).abs() < 0.03 * slope, "{slope}");
     let level = of_middle + slope;
     write(level);
     let posterior = read();
@@ -399,10 +299,7 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     assert!(slope * slope > variance, "{slope} {variance}");
     let document = sandbox.json(&format!("calibrate {set}/linear.toml -o out --json"));
     let told = document["log_evidence"]["value"].as_f64().unwrap();
-    assert!(
-        (told - expected).abs() < 4.0 * (2.0_f64 / 2000.0).sqrt(),
-        "{told} {expected}"
-    );
+    assert!((told - expected).abs() < 4.0 * (2.0_f64 / 2000.0).sqrt(), "{told} {expected}");
 }
 
 /// Growth is what the levels say, 2.9 dB in two million axles, whatever command tells it; the whole case is taken, for no other.
@@ -419,13 +316,8 @@ fn over_the_calibration(sandbox: &Sandbox, set: &str) {
     let of_band = 2e6 * 20.0 * 2f64.log10() / 2.9;
     let share = passages.as_f64().unwrap() / of_band;
     assert!((0.7..1.0).contains(&share), "{share}");
-    fs::write(
-        sandbox.path("now.csv"),
-        "wavelength_mm,level_db\n158,4\n126,3\n100,2\n",
-    )
-    .unwrap();
-    let compare =
-        format!("compare {case} --with {set}/friction.toml --posterior out --spectrum now.csv");
+    fs::write(sandbox.path("now.csv"), "wavelength_mm,level_db\n158,4\n126,3\n100,2\n").unwrap();
+    let compare = format!("compare {case} --with {set}/friction.toml --posterior out --spectrum now.csv");
     let outcome = sandbox.riffel(&format!("{compare} -o c"));
     for words in [
         "\"friction treatment\": over 200 draws of the calibration growth changes by",
@@ -440,63 +332,32 @@ fn over_the_calibration(sandbox: &Sandbox, set: &str) {
         let line = told.lines().find(|line| line.starts_with(name)).unwrap();
         line.split(',').nth(4).unwrap().parse::<f64>().unwrap()
     };
-    let rate = |title: &str| {
-        median(&format!(
-            "outcomes[{title}].fastest_growth_rate_per_passage"
-        ))
-    };
+    let rate = |title: &str| median(&format!("outcomes[{title}].fastest_growth_rate_per_passage"));
     let summary = fs::read_to_string(sandbox.path("c/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
-    let change = summary["outcomes"][1]["change_of_fastest_growth"]
-        .as_f64()
-        .unwrap();
+    let change = summary["outcomes"][1]["change_of_fastest_growth"].as_f64().unwrap();
     let found = rate("friction treatment") / rate("as it is") - 1.0;
     assert!((found - change).abs() < 1e-6, "{found} {change}");
     let noise = format!("noise {case} --roughness now.csv --speed \"110 km/h\" --posterior out");
     let outcome = sandbox.riffel(&format!("{noise} -o n"));
-    assert!(
-        outcome.text.contains("under the traffic"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("under the traffic"), "{}", outcome.text);
     assert!(sandbox.path("n/posterior.csv").exists());
-    let report = format!(
-        "report {case} --roughness now.csv --traffic {set}/traffic.toml --posterior out -o r.html"
-    );
+    let report = format!("report {case} --roughness now.csv --traffic {set}/traffic.toml --posterior out -o r.html");
     assert_eq!(sandbox.riffel(&report).status, Some(0));
     let page = fs::read_to_string(sandbox.path("r.html")).unwrap();
-    for words in [
-        "Forecast over the calibration",
-        "200 draws of the calibration",
-    ] {
+    for words in ["Forecast over the calibration", "200 draws of the calibration"] {
         assert!(page.contains(words), "{words}");
     }
     for (command, words) in [
-        (
-            format!("map {case} --posterior out --set contact.friction=0.3"),
-            "without --set",
-        ),
-        (
-            format!("map {case} --posterior {set}"),
-            "holds no calibration",
-        ),
-        (
-            format!("{noise} --traffic {set}/traffic.toml"),
-            "cannot be used with",
-        ),
+        (format!("map {case} --posterior out --set contact.friction=0.3"), "without --set"),
+        (format!("map {case} --posterior {set}"), "holds no calibration"),
+        (format!("{noise} --traffic {set}/traffic.toml"), "cannot be used with"),
         (format!("{compare} --speed 30"), "cannot be used with"),
-        (
-            "map cases/nominal.toml --posterior out".to_owned(),
-            "of the case that is named",
-        ),
+        ("map cases/nominal.toml --posterior out".to_owned(), "of the case that is named"),
     ] {
         let outcome = sandbox.riffel(&command);
         assert_eq!(outcome.status, Some(2), "{command}: {}", outcome.text);
-        assert!(
-            outcome.sentence().contains(words),
-            "{words}: {}",
-            outcome.text
-        );
+        assert!(outcome.sentence().contains(words), "{words}: {}", outcome.text);
     }
 }
 
@@ -527,10 +388,7 @@ fn models_are_compared_by_what_they_predict() {
     let outcome = sandbox.riffel(&format!("calibrate {set}/plan.toml -o out"));
     assert!(outcome.status < Some(2), "{}", outcome.text);
     let table = fs::read_to_string(sandbox.path("out/models.csv")).unwrap();
-    let rows: Vec<Vec<&str>> = table
-        .lines()
-        .map(|line| line.split(',').collect())
-        .collect();
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     let column = |name: &str| rows[0].iter().position(|it| *it == name).unwrap();
     let verdict = |model: &str| {
         let row = rows.iter().find(|row| row[0] == model).unwrap();
@@ -558,8 +416,5 @@ fn models_are_compared_by_what_they_predict() {
     // Chains that are there are not drawn again, and give the same.
     let again = sandbox.riffel(&format!("calibrate {set}/plan.toml -o out --restart"));
     assert!(again.status < Some(2), "{}", again.text);
-    assert_eq!(
-        fs::read_to_string(sandbox.path("out/models.csv")).unwrap(),
-        table
-    );
+    assert_eq!(fs::read_to_string(sandbox.path("out/models.csv")).unwrap(), table);
 }

@@ -46,13 +46,9 @@ fn contact_document_and_tables() {
     let arguments = format!("{EXACT} {COARSE} --creepage 0.002,0.05% --ratio 4,40 --json");
     let document = sandbox.json(&arguments);
     assert_eq!(sandbox.list("."), ["cases"]);
-    for key in [
-        "semi_axis_longitudinal_m",
-        "semi_axis_lateral_m",
-        "approach_m",
-        "peak_pressure_pa",
-        "stiffness_n_per_m",
-    ] {
+    for key in
+        ["semi_axis_longitudinal_m", "semi_axis_lateral_m", "approach_m", "peak_pressure_pa", "stiffness_n_per_m"]
+    {
         assert!(document[key].as_f64().unwrap() > 0.0, "{key}");
     }
     // The exact ellipse of the nominal contact, see the validation.
@@ -110,17 +106,7 @@ fn contact_document_and_tables() {
     assert!((force / expected - 1.0).abs() < 1e-12);
 
     let (header, rows) = table(&sandbox, "out/patch.csv");
-    assert_eq!(
-        header,
-        [
-            "x_m",
-            "y_m",
-            "traction_longitudinal_pa",
-            "traction_lateral_pa",
-            "bound_pa",
-            "slips"
-        ]
-    );
+    assert_eq!(header, ["x_m", "y_m", "traction_longitudinal_pa", "traction_lateral_pa", "bound_pa", "slips"]);
     // A circle of 24 elements over its diameter.
     assert!((rows.len() as f64 - 144.0 * std::f64::consts::PI).abs() < 20.0);
     for row in &rows {
@@ -148,9 +134,7 @@ fn contact_agrees_with_the_exact_theory() {
     };
     assert!(distance(&document, "half-space").abs() < 0.007);
     // The paper's law goes with the paper's ellipse.
-    let paper = sandbox.json(&format!(
-        "contact cases/nominal.toml {COARSE} --creepage 0.001 --ratio 8 --json"
-    ));
+    let paper = sandbox.json(&format!("contact cases/nominal.toml {COARSE} --creepage 0.001 --ratio 8 --json"));
     let below = -distance(&paper, "carter-3d");
     assert!((0.01..0.03).contains(&below), "{below}");
 }
@@ -159,9 +143,7 @@ fn contact_agrees_with_the_exact_theory() {
 #[test]
 fn contact_is_readable() {
     let sandbox = Sandbox::new();
-    let outcome = sandbox.riffel(&format!(
-        "contact cases/nominal.toml {COARSE} --creepage 0.001 --ratio 8"
-    ));
+    let outcome = sandbox.riffel(&format!("contact cases/nominal.toml {COARSE} --creepage 0.001 --ratio 8"));
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     for words in ["BR main line", "peak pressure", "C₁₁", "half-space"] {
         assert!(outcome.text.contains(words), "{words}\n{}", outcome.text);
@@ -175,16 +157,8 @@ fn non_steady_contacts_refuse_bad_input() {
     let sandbox = Sandbox::new();
     let case = format!("cases/nominal.toml {COARSE} --set contact.response=non-steady");
     for (command, arguments, words) in [
-        (
-            "map",
-            "--set contact.tractive_ratio=1 -o out",
-            "must be between 1e-6 and 0.999999",
-        ),
-        (
-            "map",
-            "--set contact.normal_load=0 -o out",
-            "`contact.normal_load` is 0 N, but must be between 1 N and 2 MN",
-        ),
+        ("map", "--set contact.tractive_ratio=1 -o out", "must be between 1e-6 and 0.999999"),
+        ("map", "--set contact.normal_load=0 -o out", "`contact.normal_load` is 0 N, but must be between 1 N and 2 MN"),
         (
             "contact",
             "--set contact.normal_load=-1 -o out",
@@ -195,11 +169,7 @@ fn non_steady_contacts_refuse_bad_input() {
             "--set contact.transverse_radius=-0.3 -o out",
             "`contact.transverse_radius` is -0.3 m, but must be between 1 mm and 10000 m",
         ),
-        (
-            "contact",
-            "--set contact.transverse_radius=10km -o out",
-            "beyond that the contact is a line contact",
-        ),
+        ("contact", "--set contact.transverse_radius=10km -o out", "beyond that the contact is a line contact"),
         (
             "map",
             "--set map.wavelength.min=0.002 -o out",
@@ -210,16 +180,8 @@ fn non_steady_contacts_refuse_bad_input() {
             "--wavelength 2mm --speed 20",
             "--wavelength: wavelength is 0.002 m, but must be at least six elements",
         ),
-        (
-            "map",
-            "--set contact.grid=17 -o out",
-            "`contact.grid` is 17, but must be an even number",
-        ),
-        (
-            "map",
-            "--set contact.grid=14 -o out",
-            "`contact.grid` is 14, but must be an even number",
-        ),
+        ("map", "--set contact.grid=17 -o out", "`contact.grid` is 17, but must be an even number"),
+        ("map", "--set contact.grid=14 -o out", "`contact.grid` is 14, but must be an even number"),
     ] {
         let outcome = sandbox.riffel(&format!("{command} {case} {arguments}"));
         // Lines are broken at the width of a terminal.
@@ -240,20 +202,14 @@ fn contact_refuses_bad_input() {
     let sandbox = Sandbox::new();
     let case = format!("contact cases/nominal.toml {COARSE} -o out");
     for (arguments, words) in [
-        (
-            "--creepage 0.001,0",
-            "--creepage is 0, but must be greater than zero",
-        ),
+        ("--creepage 0.001,0", "--creepage is 0, but must be greater than zero"),
         ("--creepage=-0.001", "--creepage is -0.001"),
         ("--creepage inf", "inf is not finite"),
         ("--creepage NaN", "NaN is not finite"),
         ("--ratio 8,0", "--ratio is 0, but must be greater than zero"),
         ("--ratio inf", "inf is not finite"),
         ("--ratio 0.2", "--ratio 0.2: wavelength is"),
-        (
-            "--set contact.tractive_ratio=1",
-            "must be between 1e-6 and 0.999999",
-        ),
+        ("--set contact.tractive_ratio=1", "must be between 1e-6 and 0.999999"),
         ("--set contact.grid=17", "contact.grid"),
     ] {
         let outcome = sandbox.riffel(&format!("{case} {arguments}"));
@@ -298,10 +254,8 @@ fn steady_state_in_any_direction() {
     // The table of validation has them all.
     for row in rows.iter().step_by(7) {
         let number = |key: &str| -> f64 { row[key].parse().unwrap() };
-        let table = format!(
-            "{{ longitudinal = {}, lateral = {}, spin = {} }}",
-            row["xi"], row["eta"], row["phi_per_m"]
-        );
+        let table =
+            format!("{{ longitudinal = {}, lateral = {}, spin = {} }}", row["xi"], row["eta"], row["phi_per_m"]);
         let document = creeping(&sandbox, &format!("{NON_STEADY} --ratio 50"), &table);
         let steady = &document["steady"];
         let [along, across] = complex(&steady["force_n"]).map(|force| force / 20e3);
@@ -309,17 +263,11 @@ fn steady_state_in_any_direction() {
         assert!(error < 0.01 * number("Q_over_muP"), "{table}: {error}");
         let moment = steady["spin_moment_nm"].as_f64().unwrap();
         let error = moment - number("Mz_Nm");
-        assert!(
-            error.abs() < 0.01 * moment.abs().max(5.0),
-            "{table}: {error} Nm"
-        );
+        assert!(error.abs() < 0.01 * moment.abs().max(5.0), "{table}: {error} Nm");
         let energy = steady["dissipation_j_per_m"].as_f64().unwrap();
         let error = energy / number("power_per_distance_N") - 1.0;
         assert!(error.abs() < 0.01, "{table}: {error}");
-        assert!(
-            document["frequency_response"]["spin"].is_object(),
-            "{table}"
-        );
+        assert!(document["frequency_response"]["spin"].is_object(), "{table}");
     }
 }
 
@@ -337,30 +285,20 @@ fn responses_about_lateral_creepage() {
     for row in reference("frequency_response_lateral.csv") {
         let (input, outputs): (&str, &[_]) = match &*row["input"] {
             "xi" => ("longitudinal_creepage", &[("HFx", "longitudinal_force")]),
-            "eta" => (
-                "lateral_creepage",
-                &[("HFy", "lateral_force"), ("HW", "dissipation")],
-            ),
+            "eta" => ("lateral_creepage", &[("HFy", "lateral_force"), ("HW", "dissipation")]),
             // They contradict themselves, see the README of the validation.
             _ => continue,
         };
-        let index = ratios
-            .iter()
-            .position(|ratio| *ratio == row["L_over_a"])
-            .unwrap();
+        let index = ratios.iter().position(|ratio| *ratio == row["L_over_a"]).unwrap();
         for (column, output) in outputs {
             let values = &response[input][output];
             let [re, im] = complex(&values[index]);
             let [quasi_static, _] = complex(&values[slow]);
-            let expected = ["re", "im"]
-                .map(|part| -> f64 { row[&format!("{column}_{part}")].parse().unwrap() });
+            let expected = ["re", "im"].map(|part| -> f64 { row[&format!("{column}_{part}")].parse().unwrap() });
             let error = (re / quasi_static - expected[0]).hypot(im / quasi_static - expected[1]);
             assert!(error < 0.01, "{input} {output} {}: {error}", ratios[index]);
             let estimate = response["error"][input][output][index].as_f64().unwrap();
-            assert!(
-                (1e-4..0.05).contains(&(estimate / quasi_static)),
-                "{estimate}"
-            );
+            assert!((1e-4..0.05).contains(&(estimate / quasi_static)), "{estimate}");
             compared += 1;
         }
     }
@@ -369,10 +307,7 @@ fn responses_about_lateral_creepage() {
     let [slope, _] = complex(&response["lateral_creepage"]["lateral_force"][slow]);
     let [by_load, _] = complex(&response["load"]["lateral_force"][slow]);
     let expected = (force - creepage * slope / 3.0) / load;
-    assert!(
-        (by_load / expected - 1.0).abs() < 0.01,
-        "{by_load} {expected}"
-    );
+    assert!((by_load / expected - 1.0).abs() < 0.01, "{by_load} {expected}");
     // Slowly, what a point of the rail receives is what is dissipated.
     for input in ["lateral_creepage", "load"] {
         let [here, _] = complex(&response[input]["dissipation"][slow]);
@@ -388,20 +323,12 @@ fn spin_alone_is_a_contact_but_no_loop() {
     let table = "{ spin = 0.15 }";
     let coarse = "contact cases/nominal.toml --set contact.grid=24 --set contact.hertz=exact --ratio 8 --creepage 0.001 \
                   --json";
-    let exact = creeping(
-        &sandbox,
-        &format!("{coarse} --set contact.creep_law=half-space"),
-        table,
-    );
+    let exact = creeping(&sandbox, &format!("{coarse} --set contact.creep_law=half-space"), table);
     let [along, across] = complex(&exact["steady"]["force_n"]);
     assert!((across / 20e3 / 0.13568 - 1.0).abs() < 0.02, "{across}");
     assert!(along.abs() < 1.0, "{along}");
     // A law that does not tell the moment does not tell what it dissipates.
-    let by_fastsim = creeping(
-        &sandbox,
-        &format!("{coarse} --set contact.creep_law=fastsim"),
-        table,
-    );
+    let by_fastsim = creeping(&sandbox, &format!("{coarse} --set contact.creep_law=fastsim"), table);
     let steady = &by_fastsim["steady"];
     assert!((complex(&steady["force_n"])[1] / across - 1.0).abs() < 0.1);
     assert_eq!(steady["spin_moment_nm"], Value::Null);
@@ -422,8 +349,7 @@ fn spin_alone_is_a_contact_but_no_loop() {
 #[test]
 fn every_law_rolls_steadily() {
     let sandbox = Sandbox::new();
-    let coarse =
-        "contact cases/nominal.toml --set contact.grid=24 --ratio 8 --creepage 0.001 --json";
+    let coarse = "contact cases/nominal.toml --set contact.grid=24 --ratio 8 --creepage 0.001 --json";
     for law in LAWS.into_iter().filter(|&law| law != "carter-2d") {
         let arguments = format!("{coarse} --set contact.creep_law={law}");
         let table = "{ longitudinal = 0.0005, lateral = -0.0005 }";
@@ -434,16 +360,11 @@ fn every_law_rolls_steadily() {
         let energy = steady["dissipation_j_per_m"].as_f64().unwrap();
         let work = 0.0005 * (along - across);
         assert!((energy / work - 1.0).abs() < 1e-9, "{law}: {energy} {work}");
-        assert_eq!(
-            steady["spin_moment_nm"].is_null(),
-            law != "half-space",
-            "{law}"
-        );
+        assert_eq!(steady["spin_moment_nm"].is_null(), law != "half-space", "{law}");
         assert!(document["frequency_response"]["load"].is_object(), "{law}");
     }
     // Where all slips the exact theory has its response too.
-    let outcome = sandbox
-        .riffel("contact cases/curve.toml --set contact.grid=24 --creepage 0.001 --ratio 8 -o out");
+    let outcome = sandbox.riffel("contact cases/curve.toml --set contact.grid=24 --creepage 0.001 --ratio 8 -o out");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     let files = sandbox.list("out");
     assert!(files.contains(&"frequency-response.csv".to_owned()));

@@ -29,10 +29,7 @@ fn without_poissons_effect_the_direction_does_not_matter() {
     for (index, (along, across)) in along.iter().zip(&across).enumerate() {
         let size = along[0].hypot(along[1]);
         let off = (along[0] - across[0]).hypot(along[1] - across[1]);
-        assert!(
-            size > 0.0 && off < 1e-6 * size,
-            "{index}: {along:?} {across:?}"
-        );
+        assert!(size > 0.0 && off < 1e-6 * size, "{index}: {along:?} {across:?}");
     }
 }
 

@@ -21,35 +21,20 @@ fn curve_and_its_table_hold_the_same() {
     }
     let power = document["frictional_power_w"].as_f64().unwrap();
     let wheels = document["wheels"].as_array().unwrap();
-    let sum: f64 = wheels
-        .iter()
-        .map(|wheel| wheel["t_gamma_n"].as_f64().unwrap())
-        .sum();
+    let sum: f64 = wheels.iter().map(|wheel| wheel["t_gamma_n"].as_f64().unwrap()).sum();
     assert!((sum * 60.0 / 3.6 / power - 1.0).abs() < 1e-12);
     // At listed radii, the first that of the case, the second its mirror image.
     let over_radius = document["over_radius"].as_array().unwrap();
     let state = |index: usize| &over_radius[index]["equilibrium"];
     assert_eq!(state(0)["wheels"], document["wheels"]);
-    let shift = |index: usize| {
-        state(index)["wheelsets"][0]["lateral_shift_m"]
-            .as_f64()
-            .unwrap()
-    };
+    let shift = |index: usize| state(index)["wheelsets"][0]["lateral_shift_m"].as_f64().unwrap();
     assert!((shift(0) + shift(1)).abs() < 1e-10);
     let refused = sandbox.riffel(&format!("curve {CASE} --radius 2"));
     assert_eq!(refused.status, Some(2), "{}", refused.text);
-    assert!(
-        refused.sentence().contains("larger than the wheelbase"),
-        "{}",
-        refused.text
-    );
+    assert!(refused.sentence().contains("larger than the wheelbase"), "{}", refused.text);
     // Above the case and below it the table has radii; wear falls with the radius.
     let table = std::fs::read_to_string(sandbox.path("out/curve.csv")).unwrap();
-    let rows: Vec<Vec<&str>> = table
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').collect())
-        .collect();
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
     let wear = |row: &Vec<&str>| row.last().unwrap().parse::<f64>().unwrap();
     assert_eq!(rows.len() % 4, 0);
     assert!(rows.len() >= 4 * 70, "{}", rows.len());
@@ -64,16 +49,9 @@ fn an_ordinary_case_may_hold_the_tables() {
     let tables = std::fs::read_to_string(sandbox.path(CASE)).unwrap();
     let from = tables.find("[curve]").unwrap();
     let to = tables.find("[contact]").unwrap();
-    std::fs::write(
-        sandbox.path("both.toml"),
-        format!("{ordinary}\n{}", &tables[from..to]),
-    )
-    .unwrap();
+    std::fs::write(sandbox.path("both.toml"), format!("{ordinary}\n{}", &tables[from..to])).unwrap();
     let point = sandbox.json("point both.toml --wavelength 0.05 --speed 30 --json");
-    assert_eq!(
-        point,
-        sandbox.json("point cases/nominal.toml --wavelength 0.05 --speed 30 --json")
-    );
+    assert_eq!(point, sandbox.json("point cases/nominal.toml --wavelength 0.05 --speed 30 --json"));
     let wheelset = "--set wheelset.mass=1400 --set wheelset.contact_spacing=1.5";
     let law = "--set contact.creep_law=shen-hedrick-elkins";
     sandbox.json(&format!("curve both.toml {wheelset} {law} --json"));
@@ -84,25 +62,19 @@ fn an_ordinary_case_may_hold_the_tables() {
 fn unusual_equilibria_are_remarked() {
     let sandbox = Sandbox::new();
     let text = std::fs::read_to_string(sandbox.path(CASE)).unwrap();
-    let without: String = text
-        .lines()
-        .filter(|line| !line.starts_with("flange"))
-        .map(|line| format!("{line}\n"))
-        .collect();
+    let without: String =
+        text.lines().filter(|line| !line.starts_with("flange")).map(|line| format!("{line}\n")).collect();
     std::fs::write(sandbox.path("cones.toml"), without).unwrap();
     let remarks = |arguments: &str| {
         let document = sandbox.json(&format!("curve cones.toml --json {arguments}"));
         document["remarks"].to_string()
     };
-    let linear = remarks(
-        "--set curve.theory=linear --set curve.radius=\"600 m\" --set contact.friction=0.01",
-    );
+    let linear = remarks("--set curve.theory=linear --set curve.radius=\"600 m\" --set contact.friction=0.01");
     assert!(linear.contains("this case has none"), "{linear}");
     assert!(linear.contains("knows no friction"), "{linear}");
     assert!(!linear.contains("without the moment of spin"), "{linear}");
     // A wheelset in the middle of a wide curve has spin and hardly any creepage.
-    let wide =
-        remarks("--set curve.theory=linear --set curve.radius=\"20000 m\" --set curve.cant=0");
+    let wide = remarks("--set curve.theory=linear --set curve.radius=\"20000 m\" --set curve.cant=0");
     assert!(wide.contains("without the moment of spin"), "{wide}");
 }
 
@@ -115,31 +87,15 @@ fn vehicles_and_lone_wheelsets_run() {
     std::fs::write(sandbox.path("vehicle.toml"), format!("{text}\n{body}")).unwrap();
     let document = sandbox.json("curve vehicle.toml --json");
     let count = |key: &str| document[key].as_array().unwrap().len();
-    assert_eq!(
-        (count("wheelsets"), count("wheels"), count("frames")),
-        (4, 8, 2)
-    );
+    assert_eq!((count("wheelsets"), count("wheels"), count("frames")), (4, 8, 2));
     assert!(document["body"]["yaw_rad"].is_number() && document["frame"].is_null());
-    let moment = |bogie: usize| {
-        document["frames"][bogie]["secondary_yaw_moment_nm"]
-            .as_f64()
-            .unwrap()
-    };
+    let moment = |bogie: usize| document["frames"][bogie]["secondary_yaw_moment_nm"].as_f64().unwrap();
     // To the right: the leading bogie is turned to the left.
     assert!(moment(0) < 0.0 && moment(1) > 0.0);
     let torque = sandbox.riffel("curve vehicle.toml --set 'bogie.drive_torque=[1, 2]'");
-    assert!(
-        torque
-            .sentence()
-            .contains("has 2 torques, but there are 4 wheelsets"),
-        "{}",
-        torque.text
-    );
-    let alone: String = text
-        .lines()
-        .filter(|line| !line.starts_with("wheelbase"))
-        .map(|line| format!("{line}\n"))
-        .collect();
+    assert!(torque.sentence().contains("has 2 torques, but there are 4 wheelsets"), "{}", torque.text);
+    let alone: String =
+        text.lines().filter(|line| !line.starts_with("wheelbase")).map(|line| format!("{line}\n")).collect();
     std::fs::write(sandbox.path("alone.toml"), alone).unwrap();
     let document = sandbox.json("curve alone.toml --set bogie.wheelsets=1 --json");
     assert_eq!(document["wheels"].as_array().unwrap().len(), 2);
@@ -153,23 +109,11 @@ fn vehicles_and_lone_wheelsets_run() {
 fn what_cannot_run_is_refused() {
     let sandbox = Sandbox::new();
     for (change, sentence) in [
-        (
-            "--set curve.radius=0.5",
-            "must be larger than the wheelbase",
-        ),
-        (
-            "--set curve.radius=\"60 m\" --set curve.speed=\"100 km/h\"",
-            "the vehicle tips over",
-        ),
+        ("--set curve.radius=0.5", "must be larger than the wheelbase"),
+        ("--set curve.radius=\"60 m\" --set curve.speed=\"100 km/h\"", "the vehicle tips over"),
         ("--set curve.theory=linear", "knows no flange"),
-        (
-            "--set contact.creep_law=polach",
-            "\"polach\" is not one of its choices",
-        ),
-        (
-            "--set profiles.flange.stiffness=\"50 MN/m\"",
-            "takes a flange of slope, shift, width",
-        ),
+        ("--set contact.creep_law=polach", "\"polach\" is not one of its choices"),
+        ("--set profiles.flange.stiffness=\"50 MN/m\"", "takes a flange of slope, shift, width"),
         ("--set bogie.weelbase=2", "is not a key Riffel knows"),
         ("--set contact.friction=40", "friction"),
         ("--set wheelset.mass=\"12 t\"", "at most the mass per axle"),
@@ -178,30 +122,17 @@ fn what_cannot_run_is_refused() {
             "60000 N m on wheelset 1 is more than the 19936 N m that friction carries",
         ),
         ("--radius \"3,800 m\"", "3,800 m are two"),
-        (
-            "--set profiles.flange.slope=0.05",
-            "must be shifted by less than 60 mm",
-        ),
+        ("--set profiles.flange.slope=0.05", "must be shifted by less than 60 mm"),
     ] {
         let refused = sandbox.riffel(&format!("curve {CASE} {change}"));
         assert_eq!(refused.status, Some(2), "{change}: {}", refused.text);
-        assert!(
-            refused.sentence().contains(sentence),
-            "{change}: {}",
-            refused.text
-        );
+        assert!(refused.sentence().contains(sentence), "{change}: {}", refused.text);
         assert_eq!(sandbox.list("."), ["cases"]);
     }
     let spacing = "--set wheelset.contact_spacing=\"1.6 m\"";
     let refused = sandbox.riffel(&format!("curve cases/profiles.toml {spacing}"));
     assert_eq!(refused.status, Some(2), "{}", refused.text);
-    assert!(
-        refused
-            .sentence()
-            .contains("the profiles lie 1.5000 m apart"),
-        "{}",
-        refused.text
-    );
+    assert!(refused.sentence().contains("the profiles lie 1.5000 m apart"), "{}", refused.text);
 }
 
 /// Profiles from files as the nominal ones, in the same place on the wheel, and the table beside the document.
@@ -212,17 +143,10 @@ fn profiles_of_files_are_those_of_their_names() {
     let shown = sandbox.json("profile S1002 60E1 --json");
     for (index, name) in ["wheel.csv", "rail.csv"].into_iter().enumerate() {
         let profile = &shown["profiles"][index];
-        let column =
-            |key: &str| -> Vec<f64> { serde_json::from_value(profile[key].clone()).unwrap() };
+        let column = |key: &str| -> Vec<f64> { serde_json::from_value(profile[key].clone()).unwrap() };
         let rows = column("x_m").into_iter().zip(column("height_m"));
-        let rows: Vec<String> = rows
-            .map(|(x, height)| format!("{x:.9};{height:.9}"))
-            .collect();
-        std::fs::write(
-            sandbox.path(name),
-            format!("x [m]; y [m]\n{}\n", rows.join("\n")),
-        )
-        .unwrap();
+        let rows: Vec<String> = rows.map(|(x, height)| format!("{x:.9};{height:.9}")).collect();
+        std::fs::write(sandbox.path(name), format!("x [m]; y [m]\n{}\n", rows.join("\n"))).unwrap();
     }
     let asked = "--wheelset --yaw \"2 mrad\" --lateral-shift=\"-3 mm,0 mm,4.5 mm\" --json";
     let nominal = sandbox.json(&format!("profile {case} {asked}"));
@@ -232,31 +156,16 @@ fn profiles_of_files_are_those_of_their_names() {
     let column = |document: &serde_json::Value, key: &str| -> Vec<f64> {
         serde_json::from_value(document[key].clone()).unwrap()
     };
-    for (key, tolerance) in [
-        ("centre_z", 1e-7),
-        ("right_y_wheel", 5e-5),
-        ("left_y_wheel", 5e-5),
-        ("roll", 2e-7),
-    ] {
-        let pairs = column(&nominal, key)
-            .into_iter()
-            .zip(column(&of_files, key));
+    for (key, tolerance) in [("centre_z", 1e-7), ("right_y_wheel", 5e-5), ("left_y_wheel", 5e-5), ("roll", 2e-7)] {
+        let pairs = column(&nominal, key).into_iter().zip(column(&of_files, key));
         for (one, other) in pairs {
             assert!((one - other).abs() < tolerance, "{key}: {one} {other}");
         }
     }
-    let shifts = column(&nominal, "lateral_shift")
-        .into_iter()
-        .zip([-0.003, 0.0, 0.0045]);
-    assert!(
-        shifts
-            .into_iter()
-            .all(|(got, asked)| (got - asked).abs() < 1e-12)
-    );
+    let shifts = column(&nominal, "lateral_shift").into_iter().zip([-0.003, 0.0, 0.0045]);
+    assert!(shifts.into_iter().all(|(got, asked)| (got - asked).abs() < 1e-12));
     // About 0.18 at 3 mm.
-    let klingel = nominal["equivalent_conicity"]["klingel"][2]
-        .as_f64()
-        .unwrap();
+    let klingel = nominal["equivalent_conicity"]["klingel"][2].as_f64().unwrap();
     assert!((klingel - 0.1771).abs() < 5e-4, "{klingel}");
     let curve = sandbox.json(&format!("curve {case} --json"));
     assert!(curve["residual"].as_f64().unwrap() < 1e-10);
@@ -280,8 +189,7 @@ fn tight_curves_stand_on_two_points() {
     assert!((number(second, "contact_angle_rad").to_degrees() - 70.0).abs() < 0.2);
     let carried = |contact: &serde_json::Value| {
         let angle = number(contact, "contact_angle_rad");
-        number(contact, "normal_force_n") * angle.cos()
-            + number(contact, "lateral_force_n") * angle.sin()
+        number(contact, "normal_force_n") * angle.cos() + number(contact, "lateral_force_n") * angle.sin()
     };
     let load = number(wheel, "vertical_load_n");
     assert!((carried(wheel) + carried(second) - load).abs() < 1e-9 * load);
@@ -295,18 +203,9 @@ fn tight_curves_stand_on_two_points() {
     assert!((wear * 11.6 / number(&document, "frictional_power_w") - 1.0).abs() < 1e-12);
     let written = sandbox.riffel(&format!("{case} -o out"));
     assert!(written.text.contains("1 left, second"), "{}", written.text);
-    assert!(
-        written
-            .text
-            .contains("wheelset 1 stands on two points of the left wheel"),
-        "{}",
-        written.text
-    );
+    assert!(written.text.contains("wheelset 1 stands on two points of the left wheel"), "{}", written.text);
     let table = std::fs::read_to_string(sandbox.path("out/curve.csv")).unwrap();
-    let contacts = 4 + wheels
-        .iter()
-        .filter(|wheel| wheel["on_two_points"] == true)
-        .count();
+    let contacts = 4 + wheels.iter().filter(|wheel| wheel["on_two_points"] == true).count();
     assert_eq!(table.lines().count(), 1 + contacts);
 }
 
@@ -320,9 +219,7 @@ fn large_wheels_stand_on_their_flanges() {
     );
     let wheel = &document["wheels"][0];
     assert_eq!(wheel["on_two_points"], true);
-    let angle = wheel["second_contact"]["contact_angle_rad"]
-        .as_f64()
-        .unwrap();
+    let angle = wheel["second_contact"]["contact_angle_rad"].as_f64().unwrap();
     assert!((angle.to_degrees() - 70.0).abs() < 0.2, "{angle}");
     assert!(document["residual"].as_f64().unwrap() < 1e-10);
 }
@@ -336,22 +233,14 @@ fn fastsim_is_a_law_of_the_curve() {
         let document = sandbox.json(&format!(
             "curve cases/profiles.toml --set curve.radius=\"60 m\" --set curve.speed=\"10 km/h\" {law} --json"
         ));
-        assert!(
-            document["remarks"]
-                .to_string()
-                .contains("to its flange, not the")
-        );
+        assert!(document["remarks"].to_string().contains("to its flange, not the"));
         document["wheels"][0]["lateral_force_n"].as_f64().unwrap()
     };
     assert!((forces(law) - forces("")).abs() > 10.0);
     let coefficients = "--set 'contact.creep_coefficients={longitudinal=\"10 MN\", lateral=\"9 MN\", spin=\"20 kN m\", load=\"54 kN\"}'";
     let refused = sandbox.riffel(&format!("curve {CASE} {law} {coefficients}"));
     assert_eq!(refused.status, Some(2), "{}", refused.text);
-    assert!(
-        refused.sentence().contains("needs the ellipse itself"),
-        "{}",
-        refused.text
-    );
+    assert!(refused.sentence().contains("needs the ellipse itself"), "{}", refused.text);
 }
 
 /// Profiles that cannot be end in one sentence.
@@ -381,23 +270,13 @@ fn profiles_that_cannot_be_are_refused() {
         ("profiles.inclination=steep", "as in \"1:40\""),
         ("profiles.wheel=cone", "which has no profile"),
     ] {
-        let refused = sandbox.riffel(&format!(
-            "profile cases/profiles.toml --wheelset --json --set '{change}'"
-        ));
+        let refused = sandbox.riffel(&format!("profile cases/profiles.toml --wheelset --json --set '{change}'"));
         assert_eq!(refused.status, Some(2), "{change}: {}", refused.text);
-        assert!(
-            refused.sentence().contains(sentence),
-            "{change}: {}",
-            refused.text
-        );
+        assert!(refused.sentence().contains(sentence), "{change}: {}", refused.text);
     }
-    let far =
-        sandbox.riffel("profile cases/profiles.toml --wheelset --lateral-shift \"90 mm\" --json");
+    let far = sandbox.riffel("profile cases/profiles.toml --wheelset --lateral-shift \"90 mm\" --json");
     assert_eq!(far.status, Some(2), "{}", far.text);
-    assert_eq!(
-        sandbox.list("."),
-        ["cases", "swapped.csv", "upside-down.csv", "words.csv"]
-    );
+    assert_eq!(sandbox.list("."), ["cases", "swapped.csv", "upside-down.csv", "words.csv"]);
 }
 
 /// The loop of the curve is stable at a friction of 0.1 and not at 0.3, at each speed as a point says it.
@@ -407,30 +286,16 @@ fn stability_over_speed_and_friction() {
     let document = sandbox.json("stability cases/curve.toml --friction 0.3,0.1 --json");
     let points = document["points"].as_array().unwrap();
     let (low, high) = points.split_at(points.len() / 2);
-    assert!(
-        low.iter()
-            .all(|point| number(&point["friction"]) == 0.1 && point["unstable_roots"] == 0)
-    );
-    assert!(
-        high.iter()
-            .all(|point| number(&point["friction"]) == 0.3 && point["unstable_roots"] == 2)
-    );
+    assert!(low.iter().all(|point| number(&point["friction"]) == 0.1 && point["unstable_roots"] == 0));
+    assert!(high.iter().all(|point| number(&point["friction"]) == 0.3 && point["unstable_roots"] == 2));
     let last = &high[high.len() - 1];
     let speed = number(&last["speed_m_per_s"]);
-    let point = sandbox.json(&format!(
-        "point cases/curve.toml --wavelength 0.08 --speed {speed} --set contact.friction=0.3 --json"
-    ));
+    let point = sandbox
+        .json(&format!("point cases/curve.toml --wavelength 0.08 --speed {speed} --set contact.friction=0.3 --json"));
     assert_eq!(point["stability"]["frequency_hz"], last["frequency_hz"]);
-    assert_eq!(
-        point["stability"]["growth_rate_per_s"],
-        last["growth_rate_per_s"]
-    );
+    assert_eq!(point["stability"]["growth_rate_per_s"], last["growth_rate_per_s"]);
     assert_eq!(document["branches"].as_array().unwrap().len(), 1);
     let outcome = sandbox.riffel("stability cases/curve.toml --friction 0.3");
     assert_eq!(outcome.status, Some(2));
-    assert!(
-        outcome.text.contains("two different values"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("two different values"), "{}", outcome.text);
 }

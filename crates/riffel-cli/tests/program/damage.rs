@@ -4,7 +4,8 @@ use serde_json::Value;
 
 use crate::sandbox::{Sandbox, number};
 
-const FLOW: &str = "--set \"damage.laws=[\\\"wear\\\", \\\"flow\\\"]\" --set damage.flow.depth=1e-9 --set damage.shear_yield=230e6";
+const FLOW: &str =
+    "--set \"damage.laws=[\\\"wear\\\", \\\"flow\\\"]\" --set damage.flow.depth=1e-9 --set damage.shear_yield=230e6";
 
 fn sum(values: &Value) -> f64 {
     let values = values.as_object().unwrap().values();
@@ -23,8 +24,7 @@ fn a_point_tells_the_laws() {
     assert!(number(&damage["demand"]) > 0.5);
     let plain = sandbox.json("point cases/metro.toml --wavelength 0.2 --speed 14 --json");
     assert!(plain.get("damage").is_none());
-    let named = sandbox
-        .json("point cases/metro.toml --wavelength 0.2 --speed 14 --json --set wear.law=usfd");
+    let named = sandbox.json("point cases/metro.toml --wavelength 0.2 --speed 14 --json --set wear.law=usfd");
     assert!(named["damage"]["growth_by_law"]["wear"].is_number());
 }
 
@@ -42,20 +42,14 @@ fn shakedown_follows_a_wave() {
     assert_eq!(along.len(), 36);
     assert!((number(&along[0]["profile_m"]) - 20e-6).abs() < 1e-18);
     let outcome = sandbox.riffel(&format!("{wave} -o out"));
-    assert!(
-        outcome.text.contains("the demand is largest"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("the demand is largest"), "{}", outcome.text);
 }
 
 /// Stress under the contact: the axis of a point that was asked for, and the maxima of both tractions.
 #[test]
 fn stress_under_the_contact() {
     let sandbox = Sandbox::new();
-    let document = sandbox.json(
-        "contact cases/metro.toml --stress --stress-at=-0.8,0,0.1 --stress-at=0,0,0.5 --json",
-    );
+    let document = sandbox.json("contact cases/metro.toml --stress --stress-at=-0.8,0,0.1 --stress-at=0,0,0.5 --json");
     let stress = &document["stress"];
     assert_eq!(stress["maxima"].as_array().unwrap().len(), 8);
     let points = stress["points"].as_array().unwrap();
@@ -78,9 +72,7 @@ const TRAINS: &str = "[line]\nmgt_per_year = 20\n[[vehicle]]\nname = \"laden\"\n
 
 fn findings(document: &Value) -> String {
     let findings = document["findings"].as_array().unwrap().iter();
-    findings
-        .map(|finding| finding.as_str().unwrap().to_owned() + "\n")
-        .collect()
+    findings.map(|finding| finding.as_str().unwrap().to_owned() + "\n").collect()
 }
 
 /// A run that goes on knows what has flowed at every point of the rail: of 20 µm as in one go to the rounding of sums that are cut
@@ -101,8 +93,7 @@ fn hardening_goes_on_from_where_it_was() {
     let heights = |folder: &str| -> Vec<f64> {
         let text = std::fs::read_to_string(sandbox.path(folder).join("profile.csv")).unwrap();
         let rows = text.lines().skip(1).map(|row| row.rsplit(',').next());
-        rows.map(|height| height.unwrap().parse().unwrap())
-            .collect()
+        rows.map(|height| height.unwrap().parse().unwrap()).collect()
     };
     let (whole, parts) = (heights("whole"), heights("parts"));
     assert!(whole.len() == parts.len() && !whole.is_empty());
@@ -117,18 +108,12 @@ fn hardening_ends_or_runs_away() {
     let sandbox = Sandbox::new();
     std::fs::write(sandbox.path("trains.toml"), TRAINS).unwrap();
     let of = |depth: &str, more: &str| {
-        let command = format!(
-            "forecast {} {more} --traffic trains.toml --from-limit=-6dB --months 60 --json",
-            hardening(depth)
-        );
+        let command =
+            format!("forecast {} {more} --traffic trains.toml --from-limit=-6dB --months 60 --json", hardening(depth));
         sandbox.json(&command)
     };
     let (ends, away) = (of("0.2mm", ""), of("50mm", ""));
-    assert!(
-        findings(&ends).contains("makes no corrugation by itself"),
-        "{}",
-        findings(&ends)
-    );
+    assert!(findings(&ends).contains("makes no corrugation by itself"), "{}", findings(&ends));
     assert!(findings(&away).contains("runs away"), "{}", findings(&away));
     // What is told of a band is what the forecast makes of it, and when.
     let bands = ends["bands"].as_array().unwrap();
@@ -136,16 +121,10 @@ fn hardening_ends_or_runs_away() {
     for wave in ends["hardening"].as_array().unwrap() {
         let [length, ratio, runaway] =
             ["wavelength_m", "hardened_wave_ratio", "runaway_number"].map(|key| number(&wave[key]));
-        let band = bands
-            .iter()
-            .find(|band| number(&band["wavelength_m"]) == length)
-            .unwrap();
+        let band = bands.iter().find(|band| number(&band["wavelength_m"]) == length).unwrap();
         let change = number(&band["level_then_db"]) - number(&band["level_now_db"]);
         // The march in time goes on to a hundredth of the smallest change.
-        assert!(
-            (change - 20.0 * ratio.log10()).abs() < 2e-3,
-            "{length}: {change} {ratio}"
-        );
+        assert!((change - 20.0 * ratio.log10()).abs() < 2e-3, "{length}: {change} {ratio}");
         if runaway > nearest.0 {
             nearest = (runaway, length, ratio);
         }
@@ -156,10 +135,7 @@ fn hardening_ends_or_runs_away() {
         nearest.2
     );
     let said = findings(&ends);
-    assert!(
-        said.contains(&told) && said.contains(" months: their runaway number"),
-        "{told}: {said}"
-    );
+    assert!(said.contains(&told) && said.contains(" months: their runaway number"), "{told}: {said}");
     let numbers = |document: &Value| -> Vec<f64> {
         let waves = document["hardening"].as_array().unwrap().iter();
         waves.map(|wave| number(&wave["runaway_number"])).collect()
@@ -169,27 +145,18 @@ fn hardening_ends_or_runs_away() {
     }
     // The wave stays at what hardening leaves.
     let level = |document: &Value| number(&document["bands"][0]["level_then_db"]);
-    let later = sandbox.json(&format!(
-        "forecast {} --traffic trains.toml --from-limit=-6dB --months 600 --json",
-        hardening("0.2mm")
-    ));
+    let later = sandbox
+        .json(&format!("forecast {} --traffic trains.toml --from-limit=-6dB --months 600 --json", hardening("0.2mm")));
     assert!((level(&later) - level(&ends)).abs() < 1.0);
 
-    let point = format!(
-        "point {} --wavelength 0.3 --speed 14 --json",
-        hardening("0.2mm")
-    );
+    let point = format!("point {} --wavelength 0.3 --speed 14 --json", hardening("0.2mm"));
     let wave = &sandbox.json(&point)["damage"]["hardened_wave"];
     let ratio = number(&wave[0]).hypot(number(&wave[1]));
-    let run = sandbox.json(&format!(
-        "simulate {} --speed 14 --sinusoid 20um,300mm --passages 4e6 --json",
-        hardening("0.2mm")
-    ));
+    let run = sandbox
+        .json(&format!("simulate {} --speed 14 --sinusoid 20um,300mm --passages 4e6 --json", hardening("0.2mm")));
     let bands = run["bands"].as_array().unwrap();
     let near = |band: &&Value| (number(&band["wavelength_m"]) / 0.3 - 1.0).abs() < 0.1;
-    let levels = bands.iter().find(near).unwrap()["level_db"]
-        .as_array()
-        .unwrap();
+    let levels = bands.iter().find(near).unwrap()["level_db"].as_array().unwrap();
     let change = number(levels.last().unwrap()) - number(&levels[0]);
     let found = 10f64.powf(change / 20.0);
     assert!((found / ratio - 1.0).abs() < 0.03, "{found} {ratio}");
@@ -201,9 +168,8 @@ fn cracks_over_a_traffic() {
     let sandbox = Sandbox::new();
     std::fs::write(sandbox.path("trains.toml"), TRAINS).unwrap();
     let laws = "--set damage.laws='[\"wear\", \"fatigue\"]' --set contact.tractive_ratio=0.5 --set damage.fatigue.crack_growth=1mm";
-    let command = format!(
-        "forecast cases/class-heavy-haul.toml {laws} --traffic trains.toml --from-limit=-6dB --months 12"
-    );
+    let command =
+        format!("forecast cases/class-heavy-haul.toml {laws} --traffic trains.toml --from-limit=-6dB --months 12");
     let document = sandbox.json(&format!("{command} --json"));
     let bands = document["bands"].as_array().unwrap().len();
     let cracks = document["cracks"].as_array().unwrap();
@@ -212,19 +178,14 @@ fn cracks_over_a_traffic() {
     let per_passage = number(&cracks[0]["crack_growth_m_per_passage"]);
     let passages = number(&document["traffic"]["passages_per_day"]) * 365.2425 / 12.0;
     assert!((per_month / (1e3 * passages * per_passage) - 1.0).abs() < 1e-3);
-    assert!(
-        cracks
-            .iter()
-            .any(|row| number(&row["crack_length_m"]) > 1e-4)
-    );
+    assert!(cracks.iter().any(|row| number(&row["crack_length_m"]) > 1e-4));
     assert!(findings(&document).contains("cracks are longest"));
     let outcome = sandbox.riffel(&format!("{command} -o out"));
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     let table = std::fs::read_to_string(sandbox.path("out/cracks.csv")).unwrap();
     assert_eq!(table.lines().count(), 1 + cracks.len());
-    let plain = sandbox.json(
-        "forecast cases/class-heavy-haul.toml --traffic trains.toml --from-limit=-6dB --months 12 --json",
-    );
+    let plain =
+        sandbox.json("forecast cases/class-heavy-haul.toml --traffic trains.toml --from-limit=-6dB --months 12 --json");
     assert!(plain.get("cracks").is_none() && plain.get("hardening").is_none());
 }
 
@@ -242,9 +203,6 @@ fn stress_of_the_elements() {
             number(&rows.find(|row| row["traction"] == traction).unwrap()["value_over_p0"])
         };
         let (full, partial, exact) = (of("full-slip"), of("partial-slip"), of("half-space"));
-        assert!(
-            exact < full && (exact / partial - 1.0).abs() < 0.05,
-            "{full} {partial} {exact}"
-        );
+        assert!(exact < full && (exact / partial - 1.0).abs() < 0.05, "{full} {partial} {exact}");
     }
 }

@@ -10,9 +10,7 @@ use crate::sandbox::{Sandbox, number};
 
 fn share(finding: &Value, mechanism: &str) -> f64 {
     let candidates = finding["candidates"].as_array().unwrap();
-    let found = candidates
-        .iter()
-        .find(|candidate| candidate["mechanism"] == mechanism);
+    let found = candidates.iter().find(|candidate| candidate["mechanism"] == mechanism);
     found.map_or(0.0, |candidate| number(&candidate["share"]))
 }
 
@@ -60,12 +58,7 @@ fn the_mark_of_niederwangen_is_a_fading_one() {
     assert_eq!(finding["rail"], "R");
     // 136/3.6/0.02 = 1888.9 Hz.
     assert!((number(&finding["frequency_min_hz"]) - 1888.9).abs() < 0.1);
-    let levels: Vec<f64> = finding["course"]["levels_db"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(number)
-        .collect();
+    let levels: Vec<f64> = finding["course"]["levels_db"].as_array().unwrap().iter().map(number).collect();
     // Means of four sections of the right rail.
     for (found, expected) in levels.iter().zip([-2.75, -5.8, -7.05, -8.775]) {
         assert!((found - expected).abs() < 1e-9, "{levels:?}");
@@ -75,10 +68,7 @@ fn the_mark_of_niederwangen_is_a_fading_one() {
     assert!(number(&finding["course"]["probability_of_rise"]) < 0.01);
     assert_eq!(finding["candidates"][0]["mechanism"], "grinding mark");
     let summary = finding["summary"].as_str().unwrap();
-    assert!(
-        summary.contains("a fading grinding mark and not growing corrugation"),
-        "{summary}"
-    );
+    assert!(summary.contains("a fading grinding mark and not growing corrugation"), "{summary}");
     // Never one verdict alone, and shares are shares.
     let candidates = finding["candidates"].as_array().unwrap();
     let sum: f64 = candidates.iter().map(|found| number(&found["share"])).sum();
@@ -98,27 +88,18 @@ fn corrugation_on_the_ridge_is_led_by_it() {
          --speed \"108 km/h\" --json",
     );
     let finding = &document["dominant_wavelengths"][0];
-    assert!(
-        (number(&finding["wavelength_m"]) / 0.0559 - 1.0).abs() < 0.01,
-        "{finding}"
-    );
+    assert!((number(&finding["wavelength_m"]) / 0.0559 - 1.0).abs() < 0.01, "{finding}");
     assert!((number(&finding["frequency_min_hz"]) / 537.0 - 1.0).abs() < 0.01);
     assert_eq!(finding["candidates"][0]["mechanism"], "growth ridge");
     // 20 lg(9/4) = 7.04 dB in a year; noise in the band takes some of it.
-    assert!(
-        (number(&finding["course"]["slope_db"]) - 7.04).abs() < 0.5,
-        "{finding}"
-    );
+    assert!((number(&finding["course"]["slope_db"]) - 7.04).abs() < 0.5, "{finding}");
     assert!(share(finding, "grinding mark") < 0.05);
     let swapped = sandbox.riffel(
         "diagnose cases/nominal.toml --roughness new.csv --earlier old.csv --dates 2025-03-01,2024-03-01 \
          --speed \"108 km/h\"",
     );
     let sentence = swapped.sentence();
-    assert!(
-        swapped.status == Some(2) && sentence.contains("days that rise"),
-        "{sentence}"
-    );
+    assert!(swapped.status == Some(2) && sentence.contains("days that rise"), "{sentence}");
     // Read the other way round it fades from record to record, and the mark leads.
     record(&sandbox, "between.csv", 0.0559, 6.0);
     let document = sandbox.json(
@@ -150,14 +131,10 @@ fn a_wheelset_mode_is_taken_as_given() {
 #[test]
 fn a_measured_peak_is_a_candidate() {
     let sandbox = Sandbox::new();
-    sandbox.riffel(
-        "receptance cases/discrete-supports.toml --from 30 --to 4000 --points 2000 -o hammer",
-    );
+    sandbox.riffel("receptance cases/discrete-supports.toml --from 30 --to 4000 --points 2000 -o hammer");
     let measured = "--set track.model=measured --set track.measurement='{file=\"../hammer/receptance.csv\", \
                     real=\"rail_m_per_n_re\", imaginary=\"rail_m_per_n_im\"}'";
-    let listed = sandbox.json(&format!(
-        "receptance cases/discrete-supports.toml {measured} --json"
-    ));
+    let listed = sandbox.json(&format!("receptance cases/discrete-supports.toml {measured} --json"));
     let peak = listed["resonances"]
         .as_array()
         .unwrap()
@@ -175,13 +152,8 @@ fn a_measured_peak_is_a_candidate() {
     let peaks = share(finding, "peak of the measured receptance");
     assert!(peaks > 3.0 * share(finding, "grinding mark"), "{finding}");
     let text = document.to_string();
-    assert!(
-        !text.contains("no support") && !text.contains("has none"),
-        "{text}"
-    );
-    let outcome = sandbox.riffel(&format!(
-        "receptance cases/discrete-supports.toml {measured} -o out"
-    ));
+    assert!(!text.contains("no support") && !text.contains("has none"), "{text}");
+    let outcome = sandbox.riffel(&format!("receptance cases/discrete-supports.toml {measured} -o out"));
     assert!(outcome.text.contains("damping %"), "{}", outcome.text);
 }
 
@@ -189,15 +161,11 @@ fn a_measured_peak_is_a_candidate() {
 #[test]
 fn what_the_supports_make_of_a_wave_is_told_with_it() {
     let sandbox = Sandbox::new();
-    record_of(&sandbox, "swelling.csv", |x| {
-        8.0 * (1.0 + (TAU * x / 0.6).cos()) * (TAU * x / 0.045).sin()
-    });
-    let document = sandbox
-        .json("diagnose cases/main-line.toml --roughness swelling.csv --speed \"70 km/h\" --json");
+    record_of(&sandbox, "swelling.csv", |x| 8.0 * (1.0 + (TAU * x / 0.6).cos()) * (TAU * x / 0.045).sin());
+    let document = sandbox.json("diagnose cases/main-line.toml --roughness swelling.csv --speed \"70 km/h\" --json");
     let findings = document["dominant_wavelengths"].as_array().unwrap();
     let of = |wavelength: f64| {
-        let near =
-            |finding: &&Value| (number(&finding["wavelength_m"]) / wavelength - 1.0).abs() < 0.01;
+        let near = |finding: &&Value| (number(&finding["wavelength_m"]) / wavelength - 1.0).abs() < 0.01;
         findings.iter().find(near).unwrap()
     };
     assert!(of(0.045)["sideband_of_m"].is_null());
@@ -208,9 +176,7 @@ fn what_the_supports_make_of_a_wave_is_told_with_it() {
         assert!(summary.starts_with("It comes with 45.0 mm"), "{summary}");
         assert_eq!(finding["candidates"].as_array().unwrap().len(), 0);
     }
-    sandbox.riffel(
-        "report cases/main-line.toml --roughness swelling.csv --speed \"70 km/h\" -o report.html",
-    );
+    sandbox.riffel("report cases/main-line.toml --roughness swelling.csv --speed \"70 km/h\" -o report.html");
     let page = std::fs::read_to_string(sandbox.path("report.html")).unwrap();
     let brief = page.split("</section>").next().unwrap();
     assert_eq!(brief.matches("Beside it stand").count(), 1, "{brief}");
@@ -225,19 +191,14 @@ fn what_was_ground_away_does_not_lead() {
     let survey = |date: &str, fall: f64, corrugation: f64, mark: f64| {
         let levels = (0..20).map(|band| {
             let wavelength = 400.0 * 10f64.powf(-0.1 * f64::from(band));
-            let near =
-                |at: f64, height: f64| height * f64::from((wavelength / at).ln().abs() < 0.1);
+            let near = |at: f64, height: f64| height * f64::from((wavelength / at).ln().abs() < 0.1);
             let level = 12.0 * (wavelength / 400.0).log10() + 12.0 - fall;
             let own = near(50.0, corrugation) + near(20.0, mark);
             format!("{wavelength:.1},left,{date},{:.2}\n", level + own)
         });
         let table = levels.collect::<String>();
         let head = "wavelength_mm,rail,date,level_db\n";
-        std::fs::write(
-            sandbox.path(&format!("{date}.csv")),
-            format!("{head}{table}"),
-        )
-        .unwrap();
+        std::fs::write(sandbox.path(&format!("{date}.csv")), format!("{head}{table}")).unwrap();
     };
     survey("2026-05-04", 0.0, 9.0, 0.0);
     survey("2026-06-20", 5.0, 0.0, 6.0);
@@ -251,40 +212,20 @@ fn what_was_ground_away_does_not_lead() {
     let [there, gone] = &document["dominant_wavelengths"].as_array().unwrap()[..] else {
         panic!("{document}");
     };
-    assert!(
-        (number(&there["wavelength_m"]) - 0.02).abs() < 1e-6,
-        "{there}"
-    );
+    assert!((number(&there["wavelength_m"]) - 0.02).abs() < 1e-6, "{there}");
     assert!(share(there, "grinding mark") > 0.5, "{there}");
     let course = there["course"]["sentence"].as_str().unwrap();
-    assert!(
-        course.contains("two records do not tell whether it rises"),
-        "{course}"
-    );
-    assert!(
-        (number(&gone["wavelength_m"]) - 0.05).abs() < 1e-6,
-        "{gone}"
-    );
+    assert!(course.contains("two records do not tell whether it rises"), "{course}");
+    assert!((number(&gone["wavelength_m"]) - 0.05).abs() < 1e-6, "{gone}");
     let summary = gone["summary"].as_str().unwrap();
-    assert!(
-        summary.starts_with("Gone by grinding: its level fell by 14.0 dB before 2026-06-20.csv"),
-        "{summary}"
-    );
+    assert!(summary.starts_with("Gone by grinding: its level fell by 14.0 dB before 2026-06-20.csv"), "{summary}");
     let candidates = gone["candidates"].as_array().unwrap();
-    assert!(
-        candidates
-            .iter()
-            .all(|one| one["mechanism"] != "grinding mark"),
-        "{gone}"
-    );
+    assert!(candidates.iter().all(|one| one["mechanism"] != "grinding mark"), "{gone}");
     // Where it is there again, or has never gone, it is no more behind.
     survey("2026-06-20", 0.0, 9.0, 6.0);
     let document = told("");
     let first = &document["dominant_wavelengths"][0];
-    assert!(
-        (number(&first["wavelength_m"]) - 0.05).abs() < 1e-6,
-        "{document}"
-    );
+    assert!((number(&first["wavelength_m"]) - 0.05).abs() < 1e-6, "{document}");
 }
 
 /// 45 mm that grows by 2 dB a year before it is ground and after: no mark that fades.
@@ -321,24 +262,12 @@ fn a_rail_that_was_ground_grows_again() {
 fn noise_has_no_dominant_wavelength() {
     let sandbox = Sandbox::new();
     record(&sandbox, "noise.csv", 0.05, 0.0);
-    let outcome = sandbox
-        .riffel("diagnose cases/nominal.toml --roughness noise.csv --speed \"100 km/h\" -o out");
+    let outcome = sandbox.riffel("diagnose cases/nominal.toml --roughness noise.csv --speed \"100 km/h\" -o out");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    assert!(
-        outcome.text.contains("no dominant wavelength"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("no dominant wavelength"), "{}", outcome.text);
     assert_eq!(
         sandbox.list("out"),
-        [
-            "candidates.csv",
-            "diagnosis.html",
-            "diagnosis.json",
-            "diagnosis.png",
-            "diagnosis.svg",
-            "places.csv"
-        ]
+        ["candidates.csv", "diagnosis.html", "diagnosis.json", "diagnosis.png", "diagnosis.svg", "places.csv"]
     );
 }
 
@@ -350,32 +279,14 @@ fn bad_input_is_refused_and_leaves_nothing() {
     for (arguments, part) in [
         ("--roughness missing.csv", "missing.csv"),
         ("--roughness good.csv --speed fast", "--speed"),
-        (
-            "--roughness good.csv --speed \"0 km/h\"",
-            "must be between 0.01 m/s and 200 m/s",
-        ),
-        (
-            "--roughness good.csv --speed \"90 km/h..60 km/h\"",
-            "from the slower",
-        ),
+        ("--roughness good.csv --speed \"0 km/h\"", "must be between 0.01 m/s and 200 m/s"),
+        ("--roughness good.csv --speed \"90 km/h..60 km/h\"", "from the slower"),
         ("--roughness good.csv --torsion=\"-5 Hz\"", "--torsion"),
         ("--roughness good.csv --earlier missing.csv", "missing.csv"),
-        (
-            "--roughness good.csv --earlier good.csv --dates 2024-01-01",
-            "2 dates",
-        ),
-        (
-            "--roughness good.csv --earlier good.csv --dates 2024-01-01,yesterday",
-            "yesterday",
-        ),
-        (
-            &format!("--roughness good.csv --earlier {SBB}"),
-            "both must be the same",
-        ),
-        (
-            &format!("--roughness {SBB} --where laboratory=NOBODY"),
-            "no spectrum has",
-        ),
+        ("--roughness good.csv --earlier good.csv --dates 2024-01-01", "2 dates"),
+        ("--roughness good.csv --earlier good.csv --dates 2024-01-01,yesterday", "yesterday"),
+        (&format!("--roughness good.csv --earlier {SBB}"), "both must be the same"),
+        (&format!("--roughness {SBB} --where laboratory=NOBODY"), "no spectrum has"),
         (&format!("--roughness {SBB} --by moon"), "no column"),
     ] {
         let outcome = sandbox.riffel(&format!("diagnose cases/nominal.toml {arguments} -o out"));

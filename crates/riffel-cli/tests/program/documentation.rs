@@ -36,10 +36,7 @@ fn examples(block: &str) -> Vec<Example> {
     let mut examples: Vec<Example> = Vec::new();
     for line in block.lines() {
         match (line.strip_prefix("$ "), examples.last_mut()) {
-            (Some(command), _) => examples.push(Example {
-                command: command.to_owned(),
-                shown: String::new(),
-            }),
+            (Some(command), _) => examples.push(Example { command: command.to_owned(), shown: String::new() }),
             (None, Some(example)) => {
                 example.shown.push_str(line);
                 example.shown.push('\n');
@@ -52,9 +49,7 @@ fn examples(block: &str) -> Vec<Example> {
 
 /// Arguments for the program; the README calls it through cargo.
 fn arguments(command: &str) -> Option<&str> {
-    command
-        .strip_prefix("riffel ")
-        .or_else(|| command.strip_prefix("cargo run --release -- "))
+    command.strip_prefix("riffel ").or_else(|| command.strip_prefix("cargo run --release -- "))
 }
 
 /// Run the examples of a block and return the block with what they print now.
@@ -63,22 +58,12 @@ fn run(sandbox: &Sandbox, block: &str, page: &Path) -> String {
     for Example { command, shown } in examples(block) {
         written.push_str(&format!("$ {command}\n"));
         let Some(arguments) = arguments(&command) else {
-            assert_eq!(
-                command,
-                "cargo xtask test",
-                "{} shows a command no test runs",
-                page.display()
-            );
+            assert_eq!(command, "cargo xtask test", "{} shows a command no test runs", page.display());
             written.push_str(&shown);
             continue;
         };
         let outcome = sandbox.riffel(arguments);
-        let mut printed = outcome
-            .text
-            .lines()
-            .map(str::trim_end)
-            .collect::<Vec<_>>()
-            .join("\n");
+        let mut printed = outcome.text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
         printed = format!("{}\n", printed.trim_end());
         if outcome.status != Some(0) {
             printed.push_str(&format!("? {}\n", outcome.status.unwrap_or(-1)));
@@ -150,17 +135,11 @@ fn every_command_of_the_documentation_prints_what_is_shown() {
                     .find(|(_, (shown, printed))| shown != printed)
                     .unwrap_or((text.lines().count(), ("", "")));
                 let (page, line) = (page.display(), place + 1);
-                stale.push(format!(
-                    "{page}:{line}\nshown:   {shown}\nprinted: {printed}"
-                ));
+                stale.push(format!("{page}:{line}\nshown:   {shown}\nprinted: {printed}"));
             }
         }
     }
-    assert!(
-        stale.is_empty(),
-        "these pages show old output:\n{}",
-        stale.join("\n\n")
-    );
+    assert!(stale.is_empty(), "these pages show old output:\n{}", stale.join("\n\n"));
 }
 
 #[test]
@@ -170,8 +149,7 @@ fn every_whole_case_of_the_documentation_is_valid() {
         let text = fs::read_to_string(&page).unwrap();
         for block in text.split("```toml\n").skip(1) {
             let (block, _) = block.split_once("```").unwrap();
-            if block.contains("[contact]") && block.contains("[wheel]") && block.contains("[track]")
-            {
+            if block.contains("[contact]") && block.contains("[wheel]") && block.contains("[track]") {
                 let name = page.display().to_string();
                 if let Err(error) = riffel_case::Case::parse(&name, block, &[]) {
                     panic!("{name}: {error}");

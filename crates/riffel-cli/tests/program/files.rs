@@ -7,16 +7,8 @@ use std::time::{Duration, Instant};
 
 use crate::sandbox::Sandbox;
 
-const MAP_FILES: [&str; 8] = [
-    "branches.csv",
-    "map.csv",
-    "map.html",
-    "map.nc",
-    "map.png",
-    "map.svg",
-    "ridge.csv",
-    "summary.json",
-];
+const MAP_FILES: [&str; 8] =
+    ["branches.csv", "map.csv", "map.html", "map.nc", "map.png", "map.svg", "ridge.csv", "summary.json"];
 
 /// A map small enough to be quick and large enough to have a ridge.
 const SMALL: &str = "--set map.wavelength.points=61 --set map.speed.points=56";
@@ -29,18 +21,12 @@ fn map_writes_all_its_files() {
     assert_eq!(sandbox.list("out/a"), MAP_FILES);
 
     let html = fs::read_to_string(sandbox.path("out/a/map.html")).unwrap();
-    assert!(
-        html.contains("content=\"default-src 'none';"),
-        "no policy forbids loading"
-    );
+    assert!(html.contains("content=\"default-src 'none';"), "no policy forbids loading");
     for loads in ["<script src", "<link", "@import"] {
         assert!(!html.contains(loads), "the page loads something: {loads}");
     }
-    let rows: Vec<String> = fs::read_to_string(sandbox.path("out/a/map.csv"))
-        .unwrap()
-        .lines()
-        .map(str::to_owned)
-        .collect();
+    let rows: Vec<String> =
+        fs::read_to_string(sandbox.path("out/a/map.csv")).unwrap().lines().map(str::to_owned).collect();
     assert_eq!(rows.len(), 1 + 61 * 56);
     assert_eq!(
         rows[0],
@@ -54,11 +40,8 @@ fn files_agree_with_each_other_and_with_point() {
     let sandbox = Sandbox::new();
     sandbox.riffel(&format!("map cases/bhaskar-track.toml -o out {SMALL}"));
     let table = fs::read_to_string(sandbox.path("out/map.csv")).unwrap();
-    let rows: Vec<Vec<f64>> = table
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
-        .collect();
+    let rows: Vec<Vec<f64>> =
+        table.lines().skip(1).map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
 
     let mut grid = netcdf3::FileReader::open(sandbox.path("out/map.nc")).unwrap();
     let variables = grid.read_all_vars().unwrap();
@@ -70,15 +53,8 @@ fn files_agree_with_each_other_and_with_point() {
     assert_eq!(variable("growth_rate"), column(&rows, 4));
 
     let row = &rows[1234];
-    let arguments = format!(
-        "point cases/bhaskar-track.toml --json --wavelength {} --speed {}",
-        row[0], row[1]
-    );
-    let output = sandbox
-        .command()
-        .args(shlex::split(&arguments).unwrap())
-        .output()
-        .unwrap();
+    let arguments = format!("point cases/bhaskar-track.toml --json --wavelength {} --speed {}", row[0], row[1]);
+    let output = sandbox.command().args(shlex::split(&arguments).unwrap()).output().unwrap();
     let point: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let close = |value: &serde_json::Value, expected: f64| {
         // Both from the same formulas in another order of operations: rounding.
@@ -121,10 +97,8 @@ fn summary_is_complete_and_its_inputs_are_a_case() {
     let branches = summary["ridge"]["branches"].as_array().unwrap();
     assert!(branches.len() > 1, "{branches:?}");
     assert_eq!(branches[0]["frequency_hz"].as_f64(), Some(frequency));
-    let rates: Vec<f64> = branches
-        .iter()
-        .map(|branch| branch["highest_growth_rate_per_passage"].as_f64().unwrap())
-        .collect();
+    let rates: Vec<f64> =
+        branches.iter().map(|branch| branch["highest_growth_rate_per_passage"].as_f64().unwrap()).collect();
     assert!(rates.is_sorted_by(|a, b| a >= b), "{rates:?}");
     let highest = summary["ridge"]["highest"]["growth_rate_per_passage"].as_f64();
     assert_eq!(Some(rates[0]), highest);
@@ -136,21 +110,15 @@ fn summary_is_complete_and_its_inputs_are_a_case() {
             .filter(|row| row[0] == index.to_string())
             .collect();
         let inside: Vec<&Vec<&str>> = rows.iter().filter(|row| row[6] == "false").collect();
-        let shown = if inside.is_empty() {
-            rows.iter().collect()
-        } else {
-            inside
-        };
+        let shown = if inside.is_empty() { rows.iter().collect() } else { inside };
         for (column, key) in [(1, "speed_m_per_s"), (2, "wavelength_m")] {
             let values = shown.iter().map(|row| row[column].parse::<f64>().unwrap());
-            let (least, most) = values.fold((f64::MAX, f64::MIN), |(least, most), value| {
-                (value.min(least), value.max(most))
-            });
+            let (least, most) =
+                values.fold((f64::MAX, f64::MIN), |(least, most), value| (value.min(least), value.max(most)));
             assert_eq!(branch[key], serde_json::json!([least, most]), "{key}");
         }
     }
-    let inputs: riffel_case::file::CaseFile =
-        serde_json::from_value(summary["inputs"].clone()).unwrap();
+    let inputs: riffel_case::file::CaseFile = serde_json::from_value(summary["inputs"].clone()).unwrap();
     assert_eq!(inputs.track.support_spacing.unwrap().si(), 0.7);
 }
 
@@ -183,21 +151,15 @@ fn failures_leave_nothing() {
         assert!(outcome.text.len() > 20, "{arguments}");
     }
     assert_eq!(sandbox.list("."), ["bad.csv", "cases", "file", "short.csv"]);
-    assert_eq!(
-        fs::read_to_string(sandbox.path("file")).unwrap(),
-        "in the way"
-    );
+    assert_eq!(fs::read_to_string(sandbox.path("file")).unwrap(), "in the way");
 }
 
 #[test]
 fn observations_are_drawn() {
     let sandbox = Sandbox::new();
-    let table =
-        "label,wavelength,speed\nline A,40 mm,\"80 km/h\"\nline A,0.05,27\nline B,60 mm,108 km/h\n";
+    let table = "label,wavelength,speed\nline A,40 mm,\"80 km/h\"\nline A,0.05,27\nline B,60 mm,108 km/h\n";
     fs::write(sandbox.path("measured.csv"), table).unwrap();
-    let outcome = sandbox.riffel(&format!(
-        "map cases/nominal.toml -o out --observations measured.csv {SMALL}"
-    ));
+    let outcome = sandbox.riffel(&format!("map cases/nominal.toml -o out --observations measured.csv {SMALL}"));
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     let picture = fs::read_to_string(sandbox.path("out/map.svg")).unwrap();
     assert!(picture.contains("line A") && picture.contains("line B"));
@@ -207,8 +169,7 @@ fn observations_are_drawn() {
 fn an_existing_result_is_replaced_whole() {
     let sandbox = Sandbox::new();
     for friction in ["0.4", "0.3"] {
-        let arguments =
-            format!("map cases/nominal.toml -o out {SMALL} --set contact.friction={friction}");
+        let arguments = format!("map cases/nominal.toml -o out {SMALL} --set contact.friction={friction}");
         assert_eq!(sandbox.riffel(&arguments).status, Some(0));
     }
     assert_eq!(sandbox.list("out"), MAP_FILES);
@@ -224,12 +185,7 @@ fn an_interrupted_map_leaves_nothing() {
     let mut child = sandbox
         .command()
         .args(["map", "cases/nominal.toml", "-o", "out"])
-        .args([
-            "--set",
-            "map.wavelength.points=4000",
-            "--set",
-            "map.speed.points=4000",
-        ])
+        .args(["--set", "map.wavelength.points=4000", "--set", "map.speed.points=4000"])
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
@@ -240,22 +196,14 @@ fn an_interrupted_map_leaves_nothing() {
         let Ok(folders) = fs::read_dir(sandbox.path("out")) else {
             return false;
         };
-        folders
-            .flatten()
-            .any(|folder| folder.path().join("map.csv").exists())
+        folders.flatten().any(|folder| folder.path().join("map.csv").exists())
     };
     while !writing() {
-        assert!(
-            begun.elapsed() < Duration::from_secs(120),
-            "nothing was written"
-        );
+        assert!(begun.elapsed() < Duration::from_secs(120), "nothing was written");
         assert!(child.try_wait().unwrap().is_none(), "it ended too early");
         std::thread::sleep(Duration::from_millis(5));
     }
-    let interrupted = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status()
-        .unwrap();
+    let interrupted = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert!(interrupted.success());
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert_eq!(sandbox.list("."), ["cases"]);
@@ -266,9 +214,8 @@ fn figures_writes_picture_and_numbers_of_each() {
     let sandbox = Sandbox::new();
     let outcome = sandbox.riffel("figures -o figures");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    let mut expected: Vec<String> = (2..=8)
-        .flat_map(|number| ["csv", "png", "svg"].map(|ending| format!("figure-{number}.{ending}")))
-        .collect();
+    let mut expected: Vec<String> =
+        (2..=8).flat_map(|number| ["csv", "png", "svg"].map(|ending| format!("figure-{number}.{ending}"))).collect();
     expected.sort();
     assert_eq!(sandbox.list("figures"), expected);
     let dissipation = |folder: &str| {

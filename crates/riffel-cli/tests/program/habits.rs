@@ -14,9 +14,7 @@ fn the_version_is_told_with_the_commit_where_it_is_known() {
         let (commit, date) = inside.split_once(' ').unwrap();
         commit.len() >= 9 && commit.bytes().all(|b| b.is_ascii_hexdigit()) && date.len() == 10
     };
-    let inside = rest
-        .strip_prefix('(')
-        .and_then(|rest| rest.strip_suffix(')'));
+    let inside = rest.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
     // A package without its repository has no commit.
     assert!(rest.is_empty() || inside.is_some_and(is_commit), "{text}");
 }
@@ -96,10 +94,7 @@ fn presets_are_one_document() {
 /// Both streams of a run.
 fn streams(sandbox: &Sandbox, arguments: &str) -> (String, String) {
     let mut command = sandbox.command();
-    let output = command
-        .args(shlex::split(arguments).unwrap())
-        .output()
-        .unwrap();
+    let output = command.args(shlex::split(arguments).unwrap()).output().unwrap();
     assert!(output.status.success(), "{arguments}: {output:?}");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
     (text(output.stdout), text(output.stderr))
@@ -126,15 +121,9 @@ fn notes_are_short_unless_more_is_wanted() {
     let (_, short) = streams(&sandbox, point);
     let (_, long) = streams(&sandbox, &format!("{point} --verbose"));
     assert_eq!(short.lines().count(), long.lines().count());
-    assert!(
-        short.lines().all(|line| line.chars().count() <= 110),
-        "{short}"
-    );
+    assert!(short.lines().all(|line| line.chars().count() <= 110), "{short}");
     assert!(short.contains("no support"), "{short}");
-    assert!(
-        long.contains("pads, sleepers and ballast change its receptance"),
-        "{long}"
-    );
+    assert!(long.contains("pads, sleepers and ballast change its receptance"), "{long}");
     assert!(short.len() < long.len(), "{short}{long}");
     let map = "map cases/nominal.toml -o out --json --set map.wavelength.points=5 --set map.speed.points=4";
     let summary = sandbox.json(map);
@@ -158,16 +147,11 @@ fn a_dash_is_standard_input() {
     let sandbox = Sandbox::new();
     let at = "--wavelength 0.05 --speed 20 --json";
     let (from_pipe, _) = piped(&sandbox, "cases/nominal.toml", &format!("point - {at}"));
-    let from_file = sandbox
-        .riffel(&format!("point cases/nominal.toml {at}"))
-        .text;
+    let from_file = sandbox.riffel(&format!("point cases/nominal.toml {at}")).text;
     assert_eq!(from_pipe, from_file);
 
-    let (text, status) = piped(
-        &sandbox,
-        "cases/nominal.toml",
-        "map - --set map.wavelength.points=5 --set map.speed.points=4",
-    );
+    let (text, status) =
+        piped(&sandbox, "cases/nominal.toml", "map - --set map.wavelength.points=5 --set map.speed.points=4");
     assert_eq!(status, Some(0), "{text}");
     assert!(sandbox.path("stdin-map/map.csv").exists());
 
@@ -180,11 +164,7 @@ fn a_dash_is_standard_input() {
     let forecast = "forecast cases/nominal.toml --spectrum profile.csv --traffic - --json";
     let (text, status) = piped(&sandbox, "cases/traffic.toml", forecast);
     assert_eq!(status, Some(0), "{text}");
-    let (text, status) = piped(
-        &sandbox,
-        "cases/traffic.toml",
-        "forecast - --spectrum profile.csv --traffic - --json",
-    );
+    let (text, status) = piped(&sandbox, "cases/traffic.toml", "forecast - --spectrum profile.csv --traffic - --json");
     assert_eq!(status, Some(2), "{text}");
     assert!(text.contains("only one file can be -"), "{text}");
 }
@@ -258,7 +238,6 @@ fn errors_in_a_file_do_not_know_the_terminal() {
     };
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     let in_a_file = fs::read_to_string(sandbox.path("errors.txt")).unwrap();
-    let arguments =
-        "point cases/nominal.toml --wavelength 0.05 --speed 20 --set contact.friction=-1";
+    let arguments = "point cases/nominal.toml --wavelength 0.05 --speed 20 --set contact.friction=-1";
     assert_eq!(in_a_file, sandbox.riffel(arguments).text);
 }

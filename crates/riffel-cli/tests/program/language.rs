@@ -22,10 +22,7 @@ fn a_refused_value_is_told_in_german() {
 fn notes_are_german_and_json_is_not() {
     let sandbox = Sandbox::new();
     let text = sandbox.riffel(&format!("--language de {POINT}")).text;
-    assert!(
-        text.contains("Hinweis: die Schiene liegt nirgends auf"),
-        "{text}"
-    );
+    assert!(text.contains("Hinweis: die Schiene liegt nirgends auf"), "{text}");
     let english = sandbox.json(&format!("{POINT} --json"));
     let german = sandbox.json(&format!("{POINT} --json --language de"));
     assert_eq!(english, german);
@@ -38,22 +35,10 @@ fn cases_and_findings_are_german_and_the_command_line_is_not() {
     let said = [
         ("map", "error: the following required arguments"),
         ("map none.toml", "none.toml ist nicht zu lesen: "),
-        (
-            "point cases/curve.toml --wavelength '40 mm' --speed '80 km/h' --set curve.radius=0.5",
-            "`curve.speed` fehlt",
-        ),
-        (
-            "map cases/nominal.toml --set map.wavelength.max=0.001",
-            "`map.wavelength.max` ist 0,001 m",
-        ),
-        (
-            "map cases/nominal.toml --set contact.normal_load='50 kg'",
-            "\"50 kg\" ist in kg",
-        ),
-        (
-            "map cases/nominal.toml --set contact.frictoin=0.3",
-            "ist kein Schlüssel",
-        ),
+        ("point cases/curve.toml --wavelength '40 mm' --speed '80 km/h' --set curve.radius=0.5", "`curve.speed` fehlt"),
+        ("map cases/nominal.toml --set map.wavelength.max=0.001", "`map.wavelength.max` ist 0,001 m"),
+        ("map cases/nominal.toml --set contact.normal_load='50 kg'", "\"50 kg\" ist in kg"),
+        ("map cases/nominal.toml --set contact.frictoin=0.3", "ist kein Schlüssel"),
     ];
     say_in_german(&sandbox, &said);
 }
@@ -74,10 +59,7 @@ fn findings_are_german_on_a_terminal() {
     std::fs::write(sandbox.path("rail.csv"), sample).unwrap();
     let said = [
         ("roughness rail.csv", "über der Grenze, 1 von 22 Bändern"),
-        (
-            "diagnose cases/metro.toml --roughness rail.csv",
-            "führt mit einem Anteil von 0,",
-        ),
+        ("diagnose cases/metro.toml --roughness rail.csv", "führt mit einem Anteil von 0,"),
         (
             "forecast cases/nominal.toml --traffic cases/traffic.toml --from-limit '-6 dB'",
             "63 mm wächst am schnellsten, um 0,",

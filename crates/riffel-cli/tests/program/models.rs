@@ -3,8 +3,7 @@
 use crate::sandbox::{Sandbox, number};
 
 /// Fewer waves, of fewer octaves of the exact contact.
-const FEW: &str =
-    "--set map.wavelength.min=0.04 --set map.wavelength.max=0.06 --set map.wavelength.points=5";
+const FEW: &str = "--set map.wavelength.min=0.04 --set map.wavelength.max=0.06 --set map.wavelength.points=5";
 
 /// Models that fit, and what the others need; the document is that of the folder.
 #[test]
@@ -20,16 +19,7 @@ fn models_stand_side_by_side() {
     ] {
         assert!(written.text.contains(shown), "{}", written.text);
     }
-    assert_eq!(
-        sandbox.list("out"),
-        [
-            "growth.csv",
-            "models.html",
-            "models.png",
-            "models.svg",
-            "summary.json"
-        ]
-    );
+    assert_eq!(sandbox.list("out"), ["growth.csv", "models.html", "models.png", "models.svg", "summary.json"]);
     let document = sandbox.json(&format!("{command} --json"));
     let summary = std::fs::read_to_string(sandbox.path("out/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
@@ -54,10 +44,7 @@ fn models_stand_side_by_side() {
         "point cases/nominal.toml --wavelength {wavelength} --speed 30 --json {FEW} \
          --set contact.response=non-steady --set contact.creep_law=half-space"
     ));
-    assert_eq!(
-        ours["growth_rate_per_passage"][middle],
-        point["growth_rate_per_passage"]
-    );
+    assert_eq!(ours["growth_rate_per_passage"][middle], point["growth_rate_per_passage"]);
     // The joint that moves growth most comes first.
     let seed = model("afferrante-ciavarella-2009");
     let changes: Vec<f64> = seed["differs_by"]
@@ -66,27 +53,16 @@ fn models_stand_side_by_side() {
         .iter()
         .map(|by| number(&by["largest_change_of_growth_rate_per_passage"]))
         .collect();
-    assert!(
-        changes.is_sorted_by(|a, b| a >= b) && changes[0] > 0.0,
-        "{changes:?}"
-    );
+    assert!(changes.is_sorted_by(|a, b| a >= b) && changes[0] > 0.0, "{changes:?}");
     // A wheel of mass and inertia on a free beam is what the case has.
-    assert!(
-        seed["differs_by"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .all(|by| by["joint"] != "track")
-    );
+    assert!(seed["differs_by"].as_array().unwrap().iter().all(|by| by["joint"] != "track"));
 }
 
 /// On discrete supports Frederick's curves are drawn over a support and in mid-span.
 #[test]
 fn wear_is_drawn_in_the_complex_plane() {
     let sandbox = Sandbox::new();
-    let command = format!(
-        "compare cases/discrete-supports.toml --models frederick-1987 --speed \"110 km/h\" {FEW}"
-    );
+    let command = format!("compare cases/discrete-supports.toml --models frederick-1987 --speed \"110 km/h\" {FEW}");
     let written = sandbox.riffel(&format!("{command} -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
     assert!(sandbox.path("out/complex-plane.svg").exists());
@@ -106,32 +82,19 @@ fn wear_is_drawn_in_the_complex_plane() {
 fn what_cannot_be_compared_is_told() {
     let sandbox = Sandbox::new();
     for (arguments, sentence) in [
-        (
-            "--models nobody",
-            "no model has the name \"nobody\"; models: carson-johnson-1971, ",
-        ),
+        ("--models nobody", "no model has the name \"nobody\"; models: carson-johnson-1971, "),
         (
             "--models tassilly-vincent-1991",
             "tassilly-vincent-1991 is not on this case: needs a wheelset with an elastic axle",
         ),
-        (
-            "--models --with cases/soft-pads.toml",
-            "cannot be used with '--with <TOML>'",
-        ),
-        (
-            "--models --limit grassie-1999",
-            "cannot be used with '--limit <LIMIT>'",
-        ),
+        ("--models --with cases/soft-pads.toml", "cannot be used with '--with <TOML>'"),
+        ("--models --limit grassie-1999", "cannot be used with '--limit <LIMIT>'"),
         ("--models --speed \"5000 m/s\"", "--speed is 5000 m/s"),
         ("--speed 30", "--with <TOML>"),
     ] {
         let outcome = sandbox.riffel(&format!("compare cases/nominal.toml {arguments} -o out"));
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
-        assert!(
-            outcome.sentence().contains(sentence),
-            "{arguments}: {}",
-            outcome.text
-        );
+        assert!(outcome.sentence().contains(sentence), "{arguments}: {}", outcome.text);
         assert!(!sandbox.path("out").exists());
     }
 }

@@ -11,8 +11,8 @@ use riffel_case::traffic::Traffic;
 use riffel_case::{Case, CurvingCase, ProfileReading, Variant, read_profile};
 use riffel_keys::CaseError;
 use riffel_rail::{
-    AxleBoxFile, AxleBoxLayout, AxleBoxReading, Layout, LimitTable, LinePlace, ReaderFormat,
-    RecipeFile, RoughnessFile, TransferTable, WheelModesTable, read_decay_rates,
+    AxleBoxFile, AxleBoxLayout, AxleBoxReading, Layout, LimitTable, LinePlace, ReaderFormat, RecipeFile, RoughnessFile,
+    TransferTable, WheelModesTable, read_decay_rates,
 };
 
 use crate::sandbox::root;
@@ -97,23 +97,14 @@ fn mutated(bytes: &[u8], numbers: &mut Numbers) -> Vec<u8> {
             }
             3 if at < length => bytes[at] ^= 1 << numbers.next(8),
             4 => {
-                let mut lines: Vec<Vec<u8>> = bytes
-                    .split(|byte| *byte == b'\n')
-                    .map(<[u8]>::to_vec)
-                    .collect();
+                let mut lines: Vec<Vec<u8>> = bytes.split(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
                 let (one, other) = (numbers.next(lines.len()), numbers.next(lines.len()));
                 lines.swap(one, other);
                 bytes = lines.join(&b'\n');
             }
             5 => {
-                let mut lines: Vec<Vec<u8>> = bytes
-                    .split(|byte| *byte == b'\n')
-                    .map(<[u8]>::to_vec)
-                    .collect();
-                lines.insert(
-                    numbers.next(lines.len()),
-                    lines[numbers.next(lines.len())].clone(),
-                );
+                let mut lines: Vec<Vec<u8>> = bytes.split(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
+                lines.insert(numbers.next(lines.len()), lines[numbers.next(lines.len())].clone());
                 bytes = lines.join(&b'\n');
             }
             _ => {
@@ -141,11 +132,7 @@ fn axle_box(path: &Path, _: &str) -> Result<String, CaseError> {
     let is_wave = path.extension().is_some_and(|ending| ending == "wav");
     let channels = ["acceleration_left_g=50", "acceleration_right_g=50"].map(str::to_owned);
     let layout = match is_wave {
-        true => AxleBoxLayout {
-            channels: channels.into(),
-            speed: Some(20.0),
-            ..AxleBoxLayout::default()
-        },
+        true => AxleBoxLayout { channels: channels.into(), speed: Some(20.0), ..AxleBoxLayout::default() },
         false => AxleBoxLayout::default(),
     };
     let file = AxleBoxFile::open(path, &layout)?;
@@ -161,10 +148,8 @@ fn axle_box(path: &Path, _: &str) -> Result<String, CaseError> {
 }
 
 fn receptance(path: &Path, _: &str) -> Result<String, CaseError> {
-    let overrides = [
-        "track.model=\"measured\"".to_owned(),
-        format!("track.measurement.file={:?}", path.display().to_string()),
-    ];
+    let overrides =
+        ["track.model=\"measured\"".to_owned(), format!("track.measurement.file={:?}", path.display().to_string())];
     let case = Case::parse("case.toml", riffel_case::NOMINAL_CASE, &overrides)?;
     let rate = case.feedback.at(case.wavelength.min(), case.speed.min());
     Ok(shown(&rate.normal_force()))
@@ -172,12 +157,7 @@ fn receptance(path: &Path, _: &str) -> Result<String, CaseError> {
 
 fn case(_: &Path, text: &str) -> Result<String, CaseError> {
     let case = Case::parse_sealed("case.toml", text)?;
-    Ok(shown(
-        &case
-            .feedback
-            .at(case.wavelength.min(), case.speed.min())
-            .normal_force(),
-    ))
+    Ok(shown(&case.feedback.at(case.wavelength.min(), case.speed.min()).normal_force()))
 }
 
 fn rail(path: &Path, _: &str) -> Result<String, CaseError> {
@@ -189,21 +169,9 @@ type Files = (&'static str, &'static str);
 
 /// Each reader with its files, by folder and the end of their names.
 const READERS: [(&str, Reader, &[Files]); 18] = [
-    (
-        "case",
-        case,
-        &[("cases", ".toml"), ("presets/tracks", ".toml")],
-    ),
-    (
-        "curving",
-        |_, text| read(CurvingCase::parse("curve.toml", text, &[])),
-        &[("cases", "curve.toml")],
-    ),
-    (
-        "traffic",
-        |_, text| read(Traffic::parse("traffic.toml", text)),
-        &[("cases", "traffic.toml")],
-    ),
+    ("case", case, &[("cases", ".toml"), ("presets/tracks", ".toml")]),
+    ("curving", |_, text| read(CurvingCase::parse("curve.toml", text, &[])), &[("cases", "curve.toml")]),
+    ("traffic", |_, text| read(Traffic::parse("traffic.toml", text)), &[("cases", "traffic.toml")]),
     (
         "changes",
         |_, text| read(Variant::parse("changes.toml", text)),
@@ -211,13 +179,7 @@ const READERS: [(&str, Reader, &[Files]); 18] = [
     ),
     (
         "study",
-        |_, text| {
-            read(riffel_study::Plan::parse(
-                "study.toml",
-                text,
-                &root().join("cases/nominal.toml"),
-            ))
-        },
+        |_, text| read(riffel_study::Plan::parse("study.toml", text, &root().join("cases/nominal.toml"))),
         &[("cases", "study.toml"), ("cases", "sensitivity.toml")],
     ),
     (
@@ -226,21 +188,9 @@ const READERS: [(&str, Reader, &[Files]); 18] = [
         &[("validation/calibration/b-three-dates", "plan.toml")],
     ),
     ("site", |_, text| read(Site::parse("site.toml", text)), &[]),
-    (
-        "limit",
-        |_, text| read(LimitTable::parse("limit.toml", text)),
-        &[("limits", ".toml")],
-    ),
-    (
-        "recipe",
-        |_, text| read(RecipeFile::parse("recipe.toml", text)),
-        &[("cases", "roughness-recipe.toml")],
-    ),
-    (
-        "format",
-        |_, text| read(ReaderFormat::parse("format.toml", text)),
-        &[],
-    ),
+    ("limit", |_, text| read(LimitTable::parse("limit.toml", text)), &[("limits", ".toml")]),
+    ("recipe", |_, text| read(RecipeFile::parse("recipe.toml", text)), &[("cases", "roughness-recipe.toml")]),
+    ("format", |_, text| read(ReaderFormat::parse("format.toml", text)), &[]),
     (
         "rail",
         rail,
@@ -253,10 +203,7 @@ const READERS: [(&str, Reader, &[Files]); 18] = [
     (
         "decay",
         |path, _| read_decay_rates(path).map(|rates| shown(&rates)),
-        &[
-            ("validation/reference/decay-rate", ".csv"),
-            ("validation/calibration/a-hammer-and-decay", ".csv"),
-        ],
+        &[("validation/reference/decay-rate", ".csv"), ("validation/calibration/a-hammer-and-decay", ".csv")],
     ),
     (
         "response",
@@ -270,11 +217,7 @@ const READERS: [(&str, Reader, &[Files]); 18] = [
     (
         "profile",
         |path, _| read(read_profile(path, ProfileReading::default())),
-        &[
-            ("cases", "worn-rail.csv"),
-            ("cases", "worn-wheel.csv"),
-            ("crates/riffel-case/tests/profiles", ""),
-        ],
+        &[("cases", "worn-rail.csv"), ("cases", "worn-wheel.csv"), ("crates/riffel-case/tests/profiles", "")],
     ),
     ("axle box", axle_box, &[]),
     (
@@ -354,9 +297,7 @@ fn files(name: &str, folders: &[(&str, &str)]) -> Vec<(String, Vec<u8>)> {
 #[test]
 fn no_mutated_file_breaks_a_reader() {
     let folder = tempfile::tempdir().unwrap();
-    let count = std::env::var("RIFFEL_MUTATIONS")
-        .ok()
-        .and_then(|count| count.parse().ok());
+    let count = std::env::var("RIFFEL_MUTATIONS").ok().and_then(|count| count.parse().ok());
     let each: usize = count.unwrap_or(USUAL).div_ceil(READERS.len());
     let mut faults = Vec::new();
     for (reader, (name, reads, folders)) in READERS.into_iter().enumerate() {
@@ -386,27 +327,15 @@ fn no_mutated_file_breaks_a_reader() {
                 Ok(Err(error)) => {
                     let words = error.to_string();
                     let control = words.chars().any(|c| c.is_control() && c != '\n');
-                    (control || words.is_empty() || words.len() > 4096)
-                        .then(|| format!("says {words:?}"))
+                    (control || words.is_empty() || words.len() > 4096).then(|| format!("says {words:?}"))
                 }
             };
-            let fault = fault.or_else(|| {
-                (begun.elapsed() > LONGEST).then(|| format!("takes {:?}", begun.elapsed()))
-            });
+            let fault = fault.or_else(|| (begun.elapsed() > LONGEST).then(|| format!("takes {:?}", begun.elapsed())));
             faults.extend(fault.map(|fault| format!("{name} {file} {input}: {fault}")));
         }
-        println!(
-            "{name}: {each} inputs of {} files, {taken} taken, slowest {slowest:?}",
-            files.len()
-        );
+        println!("{name}: {each} inputs of {} files, {taken} taken, slowest {slowest:?}", files.len());
         // Changes that all are refused at the first line test nothing behind it.
         faults.extend((taken == 0).then(|| format!("{name}: none is taken")));
     }
-    assert!(
-        faults.is_empty(),
-        "{} of {}:\n{}",
-        faults.len(),
-        each * READERS.len(),
-        faults.join("\n")
-    );
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), each * READERS.len(), faults.join("\n"));
 }

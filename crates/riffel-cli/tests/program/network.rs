@@ -22,14 +22,9 @@ fn surveys_become_a_plan() {
     survey(&sandbox, "before.csv", 3.5);
     survey(&sandbox, "after.csv", 6.9);
     let take = |file: &str, date: &str| {
-        sandbox.json(&format!(
-            "network ingest railway {file} --line \"Main line\" --date {date} --json"
-        ))
+        sandbox.json(&format!("network ingest railway {file} --line \"Main line\" --date {date} --json"))
     };
-    assert_eq!(
-        number(&take("before.csv", "2025-07-01")["measured"]["left"]),
-        200.0
-    );
+    assert_eq!(number(&take("before.csv", "2025-07-01")["measured"]["left"]), 200.0);
     assert_eq!(take("after.csv", "2026-01-01")["there_already"], false);
     assert_eq!(take("after.csv", "2026-01-01")["there_already"], true);
     let status = sandbox.json("network status railway --json");
@@ -55,14 +50,8 @@ fn surveys_become_a_plan() {
     assert!((number(&growth_db["median"]) / median - 1.0).abs() < 0.02);
     assert!(number(&growth_db["band_80"][0]) < median && median < number(&growth_db["band_80"][1]));
     for (wrong, words) in [
-        (
-            "network growth railway --case cases/nominal.toml --line Branch",
-            "one of those in the store: Main line",
-        ),
-        (
-            "network plan railway --length \"1 km\" --traffic cases/traffic.toml",
-            "--case",
-        ),
+        ("network growth railway --case cases/nominal.toml --line Branch", "one of those in the store: Main line"),
+        ("network plan railway --length \"1 km\" --traffic cases/traffic.toml", "--case"),
     ] {
         let refused = sandbox.riffel(wrong);
         assert_eq!(refused.status, Some(2), "{}", refused.text);
@@ -76,14 +65,8 @@ fn surveys_become_a_plan() {
         ("status railway", "Main line"),
         ("worst railway", "30–100"),
         ("growth railway", "3.50 → 6.90"),
-        (
-            "plan railway --months 6 --money 500 --cost-per-metre 4",
-            "0.000 km are left",
-        ),
-        (
-            "plan railway --months 6 --money 500 --cost-per-metre 6",
-            "0.100 km are left\n",
-        ),
+        ("plan railway --months 6 --money 500 --cost-per-metre 4", "0.000 km are left"),
+        ("plan railway --months 6 --money 500 --cost-per-metre 6", "0.100 km are left\n"),
         (
             "plan railway --months 6 --money 500 --cost-per-metre 4 --cost-per-site 100 --most-track",
             "0.100 km are ground for 500, 0.000 km are left\n",
@@ -101,67 +84,32 @@ fn what_cannot_be_is_refused() {
     survey(&sandbox, "a.csv", 5.0);
     let ingest = "network ingest railway a.csv --line A";
     for (arguments, words) in [
-        (
-            "network status nowhere".to_owned(),
-            "nowhere holds no network",
-        ),
-        (
-            format!("{ingest} --date tomorrow"),
-            "the date \"tomorrow\" is no date; write it as",
-        ),
+        ("network status nowhere".to_owned(), "nowhere holds no network"),
+        (format!("{ingest} --date tomorrow"), "the date \"tomorrow\" is no date; write it as"),
         (
             format!("{ingest} --date 2026-01-01 --resolution \"1 mm\""),
             "the resolution is 0.001 m, but must be between 0.1 m and 1000 m",
         ),
-        (
-            "network ingest railway none.csv --line A --date 2026-01-01".to_owned(),
-            "none.csv",
-        ),
+        ("network ingest railway none.csv --line A --date 2026-01-01".to_owned(), "none.csv"),
     ] {
         let outcome = sandbox.riffel(&arguments);
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
-        assert!(
-            outcome.sentence().contains(words),
-            "{arguments}: {}",
-            outcome.text
-        );
-        assert!(
-            !sandbox.path("railway/network.json").exists(),
-            "{arguments}"
-        );
+        assert!(outcome.sentence().contains(words), "{arguments}: {}", outcome.text);
+        assert!(!sandbox.path("railway/network.json").exists(), "{arguments}");
     }
     let made = sandbox.riffel(&format!("{ingest} --date 2026-01-01"));
     assert_eq!(made.status, Some(0), "{}", made.text);
     for (arguments, words) in [
         ("growth railway", "no line has surveys of two dates"),
-        (
-            "worst railway --section \"1 m\"",
-            "at least a cell of the store, 10 m",
-        ),
-        (
-            "worst railway --limit iso-3095-2013",
-            "is one of levels, but a store holds RMS in bands",
-        ),
-        (
-            "growth railway --from tomorrow --to 2026-01-01",
-            "\"tomorrow\" is no date; write it as",
-        ),
-        (
-            "plan railway --length \"-1 km\"",
-            "--length is -1000 m, but must be greater",
-        ),
-        (
-            "plan railway --months -1 --length \"1 km\"",
-            "the number of months is -1",
-        ),
+        ("worst railway --section \"1 m\"", "at least a cell of the store, 10 m"),
+        ("worst railway --limit iso-3095-2013", "is one of levels, but a store holds RMS in bands"),
+        ("growth railway --from tomorrow --to 2026-01-01", "\"tomorrow\" is no date; write it as"),
+        ("plan railway --length \"-1 km\"", "--length is -1000 m, but must be greater"),
+        ("plan railway --months -1 --length \"1 km\"", "the number of months is -1"),
     ] {
         let outcome = sandbox.riffel(&format!("network {arguments}"));
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
-        assert!(
-            outcome.sentence().contains(words),
-            "{arguments}: {}",
-            outcome.text
-        );
+        assert!(outcome.sentence().contains(words), "{arguments}: {}", outcome.text);
     }
 }
 
@@ -172,9 +120,7 @@ fn a_chart_has_every_survey() {
     survey(&sandbox, "before.csv", 3.5);
     survey(&sandbox, "after.csv", 14.0);
     for (file, date) in [("before.csv", "2025-07-01"), ("after.csv", "2026-01-01")] {
-        sandbox.json(&format!(
-            "network ingest railway {file} --line \"Main line\" --date {date} --json"
-        ));
+        sandbox.json(&format!("network ingest railway {file} --line \"Main line\" --date {date} --json"));
     }
     let chart = sandbox.json("network chart railway --json");
     let surveys = chart["lines"][0]["surveys"].as_array().unwrap();
@@ -192,26 +138,13 @@ fn a_chart_has_every_survey() {
 
     let drawn = sandbox.riffel("network chart railway");
     assert_eq!(drawn.status, Some(0), "{}", drawn.text);
-    assert!(
-        drawn.text.contains("2.000           0.100    2.00   0.500"),
-        "{}",
-        drawn.text
-    );
-    assert_eq!(
-        sandbox.list("railway-chart"),
-        ["chart.csv", "chart.png", "chart.svg"]
-    );
+    assert!(drawn.text.contains("2.000           0.100    2.00   0.500"), "{}", drawn.text);
+    assert_eq!(sandbox.list("railway-chart"), ["chart.csv", "chart.png", "chart.svg"]);
     let table = std::fs::read_to_string(sandbox.path("railway-chart/chart.csv")).unwrap();
     assert_eq!(table.lines().count(), 41);
     for (asked, sentence) in [
-        (
-            "--line Mainline",
-            "must be one of those in the store: Main line",
-        ),
-        (
-            "--rail middle",
-            "must be one of those in the store: left, right",
-        ),
+        ("--line Mainline", "must be one of those in the store: Main line"),
+        ("--rail middle", "must be one of those in the store: left, right"),
     ] {
         let refused = sandbox.riffel(&format!("network chart railway {asked} -o none"));
         assert_eq!(refused.status, Some(2), "{}", refused.text);
@@ -226,31 +159,17 @@ fn a_chart_has_every_survey() {
 fn surveys_that_mislead_are_refused_or_told() {
     let sandbox = Sandbox::new();
     let take = |file: &str, line: &str, date: &str| {
-        sandbox.riffel(&format!(
-            "network ingest railway {file} --line {line} --date {date}"
-        ))
+        sandbox.riffel(&format!("network ingest railway {file} --line {line} --date {date}"))
     };
     let write = |name: &str, text: &[u8]| std::fs::write(sandbox.path(name), text).unwrap();
-    write(
-        "two.csv",
-        b"rail,from_m,to_m,rms_10_to_30_mm_um,rms_30_to_100_mm_um\nleft,0,100,1,4\nleft,100,200,1,4\n",
-    );
+    write("two.csv", b"rail,from_m,to_m,rms_10_to_30_mm_um,rms_30_to_100_mm_um\nleft,0,100,1,4\nleft,100,200,1,4\n");
     write(
         "turned.csv",
         b"rail,from_m,to_m,rms_30_to_100_mm_um,rms_10_to_30_mm_um\nnorth,0,100,8,1\nnorth,100,200,4,1\n",
     );
-    write(
-        "twice.csv",
-        b"rail,from_m,to_m,rms_30_to_100_mm_um,rms_30_to_100_mm_um\nleft,0,100,1,4\n",
-    );
-    write(
-        "latin.csv",
-        b"rail,from_m,to_m,rms_10_to_30_mm_um\n\xfcber,0,100,1\n",
-    );
-    write(
-        "empty.csv",
-        b"rail,from_m,to_m,rms_10_to_30_mm_um\nleft,0,100,\n",
-    );
+    write("twice.csv", b"rail,from_m,to_m,rms_30_to_100_mm_um,rms_30_to_100_mm_um\nleft,0,100,1,4\n");
+    write("latin.csv", b"rail,from_m,to_m,rms_10_to_30_mm_um\n\xfcber,0,100,1\n");
+    write("empty.csv", b"rail,from_m,to_m,rms_10_to_30_mm_um\nleft,0,100,\n");
     for (file, date, sentence) in [
         ("twice.csv", "2026-01-01", "another column has already"),
         ("latin.csv", "2026-01-01", "is not in UTF-8"),

@@ -5,8 +5,7 @@ use serde_json::Value;
 use crate::sandbox::{Sandbox, number};
 
 const CASE: &str = "noise cases/main-line.toml --speed \"136 km/h\"";
-const MEASURED: &str =
-    "--roughness validation/reference/sbb-track-noise/rail_roughness.csv --where laboratory=MBBM";
+const MEASURED: &str = "--roughness validation/reference/sbb-track-noise/rail_roughness.csv --where laboratory=MBBM";
 
 fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new();
@@ -62,9 +61,8 @@ fn levels_add_up_and_follow_the_roughness() {
     }
 
     let table = |level: f64| -> String {
-        let rows: Vec<String> = (5..=25)
-            .map(|tenth| format!("{:.3},{level}", 1e3 * 10f64.powf(-0.1 * f64::from(tenth))))
-            .collect();
+        let rows: Vec<String> =
+            (5..=25).map(|tenth| format!("{:.3},{level}", 1e3 * 10f64.powf(-0.1 * f64::from(tenth)))).collect();
         format!("wavelength_mm,level_db\n{}\n", rows.join("\n"))
     };
     let of = |level: f64| {
@@ -79,10 +77,8 @@ fn levels_add_up_and_follow_the_roughness() {
 #[test]
 fn measures_save_what_they_change() {
     let sandbox = sandbox();
-    let limit = std::fs::read_to_string(
-        crate::sandbox::root().join("crates/riffel-rail/limits/iso-3095-2013.toml"),
-    )
-    .unwrap();
+    let limit =
+        std::fs::read_to_string(crate::sandbox::root().join("crates/riffel-rail/limits/iso-3095-2013.toml")).unwrap();
     let mut rows = "wavelength_mm,level_db\n".to_owned();
     let mut wavelength = "";
     for line in limit.lines() {
@@ -98,8 +94,7 @@ fn measures_save_what_they_change() {
     let document = sandbox.json(&format!("{CASE} --roughness rough.csv --json"));
     let saved = |word: &str| {
         let measures = document["measures"].as_array().unwrap().iter();
-        let mut found =
-            measures.filter(|measure| measure["title"].as_str().unwrap().contains(word));
+        let mut found = measures.filter(|measure| measure["title"].as_str().unwrap().contains(word));
         number(&found.next().unwrap()["saved_db"])
     };
     assert!((saved("ground to") - 7.0).abs() < 1e-9);
@@ -112,9 +107,7 @@ fn measures_save_what_they_change() {
 #[test]
 fn decay_rates_and_traffic_are_read() {
     let sandbox = sandbox();
-    let rates: Vec<String> = (20..=37)
-        .map(|index| format!("{:.1},30", 10f64.powf(0.1 * f64::from(index))))
-        .collect();
+    let rates: Vec<String> = (20..=37).map(|index| format!("{:.1},30", 10f64.powf(0.1 * f64::from(index)))).collect();
     let rates = format!("frequency_hz,decay_rate_db_per_m\n{}\n", rates.join("\n"));
     std::fs::write(sandbox.path("decay.csv"), rates).unwrap();
     let by_model = sandbox.json(&format!("{CASE} {MEASURED} --json"));
@@ -122,15 +115,10 @@ fn decay_rates_and_traffic_are_read() {
     let level = |document: &Value| number(&document["level"]["rail_dba"]);
     assert!(level(&damped) < level(&by_model) - 3.0);
 
-    let written = sandbox.riffel(&format!(
-        "{CASE} {MEASURED} --traffic cases/traffic.toml --months 6 --limit-dba 20 -o out"
-    ));
+    let written =
+        sandbox.riffel(&format!("{CASE} {MEASURED} --traffic cases/traffic.toml --months 6 --limit-dba 20 -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
-    assert!(
-        written.text.contains("20 dB(A) are reached now"),
-        "{}",
-        written.text
-    );
+    assert!(written.text.contains("20 dB(A) are reached now"), "{}", written.text);
     let text = std::fs::read_to_string(sandbox.path("out/summary.json")).unwrap();
     let document: Value = serde_json::from_str(&text).unwrap();
     let months = numbers(&document["course"]["month"]);
@@ -146,17 +134,13 @@ fn decay_rates_and_traffic_are_read() {
 fn months_do_not_hang_on_the_time_looked_ahead() {
     let sandbox = sandbox();
     let course = |months: &str| {
-        sandbox.json(&format!(
-            "{CASE} {MEASURED} --traffic cases/traffic.toml --months {months} --limit-dba 87 --json"
-        ))["course"]
+        sandbox.json(&format!("{CASE} {MEASURED} --traffic cases/traffic.toml --months {months} --limit-dba 87 --json"))
+            ["course"]
             .clone()
     };
     let (short, long) = (course("400"), course("500"));
     let limit = |course: &Value| number(&course["months_to_limit"]);
-    assert!(
-        (limit(&short) / limit(&long) - 1.0).abs() < 1e-4,
-        "{short} {long}"
-    );
+    assert!((limit(&short) / limit(&long) - 1.0).abs() < 1e-4, "{short} {long}");
     let (far, farther) = (course("3000"), course("9000"));
     assert_eq!(far["beyond_linear_range"], true);
     assert_eq!(far["month"], farther["month"]);
@@ -187,16 +171,10 @@ fn a_rail_without_support_has_no_level_of_its_own() {
     let refused = sandbox.riffel(&command);
     assert_eq!(refused.status, Some(2), "{}", refused.text);
     let sentence = refused.sentence();
-    assert!(
-        sentence.contains("carries its vibration on without end at every frequency"),
-        "{sentence}"
-    );
+    assert!(sentence.contains("carries its vibration on without end at every frequency"), "{sentence}");
     assert!(!sandbox.path("out").exists());
-    std::fs::write(
-        sandbox.path("decay.csv"),
-        "frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n800,1\n1000,0.8\n",
-    )
-    .unwrap();
+    std::fs::write(sandbox.path("decay.csv"), "frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n800,1\n1000,0.8\n")
+        .unwrap();
     let heard = sandbox.json(&format!("{command} --decay-rate decay.csv"));
     assert!(number(&heard["level"]["total_dba"]) > 50.0);
 }
@@ -206,19 +184,13 @@ fn a_rail_without_support_has_no_level_of_its_own() {
 fn wheels_that_ring_are_louder() {
     let sandbox = sandbox();
     let rigid = sandbox.json(&format!("{CASE} {MEASURED} --json"));
-    let ringing = sandbox.json(&format!(
-        "{CASE} {MEASURED} --wheel-modes straight-web-920 --json"
-    ));
+    let ringing = sandbox.json(&format!("{CASE} {MEASURED} --wheel-modes straight-web-920 --json"));
     assert_eq!(ringing["wheel_modes"], "straight-web-920");
     let frequencies = numbers(&rigid["frequency_hz"]);
     assert_eq!(frequencies, numbers(&ringing["frequency_hz"]));
     let louder = |part: &str| -> Vec<f64> {
         let [rigid, ringing] = [&rigid, &ringing].map(|document| numbers(&document["level"][part]));
-        ringing
-            .iter()
-            .zip(rigid)
-            .map(|(one, other)| one - other)
-            .collect()
+        ringing.iter().zip(rigid).map(|(one, other)| one - other).collect()
     };
     let (wheel, total) = (louder("wheel_db"), louder("total_db"));
     for (place, frequency) in frequencies.iter().enumerate() {
@@ -226,11 +198,7 @@ fn wheels_that_ring_are_louder() {
             assert!(wheel[place] > 30.0, "{frequency} Hz: {} dB", wheel[place]);
         }
         if *frequency <= 160.0 {
-            assert!(
-                total[place].abs() < 0.5,
-                "{frequency} Hz: {} dB",
-                total[place]
-            );
+            assert!(total[place].abs() < 0.5, "{frequency} Hz: {} dB", total[place]);
         }
     }
     let measures = ringing["measures"].as_array().unwrap();
@@ -258,9 +226,8 @@ fn wheels_that_ring_are_louder() {
 fn a_change_and_a_lower_bound_are_told() {
     let sandbox = sandbox();
     let table = |name: &str, level: f64, tenths: std::ops::RangeInclusive<i32>| {
-        let rows: Vec<String> = tenths
-            .map(|tenth| format!("{:.3},{level}", 1e3 * 10f64.powf(-0.1 * f64::from(tenth))))
-            .collect();
+        let rows: Vec<String> =
+            tenths.map(|tenth| format!("{:.3},{level}", 1e3 * 10f64.powf(-0.1 * f64::from(tenth)))).collect();
         let text = format!("wavelength_mm,level_db\n{}\n", rows.join("\n"));
         std::fs::write(sandbox.path(name), text).unwrap();
     };

@@ -9,19 +9,12 @@ const METRO: &str = "[line]\npassages_per_day = 3900\n[[vehicle]]\nname = \"metr
 /// Wavelength \[m\] and growth rate of a row of a table with a heading, at a speed \[m/s\].
 fn of_ridge(sandbox: &Sandbox, path: &str, speed: f64) -> [f64; 2] {
     let text = std::fs::read_to_string(sandbox.path(path)).unwrap();
-    let mut lines = text
-        .lines()
-        .map(|line| line.split(',').collect::<Vec<&str>>());
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<&str>>());
     let heads = lines.next().unwrap();
     let column = |name: &str| heads.iter().position(|head| *head == name).unwrap();
     let of = |row: &Vec<&str>, name: &str| row[column(name)].parse::<f64>().unwrap();
-    let row = lines
-        .find(|row| (of(row, "speed_m_per_s") - speed).abs() < 1e-9)
-        .unwrap();
-    [
-        of(&row, "wavelength_m"),
-        of(&row, "growth_rate_per_passage"),
-    ]
+    let row = lines.find(|row| (of(row, "speed_m_per_s") - speed).abs() < 1e-9).unwrap();
+    [of(&row, "wavelength_m"), of(&row, "growth_rate_per_passage")]
 }
 
 /// The narrow bending of an axle, 0.1 % of the critical damping, is found by map, comparison and the models, however coarse
@@ -42,41 +35,26 @@ fn commands_agree_on_the_fastest_growth() {
         let ridge = of_ridge(&sandbox, &format!("map-{points}/ridge.csv"), 12.5);
         found.push((format!("map of {points}"), ridge));
     }
-    let pair = |value: &serde_json::Value| {
-        ["wavelength_m", "growth_rate_per_passage"].map(|key| number(&value[key]))
-    };
+    let pair = |value: &serde_json::Value| ["wavelength_m", "growth_rate_per_passage"].map(|key| number(&value[key]));
     let few = "--set map.wavelength.points=7 --set map.speed.points=3";
-    let models = sandbox.json(&format!(
-        "compare {CASE} {few} --models tassilly-vincent-1991 --speed \"45 km/h\" --json"
-    ));
+    let models =
+        sandbox.json(&format!("compare {CASE} {few} --models tassilly-vincent-1991 --speed \"45 km/h\" --json"));
     found.push(("models".to_owned(), pair(&models["models"][0]["highest"])));
-    let compared = sandbox.json(&format!(
-        "compare {CASE} {few} --speed \"45 km/h\" --with cases/low-rail-friction.toml --json"
-    ));
+    let compared =
+        sandbox.json(&format!("compare {CASE} {few} --speed \"45 km/h\" --with cases/low-rail-friction.toml --json"));
     let as_it_is = &compared["outcomes"][0];
     let fastest = ["fastest_wavelength_m", "fastest_growth_rate_per_passage"];
-    found.push((
-        "compare".to_owned(),
-        fastest.map(|key| number(&as_it_is[key])),
-    ));
+    found.push(("compare".to_owned(), fastest.map(|key| number(&as_it_is[key]))));
     let [wavelength, rate] = found[0].1;
     for (name, other) in &found {
-        assert!(
-            (other[0] / wavelength - 1.0).abs() < 1e-5,
-            "{found:?}: {name}"
-        );
+        assert!((other[0] / wavelength - 1.0).abs() < 1e-5, "{found:?}: {name}");
         assert!((other[1] / rate - 1.0).abs() < 1e-5, "{found:?}: {name}");
     }
-    let point = sandbox.json(&format!(
-        "point {CASE} --speed \"45 km/h\" --wavelength \"{wavelength} m\" --json"
-    ));
+    let point = sandbox.json(&format!("point {CASE} --speed \"45 km/h\" --wavelength \"{wavelength} m\" --json"));
     let at = number(&point["growth_rate_per_passage"]);
     assert!((at / rate - 1.0).abs() < 1e-5, "{at} {rate}");
     // The hill at 168 mm, which a coarse map finds, is half as high.
-    assert!(
-        (wavelength - 0.0217).abs() < 2e-4 && rate > 8.5e-6,
-        "{found:?}"
-    );
+    assert!((wavelength - 0.0217).abs() < 2e-4 && rate > 8.5e-6, "{found:?}");
 }
 
 /// Where no speed is asked for, map, wheels, models and comparison take the usual traffic of the line, and have one leading wave and one
@@ -102,10 +80,7 @@ fn commands_agree_under_the_usual_traffic() {
             &models["models"][0]["highest"][key],
             &compared["outcomes"][0][format!("fastest_{key}")],
         ] {
-            assert!(
-                (number(told) / led - 1.0).abs() < 1e-9,
-                "{key}: {told} {led}"
-            );
+            assert!((number(told) / led - 1.0).abs() < 1e-9, "{key}: {told} {led}");
         }
     }
     assert_eq!(wheels["speeds_m_per_s"], models["speeds_m_per_s"]);
@@ -115,8 +90,7 @@ fn commands_agree_under_the_usual_traffic() {
 /// decade, and lines of the traffic are 1.5 % apart; evenly spread speeds have it at 158 mm, not at 162.
 #[test]
 fn a_diagnosis_has_the_ridge_of_the_usual_traffic() {
-    const CASE: &str =
-        "cases/metro-curve.toml --set map.wavelength.points=7 --set map.speed.points=3";
+    const CASE: &str = "cases/metro-curve.toml --set map.wavelength.points=7 --set map.speed.points=3";
     let sandbox = Sandbox::new();
     let map = sandbox.json(&format!("map {CASE} --json -o map"));
     std::fs::write(sandbox.path("rail.csv"), rail_of_160_mm()).unwrap();
@@ -157,14 +131,9 @@ fn what_the_contact_averages_out_leads_no_answer() {
         cells[1].parse::<f64>().unwrap()
     });
     for wavelength in wavelengths {
-        assert!(
-            wavelength >= 1.5 * length * (1.0 - 1e-9),
-            "{wavelength} {length}"
-        );
+        assert!(wavelength >= 1.5 * length * (1.0 - 1e-9), "{wavelength} {length}");
     }
-    let models = sandbox.json(&format!(
-        "compare {CASE} --models afferrante-ciavarella-2009 --json"
-    ));
+    let models = sandbox.json(&format!("compare {CASE} --models afferrante-ciavarella-2009 --json"));
     let highest = &models["models"][0]["highest"];
     assert!(highest.is_null() || number(&highest["wavelength_m"]) >= 1.5 * length * (1.0 - 1e-9));
 }
@@ -176,21 +145,14 @@ fn growth_under_the_traffic_is_told_alike() {
     let sandbox = Sandbox::new();
     let few = "cases/nominal.toml --set map.speed.points=5 --set map.wavelength.points=21";
     for (traffic, whose) in [
-        (
-            "",
-            "the usual traffic of a main line (80–140 km/h, 6000 axles a day)",
-        ),
-        (
-            "--traffic cases/traffic.toml",
-            "the traffic given (80–142 km/h, 6000 axles a day)",
-        ),
+        ("", "the usual traffic of a main line (80–140 km/h, 6000 axles a day)"),
+        ("--traffic cases/traffic.toml", "the traffic given (80–142 km/h, 6000 axles a day)"),
     ] {
         let document = sandbox.json(&format!("map {few} {traffic} --json -o json"));
         let told = &document["under_traffic"];
         let sentence = told["remarks"][0].as_str().unwrap();
         assert!(sentence.contains(whose), "{sentence}");
-        let [early, late] =
-            [0, 1].map(|end| number(&told["fastest"]["doubling_months_banded"]["band_80"][end]));
+        let [early, late] = [0, 1].map(|end| number(&told["fastest"]["doubling_months_banded"]["band_80"][end]));
         assert!((late / early - 9.0).abs() < 1e-9);
         let text = sandbox.riffel(&format!("map {few} {traffic} -o text")).text;
         let report = sandbox.riffel(&format!("report {few} {traffic} -o report.html"));
@@ -224,10 +186,7 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
     let sandbox = Sandbox::new();
     let write = |name: &str, more: &dyn Fn(f64) -> f64, dates: &[(&str, f64)]| {
         let mut text = "place,date,wavelength_mm,level_db\n".to_owned();
-        for ((date, years), place) in dates
-            .iter()
-            .flat_map(|date| (0..12).map(move |p| (date, p)))
-        {
+        for ((date, years), place) in dates.iter().flat_map(|date| (0..12).map(move |p| (date, p))) {
             for (wavelength, level, growth) in BANDS {
                 let level = level + more(growth) + growth * years + 0.2 * f64::from(place % 5);
                 text += &format!("{place},{date},{wavelength},{level}\n");
@@ -243,9 +202,7 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
     const CASE: &str = "cases/main-line.toml --traffic cases/traffic.toml";
     let dated = format!("--earlier before.csv --dates {before},{now}");
     let table = sandbox.json(&format!("forecast {CASE} --spectrum rail.csv --json"));
-    let files = sandbox.json(&format!(
-        "forecast {CASE} --spectrum now.csv {dated} --json"
-    ));
+    let files = sandbox.json(&format!("forecast {CASE} --spectrum now.csv {dated} --json"));
     let is_of = |own: f64, wavelength: f64| (1e-3 * own / wavelength - 1.0).abs() < 0.02;
     let now_of = |wavelength: f64| BANDS.iter().find(|band| is_of(band.0, wavelength)).unwrap();
     for document in [&table, &files] {
@@ -255,10 +212,7 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
             assert_eq!(band["growth_is_measured"], true, "{band}");
             let wavelength = number(&band["wavelength_m"]);
             let [from, to] = ["level_now_db", "level_then_db"].map(|key| number(&band[key]));
-            assert!(
-                (to - from - now_of(wavelength).2 * YEAR).abs() < 1e-9,
-                "{band}"
-            );
+            assert!((to - from - now_of(wavelength).2 * YEAR).abs() < 1e-9, "{band}");
         }
     }
     let months = number(&table["months_to_limit"]);
@@ -273,19 +227,10 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
     assert_eq!(files["months_to_limit"], table["months_to_limit"]);
 
     let compare = format!("compare {CASE} --with cases/soft-pads.toml --json");
-    for rail in [
-        "--spectrum rail.csv".to_owned(),
-        format!("--spectrum now.csv {dated}"),
-    ] {
+    for rail in ["--spectrum rail.csv".to_owned(), format!("--spectrum now.csv {dated}")] {
         let base = &sandbox.json(&format!("{compare} {rail}"))["outcomes"][0];
-        assert!(
-            (number(&base["months_to_limit"]) / months - 1.0).abs() < 1e-9,
-            "{base}"
-        );
-        assert!(
-            (number(&base["fastest_wavelength_m"]) - 0.0398).abs() < 1e-4,
-            "{base}"
-        );
+        assert!((number(&base["months_to_limit"]) / months - 1.0).abs() < 1e-9, "{base}");
+        assert!((number(&base["fastest_wavelength_m"]) - 0.0398).abs() < 1e-4, "{base}");
         // The rate of the row is that of its months.
         let rate = 20e6 / 10f64.ln() * number(&base["fastest_growth_rate_per_passage"]);
         let own = number(&table["growth_db_per_million_axles"]["median"]);
@@ -293,15 +238,10 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
     }
     let ground = "--from-limit=-6 --spectrum rail.csv";
     let forecast = sandbox.json(&format!("forecast {CASE} {ground} --json"));
-    assert!(
-        (number(&forecast["months_to_limit"]) / (12.0 * 6.0 / (4.0 * YEAR)) - 1.0).abs() < 1e-9
-    );
+    assert!((number(&forecast["months_to_limit"]) / (12.0 * 6.0 / (4.0 * YEAR)) - 1.0).abs() < 1e-9);
     let compared = sandbox.json(&format!("{compare} {ground}"));
     let base = &compared["outcomes"][0];
-    assert!(
-        (number(&base["months_to_limit"]) / number(&forecast["months_to_limit"]) - 1.0).abs()
-            < 1e-9
-    );
+    assert!((number(&base["months_to_limit"]) / number(&forecast["months_to_limit"]) - 1.0).abs() < 1e-9);
 
     let noise = format!("noise {CASE} --speed \"100 km/h\" --json --roughness");
     let then = number(&sandbox.json(&format!("{noise} then.csv"))["level"]["total_dba"]);
@@ -311,9 +251,7 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
         assert!((number(last) - then).abs() < 1e-9, "{course} {then}");
     }
 
-    let report = sandbox.riffel(&format!(
-        "report {CASE} --roughness rail.csv -o report.html"
-    ));
+    let report = sandbox.riffel(&format!("report {CASE} --roughness rail.csv -o report.html"));
     assert_eq!(report.status, Some(0), "{}", report.text);
     let page = std::fs::read_to_string(sandbox.path("report.html")).unwrap();
     for sentence in table["findings"].as_array().unwrap().iter().take(3) {
@@ -327,15 +265,10 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
             text += &format!("left,{from},{},{rms}\n", from + 10);
         }
         std::fs::write(sandbox.path("blocks.csv"), text).unwrap();
-        sandbox.json(&format!(
-            "network ingest store blocks.csv --line L --date {date} --json"
-        ));
+        sandbox.json(&format!("network ingest store blocks.csv --line L --date {date} --json"));
     }
     let grown = &sandbox.json("network growth store --json")[0];
-    assert!(
-        (number(&grown["growth_db_per_year"]) - 4.0 * YEAR).abs() < 1e-9,
-        "{grown}"
-    );
+    assert!((number(&grown["growth_db_per_year"]) - 4.0 * YEAR).abs() < 1e-9, "{grown}");
 }
 
 /// A model that grows faster than any railway known, or oscillates by itself, tells no months in any command, in sentences, tables or
@@ -344,46 +277,28 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
 fn a_model_that_no_railway_knows_tells_no_months() {
     let sandbox = Sandbox::new();
     std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
-    let levels: String = [200, 160, 125, 100, 80, 63, 50, 40]
-        .iter()
-        .map(|wavelength| format!("{wavelength},-2\n"))
-        .collect();
-    std::fs::write(
-        sandbox.path("short.csv"),
-        format!("wavelength_mm,level_db\n{levels}"),
-    )
-    .unwrap();
+    let levels: String =
+        [200, 160, 125, 100, 80, 63, 50, 40].iter().map(|wavelength| format!("{wavelength},-2\n")).collect();
+    std::fs::write(sandbox.path("short.csv"), format!("wavelength_mm,level_db\n{levels}")).unwrap();
     for (date, rms) in [("2025-03-01", 0.9), ("2026-03-01", 1.0)] {
         let blocks = format!("rail,from_m,to_m,rms_30_to_100_mm_um\nleft,0,100,{rms}\n");
         std::fs::write(sandbox.path("blocks.csv"), blocks).unwrap();
-        sandbox.json(&format!(
-            "network ingest store blocks.csv --line L --date {date} --json"
-        ));
+        sandbox.json(&format!("network ingest store blocks.csv --line L --date {date} --json"));
     }
     for (case, reason) in [
-        (
-            "cases/metro-curve.toml --set wear.coefficient=8e-9",
-            "faster than any railway known",
-        ),
+        ("cases/metro-curve.toml --set wear.coefficient=8e-9", "faster than any railway known"),
         ("cases/curve.toml", "the loop oscillates by itself near"),
     ] {
         let asked = format!("{case} --traffic metro.toml --from-limit=-6dB");
         let forecast = sandbox.json(&format!("forecast {asked} --json"));
-        for key in [
-            "months_to_limit",
-            "date_of_limit",
-            "months_to_limit_band_80",
-            "growth_db_per_month",
-            "valid_to_months",
-        ] {
+        for key in
+            ["months_to_limit", "date_of_limit", "months_to_limit_band_80", "growth_db_per_month", "valid_to_months"]
+        {
             assert!(forecast[key].is_null(), "{case}: {key} {}", forecast[key]);
         }
         let findings = forecast["findings"].to_string();
         let told = "is reached first at";
-        assert!(
-            findings.contains(told) && findings.contains(reason),
-            "{findings}"
-        );
+        assert!(findings.contains(told) && findings.contains(reason), "{findings}");
         let compared = format!("compare {asked} --with cases/soft-pads.toml --json");
         let compared = sandbox.json(&compared);
         assert!(compared["outcomes"][0]["months_to_limit"].is_null());
@@ -394,10 +309,7 @@ fn a_model_that_no_railway_knows_tells_no_months() {
     }
     let network = "network growth store --traffic metro.toml --json --case cases/curve.toml";
     let section = &sandbox.json(network)[0];
-    assert!(
-        section["expected_growth_db_per_year"].is_null(),
-        "{section}"
-    );
+    assert!(section["expected_growth_db_per_year"].is_null(), "{section}");
     let under = &sandbox.json("map cases/curve.toml --json")["under_traffic"];
     assert!(number(&under["unstable_frequency_hz"]) > 50.0, "{under}");
     assert!(under["fastest"]["doubling_months"].is_null() && under["cause"].is_null());
@@ -444,11 +356,7 @@ fn a_case_of_one_rail_is_not_held_against_the_other() {
         let compared = format!("compare {asked} --with cases/low-rail-friction.toml --json");
         let compared = sandbox.json(&compared);
         let variant = &compared["outcomes"][1];
-        for key in [
-            "change_of_fastest_growth",
-            "fastest_growth_rate_per_passage",
-            "months_to_limit",
-        ] {
+        for key in ["change_of_fastest_growth", "fastest_growth_rate_per_passage", "months_to_limit"] {
             assert!(!is_other || variant[key].is_null(), "{names:?}: {variant}");
         }
         let compared = compared["unexplained"].to_string();
@@ -465,12 +373,7 @@ fn a_case_of_one_rail_is_not_held_against_the_other() {
 fn a_fit_begins_where_the_rail_was_ground() {
     let sandbox = Sandbox::new();
     std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
-    let dates = [
-        ("2022-03-01", 6.0),
-        ("2023-03-01", 10.0),
-        ("2023-06-01", 1.0),
-        ("2024-05-31", 5.0),
-    ];
+    let dates = [("2022-03-01", 6.0), ("2023-03-01", 10.0), ("2023-06-01", 1.0), ("2024-05-31", 5.0)];
     let mut table = "date,wavelength_mm,level_db\n".to_owned();
     for (number, (date, level)) in dates.iter().enumerate() {
         let mut file = "wavelength_mm,level_db\n".to_owned();
@@ -482,29 +385,17 @@ fn a_fit_begins_where_the_rail_was_ground() {
     }
     std::fs::write(sandbox.path("rail.csv"), table).unwrap();
     let named: Vec<&str> = dates.iter().map(|(date, _)| *date).collect();
-    let files = format!(
-        "3.csv --earlier 0.csv --earlier 1.csv --earlier 2.csv --dates {}",
-        named.join(",")
-    );
+    let files = format!("3.csv --earlier 0.csv --earlier 1.csv --earlier 2.csv --dates {}", named.join(","));
     let case = "cases/metro.toml --traffic metro.toml --json --spectrum";
     for rail in ["rail.csv --date-column date", "rail.csv", &files] {
         let forecast = sandbox.json(&format!("forecast {case} {rail}"));
         let wear = &forecast["wear_fit"];
-        assert!(
-            (number(&wear["passages_between"]) - 365.0 * 3900.0).abs() < 1e-6,
-            "{rail}: {wear}"
-        );
+        assert!((number(&wear["passages_between"]) - 365.0 * 3900.0).abs() < 1e-6, "{rail}: {wear}");
         for band in wear["bands"].as_array().unwrap() {
-            assert!(
-                (number(&band["measured_change_db"]) - 4.0).abs() < 1e-9,
-                "{rail}: {band}"
-            );
+            assert!((number(&band["measured_change_db"]) - 4.0).abs() < 1e-9, "{rail}: {band}");
         }
         let own = number(&forecast["bands"][0]["growth_db_per_million_axles"]);
-        assert!(
-            (own / (4.0 / (365.0 * 3900.0 * 1e-6)) - 1.0).abs() < 1e-9,
-            "{rail}: {own}"
-        );
+        assert!((own / (4.0 / (365.0 * 3900.0 * 1e-6)) - 1.0).abs() < 1e-9, "{rail}: {own}");
     }
 }
 
@@ -516,16 +407,8 @@ fn first_said_is_why_dates_tell_no_growth() {
     std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
     for (devices, change, said) in [
         (["A", "A"], 3.0, "what was measured"),
-        (
-            ["A", "A"],
-            -9.0,
-            "since its level last fell by more than 3 dB",
-        ),
-        (
-            ["A", "B"],
-            3.0,
-            "its instruments never measured it on one day",
-        ),
+        (["A", "A"], -9.0, "since its level last fell by more than 3 dB"),
+        (["A", "B"], 3.0, "its instruments never measured it on one day"),
     ] {
         let mut text = "date,device,wavelength_mm,level_db\n".to_owned();
         for (place, date) in ["2025-11-02", "2026-11-02"].iter().enumerate() {

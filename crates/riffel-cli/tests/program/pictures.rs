@@ -12,12 +12,7 @@ fn record(sandbox: &Sandbox, name: &str, chainage: f64, length: f64, step: f64) 
     for index in 0..(length / step) as u32 {
         let along = f64::from(index) * step;
         let wave = |wavelength: f64| (std::f64::consts::TAU * along / wavelength).sin();
-        let height = 3.0 * wave(0.05)
-            + if along > 0.5 * length {
-                10.0 * wave(0.12)
-            } else {
-                wave(0.31)
-            };
+        let height = 3.0 * wave(0.05) + if along > 0.5 * length { 10.0 * wave(0.12) } else { wave(0.31) };
         let right = 0.5 * height + wave(0.7);
         writeln!(text, "{:.4},{height:.3},{right:.3}", chainage + along).unwrap();
     }
@@ -32,10 +27,7 @@ fn files(folder: &Path, extension: &str) -> Vec<(String, String)> {
         if path.is_dir() {
             found.extend(files(&path, extension));
         } else if path.extension().is_some_and(|known| known == extension) {
-            found.push((
-                path.display().to_string(),
-                fs::read_to_string(&path).unwrap(),
-            ));
+            found.push((path.display().to_string(), fs::read_to_string(&path).unwrap()));
         }
     }
     found
@@ -50,9 +42,7 @@ fn words_stand_clear_and_heads_are_plain_in_all_that_is_written() {
     let small = "--set map.wavelength.points=31 --set map.speed.points=21";
     let periodic = "cases/discrete-supports.toml";
     let plan = fs::read_to_string(sandbox.path("cases/sensitivity.toml")).unwrap();
-    let plan = plan
-        .replace("samples = 512", "samples = 8")
-        .replace("nominal.toml", "cases/nominal.toml");
+    let plan = plan.replace("samples = 512", "samples = 8").replace("nominal.toml", "cases/nominal.toml");
     fs::write(sandbox.path("sensitivity.toml"), plan).unwrap();
     fs::write(
         sandbox.path("variant.toml"),
@@ -70,9 +60,7 @@ fn words_stand_clear_and_heads_are_plain_in_all_that_is_written() {
         "roughness line.csv -o line",
         "roughness short.csv -o short",
         &format!("diagnose {periodic} --roughness chainage.csv -o diagnosis"),
-        &format!(
-            "forecast {periodic} --spectrum chainage.csv --traffic cases/traffic.toml -o forecast"
-        ),
+        &format!("forecast {periodic} --spectrum chainage.csv --traffic cases/traffic.toml -o forecast"),
         &format!(
             "compare {periodic} --with variant.toml --with cases/friction-management.toml --speed \"100 km/h\" -o compare"
         ),
@@ -95,20 +83,10 @@ fn words_stand_clear_and_heads_are_plain_in_all_that_is_written() {
             && !name.ends_with("line.csv")
             && !name.ends_with("short.csv")
     });
-    let plain = |head: &str| {
-        !head.is_empty()
-            && head
-                .chars()
-                .all(|c| matches!(c, 'a'..='z' | '0'..='9' | '_'))
-    };
+    let plain = |head: &str| !head.is_empty() && head.chars().all(|c| matches!(c, 'a'..='z' | '0'..='9' | '_'));
     let mut count = 0;
     for (name, table) in written {
-        let heads: Vec<&str> = table
-            .lines()
-            .next()
-            .unwrap_or_default()
-            .split(',')
-            .collect();
+        let heads: Vec<&str> = table.lines().next().unwrap_or_default().split(',').collect();
         assert!(heads.iter().all(|head| plain(head)), "{name}: {heads:?}");
         count += 1;
     }
@@ -122,22 +100,14 @@ fn chainage_is_drawn_in_kilometres_and_short_records_in_metres() {
     record(&sandbox, "short.csv", 0.0, 30.0, 0.001);
     sandbox.riffel("roughness chainage.csv -o chainage");
     sandbox.riffel("roughness short.csv -o short");
-    let picture = |folder: &str| {
-        fs::read_to_string(sandbox.path(&format!("{folder}/roughness.svg"))).unwrap()
-    };
+    let picture = |folder: &str| fs::read_to_string(sandbox.path(&format!("{folder}/roughness.svg"))).unwrap();
     let words = |svg: &str| svg.split(['<', '>']).map(str::to_owned).collect::<Vec<_>>();
     let chainage = words(&picture("chainage"));
     for expected in ["position along the rail [km]", "12.42", "12.44"] {
-        assert!(
-            chainage.iter().any(|word| word == expected),
-            "{expected} is not in {chainage:?}"
-        );
+        assert!(chainage.iter().any(|word| word == expected), "{expected} is not in {chainage:?}");
     }
     let short = words(&picture("short"));
     for expected in ["position along the rail [m]", "10", "20"] {
-        assert!(
-            short.iter().any(|word| word == expected),
-            "{expected} is not in {short:?}"
-        );
+        assert!(short.iter().any(|word| word == expected), "{expected} is not in {short:?}");
     }
 }

@@ -22,28 +22,17 @@ const SECTIONS: [&str; 12] = [
 /// Headings of the numbered sections in their order.
 fn headings(page: &str) -> Vec<String> {
     let parts = page.split("<h2>").skip(1);
-    parts
-        .filter_map(|part| part.split_once("</h2>"))
-        .map(|(heading, _)| heading.to_owned())
-        .collect()
+    parts.filter_map(|part| part.split_once("</h2>")).map(|(heading, _)| heading.to_owned()).collect()
 }
 
 /// Nothing on the page asks for anything outside it, and no script runs.
 fn stands_alone(page: &str) {
-    for outside in [
-        "http://", "https://", "<script", "<img", "<link", "@import", "url(",
-    ] {
+    for outside in ["http://", "https://", "<script", "<img", "<link", "@import", "url("] {
         assert!(!page.contains(outside), "{outside}");
     }
     assert!(page.contains("default-src 'none'") && page.contains("@page"));
-    assert_eq!(
-        page.matches("<section").count(),
-        page.matches("</section>").count()
-    );
-    assert_eq!(
-        page.matches("<figure").count(),
-        page.matches("</figure>").count()
-    );
+    assert_eq!(page.matches("<section").count(), page.matches("</section>").count());
+    assert_eq!(page.matches("<figure").count(), page.matches("</figure>").count());
 }
 
 fn made(sandbox: &Sandbox) {
@@ -55,16 +44,9 @@ fn made(sandbox: &Sandbox) {
 fn every_section_is_there() {
     let sandbox = Sandbox::new();
     made(&sandbox);
-    fs::write(
-        sandbox.path("site.toml"),
-        "[site]\ntitle = \"Noise at <B>\"\nline = \"U2 & U3\"\n",
-    )
-    .unwrap();
-    fs::write(
-        sandbox.path("soft.toml"),
-        "title = \"softer pads\"\n[track]\npad = { stiffness = \"40 MN/m\" }\n",
-    )
-    .unwrap();
+    fs::write(sandbox.path("site.toml"), "[site]\ntitle = \"Noise at <B>\"\nline = \"U2 & U3\"\n").unwrap();
+    fs::write(sandbox.path("soft.toml"), "title = \"softer pads\"\n[track]\npad = { stiffness = \"40 MN/m\" }\n")
+        .unwrap();
     let outcome = sandbox.riffel(
         "report cases/bhaskar-track.toml --roughness profile.csv --traffic cases/traffic.toml \
          --speed \"70 km/h\" --with soft.toml --site site.toml --limit-dba 90 -o page.html",
@@ -73,12 +55,7 @@ fn every_section_is_there() {
     let page = fs::read_to_string(sandbox.path("page.html")).unwrap();
     stands_alone(&page);
     let expected: Vec<String> = std::iter::once("In brief".to_owned())
-        .chain(
-            SECTIONS
-                .iter()
-                .enumerate()
-                .map(|(index, name)| format!("{} {name}", index + 1)),
-        )
+        .chain(SECTIONS.iter().enumerate().map(|(index, name)| format!("{} {name}", index + 1)))
         .collect();
     assert_eq!(headings(&page), expected);
     for part in [
@@ -98,10 +75,7 @@ fn every_section_is_there() {
     assert_eq!(page.matches("<code>").count(), 5);
     for hash in page.split("<code>").skip(1) {
         let hash = hash.split("</code>").next().unwrap();
-        assert!(
-            hash.len() == 64 && hash.bytes().all(|byte| byte.is_ascii_hexdigit()),
-            "{hash}"
-        );
+        assert!(hash.len() == 64 && hash.bytes().all(|byte| byte.is_ascii_hexdigit()), "{hash}");
     }
 }
 
@@ -122,15 +96,9 @@ fn remedies_are_compared_after_grinding() {
     };
     let (page, ground) = brief("--from-limit \"-6 dB\" --hold force");
     let from = "From 6 dB below EN ISO 3095:2013, Figure 2 the limit";
-    assert!(
-        ground.contains(from) && ground.contains("months as it is"),
-        "{ground}"
-    );
+    assert!(ground.contains(from) && ground.contains("months as it is"), "{ground}");
     assert!(ground.contains("(held: force)"), "{ground}");
-    assert!(
-        ground.contains("Without any effect: \u{201c}soft pads\u{201d}"),
-        "{ground}"
-    );
+    assert!(ground.contains("Without any effect: \u{201c}soft pads\u{201d}"), "{ground}");
     assert!(page.contains("cannot act") && page.contains("rail without supports"));
     let (_, now) = brief("");
     assert!(now.contains("--from-limit says how long"), "{now}");
@@ -171,10 +139,7 @@ fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
     let kept = report("--earlier before.csv --dates 2025-05-01,2026-05-01 --keep-coefficient");
     assert!(!kept.contains("growth goes by the wear coefficient of this rail"));
     assert!(kept.contains("wear coefficient"), "the fit is told");
-    assert!(
-        dated.contains("growth goes by the wear coefficient of this rail"),
-        "{dated}"
-    );
+    assert!(dated.contains("growth goes by the wear coefficient of this rail"), "{dated}");
     assert!(!dated.contains(uncertain));
     // 365 days of 6000 passages.
     let counted = report("--earlier before.csv --passages-between 2.19e6");
@@ -188,17 +153,10 @@ fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
     let undated = report("--earlier before.csv");
     assert_eq!(table(&undated), table(&untouched));
     assert!(undated.contains("the axle passages since then are not known"));
-    let outcome = sandbox.riffel(
-        "report cases/nominal.toml --roughness now.csv --traffic cases/traffic.toml --passages-between 1e6",
-    );
+    let outcome = sandbox
+        .riffel("report cases/nominal.toml --roughness now.csv --traffic cases/traffic.toml --passages-between 1e6");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    assert!(
-        outcome
-            .text
-            .contains("--passages-between is 1000000, but must be left out"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("--passages-between is 1000000, but must be left out"), "{}", outcome.text);
 }
 
 /// What has no input is one sentence at the end, and no empty section.
@@ -284,24 +242,14 @@ fn all_sections_are_of_the_same_record() {
     let outlook = "--traffic cases/traffic.toml --with cases/soft-pads.toml";
     // ACCON measured in 2014 and never again.
     let table = "validation/reference/sbb-track-noise/rail_roughness.csv --where laboratory=ACCON";
-    let outcome = sandbox.riffel(&format!(
-        "report cases/nominal.toml --roughness {table} {outlook} -o table.html"
-    ));
+    let outcome = sandbox.riffel(&format!("report cases/nominal.toml --roughness {table} {outlook} -o table.html"));
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     let page = fs::read_to_string(sandbox.path("table.html")).unwrap();
-    assert!(
-        headings(&page)
-            .iter()
-            .any(|name| name.ends_with("Forecast"))
-    );
+    assert!(headings(&page).iter().any(|name| name.ends_with("Forecast")));
     // Heights alone.
     made(&sandbox);
     let profile = fs::read_to_string(sandbox.path("profile.csv")).unwrap();
-    let heights: Vec<&str> = profile
-        .lines()
-        .skip(1)
-        .filter_map(|line| line.split(',').nth(1))
-        .collect();
+    let heights: Vec<&str> = profile.lines().skip(1).filter_map(|line| line.split(',').nth(1)).collect();
     fs::write(sandbox.path("heights.txt"), heights.join("\n")).unwrap();
     let outcome = sandbox.riffel(&format!(
         "report cases/nominal.toml --roughness heights.txt --spacing \"1 mm\" {outlook} -o heights.html"
@@ -319,25 +267,13 @@ fn bad_input_is_refused_and_leaves_nothing() {
     for (arguments, part) in [
         ("cases/nominal.toml --roughness missing.csv", "missing.csv"),
         ("cases/missing.toml --roughness profile.csv", "missing.toml"),
-        (
-            "cases/nominal.toml --roughness profile.csv --site site.toml",
-            "lien",
-        ),
-        (
-            "cases/nominal.toml --roughness profile.csv --limit none",
-            "no limit table",
-        ),
-        (
-            "cases/nominal.toml --roughness profile.csv --traffic missing.toml",
-            "missing.toml",
-        ),
+        ("cases/nominal.toml --roughness profile.csv --site site.toml", "lien"),
+        ("cases/nominal.toml --roughness profile.csv --limit none", "no limit table"),
+        ("cases/nominal.toml --roughness profile.csv --traffic missing.toml", "missing.toml"),
         ("--roughness profile.csv --with soft.toml", "CASE"),
         ("", "--roughness is left out"),
         ("cases/nominal.toml --speed \"80 km/h\"", "--roughness"),
-        (
-            "cases/nominal.toml --roughness profile.csv -o no/such/folder.html",
-            "cannot write",
-        ),
+        ("cases/nominal.toml --roughness profile.csv -o no/such/folder.html", "cannot write"),
     ] {
         let outcome = sandbox.riffel(&format!("report {arguments}"));
         let words = outcome.text.split_whitespace().filter(|word| *word != "│");
@@ -359,10 +295,7 @@ fn noise_is_that_of_its_own_command() {
     let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
     let noise = sandbox.json(&format!("noise {rail} --json"));
     let level = noise["level"]["total_dba"].as_f64().unwrap();
-    assert!(
-        page.contains(&format!("<b>{level:.1} dB(A)</b>")),
-        "{level}"
-    );
+    assert!(page.contains(&format!("<b>{level:.1} dB(A)</b>")), "{level}");
 }
 
 /// Without a table of costs none is told; with one, whole shifts. The strip map has a bar for what is to be ground.
@@ -373,9 +306,7 @@ fn a_cost_is_told_where_it_is_given() {
     let cost = "[cost]\ncurrency = \"CHF\"\ngrinding_shift = 7000\nlength_a_shift = \"10 km\"\n";
     fs::write(sandbox.path("site.toml"), cost).unwrap();
     for (option, told) in [("", false), ("--site site.toml", true)] {
-        let outcome = sandbox.riffel(&format!(
-            "report --roughness profile.csv {option} -o report.html"
-        ));
+        let outcome = sandbox.riffel(&format!("report --roughness profile.csv {option} -o report.html"));
         assert_eq!(outcome.status, Some(0), "{}", outcome.text);
         let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
         assert_eq!(page.contains("takes 1 grinding shift and 7000 CHF."), told);
@@ -386,13 +317,7 @@ fn a_cost_is_told_where_it_is_given() {
     fs::write(sandbox.path("site.toml"), cost.replace("7000", "-7000")).unwrap();
     let outcome = sandbox.riffel("report --roughness profile.csv --site site.toml -o report.html");
     assert_eq!(outcome.status, Some(2));
-    assert!(
-        outcome
-            .text
-            .contains("`cost.grinding_shift` is -7000, but must be greater than zero"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("`cost.grinding_shift` is -7000, but must be greater than zero"), "{}", outcome.text);
 }
 
 /// The words of a page with all parts, but for what stays as somebody wrote it: inputs, published sources, and names in
@@ -408,11 +333,7 @@ fn own_words(page: &str) -> Vec<String> {
         line.split('"').step_by(2).collect::<String>()
     };
     let is_own = |line: &&str| {
-        let sources = [
-            "Values of EN ISO 3095",
-            "S. L. Grassie",
-            "Shock and Vibration",
-        ];
+        let sources = ["Values of EN ISO 3095", "S. L. Grassie", "Shock and Vibration"];
         !sources.iter().any(|source| line.contains(source))
     };
     let lines = lines.map(|(_, line)| line).filter(is_own);
@@ -428,11 +349,7 @@ fn a_german_report_is_german() {
     let sandbox = Sandbox::new();
     made(&sandbox);
     let cost = "[cost]\ncurrency = \"EUR\"\ngrinding_shift = 7000\nlength_a_shift = \"1 km\"\n";
-    fs::write(
-        sandbox.path("site.toml"),
-        format!("[site]\nline = \"U2\"\n{cost}"),
-    )
-    .unwrap();
+    fs::write(sandbox.path("site.toml"), format!("[site]\nline = \"U2\"\n{cost}")).unwrap();
     let soft = "title = \"weich\"\n[track]\npad = { stiffness = \"40 MN/m\" }\n";
     fs::write(sandbox.path("soft.toml"), soft).unwrap();
     let traffic = fs::read_to_string(sandbox.path("cases/traffic.toml")).unwrap();
@@ -454,18 +371,13 @@ fn a_german_report_is_german() {
     };
     let found: Vec<&String> = words.iter().filter(is_english).collect();
     assert!(found.is_empty(), "{found:#?}");
-    for part in [
-        "In Kürze",
-        "12 Warnungen und Grenzen der Modelle",
-        "zu hören mit <b>",
-    ] {
+    for part in ["In Kürze", "12 Warnungen und Grenzen der Modelle", "zu hören mit <b>"] {
         assert!(page.contains(part), "{part}");
     }
     // As of levels in tables and figures; dates and versions have points of their own.
     let has_point = |line: &&String| {
         let digits = line.as_bytes().windows(3);
-        let mut points =
-            digits.filter(|at| at[1] == b'.' && at[0].is_ascii_digit() && at[2].is_ascii_digit());
+        let mut points = digits.filter(|at| at[1] == b'.' && at[0].is_ascii_digit() && at[2].is_ascii_digit());
         points.next().is_some()
     };
     let points: Vec<&String> = words.iter().filter(has_point).collect();

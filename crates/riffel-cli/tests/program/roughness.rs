@@ -11,14 +11,7 @@ use crate::sandbox::{Sandbox, number};
 /// Level of the band that contains a wavelength.
 fn level(document: &Value, wavelength: f64) -> f64 {
     let near = |row: &&Value| (number(&row["wavelength_m"]) / wavelength - 1.0).abs() < 0.1;
-    number(
-        &document["spectrum"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .find(near)
-            .unwrap()["level_db"],
-    )
+    number(&document["spectrum"].as_array().unwrap().iter().find(near).unwrap()["level_db"])
 }
 
 /// 20 m of 3 µm at 50.1 mm: position in m and height in µm, without a header.
@@ -63,14 +56,7 @@ fn a_window_shorter_than_a_wave_is_told() {
         let warnings = document["warnings"].to_string();
         warnings.matches("is shorter than waves of").count()
     };
-    assert_eq!(
-        [
-            told("--window \"50 mm\""),
-            told("--window \"2 m\""),
-            told("")
-        ],
-        [3, 0, 0]
-    );
+    assert_eq!([told("--window \"50 mm\""), told("--window \"2 m\""), told("")], [3, 0, 0]);
 }
 
 /// The section of a part is told with what lies there alone; the table keeps all of it.
@@ -85,10 +71,7 @@ fn sections_are_told_with_what_lies_there() {
         panic!("15 m are one section: {document}");
     };
     // 3 µm at 50 mm are 6.5 dB, where the limit of levels is -1.1 dB; their RMS of 2.1 µm is below 7 µm.
-    assert!(
-        (number(&section["excess_db"]) - 7.6).abs() < 0.1,
-        "{section}"
-    );
+    assert!((number(&section["excess_db"]) - 7.6).abs() < 0.1, "{section}");
     assert_eq!(section["within"], false);
     assert_eq!(number(&section["grind_m"]), 0.0);
     let names = section["along"].as_array().unwrap().iter();
@@ -110,19 +93,11 @@ fn layouts_do_not_matter() {
             (x.parse().unwrap(), height.parse().unwrap())
         })
         .collect();
-    let german = rows.iter().rev().fold(
-        "km;links (mm);rechts (mm)\n".to_owned(),
-        |mut text, (x, height)| {
-            let line = format!(
-                "{:.6};{:.8};{:.8}",
-                12.0 + 1e-3 * x,
-                1e-3 * height,
-                -1e-3 * height
-            );
-            writeln!(text, "{}", line.replace('.', ",")).unwrap();
-            text
-        },
-    );
+    let german = rows.iter().rev().fold("km;links (mm);rechts (mm)\n".to_owned(), |mut text, (x, height)| {
+        let line = format!("{:.6};{:.8};{:.8}", 12.0 + 1e-3 * x, 1e-3 * height, -1e-3 * height);
+        writeln!(text, "{}", line.replace('.', ",")).unwrap();
+        text
+    });
     fs::write(sandbox.path("german.txt"), german).unwrap();
     let alone = rows.iter().fold(String::new(), |mut text, (_, height)| {
         writeln!(text, "{height}").unwrap();
@@ -138,10 +113,7 @@ fn layouts_do_not_matter() {
         "roughness alone.txt --json --spacing \"1 mm\"",
     ] {
         let found = level(&sandbox.json(arguments), 0.0501);
-        assert!(
-            (found - expected).abs() < 1e-3,
-            "{arguments}: {found} {expected}"
-        );
+        assert!((found - expected).abs() < 1e-3, "{arguments}: {found} {expected}");
     }
 }
 
@@ -154,36 +126,18 @@ fn a_made_profile_is_judged_and_its_corrugation_found() {
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     assert_eq!(
         sandbox.list("out"),
-        [
-            "blocks.csv",
-            "grind.csv",
-            "roughness.html",
-            "roughness.png",
-            "roughness.svg",
-            "spectrum.csv",
-            "summary.json"
-        ]
+        ["blocks.csv", "grind.csv", "roughness.html", "roughness.png", "roughness.svg", "spectrum.csv", "summary.json"]
     );
-    assert!(
-        outcome
-            .text
-            .contains("EN ISO 3095:2013, Figure 2: over the limit")
-    );
+    assert!(outcome.text.contains("EN ISO 3095:2013, Figure 2: over the limit"));
     let text = fs::read_to_string(sandbox.path("out/summary.json")).unwrap();
     let document: Value = serde_json::from_str(&text).unwrap();
     // One spike and one pit on each of two rails.
     assert_eq!(document["removed"]["spikes"], 2);
     assert_eq!(document["removed"]["pits"], 2);
     let sections = document["grind"]["sections"].as_array().unwrap();
-    let corrugated = sections
-        .iter()
-        .find(|section| (number(&section["from_m"]) - 30.0).abs() < 1.0)
-        .unwrap();
+    let corrugated = sections.iter().find(|section| (number(&section["from_m"]) - 30.0).abs() < 1.0).unwrap();
     // 15 µm from 30 m to 55 m, seen through windows of 1 m.
-    assert!(
-        (number(&corrugated["to_m"]) - 55.0).abs() < 1.0,
-        "{corrugated}"
-    );
+    assert!((number(&corrugated["to_m"]) - 55.0).abs() < 1.0, "{corrugated}");
     let share = number(&document["grind"]["share_of_length"]);
     assert!((number(&document["grind"]["total_m"]) / 100.0 - share).abs() < 1e-3);
 }
@@ -194,9 +148,7 @@ fn the_grinding_mark_of_niederwangen_fades() {
     let sandbox = Sandbox::new();
     sandbox.copy("validation/reference/sbb-track-noise");
     let file = "validation/reference/sbb-track-noise/rail_roughness.csv";
-    let document = sandbox.json(&format!(
-        "roughness {file} --json --where laboratory=MBBM --by campaign"
-    ));
+    let document = sandbox.json(&format!("roughness {file} --json --where laboratory=MBBM --by campaign"));
     let groups = document["groups"].as_array().unwrap();
     let levels: Vec<f64> = groups
         .iter()
@@ -211,10 +163,7 @@ fn the_grinding_mark_of_niederwangen_fades() {
         assert!((found - expected).abs() <= 0.05, "{levels:?}");
     }
     let finding = document["findings"][0].as_str().unwrap();
-    assert!(
-        finding.contains("20 mm") && finding.contains("not growing corrugation"),
-        "{finding}"
-    );
+    assert!(finding.contains("20 mm") && finding.contains("not growing corrugation"), "{finding}");
     let all = sandbox.json(&format!("roughness {file} --json"));
     let groups = all["groups"].as_array().unwrap().iter();
     let counts = groups.map(|group| number(&group["spectra"]));
@@ -230,9 +179,7 @@ fn bad_files_are_refused_and_leave_nothing() {
         rows[row] = line.to_owned();
         rows.join("\n")
     };
-    let constant: String = (0..5000)
-        .map(|row| format!("{},1.5\n", 1e-3 * f64::from(row)))
-        .collect();
+    let constant: String = (0..5000).map(|row| format!("{},1.5\n", 1e-3 * f64::from(row))).collect();
     for (name, text, part) in [
         ("empty.csv", String::new(), "empty"),
         ("word.csv", with(700, "0.700,high"), "line 701"),
@@ -252,11 +199,7 @@ fn bad_files_are_refused_and_leave_nothing() {
         fs::remove_file(sandbox.path(name)).unwrap();
     }
     fs::write(sandbox.path("wave.csv"), wave()).unwrap();
-    fs::write(
-        sandbox.path("levels.csv"),
-        "wavelength_mm,level_db\n20,-4\n25,-3\n",
-    )
-    .unwrap();
+    fs::write(sandbox.path("levels.csv"), "wavelength_mm,level_db\n20,-4\n25,-3\n").unwrap();
     for arguments in [
         "roughness levels.csv --longest \"1 m\"",
         "roughness",
@@ -276,11 +219,9 @@ fn bad_files_are_refused_and_leave_nothing() {
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
     }
     // What would change nothing is not taken in silence.
-    for command in [
-        "roughness wave.csv",
-        "diagnose cases/nominal.toml --roughness wave.csv",
-        "report --roughness wave.csv",
-    ] {
+    for command in
+        ["roughness wave.csv", "diagnose cases/nominal.toml --roughness wave.csv", "report --roughness wave.csv"]
+    {
         for argument in ["--where rail=left", "--by date"] {
             let outcome = sandbox.riffel(&format!("{command} {argument} -o out"));
             assert_eq!(outcome.status, Some(2), "{command}: {}", outcome.text);

@@ -71,32 +71,21 @@ impl Sandbox {
 
     /// Run `riffel` with arguments separated by blanks.
     pub(crate) fn riffel(&self, arguments: &str) -> Outcome {
-        let words =
-            shlex::split(arguments).unwrap_or_else(|| panic!("no command line: {arguments}"));
+        let words = shlex::split(arguments).unwrap_or_else(|| panic!("no command line: {arguments}"));
         let (mut reader, writer) = std::io::pipe().unwrap();
         let mut child = {
             let mut command = self.command();
-            command
-                .args(words)
-                .stdout(writer.try_clone().unwrap())
-                .stderr(writer);
+            command.args(words).stdout(writer.try_clone().unwrap()).stderr(writer);
             command.spawn().unwrap()
         };
         let mut text = String::new();
         reader.read_to_string(&mut text).unwrap();
-        Outcome {
-            text,
-            status: child.wait().unwrap().code(),
-        }
+        Outcome { text, status: child.wait().unwrap().code() }
     }
 
     /// What a command that succeeds prints on standard output, as JSON.
     pub(crate) fn json(&self, arguments: &str) -> Value {
-        let output = self
-            .command()
-            .args(shlex::split(arguments).unwrap())
-            .output()
-            .unwrap();
+        let output = self.command().args(shlex::split(arguments).unwrap()).output().unwrap();
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.success(), "{arguments}: {errors}");
         serde_json::from_slice(&output.stdout).unwrap()

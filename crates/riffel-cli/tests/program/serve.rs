@@ -92,9 +92,7 @@ fn case_with(key: &str, name: &str, file: &str) -> toml::Table {
     let mut keys: toml::Table = text.parse().unwrap();
     let (tables, last) = key.rsplit_once('.').unwrap();
     let table = tables.split('.').fold(&mut keys, |table, name| {
-        let below = table
-            .entry(name)
-            .or_insert_with(|| toml::Table::new().into());
+        let below = table.entry(name).or_insert_with(|| toml::Table::new().into());
         if !below.is_table() {
             *below = toml::Table::new().into();
         }
@@ -116,9 +114,7 @@ fn no_question_of_a_page_opens_a_file_of_the_machine() {
     fs::write(sandbox.path("secret.csv"), text).unwrap();
     let secret = sandbox.path("secret.csv").display().to_string();
     let served = Served::new(&sandbox);
-    let record: String = (0..2000)
-        .map(|at| format!("{:.3},{}\n", 1e-3 * f64::from(at), at * 7919 % 41))
-        .collect();
+    let record: String = (0..2000).map(|at| format!("{:.3},{}\n", 1e-3 * f64::from(at), at * 7919 % 41)).collect();
     let record = format!("position_m,left_um\n{record}");
     for path in ["/api/roughness", "/api/earlier", "/api/calibration/data"] {
         assert_eq!(served.post(path, "text/csv", &record).0, 200, "{path}");
@@ -167,18 +163,9 @@ fn a_run_for_a_page_reads_the_files_of_its_folder_alone() {
     fs::write(&secret, "secret_user,secret_password\n1,2\n").unwrap();
     let secret = secret.display().to_string();
     let changes = |name: &str, text: &str| fs::write(sandbox.path(name), text).unwrap();
-    changes(
-        "measured.toml",
-        &format!("[track]\nmodel = \"measured\"\nmeasurement.file = {secret:?}\n"),
-    );
-    changes(
-        "wheelset.toml",
-        &format!("[wheelset]\nmodel = \"measured\"\nfile = {secret:?}\n"),
-    );
-    changes(
-        "curve-of.toml",
-        &format!("[[vehicle]]\nname = \"a\"\nshare = 1\nspeed.mean = 20\ncurve = {secret:?}\n"),
-    );
+    changes("measured.toml", &format!("[track]\nmodel = \"measured\"\nmeasurement.file = {secret:?}\n"));
+    changes("wheelset.toml", &format!("[wheelset]\nmodel = \"measured\"\nfile = {secret:?}\n"));
+    changes("curve-of.toml", &format!("[[vehicle]]\nname = \"a\"\nshare = 1\nspeed.mean = 20\ncurve = {secret:?}\n"));
     let own = json!({ "case": "cases/nominal.toml", "wavelength": "56 mm", "speed": 30 });
     let with = |key: &str, value: Value| {
         let mut question = json!({ "case": "cases/nominal.toml" });
@@ -189,10 +176,7 @@ fn a_run_for_a_page_reads_the_files_of_its_folder_alone() {
         let mut command = sandbox.command();
         let parent = std::process::id().to_string();
         command.args(["ask", "--page", &parent, name]);
-        command
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped());
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
         let mut input = child.stdin.take().unwrap();
         input.write_all(question.to_string().as_bytes()).unwrap();
@@ -208,14 +192,8 @@ fn a_run_for_a_page_reads_the_files_of_its_folder_alone() {
             "compare",
             json!({ "case": "cases/nominal.toml", "with": ["cases/soft-pads.toml"], "traffic": "curve-of.toml" }),
         ),
-        (
-            "map",
-            with("set", json!([format!("track.measurement.file={secret}")])),
-        ),
-        (
-            "curve",
-            json!({ "case": "cases/metro-curve.toml", "set": [format!("profiles.wheel={secret}")] }),
-        ),
+        ("map", with("set", json!([format!("track.measurement.file={secret}")]))),
+        ("curve", json!({ "case": "cases/metro-curve.toml", "set": [format!("profiles.wheel={secret}")] })),
         ("roughness", json!({ "file": secret })),
         ("roughness", json!({ "file": "../secret.csv" })),
     ] {
@@ -224,10 +202,7 @@ fn a_run_for_a_page_reads_the_files_of_its_folder_alone() {
         assert_eq!(output.status.code(), Some(2), "{name} {question}: {said}");
         assert!(!said.contains("secret_user"), "{said}");
         let refused = ["only files that the page has sent", "may not name any"];
-        assert!(
-            refused.iter().any(|words| said.contains(words)),
-            "{name} {question}: {said}"
-        );
+        assert!(refused.iter().any(|words| said.contains(words)), "{name} {question}: {said}");
     }
 }
 
@@ -260,10 +235,7 @@ fn a_run_for_a_page_ends_with_its_server() {
     // It looks five times a second; the rest is a machine with much to do.
     let begun = Instant::now();
     while runs() {
-        assert!(
-            begun.elapsed() < Duration::from_secs(20),
-            "it outlives its server"
-        );
+        assert!(begun.elapsed() < Duration::from_secs(20), "it outlives its server");
         std::thread::sleep(Duration::from_millis(50));
     }
 }

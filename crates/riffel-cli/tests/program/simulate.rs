@@ -14,12 +14,9 @@ fn complex(value: &Value) -> [f64; 2] {
 #[test]
 fn small_amplitudes_are_those_of_the_point() {
     let sandbox = Sandbox::new();
-    let point = sandbox.json(&format!(
-        "point {CASE} --wavelength \"55 mm\" --speed 30 --set corrugation.amplitude=1e-7 --json"
-    ));
-    let settled = sandbox.json(&format!(
-        "simulate {CASE} --speed 30 --sinusoid 0.1um,55mm --json"
-    ));
+    let point = sandbox
+        .json(&format!("point {CASE} --wavelength \"55 mm\" --speed 30 --set corrugation.amplitude=1e-7 --json"));
+    let settled = sandbox.json(&format!("simulate {CASE} --speed 30 --sinusoid 0.1um,55mm --json"));
     assert_eq!(sandbox.list("."), ["cases"]);
     let harmonics = settled["harmonics"].as_array().unwrap();
     assert_eq!(harmonics.len(), 6);
@@ -30,15 +27,12 @@ fn small_amplitudes_are_those_of_the_point() {
     ] {
         let (got, exact) = (complex(&harmonics[1][key]), complex(&point[of_point]));
         let error = (scale * got[0] - exact[0]).hypot(scale * got[1] - exact[1]);
-        assert!(
-            error < 1e-3 * exact[0].hypot(exact[1]),
-            "{key}: {got:?} {exact:?}"
-        );
+        assert!(error < 1e-3 * exact[0].hypot(exact[1]), "{key}: {got:?} {exact:?}");
     }
     assert_eq!(complex(&harmonics[0]["creepage"])[1], 0.0);
     assert_eq!(settled["contact_loss_fraction"], 0.0);
-    let [least, largest] = ["minimum_normal_force_n", "maximum_normal_force_n"]
-        .map(|key| settled[key].as_f64().unwrap());
+    let [least, largest] =
+        ["minimum_normal_force_n", "maximum_normal_force_n"].map(|key| settled[key].as_f64().unwrap());
     assert!(least < 50e3 && 50e3 < largest);
 }
 
@@ -52,9 +46,8 @@ fn a_late_contact_is_that_of_the_point() {
         let point = sandbox.json(&format!(
             "point {CASE} {LATE} --wavelength {millimetres}mm --speed 30 --set corrugation.amplitude=1e-7 --json"
         ));
-        let simulate = |keys: &str| {
-            format!("simulate {CASE} {keys} --speed 30 --sinusoid 0.1um,{millimetres}mm --json")
-        };
+        let simulate =
+            |keys: &str| format!("simulate {CASE} {keys} --speed 30 --sinusoid 0.1um,{millimetres}mm --json");
         let settled = sandbox.json(&simulate(LATE));
         let exact = complex(&point["tangential_force_n"]);
         let miss = |settled: &Value| {
@@ -65,18 +58,14 @@ fn a_late_contact_is_that_of_the_point() {
         if millimetres > 20 {
             continue;
         }
-        let at_once = sandbox.json(&simulate(
-            "--set contact.creep_law=half-space --set contact.grid=24",
-        ));
+        let at_once = sandbox.json(&simulate("--set contact.creep_law=half-space --set contact.grid=24"));
         assert!(miss(&at_once) > 0.1, "{millimetres}: {}", miss(&at_once));
         let worn = sandbox.json(&format!("{} --passages 1e5", simulate(LATE)));
         let rate = point["growth_rate_per_passage"].as_f64().unwrap();
         let bands = worn["bands"].as_array().unwrap().iter();
         let rates = bands.filter_map(|band| band["first_growth_per_passage"].as_f64());
         // The others are harmonics, of nothing before.
-        let nearest = rates
-            .map(|own| (own / rate - 1.0).abs())
-            .fold(1.0, f64::min);
+        let nearest = rates.map(|own| (own / rate - 1.0).abs()).fold(1.0, f64::min);
         assert!(nearest < 1e-2, "{millimetres}: {nearest}");
     }
 }
@@ -89,34 +78,22 @@ fn the_patch_takes_the_mean_of_the_profile() {
         .map(|index| f64::from(index) * 1e-3)
         .map(|x| format!("{x:.3},{:e}\n", (std::f64::consts::TAU * x / 0.025).cos()))
         .collect();
-    std::fs::write(
-        sandbox.path("wave.csv"),
-        format!("position_m,height_um\n{wave}"),
-    )
-    .unwrap();
+    std::fs::write(sandbox.path("wave.csv"), format!("position_m,height_um\n{wave}")).unwrap();
     let point = sandbox.json(&format!("point {CASE} --wavelength 25mm --speed 30 --json"));
     let angle = std::f64::consts::TAU / 0.025 * point["semi_axis_longitudinal_m"].as_f64().unwrap();
     for surface in ["--sinusoid 1um,25mm", "--profile wave.csv"] {
         let largest = |more: &str| {
-            let run = sandbox.json(&format!(
-                "simulate {CASE} --speed 30 {surface} {more} --json"
-            ));
+            let run = sandbox.json(&format!("simulate {CASE} --speed 30 {surface} {more} --json"));
             let largest = match run["normal_force_n"].as_array() {
                 // Far from where the wave begins.
-                Some(forces) => forces[4000..]
-                    .iter()
-                    .filter_map(Value::as_f64)
-                    .fold(0.0, f64::max),
+                Some(forces) => forces[4000..].iter().filter_map(Value::as_f64).fold(0.0, f64::max),
                 None => run["maximum_normal_force_n"].as_f64().unwrap(),
             };
             largest - 50e3
         };
         let left = largest("--contact-filter") / largest("");
         // Forces of 3 % of the load are linear to 2 % of themselves.
-        assert!(
-            (left / (angle.sin() / angle) - 1.0).abs() < 3e-2,
-            "{surface}: {left}"
-        );
+        assert!((left / (angle.sin() / angle) - 1.0).abs() < 3e-2, "{surface}: {left}");
     }
 }
 
@@ -124,9 +101,7 @@ fn the_patch_takes_the_mean_of_the_profile() {
 #[test]
 fn a_high_wave_is_drawn() {
     let sandbox = Sandbox::new();
-    let written = sandbox.riffel(&format!(
-        "simulate {CASE} --speed 30 --sinusoid 200um,55mm -o out"
-    ));
+    let written = sandbox.riffel(&format!("simulate {CASE} --speed 30 --sinusoid 200um,55mm -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
     assert!(written.text.contains("no contact for"), "{}", written.text);
     assert!(written.text.contains("troughs"), "{}", written.text);
@@ -143,61 +118,35 @@ fn a_profile_is_rolled_over() {
         let mut text = String::from("position_m,height_um\n");
         for index in 0..(length / spacing) as usize {
             let x = spacing * index as f64;
-            text += &format!(
-                "{x:.4},{:.6}\n",
-                20.0 * (std::f64::consts::TAU * x / 0.055).cos()
-            );
+            text += &format!("{x:.4},{:.6}\n", 20.0 * (std::f64::consts::TAU * x / 0.055).cos());
         }
         std::fs::write(sandbox.path(name), text).unwrap();
     };
     write("long.csv", 1e-3, 20.0);
     write("short.csv", 1e-3, 1.2);
     write("coarse.csv", 8e-3, 20.0);
-    let settled = sandbox.json(&format!(
-        "simulate {CASE} --speed 30 --sinusoid 20um,55mm --json"
-    ));
-    let passage = sandbox.json(&format!(
-        "simulate {CASE} --speed 30 --profile long.csv --length \"15 m\" --json"
-    ));
+    let settled = sandbox.json(&format!("simulate {CASE} --speed 30 --sinusoid 20um,55mm --json"));
+    let passage = sandbox.json(&format!("simulate {CASE} --speed 30 --profile long.csv --length \"15 m\" --json"));
     assert_eq!(passage["position_m"].as_array().unwrap().len(), 15_000);
     let forces = passage["normal_force_n"].as_array().unwrap();
     // The second half, since the beginning is still remembered.
-    let largest = forces[7_500..]
-        .iter()
-        .filter_map(Value::as_f64)
-        .fold(0.0, f64::max);
+    let largest = forces[7_500..].iter().filter_map(Value::as_f64).fold(0.0, f64::max);
     let expected = settled["maximum_normal_force_n"].as_f64().unwrap();
-    assert!(
-        (largest / expected - 1.0).abs() < 2e-3,
-        "{largest} {expected}"
-    );
-    let written = sandbox.riffel(&format!(
-        "simulate {CASE} --speed 30 --profile long.csv -o out"
-    ));
+    assert!((largest / expected - 1.0).abs() < 2e-3, "{largest} {expected}");
+    let written = sandbox.riffel(&format!("simulate {CASE} --speed 30 --profile long.csv -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
     let table = std::fs::read_to_string(sandbox.path("out/passage.csv")).unwrap();
     assert_eq!(table.lines().count(), 1 + 20_000);
     for (arguments, words) in [
         ("--speed 80 --profile short.csv", "remembers"),
         ("--speed 30 --profile coarse.csv", "sampled every 8.000 mm"),
-        (
-            "--speed 30 --profile long.csv --length 0",
-            "greater than zero",
-        ),
-        (
-            "--speed 30 --sinusoid 20um,55mm --spacing 1mm",
-            "it is for --profile",
-        ),
+        ("--speed 30 --profile long.csv --length 0", "greater than zero"),
+        ("--speed 30 --sinusoid 20um,55mm --spacing 1mm", "it is for --profile"),
         ("--speed 30 --sinusoid 20um,55mm --length 1", "--profile"),
     ] {
         let refused = sandbox.riffel(&format!("simulate {CASE} {arguments}"));
         assert_eq!(refused.status, Some(2), "{arguments}: {}", refused.text);
-        let text = refused
-            .text
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ")
-            .replace("│ ", "");
+        let text = refused.text.split_whitespace().collect::<Vec<_>>().join(" ").replace("│ ", "");
         assert!(text.contains(words), "{arguments}: {text}");
     }
 }
@@ -207,17 +156,11 @@ fn a_profile_is_rolled_over() {
 fn rails_are_made() {
     let sandbox = Sandbox::new();
     let heights = |surface: &str| -> Vec<f64> {
-        let passage = sandbox.json(&format!(
-            "simulate {CASE} --speed 30 {surface} --step 1mm --json"
-        ));
+        let passage = sandbox.json(&format!("simulate {CASE} --speed 30 {surface} --step 1mm --json"));
         assert!(passage["maximum_normal_force_n"].as_f64().unwrap() > 50e3);
         serde_json::from_value(passage["height_m"].clone()).unwrap()
     };
-    let drawn = |seed: u64| {
-        heights(&format!(
-            "--spectrum iso-3095-2013 --length 5.5 --seed {seed}"
-        ))
-    };
+    let drawn = |seed: u64| heights(&format!("--spectrum iso-3095-2013 --length 5.5 --seed {seed}"));
     let one = drawn(1);
     assert_eq!(one.len(), 5500);
     assert!(one != drawn(2));
@@ -225,10 +168,7 @@ fn rails_are_made() {
     let depth = weld.iter().copied().fold(0.0, f64::min);
     assert!((depth + 0.2e-3).abs() < 1e-12 && weld[0] == 0.0);
     for (arguments, words) in [
-        (
-            "--spectrum iso-3095-2013 --length 2",
-            "thirteen of the longest waves",
-        ),
+        ("--spectrum iso-3095-2013 --length 2", "thirteen of the longest waves"),
         ("--spectrum iso-3095-2013 --length 1e9", "at most 1000 m"),
         ("--spectrum grassie-1999", "limits of the RMS"),
         ("--weld 0,1", "greater than zero"),
@@ -236,21 +176,11 @@ fn rails_are_made() {
         ("--weld 1mm,1m --seed 2", "it is for --spectrum"),
         ("--weld 1mm,1m --rail left", "it is for --profile"),
         ("--weld 1mm,1m --step 1e-9", "between 0.05 and 100 mm"),
-        (
-            "--weld 1mm,1m --step 1e-300",
-            "between 1e-12 and 1e12 in SI",
-        ),
-        (
-            "--weld 1mm,1m --length 1e300",
-            "between 1e-12 and 1e12 in SI",
-        ),
+        ("--weld 1mm,1m --step 1e-300", "between 1e-12 and 1e12 in SI"),
+        ("--weld 1mm,1m --length 1e300", "between 1e-12 and 1e12 in SI"),
     ] {
         let refused = sandbox.riffel(&format!("simulate {CASE} --speed 30 {arguments}"));
         assert_eq!(refused.status, Some(2), "{arguments}: {}", refused.text);
-        assert!(
-            refused.sentence().contains(words),
-            "{arguments}: {}",
-            refused.text
-        );
+        assert!(refused.sentence().contains(words), "{arguments}: {}", refused.text);
     }
 }

@@ -47,18 +47,12 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 /// The same with their bytes, by name.
 fn bytes(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let name = |path: &PathBuf| path.strip_prefix(folder).unwrap().to_owned();
-    files(folder)
-        .iter()
-        .map(|path| (name(path), fs::read(path).unwrap()))
-        .collect()
+    files(folder).iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
 }
 
 fn times(folder: &Path) -> BTreeMap<PathBuf, SystemTime> {
     let time = |path: &PathBuf| fs::metadata(path).unwrap().modified().unwrap();
-    files(folder)
-        .into_iter()
-        .map(|path| (path.clone(), time(&path)))
-        .collect()
+    files(folder).into_iter().map(|path| (path.clone(), time(&path))).collect()
 }
 
 /// Start the study and wait until so many chunks are finished.
@@ -73,16 +67,11 @@ fn begun(sandbox: &Sandbox, chunks: usize) -> Child {
     let finished = sandbox.path("results/finished");
     let records = || {
         let entries = fs::read_dir(&finished).into_iter().flatten().flatten();
-        entries
-            .filter(|entry| entry.file_name().to_string_lossy().ends_with(".json"))
-            .count()
+        entries.filter(|entry| entry.file_name().to_string_lossy().ends_with(".json")).count()
     };
     let begun = Instant::now();
     while records() < chunks {
-        assert!(
-            begun.elapsed() < Duration::from_secs(300),
-            "the study does not begin"
-        );
+        assert!(begun.elapsed() < Duration::from_secs(300), "the study does not begin");
         std::thread::sleep(Duration::from_millis(2));
     }
     child
@@ -94,11 +83,8 @@ fn a_killed_study_goes_on_where_it_stopped() {
     let mut child = begun(&sandbox, 5);
     child.kill().unwrap(); // SIGKILL
     child.wait().unwrap();
-    let kept: Vec<String> = sandbox
-        .list("results/finished")
-        .into_iter()
-        .filter(|name| !name.starts_with('.'))
-        .collect();
+    let kept: Vec<String> =
+        sandbox.list("results/finished").into_iter().filter(|name| !name.starts_with('.')).collect();
     assert!((5..60).contains(&kept.len()), "{} chunks", kept.len());
     let before = times(&sandbox.path("results/finished"));
     let arrays = times(&sandbox.path("results/results.zarr"));
@@ -113,15 +99,9 @@ fn a_killed_study_goes_on_where_it_stopped() {
     for (path, time) in before.iter().filter(|(path, _)| untouched(path)) {
         assert_eq!(after[path], *time, "{}", path.display());
     }
-    let chunks: Vec<String> = kept
-        .iter()
-        .map(|name| name[..6].trim_start_matches('0').to_owned())
-        .collect();
+    let chunks: Vec<String> = kept.iter().map(|name| name[..6].trim_start_matches('0').to_owned()).collect();
     for (path, time) in arrays {
-        let chunk = path
-            .components()
-            .skip_while(|part| part.as_os_str() != "c")
-            .nth(1);
+        let chunk = path.components().skip_while(|part| part.as_os_str() != "c").nth(1);
         let chunk = chunk.map(|part| part.as_os_str().to_string_lossy().into_owned());
         if chunk.is_some_and(|chunk| chunks.contains(&chunk)) {
             assert_eq!(fs::metadata(&path).unwrap().modified().unwrap(), time);
@@ -137,60 +117,36 @@ fn a_killed_study_goes_on_where_it_stopped() {
 fn ctrl_c_keeps_what_is_finished_and_says_so() {
     let sandbox = sandbox(LONG);
     let child = begun(&sandbox, 3);
-    let interrupt = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
+    let interrupt = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(interrupt.unwrap().success());
     let output = child.wait_with_output().unwrap();
     let text = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(130), "{text}");
     assert!(
-        text.contains(
-            " of 60 chunks are finished and kept in results; the same command goes on from there"
-        ),
+        text.contains(" of 60 chunks are finished and kept in results; the same command goes on from there"),
         "{text}"
     );
-    assert!(
-        files(&sandbox.path("results"))
-            .iter()
-            .all(|path| !path.to_string_lossy().contains(".riffel-"))
-    );
+    assert!(files(&sandbox.path("results")).iter().all(|path| !path.to_string_lossy().contains(".riffel-")));
 }
 
 #[test]
 fn shards_are_merged_into_the_whole() {
-    let plan = LONG
-        .replace("samples = 600", "samples = 90")
-        .replace("points = 60", "points = 6");
+    let plan = LONG.replace("samples = 600", "samples = 90").replace("points = 60", "points = 6");
     let sandbox = sandbox(&plan);
     for shard in 1..=7 {
-        let outcome = sandbox.riffel(&format!(
-            "study plan.toml -o part-{shard} --shard {shard}/7"
-        ));
+        let outcome = sandbox.riffel(&format!("study plan.toml -o part-{shard} --shard {shard}/7"));
         assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     }
     let outcome = sandbox.riffel("study merge merged part-1 part-2 part-3 part-4 part-5 part-6");
     assert_eq!(outcome.status, Some(1), "{}", outcome.text);
-    assert!(
-        outcome.text.contains("note: 1 chunks are missing: 6;"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("note: 1 chunks are missing: 6;"), "{}", outcome.text);
     let report = sandbox.json("study merge merged part-7 part-1 --json");
-    assert_eq!(
-        (number(&report["copied"]), number(&report["there_already"])),
-        (1.0, 2.0)
-    );
+    assert_eq!((number(&report["copied"]), number(&report["there_already"])), (1.0, 2.0));
     sandbox.json("study plan.toml -o whole --threads 1 --json");
     assert!(bytes(&sandbox.path("whole")) == bytes(&sandbox.path("merged")));
     // Shards in one folder come to the same.
     for shard in [2, 1, 3] {
-        assert_eq!(
-            sandbox
-                .riffel(&format!("study plan.toml -o shared --shard {shard}/3"))
-                .status,
-            Some(0)
-        );
+        assert_eq!(sandbox.riffel(&format!("study plan.toml -o shared --shard {shard}/3")).status, Some(0));
     }
     assert!(bytes(&sandbox.path("whole")) == bytes(&sandbox.path("shared")));
 }
@@ -207,11 +163,7 @@ fn a_bad_plan_leaves_no_folder() {
 #[test]
 fn an_unfinished_study_is_not_analysed() {
     for plan in [LONG.to_owned(), LONG.replace("\"sobol\"", "\"saltelli\"")] {
-        let sandbox = sandbox(
-            &plan
-                .replace("600", "64")
-                .replace("points = 60", "points = 5"),
-        );
+        let sandbox = sandbox(&plan.replace("600", "64").replace("points = 60", "points = 5"));
         let part = sandbox.riffel("study plan.toml -o part --shard 1/2");
         assert_eq!(part.status, Some(0), "{}", part.text);
         let before = sandbox.list("part");
@@ -219,8 +171,7 @@ fn an_unfinished_study_is_not_analysed() {
             let outcome = sandbox.riffel(words);
             assert_eq!(outcome.status, Some(1), "{}", outcome.text);
             assert!(
-                outcome.text.contains("part is not finished: ")
-                    && outcome.text.contains(" chunks are missing"),
+                outcome.text.contains("part is not finished: ") && outcome.text.contains(" chunks are missing"),
                 "{}",
                 outcome.text
             );
@@ -242,8 +193,7 @@ fn sensitivity_answers_in_tables_and_pictures() {
     let frequency = &document["outputs"][0];
     assert_eq!(frequency["name"], "ridge_frequency");
     // The resonance of wheel and rail follows the mass of the wheel, and friction not at all.
-    let share =
-        |parameter: usize| number(&frequency["parameters"][parameter]["first_order"]["value"]);
+    let share = |parameter: usize| number(&frequency["parameters"][parameter]["first_order"]["value"]);
     assert!(share(0).abs() < 0.01 && share(1) > 0.9, "{frequency}");
     assert_eq!(frequency["parameters"][1]["key"], "wheel.mass");
     let names = [

@@ -21,9 +21,7 @@ fn pairs(document: &Value, key: &str) -> Vec<(f64, f64)> {
 fn table(text: &str) -> (Vec<&str>, Vec<Vec<f64>>) {
     let mut lines = text.lines();
     let header = lines.next().unwrap().split(',').collect();
-    let rows = lines
-        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
-        .collect();
+    let rows = lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
     (header, rows)
 }
 
@@ -40,12 +38,7 @@ fn receptance_document_and_table() {
     let step = frequencies[1] / frequencies[0];
     assert!((frequencies[150] / frequencies[149] / step - 1.0).abs() < 1e-12);
 
-    let joints = [
-        "rail_m_per_n",
-        "wheel_m_per_n",
-        "contact_m_per_n",
-        "total_m_per_n",
-    ];
+    let joints = ["rail_m_per_n", "wheel_m_per_n", "contact_m_per_n", "total_m_per_n"];
     let [rail, wheel, contact, total] = joints.map(|key| pairs(&document, key));
     for index in 0..200 {
         let sum = rail[index].0 + wheel[index].0 + contact[index].0;
@@ -81,13 +74,7 @@ fn receptance_document_and_table() {
         // The case has the wheel over a support.
         assert_eq!((row[9], row[10]), (row[1], row[2]));
     }
-    for file in [
-        "receptance.png",
-        "receptance.html",
-        "resonances.csv",
-        "decay-rate.csv",
-        "decay-rate.png",
-    ] {
+    for file in ["receptance.png", "receptance.html", "resonances.csv", "decay-rate.csv", "decay-rate.png"] {
         assert!(sandbox.path("out").join(file).exists(), "{file}");
     }
 }
@@ -100,9 +87,7 @@ fn position_moves_the_wheel() {
     sandbox.riffel(&format!("receptance {CASE} {arguments} -o out"));
     let text = fs::read_to_string(sandbox.path("out/receptance.csv")).unwrap();
     let (_, rows) = table(&text);
-    let mid_span = sandbox.json(&format!(
-        "receptance {CASE} {arguments} --position \"0.3 m\" --json"
-    ));
+    let mid_span = sandbox.json(&format!("receptance {CASE} {arguments} --position \"0.3 m\" --json"));
     let mid_span = pairs(&mid_span, "rail_m_per_n");
     for (row, value) in rows.iter().zip(mid_span) {
         // Half the spacing and 0.3 m are a rounding apart.
@@ -117,9 +102,7 @@ fn position_moves_the_wheel() {
 #[test]
 fn a_computed_receptance_reads_back_as_a_measured_one() {
     let sandbox = Sandbox::new();
-    sandbox.riffel(&format!(
-        "receptance {CASE} --from 400 --to 600 --points 3 -o out"
-    ));
+    sandbox.riffel(&format!("receptance {CASE} --from 400 --to 600 --points 3 -o out"));
     // The middle one of the three frequencies.
     let frequency = (400f64 * 600.0).sqrt();
     let point = format!("--wavelength {} --speed 25 --json", 25.0 / frequency);
@@ -131,10 +114,8 @@ fn a_computed_receptance_reads_back_as_a_measured_one() {
         ),
     );
     assert!(measured.is_null() || measured["growth_rate_per_passage"].is_number());
-    let (got, expected) = (
-        measured["growth_rate_per_passage"].as_f64().unwrap(),
-        exact["growth_rate_per_passage"].as_f64().unwrap(),
-    );
+    let (got, expected) =
+        (measured["growth_rate_per_passage"].as_f64().unwrap(), exact["growth_rate_per_passage"].as_f64().unwrap());
     assert!((got / expected - 1.0).abs() < 1e-9, "{got} {expected}");
 }
 
@@ -169,29 +150,18 @@ fn growth_over_the_bay() {
     let text = fs::read_to_string(sandbox.path("out/bay.csv")).unwrap();
     let (_, rows) = table(&text);
     assert_eq!((rows[0][0], rows[120][0]), (0.0, 0.6));
-    for (row, place, key) in [
-        (0, "0", "growth_rate_over_support"),
-        (60, "0.3", "growth_rate_mid_span"),
-    ] {
-        let point = sandbox.json(&format!(
-            "point {CASE} --wavelength \"50 mm\" --speed \"80 km/h\" --position {place} --json"
-        ));
+    for (row, place, key) in [(0, "0", "growth_rate_over_support"), (60, "0.3", "growth_rate_mid_span")] {
+        let point =
+            sandbox.json(&format!("point {CASE} --wavelength \"50 mm\" --speed \"80 km/h\" --position {place} --json"));
         let expected = point["growth_rate_per_passage"].as_f64().unwrap();
         let summarised = summary["bay"][key].as_f64().unwrap();
         for got in [rows[row][5], summarised] {
             // The place in the middle is 0.6/2 or 0.3, a rounding apart.
-            assert!(
-                (got / expected - 1.0).abs() < 1e-9,
-                "{key}: {got} {expected}"
-            );
+            assert!((got / expected - 1.0).abs() < 1e-9, "{key}: {got} {expected}");
         }
     }
     let rates: Vec<f64> = rows.iter().map(|row| row[5]).collect();
-    let (low, high) = rates
-        .iter()
-        .fold((f64::MAX, f64::MIN), |(low, high), &rate| {
-            (low.min(rate), high.max(rate))
-        });
+    let (low, high) = rates.iter().fold((f64::MAX, f64::MIN), |(low, high), &rate| (low.min(rate), high.max(rate)));
     let mean = summary["bay"]["growth_rate_mean"].as_f64().unwrap();
     assert!(low < mean && mean < high, "{low} {mean} {high}");
 }

@@ -44,24 +44,12 @@ fn wheels_stand_side_by_side() {
         .iter()
         .map(|wheel| {
             let word = |key: &str| wheel[key].as_str().unwrap();
-            format!(
-                "{} {} {} {}",
-                wheel["wheelset"],
-                word("rail"),
-                word("side"),
-                word("contact")
-            )
+            format!("{} {} {} {}", wheel["wheelset"], word("rail"), word("side"), word("contact"))
         })
         .collect();
     assert_eq!(
         names,
-        [
-            "1 low right tread",
-            "1 high left tread",
-            "1 high left flange",
-            "2 low right tread",
-            "2 high left tread"
-        ]
+        ["1 low right tread", "1 high left tread", "1 high left flange", "2 low right tread", "2 high left tread"]
     );
     for (wheel, keys) in wheels.iter().zip([
         "",
@@ -91,11 +79,7 @@ fn a_wheel_that_slides_as_a_whole_has_a_loop() {
     );
     let written = sandbox.riffel(&format!("{command} -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
-    assert!(
-        !written.text.contains("not in the loop"),
-        "{}",
-        written.text
-    );
+    assert!(!written.text.contains("not in the loop"), "{}", written.text);
     let words = "wheelset 1, high rail: wear.band_width is 40 mm, but the contact is";
     assert!(written.text.contains(words), "{}", written.text);
     let document = sandbox.json(&format!("{command} --json"));
@@ -124,31 +108,18 @@ fn the_patch_is_that_of_the_profiles_under_load() {
     let sandbox = Sandbox::new();
     let curve = sandbox.json("curve cases/metro-curve.toml --json");
     let wheel = &curve["wheels"][3];
-    assert_eq!(
-        (&wheel["wheelset"], &wheel["rail"]),
-        (&2.into(), &"right".into())
-    );
+    assert_eq!((&wheel["wheelset"], &wheel["rail"]), (&2.into(), &"right".into()));
     let load = number(&wheel["normal_force_n"]);
     let shift = number(&curve["wheelsets"][1]["lateral_shift_m"]);
-    let under = sandbox.json(&format!(
-        "profile cases/metro-curve.toml --wheelset --load {load} --lateral-shift={shift} --json"
-    ));
+    let under = sandbox
+        .json(&format!("profile cases/metro-curve.toml --wheelset --load {load} --lateral-shift={shift} --json"));
     let right = &under["contacts"][1];
     let keys = "--set contact.from.wheelset=2 --set contact.from.patch=non-elliptic";
-    let map = sandbox.json(&format!(
-        "map cases/metro-curve.toml --json {FEW} {keys} -o out"
-    ));
+    let map = sandbox.json(&format!("map cases/metro-curve.toml --json {FEW} {keys} -o out"));
     let derived = &map["derived"];
-    let [stiffness, of_profiles] = [
-        &derived["contact_stiffness_n_per_m"],
-        &right["stiffness_n_per_m"],
-    ]
-    .map(number);
+    let [stiffness, of_profiles] = [&derived["contact_stiffness_n_per_m"], &right["stiffness_n_per_m"]].map(number);
     // The shift passes through text.
-    assert!(
-        (stiffness / of_profiles - 1.0).abs() < 1e-6,
-        "{stiffness:e} {of_profiles:e}"
-    );
+    assert!((stiffness / of_profiles - 1.0).abs() < 1e-6, "{stiffness:e} {of_profiles:e}");
     let axes = ["semi_axis_longitudinal_m", "semi_axis_lateral_m"].map(|key| number(&derived[key]));
     let moments = [0, 1].map(|axis| number(&right["equivalent_semi_axes_m"][axis]));
     let area = number(&right["area_m2"]);
@@ -156,9 +127,7 @@ fn the_patch_is_that_of_the_profiles_under_load() {
     assert!((axes[0] / axes[1] / (moments[0] / moments[1]) - 1.0).abs() < 1e-6);
     // On the curved rail the stiffness of the conformal contact beside it, which is another one.
     let keys = keys.replace("non-elliptic", "conformal");
-    let map = sandbox.json(&format!(
-        "map cases/metro-curve.toml --json {FEW} {keys} -o conformal"
-    ));
+    let map = sandbox.json(&format!("map cases/metro-curve.toml --json {FEW} {keys} -o conformal"));
     let conformal = number(&map["derived"]["contact_stiffness_n_per_m"]);
     let of_profiles = number(&right["conformal"]["stiffness_n_per_m"]);
     assert!((conformal / of_profiles - 1.0).abs() < 1e-6);

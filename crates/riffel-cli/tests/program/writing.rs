@@ -23,10 +23,7 @@ fn only_regular_files_are_replaced() {
     let sandbox = Sandbox::new();
     fs::write(sandbox.path("precious.txt"), "precious").unwrap();
     fs::create_dir(sandbox.path("out")).unwrap();
-    assert!(shell(
-        &sandbox,
-        "mkfifo pipe && ln -s precious.txt link && ln -s ../precious.txt out/map.csv"
-    ));
+    assert!(shell(&sandbox, "mkfifo pipe && ln -s precious.txt link && ln -s ../precious.txt out/map.csv"));
     // A copy of the null device; only root can make one.
     let device = shell(&sandbox, "mknod null c 1 3");
     let mut cases = vec![
@@ -50,11 +47,7 @@ fn only_regular_files_are_replaced() {
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
         assert!(outcome.text.contains(what), "{arguments}: {}", outcome.text);
     }
-    let kind = |name| {
-        fs::symlink_metadata(sandbox.path(name))
-            .unwrap()
-            .file_type()
-    };
+    let kind = |name| fs::symlink_metadata(sandbox.path(name)).unwrap().file_type();
     assert!(kind("pipe").is_fifo() && kind("link").is_symlink());
     assert!(!device || kind("null").is_char_device());
     assert_eq!(sandbox.list("out"), ["map.csv"]);
@@ -69,11 +62,7 @@ fn an_input_is_never_replaced() {
     let case = fs::read_to_string(sandbox.path("cases/nominal.toml")).unwrap();
     fs::create_dir(sandbox.path("out")).unwrap();
     fs::write(sandbox.path("out/summary.json"), &case).unwrap();
-    fs::hard_link(
-        sandbox.path("cases/nominal.toml"),
-        sandbox.path("second.toml"),
-    )
-    .unwrap();
+    fs::hard_link(sandbox.path("cases/nominal.toml"), sandbox.path("second.toml")).unwrap();
     for arguments in [
         "report cases/nominal.toml -o cases/nominal.toml",
         "report cases/nominal.toml -o cases/../cases/nominal.toml",
@@ -82,11 +71,7 @@ fn an_input_is_never_replaced() {
         "report cases/nominal.toml --site second.toml -o second.toml",
         "roughness --synthesise cases/roughness-recipe.toml -o cases/roughness-recipe.toml",
     ] {
-        let less = if arguments.starts_with("map") {
-            TINY
-        } else {
-            ""
-        };
+        let less = if arguments.starts_with("map") { TINY } else { "" };
         let outcome = sandbox.riffel(&format!("{arguments} {less}"));
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
     }
@@ -100,9 +85,7 @@ fn an_input_is_never_replaced() {
 #[test]
 fn a_measured_track_is_never_replaced() {
     let sandbox = Sandbox::new();
-    let rows: String = (1..40)
-        .map(|f| format!("{},1e-9,-1e-10\n", 50 * f))
-        .collect();
+    let rows: String = (1..40).map(|f| format!("{},1e-9,-1e-10\n", 50 * f)).collect();
     let table = format!("frequency_hz,re,im\n{rows}");
     fs::create_dir(sandbox.path("out")).unwrap();
     fs::write(sandbox.path("out/receptance.csv"), &table).unwrap();
@@ -138,10 +121,7 @@ fn nothing_of_an_earlier_run_lies_beside_new_results() {
         assert!(now.contains(&kept.to_owned()), "{kept} is gone: {now:?}");
     }
     for stale in ["decay-rate.csv", "decay-rate.png"] {
-        assert!(
-            !now.contains(&stale.to_owned()),
-            "{stale} is stale: {now:?}"
-        );
+        assert!(!now.contains(&stale.to_owned()), "{stale} is stale: {now:?}");
     }
 }
 
@@ -153,11 +133,7 @@ fn a_file_of_somebody_else_is_not_replaced() {
     fs::write(sandbox.path("out/map.csv"), "mine").unwrap();
     let outcome = sandbox.riffel(&format!("map cases/nominal.toml -o out {TINY}"));
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    assert!(
-        outcome.text.contains("not written by Riffel"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("not written by Riffel"), "{}", outcome.text);
     assert_eq!(sandbox.list("out"), ["map.csv"]);
     // What only looks like the list of Riffel is not believed either.
     fs::remove_file(sandbox.path("out/map.csv")).unwrap();
@@ -185,9 +161,7 @@ fn leftovers_of_a_killed_run_are_removed() {
     let begun = std::time::Instant::now();
     let left = || {
         let names = fs::read_dir(sandbox.path("out")).into_iter().flatten();
-        names
-            .flatten()
-            .any(|entry| entry.path().join("lock").exists())
+        names.flatten().any(|entry| entry.path().join("lock").exists())
     };
     while !left() {
         assert!(begun.elapsed().as_secs() < 120, "nothing was begun");
@@ -212,11 +186,7 @@ fn a_saved_format_replaces_nothing() {
     fs::write(sandbox.path("format.toml"), "mine").unwrap();
     let outcome = sandbox.riffel("roughness profile.csv --save-format format.toml");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    assert!(
-        outcome.text.contains("is there already"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("is there already"), "{}", outcome.text);
     let text = fs::read_to_string(sandbox.path("format.toml")).unwrap();
     assert_eq!(text, "mine");
     assert!(!sandbox.path("profile-roughness").exists());
@@ -241,17 +211,10 @@ fn what_cannot_be_printed_is_an_error() {
             command.args(shlex::split(arguments).unwrap());
             command.stdout(stdout).output().unwrap()
         };
-        let full = run(File::options()
-            .write(true)
-            .open("/dev/full")
-            .unwrap()
-            .into());
+        let full = run(File::options().write(true).open("/dev/full").unwrap().into());
         let errors = String::from_utf8_lossy(&full.stderr);
         assert_eq!(full.status.code(), Some(2), "{arguments}: {errors}");
-        assert!(
-            errors.contains("cannot write to standard output"),
-            "{errors}"
-        );
+        assert!(errors.contains("cannot write to standard output"), "{errors}");
 
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
@@ -266,18 +229,12 @@ fn what_cannot_be_printed_is_an_error() {
 #[test]
 fn foreign_files_are_not_replaced_by_single_files() {
     let sandbox = Sandbox::new();
-    for command in [
-        "roughness --synthesise -o mine.txt",
-        "report cases/nominal.toml -o mine.txt",
-    ] {
+    for command in ["roughness --synthesise -o mine.txt", "report cases/nominal.toml -o mine.txt"] {
         fs::write(sandbox.path("mine.txt"), "mine").unwrap();
         let outcome = sandbox.riffel(command);
         assert_eq!(outcome.status, Some(2), "{command}: {}", outcome.text);
         let sentence = outcome.sentence();
-        assert!(
-            sentence.contains("mine.txt is there already") && sentence.contains("--force"),
-            "{sentence}"
-        );
+        assert!(sentence.contains("mine.txt is there already") && sentence.contains("--force"), "{sentence}");
         assert_eq!(fs::read(sandbox.path("mine.txt")).unwrap(), b"mine");
         let outcome = sandbox.riffel(&format!("{command} --force"));
         assert_eq!(outcome.status, Some(0), "{command}: {}", outcome.text);
@@ -327,17 +284,10 @@ fn names_command_neither_terminals_nor_spreadsheets() {
         let outcome = sandbox.riffel(&command);
         assert_eq!(outcome.status, Some(0), "{command}: {}", outcome.text);
         let commands = |c: char| c.is_control() && c != '\n';
-        assert!(
-            !outcome.text.contains(commands),
-            "{command}: {:?}",
-            outcome.text
-        );
+        assert!(!outcome.text.contains(commands), "{command}: {:?}", outcome.text);
     }
     let document = sandbox.json(&format!("network worst {judged} --json"));
     assert!(document.to_string().contains("\u{9b}left"));
     let table = fs::read_to_string(sandbox.path("out/chart.csv")).unwrap();
-    assert!(
-        table.contains(&format!("\n'@line,2026-01-31,0.0,10.0,'{formula},")),
-        "{table}"
-    );
+    assert!(table.contains(&format!("\n'@line,2026-01-31,0.0,10.0,'{formula},")), "{table}");
 }

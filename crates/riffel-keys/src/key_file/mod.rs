@@ -48,11 +48,7 @@ impl KeyFile {
         let mut read = Text::empty(name);
         text.clone_into(&mut read.text);
         read.index("", spans.get_ref());
-        let file = Self {
-            text: Arc::new(read),
-            table: text.parse().map_err(syntax)?,
-            overrides: HashMap::new(),
-        };
+        let file = Self { text: Arc::new(read), table: text.parse().map_err(syntax)?, overrides: HashMap::new() };
         file.refuse_commands("", &file.table)?;
         Ok(file)
     }
@@ -77,9 +73,8 @@ impl KeyFile {
                 Err(self.invalid(key, rule, say!(leave_it_out)))
             }),
             Value::Table(table) => self.refuse_commands(key, table),
-            Value::Array(items) => (items.iter().enumerate()).try_for_each(|(index, item)| {
-                self.refuse_commands_in(&format!("{key}[{index}]"), item)
-            }),
+            Value::Array(items) => (items.iter().enumerate())
+                .try_for_each(|(index, item)| self.refuse_commands_in(&format!("{key}[{index}]"), item)),
             _ => Ok(()),
         }
     }
@@ -89,28 +84,17 @@ impl KeyFile {
     ///
     /// # Errors
     /// As [`parse`](Self::parse).
-    pub fn restore(
-        name: &str,
-        text: &str,
-        keys: &str,
-        overrides: &[(String, String)],
-    ) -> Result<Self, CaseError> {
+    pub fn restore(name: &str, text: &str, keys: &str, overrides: &[(String, String)]) -> Result<Self, CaseError> {
         Ok(Self {
             table: Self::parse(name, keys)?.table,
-            overrides: (overrides.iter().cloned())
-                .map(|(key, assignment)| (key, Some(assignment)))
-                .collect(),
+            overrides: (overrides.iter().cloned()).map(|(key, assignment)| (key, Some(assignment))).collect(),
             ..Self::parse(name, text)?
         })
     }
 
     /// A file without keys.
     pub fn empty(name: &str) -> Self {
-        Self {
-            text: Arc::new(Text::empty(name)),
-            table: Table::new(),
-            overrides: HashMap::new(),
-        }
+        Self { text: Arc::new(Text::empty(name)), table: Table::new(), overrides: HashMap::new() }
     }
 
     /// The name shown in errors.
@@ -126,9 +110,8 @@ impl KeyFile {
     /// Each key that was overridden with the override, in the order of the keys.
     pub fn overrides(&self) -> Vec<(String, String)> {
         let overrides = self.overrides.iter();
-        let mut overrides: Vec<(String, String)> = overrides
-            .filter_map(|(key, assignment)| Some((key.clone(), assignment.clone()?)))
-            .collect();
+        let mut overrides: Vec<(String, String)> =
+            overrides.filter_map(|(key, assignment)| Some((key.clone(), assignment.clone()?))).collect();
         overrides.sort();
         overrides
     }
@@ -165,8 +148,7 @@ impl KeyFile {
         }
         self.insert(&parts, value).map_err(wrong)?;
         let key = parts.join(".");
-        self.overrides
-            .insert(key.clone(), Some(assignment.to_owned()));
+        self.overrides.insert(key.clone(), Some(assignment.to_owned()));
         Ok(key)
     }
 
@@ -177,10 +159,7 @@ impl KeyFile {
     pub fn write(&mut self, key: &str, value: impl Into<Value>) -> Result<(), CaseError> {
         let parts: Vec<&str> = key.split('.').collect();
         self.insert(&parts, value.into())
-            .map_err(|message| CaseError::Changed {
-                key: key.to_owned(),
-                message: message.clipped(),
-            })?;
+            .map_err(|message| CaseError::Changed { key: key.to_owned(), message: message.clipped() })?;
         self.overrides.insert(key.to_owned(), None);
         Ok(())
     }
@@ -212,9 +191,7 @@ impl KeyFile {
     pub fn remove(&mut self, key: &str) {
         let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
         let mut parents = parents.split('.').filter(|parent| !parent.is_empty());
-        let table = parents.try_fold(&mut self.table, |table, parent| {
-            table.get_mut(parent)?.as_table_mut()
-        });
+        let table = parents.try_fold(&mut self.table, |table, parent| table.get_mut(parent)?.as_table_mut());
         if let Some(table) = table {
             table.remove(last);
         }
@@ -323,10 +300,7 @@ impl KeyFile {
     ///
     /// # Errors
     /// As [`deserialize`](Self::deserialize).
-    pub fn deserialize_or<T: DeserializeOwned>(
-        &self,
-        own: impl Fn(&str) -> Option<CaseError>,
-    ) -> Result<T, CaseError> {
+    pub fn deserialize_or<T: DeserializeOwned>(&self, own: impl Fn(&str) -> Option<CaseError>) -> Result<T, CaseError> {
         serde_path_to_error::deserialize(self.table.clone()).map_err(|error| {
             let path = error.path().to_string();
             let path = if path == "." { "" } else { &path };
@@ -335,12 +309,7 @@ impl KeyFile {
     }
 
     /// Turn a message of the TOML reader into an error that names the key.
-    fn explain(
-        &self,
-        path: &str,
-        message: &str,
-        own: impl Fn(&str) -> Option<CaseError>,
-    ) -> CaseError {
+    fn explain(&self, path: &str, message: &str, own: impl Fn(&str) -> Option<CaseError>) -> CaseError {
         let message = message.trim();
         let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
         if let (true, [field, ..]) = (message.starts_with("missing field"), &quoted[..]) {
@@ -354,9 +323,7 @@ impl KeyFile {
             };
             return self.invalid(&path, say!(is_unknown_key), suggestion(field, allowed));
         }
-        if let (true, [variant, allowed @ ..]) =
-            (message.starts_with("unknown variant"), &quoted[..])
-        {
+        if let (true, [variant, allowed @ ..]) = (message.starts_with("unknown variant"), &quoted[..]) {
             let rule = say!(no_choice, variant = *variant);
             return self.invalid(path, rule, suggestion(variant, allowed));
         }
@@ -369,9 +336,7 @@ impl KeyFile {
         if message.contains("expected a sequence") {
             return self.invalid(path, say!(is_no_list), "");
         }
-        let rule = refused_as(message)
-            .map(|error| error.message())
-            .or_else(|| self.of_another_kind(path, message));
+        let rule = refused_as(message).map(|error| error.message()).or_else(|| self.of_another_kind(path, message));
         self.invalid(path, rule.unwrap_or_else(|| message.into()), "")
     }
 
@@ -411,12 +376,7 @@ impl KeyFile {
 
     /// A key whose value is not allowed; `rule` goes on after the key, whose sentence it completes where it
     /// [has no subject](Message::has_subject); `help` says what would be right, or is empty.
-    pub fn invalid(
-        &self,
-        key: &str,
-        rule: impl Into<Message>,
-        help: impl Into<Message>,
-    ) -> CaseError {
+    pub fn invalid(&self, key: &str, rule: impl Into<Message>, help: impl Into<Message>) -> CaseError {
         self.error(key, rule.into(), help.into())
     }
 
@@ -441,14 +401,8 @@ impl KeyFile {
             None => message.clipped(),
         };
         match assignment {
-            Some(assignment) => CaseError::Override {
-                assignment: clipped(assignment).into_owned(),
-                message,
-            },
-            None => CaseError::Changed {
-                key: set.clone(),
-                message,
-            },
+            Some(assignment) => CaseError::Override { assignment: clipped(assignment).into_owned(), message },
+            None => CaseError::Changed { key: set.clone(), message },
         }
     }
 

@@ -17,12 +17,7 @@ pub(super) struct Text {
 
 impl Text {
     pub(super) fn empty(name: &str) -> Self {
-        Self {
-            name: name.to_owned(),
-            text: String::new(),
-            values: HashMap::new(),
-            keys: HashMap::new(),
-        }
+        Self { name: name.to_owned(), text: String::new(), values: HashMap::new(), keys: HashMap::new() }
     }
 
     pub(super) fn index(&mut self, parent: &str, table: &DeTable<'_>) {
@@ -69,14 +64,9 @@ impl Text {
 }
 
 pub(super) fn within(key: &str, table: &str) -> bool {
-    key.strip_prefix(table)
-        .is_some_and(|rest| rest.starts_with('.'))
+    key.strip_prefix(table).is_some_and(|rest| rest.starts_with('.'))
 }
 
 pub(super) fn join(parent: &str, key: &str) -> String {
-    if parent.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{parent}.{key}")
-    }
+    if parent.is_empty() { key.to_owned() } else { format!("{parent}.{key}") }
 }

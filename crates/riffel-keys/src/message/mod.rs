@@ -25,8 +25,7 @@ use crate::Language;
 pub use piece::Piece;
 pub use translations::{Translations, translations, with_translations};
 pub use value::{
-    Value, decimal, fixed, number, quantity, range, shown_speed, shown_speeds, significant,
-    significant_digits,
+    Value, decimal, fixed, number, quantity, range, shown_speed, shown_speeds, significant, significant_digits,
 };
 
 /// A message of the Fluent files with the values that it names.
@@ -125,9 +124,7 @@ impl Message {
     #[must_use]
     pub fn clipped(self) -> Self {
         let values = self.values.into_iter();
-        let values = values
-            .map(|(name, value)| (name, value.clipped()))
-            .collect();
+        let values = values.map(|(name, value)| (name, value.clipped())).collect();
         Self { values, ..self }
     }
 
@@ -204,34 +201,22 @@ mod tests {
     #[test]
     fn it_is_shown_and_serialized_in_english() {
         let message = say!(no_average_over_patch, shortest = fixed(4.5, 1));
-        let english = "the contact is quasi-static and does not average over its patch: below 4.5 mm growth is overstated";
+        let english =
+            "the contact is quasi-static and does not average over its patch: below 4.5 mm growth is overstated";
         assert_eq!(message.to_string(), english);
-        assert_eq!(
-            serde_json::to_string(&message).unwrap(),
-            format!("\"{english}\"")
-        );
+        assert_eq!(serde_json::to_string(&message).unwrap(), format!("\"{english}\""));
         assert_eq!(
             message.short(Language::English),
             "the contact does not average over its patch: growth is overstated below 4.5 mm"
         );
-        assert_eq!(
-            message.short(Language::German),
-            message.text(Language::German)
-        );
+        assert_eq!(message.short(Language::German), message.text(Language::German));
         assert!(message.capitalised(Language::English).starts_with("The "));
     }
 
     #[test]
     fn messages_stand_within_messages_and_words_of_others_stay() {
         let name = say!(mechanism_p2);
-        let message = say!(
-            branch_with_share,
-            words = name,
-            share = Message::verbatim("0.5 {%}")
-        );
-        assert_eq!(
-            message.text(Language::German),
-            "P2-Resonanz mit 0.5 {%} seines Wachstums"
-        );
+        let message = say!(branch_with_share, words = name, share = Message::verbatim("0.5 {%}"));
+        assert_eq!(message.text(Language::German), "P2-Resonanz mit 0.5 {%} seines Wachstums");
     }
 }

@@ -45,10 +45,9 @@ impl Piece {
     /// As it stands in the message.
     pub(super) fn text(&self) -> &str {
         match self {
-            Self::Words(text)
-            | Self::Key { text, .. }
-            | Self::Quantity { text, .. }
-            | Self::Speeds { text, .. } => text,
+            Self::Words(text) | Self::Key { text, .. } | Self::Quantity { text, .. } | Self::Speeds { text, .. } => {
+                text
+            }
         }
     }
 }
@@ -63,8 +62,7 @@ const KEY_ENDS: char = '\u{F001}';
 
 /// The wordings of a language, parsed when they are first needed.
 fn bundle(language: Language) -> &'static Bundle {
-    static BUNDLES: [OnceLock<Bundle>; Language::ALL.len()] =
-        [const { OnceLock::new() }; Language::ALL.len()];
+    static BUNDLES: [OnceLock<Bundle>; Language::ALL.len()] = [const { OnceLock::new() }; Language::ALL.len()];
     BUNDLES[language as usize].get_or_init(|| {
         let locale: LanguageIdentifier = language.code().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![locale]);
@@ -149,23 +147,14 @@ fn push_value(value: &Value, language: Language, pieces: &mut Vec<Piece>) {
     let of_language = |number: &str| number.replace('.', language.decimal_mark());
     match value {
         Value::Text(text) => push_words(text, pieces),
-        Value::Key(key) => pieces.push(Piece::Key {
-            text: key.clone(),
-            key: key.clone(),
-        }),
+        Value::Key(key) => pieces.push(Piece::Key { text: key.clone(), key: key.clone() }),
         Value::Number(number) => push_words(&of_language(number), pieces),
-        Value::Quantity { shown, si, unit } => pieces.push(Piece::Quantity {
-            text: of_language(shown),
-            si: *si,
-            unit: (*unit).to_owned(),
-        }),
-        Value::Speeds {
-            shown,
-            speeds_m_per_s,
-        } => pieces.push(Piece::Speeds {
-            text: of_language(shown),
-            speeds_m_per_s: speeds_m_per_s.clone(),
-        }),
+        Value::Quantity { shown, si, unit } => {
+            pieces.push(Piece::Quantity { text: of_language(shown), si: *si, unit: (*unit).to_owned() })
+        }
+        Value::Speeds { shown, speeds_m_per_s } => {
+            pieces.push(Piece::Speeds { text: of_language(shown), speeds_m_per_s: speeds_m_per_s.clone() })
+        }
         Value::Count(count) => push_words(&count.to_string(), pieces),
         Value::Words(words) => push_words(words.text(language), pieces),
         Value::Message(message) => {
@@ -221,12 +210,8 @@ mod tests {
         let mut choices = Vec::new();
         for element in &pattern.elements {
             match element {
-                PatternElement::Placeable {
-                    expression: Expression::Inline(inline),
-                } => of_inline(inline),
-                PatternElement::Placeable {
-                    expression: Expression::Select { selector, variants },
-                } => {
+                PatternElement::Placeable { expression: Expression::Inline(inline) } => of_inline(inline),
+                PatternElement::Placeable { expression: Expression::Select { selector, variants } } => {
                     of_inline(selector);
                     choices.extend(variants);
                 }
@@ -267,12 +252,10 @@ mod tests {
             let Entry::Message(message) = entry else {
                 continue;
             };
-            let begins = message
-                .value
-                .and_then(|value| match value.elements.first() {
-                    Some(PatternElement::TextElement { value }) => Some(*value),
-                    _ => None,
-                });
+            let begins = message.value.and_then(|value| match value.elements.first() {
+                Some(PatternElement::TextElement { value }) => Some(*value),
+                _ => None,
+            });
             let name = message.id.name;
             for (id, words) in [("is-", "is "), ("and-", "and ")] {
                 let has_no_subject = begins.is_some_and(|text| text.starts_with(words));
@@ -284,38 +267,15 @@ mod tests {
     #[test]
     fn keys_and_quantities_are_pieces_and_the_rest_is_words() {
         let words = |text: &str| Piece::Words(text.to_owned());
-        let key = |text: &str, key: &str| Piece::Key {
-            text: text.to_owned(),
-            key: key.to_owned(),
-        };
+        let key = |text: &str, key: &str| Piece::Key { text: text.to_owned(), key: key.to_owned() };
         let load = crate::message::quantity(1500.0, "N", "1.5 kN");
         let rule = say!(is_but_must_be, value = load, rule = "more");
         let message = say!(key_and_rule, key = "contact.normal_load", rule = rule);
-        let quantity = |text: &str| Piece::Quantity {
-            text: text.to_owned(),
-            si: 1500.0,
-            unit: "N".to_owned(),
-        };
+        let quantity = |text: &str| Piece::Quantity { text: text.to_owned(), si: 1500.0, unit: "N".to_owned() };
         let begins = key("`contact.normal_load`", "contact.normal_load");
         for (language, expected) in [
-            (
-                Language::English,
-                [
-                    begins.clone(),
-                    words(": is "),
-                    quantity("1.5 kN"),
-                    words(", but must be more"),
-                ],
-            ),
-            (
-                Language::German,
-                [
-                    begins,
-                    words(": ist "),
-                    quantity("1,5 kN"),
-                    words(", muss aber more sein"),
-                ],
-            ),
+            (Language::English, [begins.clone(), words(": is "), quantity("1.5 kN"), words(", but must be more")]),
+            (Language::German, [begins, words(": ist "), quantity("1,5 kN"), words(", muss aber more sein")]),
         ] {
             assert_eq!(message.pieces(language), expected);
             assert_eq!(message.text(language), join(&expected));
@@ -323,14 +283,8 @@ mod tests {
         // Speeds, of which readers choose the unit.
         let speeds = crate::shown_speeds([10.0, 25.0]);
         let message = say!(traffic_at_speeds, traffic = "trains", speeds = speeds);
-        let shown = Piece::Speeds {
-            text: "36–90 km/h".to_owned(),
-            speeds_m_per_s: vec![10.0, 25.0],
-        };
-        assert_eq!(
-            message.pieces(Language::English),
-            [words("trains ("), shown, words(")")]
-        );
+        let shown = Piece::Speeds { text: "36–90 km/h".to_owned(), speeds_m_per_s: vec![10.0, 25.0] };
+        assert_eq!(message.pieces(Language::English), [words("trains ("), shown, words(")")]);
         // A key that the wording itself names.
         let message = say!(lower_points);
         assert_eq!(

@@ -42,10 +42,7 @@ impl Translations {
         let [english, german] = Language::ALL.map(|language| message.pieces(language));
         let english_words = shown(&piece::join(&english));
         let german_words = shown(&piece::join(&german));
-        if english
-            .iter()
-            .any(|piece| !matches!(piece, Piece::Words(_)))
-        {
+        if english.iter().any(|piece| !matches!(piece, Piece::Words(_))) {
             let languages = Language::ALL.map(|language| language.code().to_owned());
             let pieces = languages.into_iter().zip([english, german]).collect();
             self.message_pieces.insert(english_words.clone(), pieces);

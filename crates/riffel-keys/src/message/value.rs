@@ -61,15 +61,13 @@ impl Value {
             | Self::Key(text)
             | Self::Quantity { shown: text, .. }
             | Self::Speeds { shown: text, .. } => text.as_str().into(),
-            Self::Number(number) => serde_json::from_str::<serde_json::Number>(number)
-                .map_or_else(|_| number.as_str().into(), Into::into),
+            Self::Number(number) => {
+                serde_json::from_str::<serde_json::Number>(number).map_or_else(|_| number.as_str().into(), Into::into)
+            }
             Self::Count(count) => (*count).into(),
             Self::Words(words) => words.text(language).into(),
             Self::Message(message) => message.document(language),
-            Self::List(values) => values
-                .iter()
-                .map(|value| value.document(language))
-                .collect(),
+            Self::List(values) => values.iter().map(|value| value.document(language)).collect(),
         }
     }
 }
@@ -90,19 +88,13 @@ pub fn quantity(si: f64, unit: &'static str, shown: impl Display) -> Value {
 
 /// A speed \[m/s\] with so many digits after the decimal mark of its km/h.
 pub fn shown_speed(speed: f64, digits: usize) -> Value {
-    Value::Speeds {
-        shown: format!("{} km/h", decimal(3.6 * speed, digits)),
-        speeds_m_per_s: vec![speed],
-    }
+    Value::Speeds { shown: format!("{} km/h", decimal(3.6 * speed, digits)), speeds_m_per_s: vec![speed] }
 }
 
 /// The slowest and the fastest of several speeds \[m/s\], as in "40–70 km/h".
 pub fn shown_speeds([slowest, fastest]: [f64; 2]) -> Value {
     let range = range([slowest, fastest], |speed| decimal(3.6 * speed, 0));
-    Value::Speeds {
-        shown: format!("{range} km/h"),
-        speeds_m_per_s: vec![slowest, fastest],
-    }
+    Value::Speeds { shown: format!("{range} km/h"), speeds_m_per_s: vec![slowest, fastest] }
 }
 
 /// Two numbers as they are written: "31–39", or one where they are written alike.
@@ -277,9 +269,6 @@ mod tests {
         ] {
             assert_eq!(said(value, digits), text);
         }
-        assert_eq!(
-            (decimal(-0.04, 1), decimal(-0.06, 1)),
-            ("0.0".into(), "-0.1".into())
-        );
+        assert_eq!((decimal(-0.04, 1), decimal(-0.06, 1)), ("0.0".into(), "-0.1".into()));
     }
 }

@@ -42,25 +42,11 @@ impl QuantityError {
                 say!(not_a_number, text = text, kind = kind, example = example)
             }
             QuantityProblem::NotFinite => say!(not_finite, text = text, kind = kind),
-            QuantityProblem::Separator => say!(
-                number_with_separator,
-                text = text,
-                kind = kind,
-                example = example
-            ),
-            QuantityProblem::Range => say!(
-                range_for_one_value,
-                text = text,
-                kind = kind,
-                example = example
-            ),
-            QuantityProblem::UnknownUnit(unit) => say!(
-                unknown_unit,
-                text = text,
-                unit = unit,
-                kind = kind,
-                example = example
-            ),
+            QuantityProblem::Separator => say!(number_with_separator, text = text, kind = kind, example = example),
+            QuantityProblem::Range => say!(range_for_one_value, text = text, kind = kind, example = example),
+            QuantityProblem::UnknownUnit(unit) => {
+                say!(unknown_unit, text = text, unit = unit, kind = kind, example = example)
+            }
             QuantityProblem::WrongUnit(got) => say!(
                 wrong_unit,
                 text = text,

@@ -19,11 +19,7 @@ pub struct Kind {
 impl Kind {
     /// The words of a dimension.
     pub const fn of<D: Dimension>() -> Self {
-        Self {
-            name: D::NAME,
-            unit: D::UNIT,
-            example: D::EXAMPLE,
-        }
+        Self { name: D::NAME, unit: D::UNIT, example: D::EXAMPLE }
     }
 
     /// What is expected of a value of this kind: "a force in N or as in "50 kN"".
@@ -58,11 +54,10 @@ impl Kind {
     /// # Errors
     /// As [`read`](Self::read).
     pub(crate) fn read_written(&self, text: &str) -> Result<WrittenQuantity, QuantityError> {
-        self.read_one(text)
-            .map_err(|error| match self.read_range(text) {
-                Some(_) => self.refuse(text, QuantityProblem::Range),
-                None => error,
-            })
+        self.read_one(text).map_err(|error| match self.read_range(text) {
+            Some(_) => self.refuse(text, QuantityProblem::Range),
+            None => error,
+        })
     }
 
     /// The lowest and the highest value of a range: `"60-90 km/h"`, `"60..90 km/h"`, `"0.02 to 0.08 m"`,
@@ -77,11 +72,7 @@ impl Kind {
         let both = |low: &str, high: &str| {
             let (mut low, high) = (self.read_one(low).ok()?, self.read_one(high).ok()?);
             match (low.unit.is_empty(), high.unit.is_empty()) {
-                (true, false) => {
-                    low = self
-                        .read_one(&format!("{} {}", low.number, high.unit))
-                        .ok()?
-                }
+                (true, false) => low = self.read_one(&format!("{} {}", low.number, high.unit)).ok()?,
                 // "5 m-1" is no range of 5 m to 1.
                 (false, true) => return None,
                 _ => {}
@@ -89,8 +80,7 @@ impl Kind {
             Some([low, high])
         };
         MARKS.iter().find_map(|mark| {
-            text.match_indices(mark)
-                .find_map(|(place, _)| both(&text[..place], &text[place + mark.len()..]))
+            text.match_indices(mark).find_map(|(place, _)| both(&text[..place], &text[place + mark.len()..]))
         })
     }
 
@@ -119,14 +109,10 @@ impl Kind {
         if after.starts_with(|c: char| c.is_ascii_digit()) && !rest.starts_with("1/") {
             return Err(self.refuse(text, QuantityProblem::Separator));
         }
-        let mut written = WrittenQuantity {
-            number,
-            unit: rest.trim().to_owned(),
-            si: number,
-        };
+        let mut written = WrittenQuantity { number, unit: rest.trim().to_owned(), si: number };
         if !written.unit.is_empty() {
-            let read = Unit::parse(&written.unit)
-                .map_err(|unit| self.refuse(text, QuantityProblem::UnknownUnit(unit)))?;
+            let read =
+                Unit::parse(&written.unit).map_err(|unit| self.refuse(text, QuantityProblem::UnknownUnit(unit)))?;
             // The unit of a dimension is a constant that the tests read for every dimension.
             let own = Unit::parse(self.unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
             if !read.exponents.measure(own) {
@@ -147,11 +133,7 @@ impl Kind {
     }
 
     fn refuse(&self, text: &str, problem: QuantityProblem) -> QuantityError {
-        QuantityError {
-            text: text.to_owned(),
-            kind: *self,
-            problem,
-        }
+        QuantityError { text: text.to_owned(), kind: *self, problem }
     }
 }
 
@@ -179,25 +161,14 @@ mod tests {
             let read = Kind::of::<Speed>().read_range(text).unwrap();
             for (read, end) in read.into_iter().zip(ends) {
                 let read = read.si;
-                assert!(
-                    (read - end).abs() <= 4.0 * f64::EPSILON * end.abs(),
-                    "{read}"
-                );
+                assert!((read - end).abs() <= 4.0 * f64::EPSILON * end.abs(), "{read}");
             }
         }
     }
 
     #[test]
     fn what_is_no_range() {
-        for text in [
-            "60 km/h",
-            "1e-3",
-            "-5",
-            "5 m s-1",
-            "60-90 kg",
-            "5 km/h-10",
-            "fast-slow",
-        ] {
+        for text in ["60 km/h", "1e-3", "-5", "5 m s-1", "60-90 kg", "5 km/h-10", "fast-slow"] {
             assert_eq!(Kind::of::<Speed>().read_range(text), None);
         }
     }

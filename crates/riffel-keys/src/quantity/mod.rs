@@ -50,10 +50,7 @@ impl<D: Dimension> fmt::Debug for Quantity<D> {
 impl<D: Dimension> Quantity<D> {
     /// A quantity of the given SI value.
     pub const fn new(si: f64) -> Self {
-        Self {
-            si,
-            dimension: PhantomData,
-        }
+        Self { si, dimension: PhantomData }
     }
 
     /// Value in SI units.
@@ -88,11 +85,7 @@ impl<D: Dimension> fmt::Display for Quantity<D> {
 impl<D: Dimension> Serialize for Quantity<D> {
     /// A ratio as a number, anything else as a string with its SI unit, which reads back.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if D::UNIT.is_empty() {
-            serializer.serialize_f64(self.si)
-        } else {
-            serializer.collect_str(self)
-        }
+        if D::UNIT.is_empty() { serializer.serialize_f64(self.si) } else { serializer.collect_str(self) }
     }
 }
 
@@ -125,10 +118,7 @@ impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
             }
 
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
-                Kind::of::<D>()
-                    .finite(value, &value.to_string())
-                    .map(Quantity::new)
-                    .map_err(refused)
+                Kind::of::<D>().finite(value, &value.to_string()).map(Quantity::new).map_err(refused)
             }
 
             fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
@@ -173,9 +163,7 @@ mod tests {
     use crate::unit::Unit;
 
     fn si<D: Dimension>(text: &str) -> Result<f64, String> {
-        text.parse::<Quantity<D>>()
-            .map(|quantity| quantity.si())
-            .map_err(|error| error.to_string())
+        text.parse::<Quantity<D>>().map(|quantity| quantity.si()).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -195,10 +183,7 @@ mod tests {
         assert_eq!(si::<Angle>("50 mrad"), Ok(0.05));
         assert_eq!(si::<Spin>("0.3 1/m"), Ok(0.3));
         assert_eq!(si::<Spin>("-0.3 rad/m"), Ok(-0.3));
-        assert_eq!(
-            si::<Ratio>("20 deg").unwrap_err(),
-            "\"20 deg\" is in rad, not a ratio; write it as in \"0.4 %\""
-        );
+        assert_eq!(si::<Ratio>("20 deg").unwrap_err(), "\"20 deg\" is in rad, not a ratio; write it as in \"0.4 %\"");
         assert_eq!(
             si::<Angle>("3 %").unwrap_err(),
             "\"3 %\" is a plain number, not an angle in rad; write it as in \"3 deg\""
@@ -209,23 +194,11 @@ mod tests {
     #[test]
     fn refuses_with_a_sentence() {
         for (text, sentence) in [
-            (
-                "280 kg",
-                "\"280 kg\" is in kg, not a stiffness in N/m; write it as in \"280 MN/m\"",
-            ),
-            (
-                "280 MM/m",
-                "unknown unit \"MM\" in \"280 MM/m\"; write a stiffness as in \"280 MN/m\"",
-            ),
-            (
-                "stiff",
-                "\"stiff\" does not begin with a number; write a stiffness as in \"280 MN/m\"",
-            ),
+            ("280 kg", "\"280 kg\" is in kg, not a stiffness in N/m; write it as in \"280 MN/m\""),
+            ("280 MM/m", "unknown unit \"MM\" in \"280 MM/m\"; write a stiffness as in \"280 MN/m\""),
+            ("stiff", "\"stiff\" does not begin with a number; write a stiffness as in \"280 MN/m\""),
             ("inf", "inf is not finite, as a stiffness must be"),
-            (
-                "1e400 N/m",
-                "1e400 N/m is not finite, as a stiffness must be",
-            ),
+            ("1e400 N/m", "1e400 N/m is not finite, as a stiffness must be"),
             (
                 "0,4 MN/m",
                 "\"0,4 MN/m\" has a comma or a gap in its number; write a decimal point and no separators of thousands, \
@@ -251,10 +224,7 @@ mod tests {
         fn check<D: Dimension>() -> Kind {
             let quantity: Quantity<D> = D::EXAMPLE.parse().unwrap();
             assert!(Unit::parse(D::UNIT).is_ok());
-            assert_eq!(
-                quantity.to_string().parse::<Quantity<D>>().unwrap(),
-                quantity
-            );
+            assert_eq!(quantity.to_string().parse::<Quantity<D>>().unwrap(), quantity);
             // As engineers write it, the same again.
             let (number, unit) = Kind::of::<D>().in_engineers_unit(quantity.si());
             let again: Quantity<D> = format!("{number} {unit}").parse().unwrap();

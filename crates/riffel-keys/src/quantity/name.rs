@@ -48,13 +48,7 @@ mod tests {
     #[test]
     fn every_name_has_its_german_and_is_given_to_something() {
         let sources = sources();
-        let places = [
-            "unless_positive(",
-            "unless_not_negative(",
-            "quantity:",
-            "problem:",
-            "creepage:",
-        ];
+        let places = ["unless_positive(", "unless_not_negative(", "quantity:", "problem:", "creepage:"];
         let after = places.iter().flat_map(|place| sources.split(place).skip(1));
         let given = after.filter_map(|rest| rest.trim_start().strip_prefix('"')?.split('"').next());
         let given: Vec<&str> = given.chain(KINDS.iter().map(|kind| kind.name)).collect();
@@ -63,10 +57,7 @@ mod tests {
             assert!(GERMAN.contains_key(name), "no German of {name:?}");
         }
         for name in GERMAN.keys() {
-            assert!(
-                sources.contains(&format!("\"{name}\"")),
-                "nothing is called {name:?}"
-            );
+            assert!(sources.contains(&format!("\"{name}\"")), "nothing is called {name:?}");
         }
     }
 

@@ -16,11 +16,7 @@ pub(crate) struct WrittenQuantity {
 impl WrittenQuantity {
     /// A bare number in SI.
     pub(crate) fn bare(si: f64) -> Self {
-        Self {
-            number: si,
-            unit: String::new(),
-            si,
-        }
+        Self { number: si, unit: String::new(), si }
     }
 
     /// Number and unit; a bare number with the unit in which it is read.

@@ -31,12 +31,7 @@ impl PhysicalRange {
         let bound = |si| quantity(si, kind.unit, amount(kind, si));
         if !(low..=high).contains(&written.si) {
             return Judgement::Impossible {
-                rule: say!(
-                    is_outside,
-                    value = value,
-                    low = bound(low),
-                    high = bound(high)
-                ),
+                rule: say!(is_outside, value = value, low = bound(low), high = bound(high)),
                 help: self.question(written).unwrap_or_else(|| "".into()),
             };
         }
@@ -57,11 +52,7 @@ impl PhysicalRange {
         }
         if written.unit.is_empty() && written.si > self.bare_up_to {
             let in_engineers_unit = kind.in_engineers_unit(written.si);
-            let read = format!(
-                "{words} = {} {}",
-                significant(in_engineers_unit.0),
-                in_engineers_unit.1
-            );
+            let read = format!("{words} = {} {}", significant(in_engineers_unit.0), in_engineers_unit.1);
             return Judgement::Unusual(say!(
                 number_without_unit,
                 key = key,
@@ -79,16 +70,9 @@ impl PhysicalRange {
         let is_usual = |unit: Unit| (from..=to).contains(&(written.number * unit.factor));
         let mut meant = units(kind)
             .iter()
-            .filter(|&&unit| {
-                unit != written.unit && (unit != kind.unit || !written.unit.is_empty())
-            })
+            .filter(|&&unit| unit != written.unit && (unit != kind.unit || !written.unit.is_empty()))
             .filter(|unit| Unit::parse(unit).is_ok_and(is_usual))
-            .map(|unit| {
-                say!(
-                    quoted,
-                    words = number(format_args!("{} {unit}", written.number))
-                )
-            });
+            .map(|unit| say!(quoted, words = number(format_args!("{} {unit}", written.number))));
         match (meant.next()?, meant.next()) {
             (one, None) => Some(say!(did_you_mean, meant = one)),
             (one, Some(other)) => Some(say!(did_you_mean_either, one = one, other = other)),
@@ -148,12 +132,7 @@ pub(crate) fn amount(kind: &Kind, si: f64) -> String {
     let unit = match handy {
         [only] => only,
         _ if si == 0.0 => &kind.unit,
-        _ => handy
-            .iter()
-            .rev()
-            .find(|unit| in_unit(unit).abs() >= 1.0)
-            .or(handy.first())
-            .unwrap_or(&kind.unit),
+        _ => handy.iter().rev().find(|unit| in_unit(unit).abs() >= 1.0).or(handy.first()).unwrap_or(&kind.unit),
     };
     let number = significant(in_unit(unit));
     match *unit {
@@ -185,18 +164,8 @@ mod tests {
     #[test]
     fn the_impossible_is_refused() {
         for (key, text, rule, help) in [
-            (
-                "contact.friction",
-                "40",
-                "is 40, but must be between 0.001 and 1.5",
-                "did you mean \"40 %\"?",
-            ),
-            (
-                "wheel.rolling_radius",
-                "460",
-                "is 460 m, but must be between 5 mm and 5 m",
-                "did you mean \"460 mm\"?",
-            ),
+            ("contact.friction", "40", "is 40, but must be between 0.001 and 1.5", "did you mean \"40 %\"?"),
+            ("wheel.rolling_radius", "460", "is 460 m, but must be between 5 mm and 5 m", "did you mean \"460 mm\"?"),
             (
                 "wheel.rolling_radius",
                 "0.46 mm",
@@ -215,18 +184,9 @@ mod tests {
                 "is 55 m, but must be between 100 µm and 10 m",
                 "did you mean \"55 mm\" or \"55 cm\"?",
             ),
-            (
-                "wheel.mass",
-                "-350 kg",
-                "is -350 kg, but must be between 10 g and 100 t",
-                "",
-            ),
+            ("wheel.mass", "-350 kg", "is -350 kg, but must be between 10 g and 100 t", ""),
         ] {
-            let Judgement::Impossible {
-                rule: own,
-                help: advice,
-            } = judged(key, text)
-            else {
+            let Judgement::Impossible { rule: own, help: advice } = judged(key, text) else {
                 panic!("{key} = {text} is possible");
             };
             assert_eq!((&*own.to_string(), &*advice.to_string()), (rule, help));

@@ -45,30 +45,21 @@ impl PhysicalRange {
                 _ => {}
             }
         }
-        RANGES
-            .iter()
-            .find(|range| range.keys.contains(&name.as_str()))
+        RANGES.iter().find(|range| range.keys.contains(&name.as_str()))
     }
 
     /// The value in SI of an argument such as `--speed` from its text, with what is to be asked about it.
     ///
     /// # Errors
     /// The sentence after the name of the argument, for a value outside its range: "is 55 m, but must be …".
-    pub fn read<D: Dimension>(
-        argument: &str,
-        text: &str,
-    ) -> Result<(f64, Option<Message>), Message> {
-        let written = Kind::of::<D>()
-            .read_written(text)
-            .map_err(|error| error.message())?;
+    pub fn read<D: Dimension>(argument: &str, text: &str) -> Result<(f64, Option<Message>), Message> {
+        let written = Kind::of::<D>().read_written(text).map_err(|error| error.message())?;
         let si = written.si;
         match Self::of(argument).map(|range| range.judge(argument, &written)) {
             None | Some(Judgement::Usual) => Ok((si, None)),
             Some(Judgement::Unusual(remark)) => Ok((si, Some(remark))),
             Some(Judgement::Impossible { rule, help }) if help.is_empty() => Err(rule),
-            Some(Judgement::Impossible { rule, help }) => {
-                Err(say!(one_after_other, one = rule, other = help))
-            }
+            Some(Judgement::Impossible { rule, help }) => Err(say!(one_after_other, one = rule, other = help)),
         }
     }
 
@@ -81,14 +72,9 @@ impl PhysicalRange {
             return Ok(());
         };
         for value in values {
-            let written = WrittenQuantity {
-                unit: range.kind.unit.to_owned(),
-                ..WrittenQuantity::bare(value)
-            };
+            let written = WrittenQuantity { unit: range.kind.unit.to_owned(), ..WrittenQuantity::bare(value) };
             if let Judgement::Impossible { rule, .. } = range.judge(what, &written) {
-                return Err(CaseError::Point {
-                    message: say!(name_as_subject, name = what, rule = rule),
-                });
+                return Err(CaseError::Point { message: say!(name_as_subject, name = what, rule = rule) });
             }
         }
         Ok(())
@@ -112,10 +98,7 @@ pub fn bound<'a>(schema: &mut Schema, pointers: impl IntoIterator<Item = (&'a st
         };
         let [low, high] = range.hard;
         let known = |end: &str, value: f64| node[end].as_f64().unwrap_or(value);
-        let (low, high) = (
-            low.min(known("minimum", low)),
-            high.max(known("maximum", high)),
-        );
+        let (low, high) = (low.min(known("minimum", low)), high.max(known("maximum", high)));
         node["minimum"] = json!(low);
         node["maximum"] = json!(high);
     }
@@ -131,10 +114,7 @@ mod tests {
             let ([low, high], [from, to]) = (range.hard, range.usual);
             assert!(low <= from && from < to && to <= high, "{range:?}");
             assert!(range.bare_up_to > from, "{range:?}");
-            assert!(
-                !range.reason.is_empty() && range.reason.ends_with('.'),
-                "{range:?}"
-            );
+            assert!(!range.reason.is_empty() && range.reason.ends_with('.'), "{range:?}");
         }
         assert!(PhysicalRange::of("vehicle[12].speeds[3].speed").is_some());
         assert!(PhysicalRange::of("contact.colour").is_none());
@@ -144,8 +124,7 @@ mod tests {
     #[test]
     fn every_window_has_frequencies_within_their_range() {
         let ends = |key: &str| PhysicalRange::of(key).unwrap().hard;
-        let ([shortest, longest], [slowest, fastest]) =
-            (ends("map.wavelength.min"), ends("map.speed.min"));
+        let ([shortest, longest], [slowest, fastest]) = (ends("map.wavelength.min"), ends("map.speed.min"));
         let [lowest, highest] = ends("--from");
         assert!(slowest / longest >= lowest && fastest / shortest <= highest * (1.0 + 1e-12));
     }

@@ -2,10 +2,9 @@
 
 use super::PhysicalRange;
 use crate::quantity::{
-    Angle, Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind,
-    Length, LengthPerForce, Mass, MassPerLength, Modulus, Moment, Ratio, RelativeSlope,
-    SecondMoment, Speed, Spin, Stiffness, TorsionalDamping, TorsionalStiffness, VelocityDecay,
-    WarpingConstant, WearCoefficient,
+    Angle, Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind, Length,
+    LengthPerForce, Mass, MassPerLength, Modulus, Moment, Ratio, RelativeSlope, SecondMoment, Speed, Spin, Stiffness,
+    TorsionalDamping, TorsionalStiffness, VelocityDecay, WarpingConstant, WearCoefficient,
 };
 
 const fn row<D: Dimension>(
@@ -14,14 +13,7 @@ const fn row<D: Dimension>(
     usual: [f64; 2],
     reason: &'static str,
 ) -> PhysicalRange {
-    PhysicalRange {
-        keys,
-        kind: Kind::of::<D>(),
-        hard,
-        usual,
-        bare_up_to: f64::INFINITY,
-        reason,
-    }
+    PhysicalRange { keys, kind: Kind::of::<D>(), hard, usual, bare_up_to: f64::INFINITY, reason }
 }
 
 /// Largest speed \[m/s\] that is taken without a question where no unit is written: 144 km/h. Faster lines exist, but
@@ -29,11 +21,7 @@ const fn row<D: Dimension>(
 const BARE_SPEED: f64 = 40.0;
 
 /// A number of things, which takes no unit and is not written in per cent.
-const COUNT: Kind = Kind {
-    name: "a number",
-    unit: "",
-    example: "6000",
-};
+const COUNT: Kind = Kind { name: "a number", unit: "", example: "6000" };
 
 /// Largest contact angle \[rad\] below a right one, to either side.
 const LARGEST_CONTACT_ANGLE: f64 = 89.999 / 180.0 * std::f64::consts::PI;
@@ -108,11 +96,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "The mass per length over the density of steel: 19 to 96 cm2.",
     ),
     row::<Ratio>(
-        &[
-            "rail.shear_coefficient",
-            "rail.lateral_shear_coefficient",
-            "wheelset.axle.shear_coefficient",
-        ],
+        &["rail.shear_coefficient", "rail.lateral_shear_coefficient", "wheelset.axle.shear_coefficient"],
         [0.01, 1.0],
         [0.2, 0.95],
         "At most 1 by its definition; 0.34 to 0.45 for rails, 0.85 for a rectangle, 0.89 for a solid axle.",
@@ -165,12 +149,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.01, 0.2],
         "Their sum is the height of the rail: 60 to 190 mm.",
     ),
-    row::<Length>(
-        &["rail.foot_width"],
-        [0.0, 10.0],
-        [0.04, 0.4],
-        "Rails of 15 to 75 kg/m have feet of 70 to 160 mm.",
-    ),
+    row::<Length>(&["rail.foot_width"], [0.0, 10.0], [0.04, 0.4], "Rails of 15 to 75 kg/m have feet of 70 to 160 mm."),
     row::<Length>(
         &["track.support_spacing"],
         [0.01, 10.0],
@@ -218,12 +197,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.0, 1000.0],
         "Per rail: baseplates from 5 kg, half of a concrete sleeper 100 to 200, blocks and slabs more.",
     ),
-    row::<Length>(
-        &["track.position", "--position"],
-        [0.0, 10.0],
-        [0.0, 1.6],
-        "Within one spacing of supports.",
-    ),
+    row::<Length>(&["track.position", "--position"], [0.0, 10.0], [0.0, 1.6], "Within one spacing of supports."),
     row::<DampingPerLength>(
         &["track.rail_damping"],
         [0.0, 1e9],
@@ -231,19 +205,13 @@ pub static RANGES: &[PhysicalRange] = &[
         "Free rails have next to none; embedded ones some 100 kN s/m2.",
     ),
     row::<Length>(
-        &[
-            "contact.transverse_radius",
-            "opposite_contact.transverse_radius",
-        ],
+        &["contact.transverse_radius", "opposite_contact.transverse_radius"],
         [1e-3, 1e4],
         [0.02, 20.0],
         "Rail heads have 10 to 600 mm; a conformal contact is flatter, a line contact as flat as one likes.",
     ),
     row::<Length>(
-        &[
-            "contact.longitudinal_radius",
-            "opposite_contact.longitudinal_radius",
-        ],
+        &["contact.longitudinal_radius", "opposite_contact.longitudinal_radius"],
         [1e-3, 1e4],
         [0.1, 3.0],
         "The rolling radius over the cosine of the contact angle: on a flange of 70 degrees three times the radius.",
@@ -289,11 +257,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "Above 0 and below 1 by its definition; nearer to an end its digits are lost.",
     ),
     row::<Ratio>(
-        &[
-            "contact.creepage",
-            "opposite_contact.creepage",
-            "vehicle.creepage",
-        ],
+        &["contact.creepage", "opposite_contact.creepage", "vehicle.creepage"],
         [1e-9, 1.0],
         [1e-6, 0.1],
         "Free rolling wheels have 0.01 %, full slip begins at 0.3 to 1 %, a locked wheel has 1.",
@@ -320,10 +284,7 @@ pub static RANGES: &[PhysicalRange] = &[
         ..row::<Angle>(
             &["contact.contact_angle", "opposite_contact.contact_angle"],
             [-LARGEST_CONTACT_ANGLE, LARGEST_CONTACT_ANGLE],
-            [
-                -10.0 / 180.0 * std::f64::consts::PI,
-                80.0 / 180.0 * std::f64::consts::PI,
-            ],
+            [-10.0 / 180.0 * std::f64::consts::PI, 80.0 / 180.0 * std::f64::consts::PI],
             "Below a right angle, where no load is carried; treads have 1 to 5 degrees, flanges 60 to 75; hollow wheels are inclined \
              the other way by a few.",
         )
@@ -335,10 +296,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "Within half the width of a rail head, 30 to 37 mm.",
     ),
     row::<Length>(
-        &[
-            "contact.conformity.rail_radius",
-            "opposite_contact.rail_radius",
-        ],
+        &["contact.conformity.rail_radius", "opposite_contact.rail_radius"],
         [1e-3, 10.0],
         [0.08, 1.0],
         "The radius of the head where the wheel runs: 80 mm at the gauge corner of new rails, 300 on their crown, more on worn ones.",
@@ -362,10 +320,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "Polach (2005) gives 0.2 to 0.6 s/m.",
     ),
     row::<Ratio>(
-        &[
-            "contact.polach.adhesion_reduction",
-            "contact.polach.slip_reduction",
-        ],
+        &["contact.polach.adhesion_reduction", "contact.polach.slip_reduction"],
         [0.001, 1.0],
         [0.05, 1.0],
         "At most 1 by their definition; Polach (2005) gives 0.1 to 1.",
@@ -426,12 +381,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.05, 0.4],
         "Axles have 110 mm (journals) to 250 mm (seats of locomotive wheels).",
     ),
-    row::<Length>(
-        &["wheelset.discs.position"],
-        [-10.0, 10.0],
-        [-1.5, 1.5],
-        "From the middle of the axle.",
-    ),
+    row::<Length>(&["wheelset.discs.position"], [-10.0, 10.0], [-1.5, 1.5], "From the middle of the axle."),
     row::<Mass>(
         &["wheelset.discs.mass"],
         [0.0, 1e5],
@@ -439,10 +389,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "Brake discs weigh 80 to 140 kg, wheels 200 to 600, gears up to 500.",
     ),
     row::<Inertia>(
-        &[
-            "wheelset.discs.polar_inertia",
-            "wheelset.discs.diametral_inertia",
-        ],
+        &["wheelset.discs.polar_inertia", "wheelset.discs.diametral_inertia"],
         [0.0, 1e7],
         [0.0, 1000.0],
         "Brake discs have 3 to 12 kg m2, wheels 15 to 120; about the diameter half as much.",
@@ -477,12 +424,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [-1e5, 1e5],
         "Above zero to the right, below to the left: trams turn on 15 m, main lines on 300 m to 10 km.",
     ),
-    row::<Length>(
-        &["curve.cant"],
-        [0.0, 1.0],
-        [0.0, 0.2],
-        "Railways allow 150 to 180 mm, 200 mm in some countries.",
-    ),
+    row::<Length>(&["curve.cant"], [0.0, 1.0], [0.0, 0.2], "Railways allow 150 to 180 mm, 200 mm in some countries."),
     PhysicalRange {
         bare_up_to: BARE_SPEED,
         ..row::<Speed>(
@@ -505,10 +447,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "Axle boxes lie 1.1 m (inside the wheels) to 2.2 m apart.",
     ),
     row::<Stiffness>(
-        &[
-            "bogie.primary_longitudinal_stiffness",
-            "bogie.primary_lateral_stiffness",
-        ],
+        &["bogie.primary_longitudinal_stiffness", "bogie.primary_lateral_stiffness"],
         [1e-3, 1e13],
         [1e3, 1e9],
         "Per axle box: 0.3 MN/m (steering) to 60 MN/m (stiff).",
@@ -539,14 +478,8 @@ pub static RANGES: &[PhysicalRange] = &[
     ),
     row::<Angle>(
         &["bogie.frame_yaw"],
-        [
-            -6.0 / 180.0 * std::f64::consts::PI,
-            6.0 / 180.0 * std::f64::consts::PI,
-        ],
-        [
-            -2.0 / 180.0 * std::f64::consts::PI,
-            2.0 / 180.0 * std::f64::consts::PI,
-        ],
+        [-6.0 / 180.0 * std::f64::consts::PI, 6.0 / 180.0 * std::f64::consts::PI],
+        [-2.0 / 180.0 * std::f64::consts::PI, 2.0 / 180.0 * std::f64::consts::PI],
         "Over one axle of a long vehicle half its wheelbase over the radius: 4 m in 200 m are 20 mrad.",
     ),
     row::<Length>(
@@ -585,12 +518,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [1e-7, 1e-4],
         "Laser devices scatter by 10 to 30 µm, mechanical ones by some 5 µm.",
     ),
-    row::<Length>(
-        &["profiles.gauge"],
-        [0.05, 5.0],
-        [0.55, 1.75],
-        "600 mm to 1676 mm; standard gauge is 1435 mm.",
-    ),
+    row::<Length>(&["profiles.gauge"], [0.05, 5.0], [0.55, 1.75], "600 mm to 1676 mm; standard gauge is 1435 mm."),
     row::<Length>(
         &["profiles.gauge_height"],
         [1e-3, 0.05],
@@ -609,12 +537,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [-0.1, -0.03],
         "In the coordinates of the wheel, whose origin is the datum circle of the tread: -70 mm.",
     ),
-    row::<Ratio>(
-        &["profiles.conicity"],
-        [1e-6, 2.0],
-        [0.01, 0.5],
-        "Cones have 1:40 to 1:20, worn wheels up to 0.4.",
-    ),
+    row::<Ratio>(&["profiles.conicity"], [1e-6, 2.0], [0.01, 0.5], "Cones have 1:40 to 1:20, worn wheels up to 0.4."),
     row::<Length>(
         &["profiles.flange.clearance", "profiles.flange.shift"],
         [1e-4, 0.1],
@@ -640,10 +563,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "How gradually the contact climbs the flange: some tenths of a millimetre.",
     ),
     row::<Force>(
-        &[
-            "contact.creep_coefficients.longitudinal",
-            "contact.creep_coefficients.lateral",
-        ],
+        &["contact.creep_coefficients.longitudinal", "contact.creep_coefficients.lateral"],
         [1e-3, 1e12],
         [1e5, 1e9],
         "Kalker's linear theory has 5 to 15 MN for wheels under 50 to 100 kN.",
@@ -654,18 +574,9 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.0, 1e6],
         "Kalker's linear theory has 5 to 40 kN m.",
     ),
-    row::<Force>(
-        &["contact.creep_coefficients.load"],
-        [1e-3, 1e7],
-        [1e4, 250e3],
-        "The load of a wheel.",
-    ),
+    row::<Force>(&["contact.creep_coefficients.load"], [1e-3, 1e7], [1e4, 250e3], "The load of a wheel."),
     row::<Length>(
-        &[
-            "corrugation.amplitude",
-            "outputs.wave.amplitude",
-            "--amplitude",
-        ],
+        &["corrugation.amplitude", "outputs.wave.amplitude", "--amplitude"],
         [1e-12, 0.01],
         [1e-8, 2e-3],
         "Smooth rails have 0.1 µm, the worst corrugation 0.5 mm.",
@@ -688,12 +599,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [1e8, 3e12],
         "A tram line has 1 to 5 MGT (1e9 kg) a year, a rail in its life 10 to 3000.",
     ),
-    row::<Ratio>(
-        &["wear.measured.factor"],
-        [1.0, 100.0],
-        [1.0, 3.0],
-        "Surveys tell wear within a factor of 1.1 to 2.",
-    ),
+    row::<Ratio>(&["wear.measured.factor"], [1.0, 100.0], [1.0, 3.0], "Surveys tell wear within a factor of 1.1 to 2."),
     row::<Ratio>(
         &["line.friction_days.factor"],
         [1.0, 4.0],
@@ -706,12 +612,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [1.0, 100.0],
         "Rails in the field wear some 5 times less than dry discs, where they are damp or greased 100 times less.",
     ),
-    row::<Ratio>(
-        &["wear.spread"],
-        [0.0, 3.0],
-        [0.0, 1.0],
-        "Tγ/A of the wheels of one train differs by half to twice.",
-    ),
+    row::<Ratio>(&["wear.spread"], [0.0, 3.0], [0.0, 1.0], "Tγ/A of the wheels of one train differs by half to twice."),
     row::<Length>(
         &["wear.band_width"],
         [1e-5, 0.3],
@@ -724,12 +625,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [150e6, 900e6],
         "Rail steel yields in shear at 200 to 300 MPa as rolled, its hardened surface at 250 to 700.",
     ),
-    row::<Ratio>(
-        &["damage.spread"],
-        [0.0, 3.0],
-        [0.0, 0.5],
-        "Loads and friction of traffic differ by 5 to 30 %.",
-    ),
+    row::<Ratio>(&["damage.spread"], [0.0, 3.0], [0.0, 0.5], "Loads and friction of traffic differ by 5 to 30 %."),
     row::<Length>(
         &["damage.flow.depth"],
         [1e-15, 1e-3],
@@ -737,11 +633,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "Rails lose nanometres by flow per passage, if any; more than 0.2 µm leaves no rail.",
     ),
     row::<Ratio>(
-        &[
-            "damage.flow.exponent",
-            "damage.flow_along.exponent",
-            "damage.bending.exponent",
-        ],
+        &["damage.flow.exponent", "damage.flow_along.exponent", "damage.bending.exponent"],
         [1.0, 10.0],
         [1.0, 4.0],
         "Ratchetting is taken in proportion to what lies above the limit; below one the law would begin with a step.",
@@ -764,12 +656,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [1e-18, 1e-12],
         "1e-15 m/N lowers a rail by 0.05 nm under a wheel.",
     ),
-    row::<Moment>(
-        &["damage.bending.limit"],
-        [1.0, 1e7],
-        [1e4, 3e5],
-        "Plastic moments of rails are 60 to 200 kN m.",
-    ),
+    row::<Moment>(&["damage.bending.limit"], [1.0, 1e7], [1e4, 3e5], "Plastic moments of rails are 60 to 200 kN m."),
     row::<RelativeSlope>(
         &["damage.bending.curvature"],
         [1e-18, 1.0],
@@ -794,12 +681,7 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.0, 0.03],
         "A rail whose damage is one has cracks of 2 mm to 5 mm.",
     ),
-    row::<Angle>(
-        &["damage.fatigue.crack_angle"],
-        [0.01, 1.57],
-        [0.15, 1.1],
-        "Cracks go down at 15 to 45 degrees.",
-    ),
+    row::<Angle>(&["damage.fatigue.crack_angle"], [0.01, 1.57], [0.15, 1.1], "Cracks go down at 15 to 45 degrees."),
     row::<Length>(
         &[
             "map.wavelength.min",
@@ -833,10 +715,7 @@ pub static RANGES: &[PhysicalRange] = &[
         )
     },
     row::<Speed>(
-        &[
-            "vehicle.speed.standard_deviation",
-            "speed.standard_deviation",
-        ],
+        &["vehicle.speed.standard_deviation", "speed.standard_deviation"],
         [0.0, 50.0],
         [0.0, 20.0],
         "Less than a quarter of the mean.",
@@ -883,28 +762,13 @@ pub static RANGES: &[PhysicalRange] = &[
         [1.0, 100.0],
         "From the middle of the track, beyond the rail; pass-bys are measured at 7.5 and 25 m.",
     ),
-    row::<Length>(
-        &["--height"],
-        [0.0, 100.0],
-        [0.0, 20.0],
-        "Above the rail; pass-bys are measured at 1.2 and 3.5 m.",
-    ),
-    row::<Length>(
-        &["--train-length"],
-        [0.1, 1e4],
-        [2.0, 3e3],
-        "A tram has 20 m, an ore train 3 km.",
-    ),
+    row::<Length>(&["--height"], [0.0, 100.0], [0.0, 20.0], "Above the rail; pass-bys are measured at 1.2 and 3.5 m."),
+    row::<Length>(&["--train-length"], [0.1, 1e4], [2.0, 3e3], "A tram has 20 m, an ore train 3 km."),
     row::<Length>(
         &["--rail-foot"],
         [0.01, 0.5],
         [0.08, 0.2],
         "Vignole rails have 110 to 150 mm, grooved rails 180 mm.",
     ),
-    row::<Area>(
-        &["--sleeper-area"],
-        [1e-4, 10.0],
-        [0.1, 1.0],
-        "Half of a sleeper of 2.6 m by 0.25 m.",
-    ),
+    row::<Area>(&["--sleeper-area"], [1e-4, 10.0], [0.1, 1.0], "Half of a sleeper of 2.6 m by 0.25 m."),
 ];

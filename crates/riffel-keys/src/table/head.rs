@@ -8,12 +8,7 @@ use super::row::{Row, rows};
 /// Lines among which the head is looked for.
 const PREAMBLE: usize = 500;
 /// Delimiters, the one that is tried first before the others.
-const DELIMITERS: [Delimiter; 4] = [
-    Delimiter::Semicolon,
-    Delimiter::Tab,
-    Delimiter::Comma,
-    Delimiter::Space,
-];
+const DELIMITERS: [Delimiter; 4] = [Delimiter::Semicolon, Delimiter::Tab, Delimiter::Comma, Delimiter::Space];
 
 /// A table below the names of its columns. Lines before its head are left out; unless commas divide columns, a decimal comma
 /// is understood; a row of units may follow the head.
@@ -62,14 +57,7 @@ impl<'a, C> HeadedTable<'a, C> {
                     continue;
                 }
                 let Ok(columns) = find(&names) else { continue };
-                let mut table = Self {
-                    text,
-                    delimiter,
-                    names,
-                    units: Vec::new(),
-                    columns,
-                    above: index + 1,
-                };
+                let mut table = Self { text, delimiter, names, units: Vec::new(), columns, above: index + 1 };
                 let mut next = table.rows();
                 let first = next.next();
                 if first.as_ref().is_none_or(|row| is_row(&table.columns, row)) {
@@ -103,9 +91,7 @@ impl<'a, C> HeadedTable<'a, C> {
 
 /// The cells of a line as names.
 fn names_of(line: &[u8], delimiter: Delimiter) -> Vec<String> {
-    let marks = line
-        .iter()
-        .take_while(|byte| matches!(byte, b'#' | b'%' | b' '));
+    let marks = line.iter().take_while(|byte| matches!(byte, b'#' | b'%' | b' '));
     let cells = cells(&line[marks.count()..], delimiter);
     cells.into_iter().map(label).collect()
 }
@@ -116,10 +102,7 @@ fn reason<C, E>(text: &[u8], find: impl Fn(&[String]) -> Result<C, E>) -> NoHead
         let mut rest = line.iter();
         rest.all(|byte| byte.is_ascii_whitespace() || matches!(byte, b',' | b';'))
     };
-    let above: Vec<&[u8]> = lines(text)
-        .take(PREAMBLE)
-        .filter(|line| !is_blank(line))
-        .collect();
+    let above: Vec<&[u8]> = lines(text).take(PREAMBLE).filter(|line| !is_blank(line)).collect();
     let has_numbers = |line: &&[u8]| {
         DELIMITERS.into_iter().any(|delimiter| {
             let row = rows(line, 0, delimiter, None).next();

@@ -19,10 +19,7 @@ pub struct Heading {
 impl Heading {
     /// The head of one column.
     pub fn of_name(name: &str) -> Self {
-        Self {
-            names: Some(vec![name.to_owned()]),
-            ..Self::default()
-        }
+        Self { names: Some(vec![name.to_owned()]), ..Self::default() }
     }
 
     /// What the lines above a table of `count` columns say, of which rows may have up to `widest` cells.
@@ -62,13 +59,8 @@ impl Heading {
             }
             nearest = false;
         }
-        let others = above
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| !taken.contains(index));
-        heading.remarks = others
-            .map(|(index, line)| (index + 1, text_of(without_mark(line))))
-            .collect();
+        let others = above.iter().enumerate().filter(|(index, _)| !taken.contains(index));
+        heading.remarks = others.map(|(index, line)| (index + 1, text_of(without_mark(line)))).collect();
         heading
     }
 
@@ -86,9 +78,7 @@ impl Heading {
     /// Unit that the head of a column gives and that is no length known here, as it is written there.
     pub fn foreign_unit_of(&self, column: usize) -> Option<String> {
         match self.unit_below(column) {
-            Some(unit) => length_in(unit)
-                .is_none()
-                .then(|| unit.trim_matches(['[', ']', '(', ')']).trim().to_owned()),
+            Some(unit) => length_in(unit).is_none().then(|| unit.trim_matches(['[', ']', '(', ')']).trim().to_owned()),
             None => foreign_unit(self.name(column)?),
         }
     }
@@ -137,12 +127,7 @@ fn is_sentence(line: &[u8]) -> bool {
 
 /// Cells of a line of names, if their number fits. With blanks between columns, names may have blanks of their own:
 /// two blanks divide, or a unit in brackets belongs to the name before it.
-fn names_of(
-    line: &[u8],
-    delimiter: Delimiter,
-    count: usize,
-    fits: impl Fn(usize) -> bool,
-) -> Option<Vec<String>> {
+fn names_of(line: &[u8], delimiter: Delimiter, count: usize, fits: impl Fn(usize) -> bool) -> Option<Vec<String>> {
     let text = |cells: Vec<&[u8]>| -> Vec<String> { cells.into_iter().map(label).collect() };
     if delimiter != Delimiter::Space {
         // A delimiter at the end of the line may begin a column or none.
@@ -167,9 +152,7 @@ fn names_of(
             _ => joined.push(cell.clone()),
         }
     }
-    [joined, wide, plain]
-        .into_iter()
-        .find(|names| fits(names.len()))
+    [joined, wide, plain].into_iter().find(|names| fits(names.len()))
 }
 
 /// Whether every cell is a unit or empty, as in "m;µm;µm" or "[m] [mm]".
@@ -179,21 +162,14 @@ fn is_row_of_units(cells: &[String]) -> bool {
         let written = cell.to_lowercase();
         let written = written.trim_matches(|c: char| "[]() -".contains(c));
         let written = written.replace("_per_", "/").replace([' ', '_', '^'], "");
-        written.is_empty()
-            || written == "in"
-            || length_word(&written).is_some()
-            || is_one_of(&written, OTHERS)
+        written.is_empty() || written == "in" || length_word(&written).is_some() || is_one_of(&written, OTHERS)
     };
     cells.iter().all(is_unit) && cells.iter().any(|cell| length_in(cell).is_some())
 }
 
 /// What columns a table has, as the end of a sentence: "it has f, re, im".
 pub fn it_has(names: &[String]) -> String {
-    let named: Vec<&str> = names
-        .iter()
-        .map(String::as_str)
-        .filter(|name| !name.is_empty())
-        .collect();
+    let named: Vec<&str> = names.iter().map(String::as_str).filter(|name| !name.is_empty()).collect();
     match &named[..] {
         [] => "it has no names of columns".to_owned(),
         named => format!("it has {}", named.join(", ")),
@@ -217,14 +193,7 @@ mod tests {
 
     #[test]
     fn no_sentence_ends_in_an_empty_list() {
-        let has = |names: &[&str]| {
-            it_has(
-                &names
-                    .iter()
-                    .map(|name| (*name).to_owned())
-                    .collect::<Vec<_>>(),
-            )
-        };
+        let has = |names: &[&str]| it_has(&names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>());
         assert_eq!(has(&["f", "", "re"]), "it has f, re");
         for none in [&[][..], &[""], &["", ""]] {
             assert_eq!(has(none), "it has no names of columns");
@@ -242,23 +211,14 @@ mod tests {
     fn units_have_a_line_of_their_own() {
         let heading = heading("Weg;links;rechts\n[m];[µm];[µm]\n", Delimiter::Semicolon, 3);
         assert_eq!(heading.name(1), Some("links"));
-        assert_eq!(
-            (heading.unit_of(0), heading.unit_of(2)),
-            (Some("m"), Some("um"))
-        );
+        assert_eq!((heading.unit_of(0), heading.unit_of(2)), (Some("m"), Some("um")));
     }
 
     #[test]
     fn names_have_blanks() {
         let joined = heading("position [m] height (mm)", Delimiter::Space, 2);
-        assert_eq!(
-            (joined.name(0), joined.unit_of(1)),
-            (Some("position [m]"), Some("mm"))
-        );
+        assert_eq!((joined.name(0), joined.unit_of(1)), (Some("position [m]"), Some("mm")));
         let wide = heading("distance along rail   rail height mm", Delimiter::Space, 2);
-        assert_eq!(
-            (wide.name(0), wide.unit_of(1)),
-            (Some("distance along rail"), Some("mm"))
-        );
+        assert_eq!((wide.name(0), wide.unit_of(1)), (Some("distance along rail"), Some("mm")));
     }
 }

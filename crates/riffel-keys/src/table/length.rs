@@ -7,15 +7,9 @@ const LENGTHS: [(&str, &str); 12] = [
     ("m", "m|meter|metre|meters|metres"),
     ("km", "km|kilometer|kilometre|kilometers|kilometres"),
     ("dm", "dm|decimeter|decimetre|dezimeter"),
-    (
-        "mm",
-        "mm|millimeter|millimetre|millimeters|millimetres|millimètres",
-    ),
+    ("mm", "mm|millimeter|millimetre|millimeters|millimetres|millimètres"),
     ("cm", "cm|centimeter|centimetre"),
-    (
-        "um",
-        "um|µm|μm|micron|microns|micrometer|micrometers|micrometre|micrometres|mikrometer|micromètres",
-    ),
+    ("um", "um|µm|μm|micron|microns|micrometer|micrometers|micrometre|micrometres|mikrometer|micromètres"),
     ("nm", "nm|nanometer|nanometre"),
     ("in", "inch|inches|zoll"),
     ("ft", "ft|foot|feet"),
@@ -24,8 +18,7 @@ const LENGTHS: [(&str, &str); 12] = [
     ("mil", "mil|mils|thou|thous"),
 ];
 /// Units of other things at the end of a name, as in "t_s".
-const AT_THE_END: &str =
-    "s|sec|ms|min|hz|khz|db|dba|deg|rad|rpm|kmh|mph|kph|pa|upa|g|degc|degf|pct|percent";
+const AT_THE_END: &str = "s|sec|ms|min|hz|khz|db|dba|deg|rad|rpm|kmh|mph|kph|pa|upa|g|degc|degf|pct|percent";
 /// Units that are no other word.
 const ALWAYS: &str = "furlong|furlongs|fuss|fuß|hm|hectometre";
 
@@ -73,18 +66,14 @@ pub fn foreign_unit(name: &str) -> Option<String> {
         for (inside, _) in groups.filter_map(|group| group.split_once(close)) {
             let inside = inside.trim();
             let words = words(inside);
-            let lengths = words
-                .iter()
-                .filter(|word| length_word(word).is_some())
-                .count();
+            let lengths = words.iter().filter(|word| length_word(word).is_some()).count();
             let is_product = inside.contains(|c: char| c.is_numeric() || "/·*^".contains(c));
             // "[mm]" and "(mm, filtered)", but not "[10 um]" nor "[µm/m]".
             if lengths == 1 && !is_product || words == ["in"] {
                 continue;
             }
-            let names_a_unit = lengths > 0
-                || words.iter().any(other)
-                || !inside.is_empty() && Unit::parse(inside).is_ok();
+            let names_a_unit =
+                lengths > 0 || words.iter().any(other) || !inside.is_empty() && Unit::parse(inside).is_ok();
             // Square brackets are for units; round ones are for remarks, too.
             let has_a_sign = inside.contains(|c: char| c.is_alphabetic() || "°%‰".contains(c));
             if has_a_sign && (open == '[' || names_a_unit) {

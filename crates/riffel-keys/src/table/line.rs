@@ -85,9 +85,7 @@ pub(super) fn quoted_length(text: &[u8]) -> usize {
 
 /// Whether what stands behind the numbers of a row is no further number: words, a remark, or delimiters alone.
 pub(super) fn is_remark(text: &[u8], delimiter: Delimiter, decimal: u8) -> bool {
-    let words = text
-        .iter()
-        .any(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii());
+    let words = text.iter().any(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii());
     let first = cells(text, delimiter).first().copied().unwrap_or_default();
     matches!(text.trim_ascii().first(), Some(b'#' | b'%'))
         || (words && number(first, decimal).is_none())

@@ -43,10 +43,7 @@ pub fn is_mark(value: f64) -> bool {
 /// these range over, so that a chainage of 9999 m is one. NaN is left alone.
 pub fn marks(values: &[f64]) -> Option<Marked> {
     let is_far = far_marks(values)?;
-    let mut marked = values
-        .iter()
-        .enumerate()
-        .filter(|(_, value)| is_far(**value));
+    let mut marked = values.iter().enumerate().filter(|(_, value)| is_far(**value));
     let (first, &mark) = marked.next()?;
     let count = 1 + marked.count();
     Some(Marked { mark, count, first })
@@ -69,9 +66,8 @@ fn far_marks(values: &[f64]) -> Option<impl Fn(f64) -> bool + use<>> {
         return None;
     }
     let others = values.iter().filter(|value| !is_mark(**value));
-    let (low, high) = others.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
-        (low.min(value), high.max(value))
-    });
+    let (low, high) =
+        others.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| (low.min(value), high.max(value)));
     let far = 0.5 * (high - low);
     let is_far = move |value: f64| is_mark(value) && (value < low - far || value > high + far);
     (low <= high).then_some(is_far)

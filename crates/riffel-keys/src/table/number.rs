@@ -8,8 +8,8 @@ use crate::text_file::text_of;
 
 /// Powers of ten that a double holds exactly.
 const EXACT: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
 ];
 /// Metres of a foot and of a mile.
 const FOOT: f64 = 0.3048;
@@ -69,9 +69,7 @@ pub(super) fn number(cell: &[u8], decimal: u8) -> Option<f64> {
         Some(size) if size.starts_with(|c: char| c.is_ascii_digit()) => (size, -1.0),
         _ => (&*text, 1.0),
     };
-    let value = floating(text, decimal)
-        .or_else(|| grouped(text, decimal))
-        .or_else(|| chainage(text, decimal));
+    let value = floating(text, decimal).or_else(|| grouped(text, decimal)).or_else(|| chainage(text, decimal));
     value.map(|value| sign * value)
 }
 
@@ -81,9 +79,7 @@ pub(super) fn oddity(cell: &[u8]) -> Option<Oddity> {
     let text = text.trim();
     let begin = text.find(char::is_numeric)?;
     let (before, rest) = text.split_at(begin);
-    let digits = rest
-        .find(|c: char| !c.is_numeric() && !".,'’".contains(c))
-        .unwrap_or(rest.len());
+    let digits = rest.find(|c: char| !c.is_numeric() && !".,'’".contains(c)).unwrap_or(rest.len());
     let (digits, behind) = rest.split_at(digits);
     let behind = behind.trim();
     let is_one = !before.contains(char::is_alphabetic)
@@ -95,9 +91,7 @@ pub(super) fn oddity(cell: &[u8]) -> Option<Oddity> {
         });
     is_one.then_some(match behind {
         _ if before.contains('(') => Oddity::Brackets,
-        behind if behind.contains(|c: char| c.is_alphabetic() || "°%‰".contains(c)) => {
-            Oddity::Unit
-        }
+        behind if behind.contains(|c: char| c.is_alphabetic() || "°%‰".contains(c)) => Oddity::Unit,
         _ => Oddity::Mark,
     })
 }
@@ -120,9 +114,7 @@ const LONGEST_BEHIND: usize = 12;
 /// 1.5+j2, or as Fortran does, (1.5,-2.0). None for a real one and anything else.
 pub(super) fn complex(cell: &[u8], decimal: u8) -> Option<Complex64> {
     let text = written(unquoted(cell.trim_ascii()));
-    let in_brackets = text
-        .strip_prefix('(')
-        .and_then(|text| text.strip_suffix(')'));
+    let in_brackets = text.strip_prefix('(').and_then(|text| text.strip_suffix(')'));
     let part = |text: &str| floating(text, decimal);
     if let Some((real, imaginary)) = in_brackets.and_then(|pair| pair.split_once(',')) {
         return Some(Complex64::new(part(real.trim())?, part(imaginary.trim())?));
@@ -132,15 +124,13 @@ pub(super) fn complex(cell: &[u8], decimal: u8) -> Option<Complex64> {
     if text.matches(is_unit).count() != 1 {
         return None;
     }
-    let kept = text
-        .chars()
-        .filter(|&c| !is_unit(c) && c != '*' && !c.is_whitespace());
+    let kept = text.chars().filter(|&c| !is_unit(c) && c != '*' && !c.is_whitespace());
     let parts: String = kept.collect();
     // The sign between the parts is no sign of an exponent.
     let bytes = parts.as_bytes();
-    let sign = (1..bytes.len()).rev().find(|&at| {
-        matches!(bytes[at], b'+' | b'-') && !matches!(bytes[at - 1], b'e' | b'E' | b'd' | b'D')
-    });
+    let sign = (1..bytes.len())
+        .rev()
+        .find(|&at| matches!(bytes[at], b'+' | b'-') && !matches!(bytes[at - 1], b'e' | b'E' | b'd' | b'D'));
     let (real, imaginary) = parts.split_at(sign.unwrap_or(0));
     let real = if real.is_empty() { 0.0 } else { part(real)? };
     Some(Complex64::new(real, part(imaginary)?))
@@ -167,11 +157,7 @@ fn floating(text: &str, decimal: u8) -> Option<f64> {
     }
     let value: f64 = match decimal {
         b'.' if !text.contains(is_exponent) => text.parse().ok()?,
-        _ => text
-            .replace(',', ".")
-            .replace(is_exponent, "e")
-            .parse()
-            .ok()?,
+        _ => text.replace(',', ".").replace(is_exponent, "e").parse().ok()?,
     };
     Some(if value.is_finite() { value } else { f64::NAN })
 }
@@ -205,11 +191,7 @@ fn grouped(text: &str, decimal: u8) -> Option<f64> {
         && groups[1..].iter().all(|group| group.len() == 3)
         && groups.iter().all(|group| are_digits(group))
         && are_digits(decimals);
-    whole.then(|| {
-        format!("{}.{decimals}0", integer.replace(divider, ""))
-            .parse()
-            .ok()
-    })?
+    whole.then(|| format!("{}.{decimals}0", integer.replace(divider, "")).parse().ok())?
 }
 
 /// Metres of a chainage: kilometres (km 12.4) or miles (mi:12.3); kilometres and metres (12+400.123, km 12+400) if three
@@ -224,9 +206,7 @@ fn chainage(text: &str, decimal: u8) -> Option<f64> {
     let Some((posts, behind)) = text.split_once('+') else {
         return Some(unit? * floating(text, decimal)?);
     };
-    let (whole, decimals) = behind
-        .split_once(char::from(decimal))
-        .unwrap_or((behind, ""));
+    let (whole, decimals) = behind.split_once(char::from(decimal)).unwrap_or((behind, ""));
     let (posts, board) = posts.split_once(['.', ',']).unwrap_or((posts, ""));
     let are_digits = [posts, board, whole, decimals].into_iter().all(are_digits);
     if !are_digits || unit == Some(MILE) || !(1..=5).contains(&posts.len()) {
@@ -265,9 +245,7 @@ pub fn clock(cell: &[u8]) -> Option<f64> {
     let (whole, decimals) = seconds.split_once(['.', ',']).unwrap_or((seconds, ""));
     let part = |text: &str, width: std::ops::RangeInclusive<usize>, below: u32| {
         let is_part = width.contains(&text.len()) && are_digits(text);
-        text.parse::<u32>()
-            .ok()
-            .filter(|&number| is_part && number < below)
+        text.parse::<u32>().ok().filter(|&number| is_part && number < below)
     };
     let minutes = 60 * part(hours, 1..=2, 24)? + part(minutes, 2..=2, 60)?;
     // A leap second is the 61st.
@@ -287,10 +265,8 @@ pub(super) fn is_chainage(cell: &[u8], decimal: u8) -> bool {
 
 /// Whether a cell says that there is no value.
 fn is_missing(cell: &[u8]) -> bool {
-    const WORDS: [&[u8]; 12] = [
-        b"nan", b"-nan", b"na", b"n/a", b"null", b"none", b"inf", b"-inf", b"#n/a", b"#nv",
-        b"nodata", b"-",
-    ];
+    const WORDS: [&[u8]; 12] =
+        [b"nan", b"-nan", b"na", b"n/a", b"null", b"none", b"inf", b"-inf", b"#n/a", b"#nv", b"nodata", b"-"];
     WORDS.iter().any(|word| cell.eq_ignore_ascii_case(word))
         || cell.iter().all(|&byte| byte == b'*')
         || cell.iter().all(|&byte| byte == b'-')
@@ -322,10 +298,7 @@ mod tests {
     fn cells_hold_numbers_or_nothing() {
         assert_eq!(number(b" 1.5e-3 ", b'.'), Some(1.5e-3));
         assert_eq!(number(b"1,5e-3", b','), Some(1.5e-3));
-        assert_eq!(
-            number(b"123456789012345678.5", b'.'),
-            Some(123_456_789_012_345_680.0)
-        );
+        assert_eq!(number(b"123456789012345678.5", b'.'), Some(123_456_789_012_345_680.0));
         assert!(number(b"NaN", b'.').is_some_and(f64::is_nan));
         assert!(number(b"", b'.').is_some_and(f64::is_nan));
         assert_eq!(number(b"2,5", b'.'), None);
@@ -371,11 +344,7 @@ mod tests {
             ("mi:12+400", b'.'),
             ("+400", b'x'),
         ] {
-            assert_eq!(
-                number(text.as_bytes(), decimal).filter(|_| decimal != b'x'),
-                None,
-                "{text}"
-            );
+            assert_eq!(number(text.as_bytes(), decimal).filter(|_| decimal != b'x'), None, "{text}");
         }
     }
 

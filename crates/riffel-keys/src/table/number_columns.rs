@@ -59,9 +59,7 @@ impl NumberRows {
         }
         let (labels, of_rows) = &self.labels;
         let split = labels.iter().zip(0..).map(|(label, id)| {
-            let rows: Vec<usize> = (0..of_rows.len())
-                .filter(|&row| of_rows[row] == id)
-                .collect();
+            let rows: Vec<usize> = (0..of_rows.len()).filter(|&row| of_rows[row] == id).collect();
             let take = |column: &Vec<f64>| rows.iter().map(|&row| column[row]).collect();
             let lines = rows.iter().map(|&row| self.line(row) as u32).collect();
             let part = Self {
@@ -119,14 +117,7 @@ impl NumberColumns {
         for (number, &column) in columns.iter().enumerate() {
             wanted[column] = Wanted::Number(number);
         }
-        Self {
-            delimiter,
-            decimal,
-            count: count.max(wanted.len()),
-            wanted,
-            columns: columns.len(),
-            text_behind,
-        }
+        Self { delimiter, decimal, count: count.max(wanted.len()), wanted, columns: columns.len(), text_behind }
     }
 
     /// Read the cells in a place as times of day, see [`clock`].
@@ -170,17 +161,11 @@ impl NumberColumns {
             })
             .collect();
         let total: usize = parsed.iter().map(Piece::rows).sum();
-        let mut rows = NumberRows {
-            columns: vec![Vec::with_capacity(total); self.columns],
-            ..NumberRows::default()
-        };
+        let mut rows = NumberRows { columns: vec![Vec::with_capacity(total); self.columns], ..NumberRows::default() };
         let (mut row, mut line) = (0, line);
         for piece in parsed {
             if let Some((offset, message)) = piece.error {
-                return Err(RowError {
-                    line: line + offset,
-                    message,
-                });
+                return Err(RowError { line: line + offset, message });
             }
             for (column, part) in rows.columns.iter_mut().zip(&piece.columns) {
                 column.extend_from_slice(part);
@@ -206,10 +191,7 @@ impl NumberColumns {
     }
 
     fn parse_piece(&self, bytes: &[u8]) -> Piece {
-        let mut piece = Piece {
-            columns: vec![Vec::with_capacity(bytes.len() / 12); self.columns],
-            ..Piece::default()
-        };
+        let mut piece = Piece { columns: vec![Vec::with_capacity(bytes.len() / 12); self.columns], ..Piece::default() };
         let mut row = vec![f64::NAN; self.columns];
         let mut cells = Vec::new();
         for line in lines(bytes) {
@@ -217,9 +199,7 @@ impl NumberColumns {
             if is_comment(line) {
                 // From here on rows and lines differ.
                 let before = piece.lines as u32;
-                piece
-                    .lines_of_rows
-                    .get_or_insert_with(|| (0..before).collect());
+                piece.lines_of_rows.get_or_insert_with(|| (0..before).collect());
             } else if let Err(message) = self.parse_line(line, &mut row, &mut cells) {
                 piece.error = Some((piece.lines, message));
                 return piece;
@@ -244,12 +224,7 @@ impl NumberColumns {
     ///
     /// # Errors
     /// A sentence for a cell that is no number, or other cells than rows have.
-    pub fn parse_line<'a>(
-        &self,
-        line: &'a [u8],
-        row: &mut [f64],
-        labels: &mut Vec<&'a [u8]>,
-    ) -> Result<(), Message> {
+    pub fn parse_line<'a>(&self, line: &'a [u8], row: &mut [f64], labels: &mut Vec<&'a [u8]>) -> Result<(), Message> {
         let decimal = self.decimal.byte();
         let mut rest = trim_blanks(line, self.delimiter);
         let mut cell = 0;
@@ -287,9 +262,7 @@ impl NumberColumns {
             }
             rest = trim_blanks(&rest[1..], self.delimiter);
             // A delimiter at the end of the line begins no cell, and text behind the numbers is a remark.
-            if cell == self.count
-                && (rest.is_empty() || self.text_behind || is_remark(rest, self.delimiter, decimal))
-            {
+            if cell == self.count && (rest.is_empty() || self.text_behind || is_remark(rest, self.delimiter, decimal)) {
                 break;
             }
         }
@@ -302,16 +275,13 @@ impl NumberColumns {
 
     /// Whether a cell ends after this length.
     fn ends(&self, text: &[u8], length: usize) -> bool {
-        text.get(length).is_none_or(|&byte| {
-            byte == self.delimiter.byte() || (self.delimiter == Delimiter::Space && byte == b'\t')
-        })
+        text.get(length)
+            .is_none_or(|&byte| byte == self.delimiter.byte() || (self.delimiter == Delimiter::Space && byte == b'\t'))
     }
 
     fn cell_length(&self, text: &[u8]) -> usize {
         let quoted = quoted_length(text);
-        (quoted..text.len())
-            .find(|&at| self.ends(text, at))
-            .unwrap_or(text.len())
+        (quoted..text.len()).find(|&at| self.ends(text, at)).unwrap_or(text.len())
     }
 
     fn no_number(&self, cell: usize, text: &[u8]) -> Message {
@@ -320,13 +290,7 @@ impl NumberColumns {
         let (own, other) = (self.decimal, self.decimal.other());
         if number(text, other.byte()).is_some() {
             let (other, own) = (other.words(), own.words());
-            return say!(
-                cell_has_other_mark,
-                column = column,
-                cell = shown,
-                other = other,
-                own = own
-            );
+            return say!(cell_has_other_mark, column = column, cell = shown, other = other, own = own);
         }
         match oddity(text) {
             Some(Oddity::Brackets) => say!(cell_in_brackets, column = column, cell = shown),
@@ -368,8 +332,7 @@ impl Labels {
         let id = match self.of_rows.last() {
             Some(&id) if joined == self.last => id,
             _ => *self.ids.entry(joined.clone()).or_insert_with(|| {
-                self.known
-                    .push(cells.iter().map(|cell| label(cell)).collect());
+                self.known.push(cells.iter().map(|cell| label(cell)).collect());
                 (self.known.len() - 1) as u32
             }),
         };
@@ -399,18 +362,9 @@ mod tests {
     #[test]
     fn rows_with_other_labels_are_other_records() {
         let text = b"L;0,0;1,5\nL;0,1;-9999\n# turned\nR;0,0;2,5\nL;0,2;1,25\n";
-        let columns = NumberColumns::new(
-            (Delimiter::Semicolon, DecimalMark::Comma),
-            &[1, 2],
-            &[0],
-            3,
-            false,
-        );
+        let columns = NumberColumns::new((Delimiter::Semicolon, DecimalMark::Comma), &[1, 2], &[0], 3, false);
         let rows = columns.parse(text, 0, 1, &|_| ()).unwrap();
-        assert_eq!(
-            rows.marked[1].map(|marked| (marked.mark, marked.first)),
-            Some((-9999.0, 1))
-        );
+        assert_eq!(rows.marked[1].map(|marked| (marked.mark, marked.first)), Some((-9999.0, 1)));
         let records = rows.by_label();
         let names: Vec<String> = records.iter().map(|record| record.0.join(" ")).collect();
         assert_eq!(names, ["L", "R"]);

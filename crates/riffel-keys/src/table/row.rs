@@ -16,19 +16,13 @@ pub fn rows(
 ) -> impl Iterator<Item = Row<'_>> {
     let all = lines(text).enumerate().skip(above);
     let rows = all.filter(move |(_, line)| !is_comment(line));
-    rows.map(move |(index, line)| Row {
-        line: index + 1,
-        cells: cells(line, delimiter),
-        decimal,
-    })
+    rows.map(move |(index, line)| Row { line: index + 1, cells: cells(line, delimiter), decimal })
 }
 
 /// The finite number that a text is, with a decimal point or a decimal comma.
 pub fn number_in(text: &str) -> Option<f64> {
     let read = |decimal: u8| number(text.as_bytes(), decimal);
-    read(b'.')
-        .or_else(|| read(b','))
-        .filter(|value| value.is_finite())
+    read(b'.').or_else(|| read(b',')).filter(|value| value.is_finite())
 }
 
 /// A row.
@@ -50,9 +44,7 @@ impl Row<'_> {
 
     /// The text of a column, without quotes; empty where there is none.
     pub fn text(&self, column: usize) -> String {
-        self.cells
-            .get(column)
-            .map_or_else(String::new, |cell| label(cell))
+        self.cells.get(column).map_or_else(String::new, |cell| label(cell))
     }
 
     /// The number in a column, NaN for a missing one; None for anything else.
@@ -73,9 +65,8 @@ impl Row<'_> {
     /// # Errors
     /// What is wrong with it, as the end of a sentence.
     pub fn complex(&self, column: usize) -> Result<Complex64, String> {
-        let read = |cell: &[u8], decimal: u8| {
-            complex(cell, decimal).or_else(|| number(cell, decimal).map(Complex64::from))
-        };
+        let read =
+            |cell: &[u8], decimal: u8| complex(cell, decimal).or_else(|| number(cell, decimal).map(Complex64::from));
         self.finite(column, read, |value| value.is_finite(), "a complex number")
     }
 

@@ -114,9 +114,8 @@ impl Table {
         let later = &rows[rows.len() / 2..];
         let widest = most_frequent(later.iter().map(|(_, cells)| cells.len()))?;
         let shaped: Vec<_> = later.iter().filter(|row| row.1.len() == widest).collect();
-        let mut kinds: Vec<Kind> = (0..widest)
-            .map(|column| kind_of(shaped.iter().map(|row| row.1[column]), decimal))
-            .collect();
+        let mut kinds: Vec<Kind> =
+            (0..widest).map(|column| kind_of(shaped.iter().map(|row| row.1[column]), decimal)).collect();
         // Remarks behind the numbers are there or not, and may have any number of cells.
         let is_there = |kind: &Kind| !matches!(kind, Kind::Text | Kind::Empty);
         let count = kinds.iter().rposition(is_there)? + 1;
@@ -144,9 +143,7 @@ impl Table {
             cells.len() >= count
                 && values.clone().all(|column| is_value(column, cells[column]))
                 && values.any(|column| is_there(column, cells[column]))
-                && (cells.len() == count
-                    || text_behind
-                    || is_remark(cells[count], delimiter, decimal.byte()))
+                && (cells.len() == count || text_behind || is_remark(cells[count], delimiter, decimal.byte()))
         };
         let mut first = rows.iter().position(|row| is_data(&row.1))?;
         // Bare wavelengths of bands are names of columns.
@@ -167,9 +164,7 @@ impl Table {
             return None;
         }
         let value = |cell: &&[u8]| number(cell).unwrap_or(f64::NAN);
-        let sample = data
-            .iter()
-            .map(|row| row.1[..count].iter().map(value).collect());
+        let sample = data.iter().map(|row| row.1[..count].iter().map(value).collect());
         let header_lines = rows[first].0;
         let cells_of_head = rows[..first].last().and_then(|(index, cells)| {
             let has_words = text_of(all[*index]).contains(char::is_alphabetic);
@@ -191,11 +186,7 @@ impl Table {
         if delimiter == Delimiter::Comma
             && count == 2
             && table.heading.names.is_none()
-            && table
-                .sample
-                .iter()
-                .flatten()
-                .all(|value| value.fract() == 0.0)
+            && table.sample.iter().flatten().all(|value| value.fract() == 0.0)
             && table.even_step(0).is_none()
         {
             return None;
@@ -203,10 +194,7 @@ impl Table {
         let all_numbers = columns as f64 / widest as f64;
         // Odd numbers alone may be any way's.
         let fits = if are_all_odd { fits - 1.0 } else { fits };
-        Some((
-            1e4 * fits + 1e2 * all_numbers + columns.min(50) as f64,
-            table,
-        ))
+        Some((1e4 * fits + 1e2 * all_numbers + columns.min(50) as f64, table))
     }
 
     /// What a column is; text behind the last that holds numbers.
@@ -223,9 +211,7 @@ impl Table {
     /// of one cell above two columns is a title, not a head.
     pub fn has_decimal_commas(&self) -> bool {
         self.delimiter == Delimiter::Comma
-            && self
-                .cells_of_head
-                .is_some_and(|cells| cells > 1 && 2 * cells == self.count())
+            && self.cells_of_head.is_some_and(|cells| cells > 1 && 2 * cells == self.count())
     }
 
     /// Median of the steps of a column if nearly all have its sign and about its size.
@@ -235,9 +221,7 @@ impl Table {
         let mut steps: Vec<f64> = steps.filter(|step| step.is_finite()).collect();
         steps.sort_by(f64::total_cmp);
         let median = *steps.get(steps.len() / 2)?;
-        let near = steps
-            .iter()
-            .filter(|&&step| (step / median - 1.0).abs() < 0.5);
+        let near = steps.iter().filter(|&&step| (step / median - 1.0).abs() < 0.5);
         (median != 0.0 && 10 * near.count() >= 9 * steps.len()).then_some(median)
     }
 
@@ -259,10 +243,7 @@ impl Table {
         };
         has_no_name
             && matches!(first, Some(0.0 | 1.0))
-            && self
-                .sample
-                .windows(2)
-                .all(|pair| pair[1][column] - pair[0][column] == 1.0)
+            && self.sample.windows(2).all(|pair| pair[1][column] - pair[0][column] == 1.0)
     }
 }
 
@@ -274,11 +255,7 @@ fn kind_of<'a>(cells: impl Iterator<Item = &'a [u8]> + Clone, decimal: DecimalMa
     let numbers = || cells.clone().filter_map(|cell| number(cell, decimal));
     if most(numbers().count()) && numbers().any(f64::is_finite) {
         let posts = cells.filter(|cell| is_chainage(cell, decimal)).count();
-        return if 2 * posts > all {
-            Kind::Chainage
-        } else {
-            Kind::Number
-        };
+        return if 2 * posts > all { Kind::Chainage } else { Kind::Number };
     }
     let count = |is: &dyn Fn(&[u8]) -> bool| cells.clone().filter(|cell| is(cell)).count();
     let numbers = numbers().count();
@@ -298,10 +275,7 @@ fn has_other_mark(rows: &[Cells<'_>], kinds: &[Kind], decimal: DecimalMark) -> b
     let other = decimal.other().byte();
     let is_row = |cells: &[&[u8]]| {
         cells.len() == kinds.len()
-            && kinds
-                .iter()
-                .zip(cells)
-                .all(|(kind, cell)| !kind.is_numeric() || number(cell, other).is_some())
+            && kinds.iter().zip(cells).all(|(kind, cell)| !kind.is_numeric() || number(cell, other).is_some())
     };
     rows.iter().filter(|row| is_row(&row.1)).count() > 1
 }
@@ -311,9 +285,7 @@ fn has_other_mark(rows: &[Cells<'_>], kinds: &[Kind], decimal: DecimalMark) -> b
 fn are_bands(numbers: &[f64]) -> bool {
     let steps = |up: f64| {
         let pairs = numbers.windows(2);
-        pairs
-            .map(|pair| (pair[1] / pair[0]).log10() * up)
-            .all(|step| (0.08..0.12).contains(&step))
+        pairs.map(|pair| (pair[1] / pair[0]).log10() * up).all(|step| (0.08..0.12).contains(&step))
     };
     numbers.len() > 2 && (steps(1.0) || steps(-1.0))
 }
@@ -323,10 +295,7 @@ fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
     for value in values {
         *counts.entry(value).or_insert(0usize) += 1;
     }
-    counts
-        .into_iter()
-        .max_by_key(|&(_, count)| count)
-        .map(|(value, _)| value)
+    counts.into_iter().max_by_key(|&(_, count)| count).map(|(value, _)| value)
 }
 
 #[cfg(test)]
@@ -336,11 +305,7 @@ mod tests {
     /// Rows of position and height written in a way.
     fn text(delimiter: &str, decimal: &str, header: &str) -> String {
         let rows = (0..50).map(|row| {
-            let cells = [
-                0.001 * f64::from(row),
-                f64::from(row * row % 13) - 6.25,
-                f64::from(row % 7) + 0.5,
-            ];
+            let cells = [0.001 * f64::from(row), f64::from(row * row % 13) - 6.25, f64::from(row % 7) + 0.5];
             let cells = cells.map(|cell| format!("{cell:.3}").replace('.', decimal));
             format!("{}\n", cells.join(delimiter))
         });
@@ -351,36 +316,15 @@ mod tests {
     fn finds_how_a_table_is_written() {
         for (between, mark, header, delimiter, decimal) in [
             (",", ".", "", Delimiter::Comma, DecimalMark::Point),
-            (
-                ";",
-                ",",
-                "Position [m];links [µm];rechts [µm]\n",
-                Delimiter::Semicolon,
-                DecimalMark::Comma,
-            ),
-            (
-                ";",
-                ".",
-                "a title\n\nx;l;r\n",
-                Delimiter::Semicolon,
-                DecimalMark::Point,
-            ),
+            (";", ",", "Position [m];links [µm];rechts [µm]\n", Delimiter::Semicolon, DecimalMark::Comma),
+            (";", ".", "a title\n\nx;l;r\n", Delimiter::Semicolon, DecimalMark::Point),
             ("\t", ",", "", Delimiter::Tab, DecimalMark::Comma),
-            (
-                "\t",
-                ".",
-                "# pos_m\tleft_um\tright_um\n",
-                Delimiter::Tab,
-                DecimalMark::Point,
-            ),
+            ("\t", ".", "# pos_m\tleft_um\tright_um\n", Delimiter::Tab, DecimalMark::Point),
             ("   ", ".", "", Delimiter::Space, DecimalMark::Point),
             (" ", ",", "", Delimiter::Space, DecimalMark::Comma),
         ] {
             let table = Table::find(text(between, mark, header).as_bytes()).unwrap();
-            assert_eq!(
-                (table.delimiter, table.decimal, table.count()),
-                (delimiter, decimal, 3)
-            );
+            assert_eq!((table.delimiter, table.decimal, table.count()), (delimiter, decimal, 3));
             assert_eq!(table.header_lines, header.lines().count());
             assert_eq!(table.heading.names.is_some(), !header.is_empty());
         }
@@ -388,9 +332,7 @@ mod tests {
 
     #[test]
     fn a_lone_comma_is_a_decimal_mark_unless_the_first_number_counts() {
-        let decimals: String = [3, 1, 4, 1, 5, 9, 2, 6]
-            .map(|n| format!("{n},{}\n", 10 - n))
-            .concat();
+        let decimals: String = [3, 1, 4, 1, 5, 9, 2, 6].map(|n| format!("{n},{}\n", 10 - n)).concat();
         let table = Table::find(decimals.as_bytes()).unwrap();
         assert_eq!((table.decimal, table.count()), (DecimalMark::Comma, 1));
         let counted: String = (0..8).map(|n| format!("{n},{}\n", 10 - n)).collect();
@@ -399,14 +341,9 @@ mod tests {
 
     #[test]
     fn decimal_commas_between_commas_stand_in_quotes() {
-        let rows: String = (0..20)
-            .map(|n| format!("\"0,{n:03}\",\"{n},5\"\n"))
-            .collect();
+        let rows: String = (0..20).map(|n| format!("\"0,{n:03}\",\"{n},5\"\n")).collect();
         let table = Table::find(format!("\"x (m)\",\"z (um)\"\n{rows}").as_bytes()).unwrap();
-        assert_eq!(
-            (table.delimiter, table.decimal),
-            (Delimiter::Comma, DecimalMark::Comma)
-        );
+        assert_eq!((table.delimiter, table.decimal), (Delimiter::Comma, DecimalMark::Comma));
         assert_eq!((table.count(), table.sample[3][1]), (2, 3.5));
         // Nor does a column of words behind the numbers number the rows.
         assert!(!table.is_index(2));
@@ -416,12 +353,7 @@ mod tests {
     #[test]
     fn columns_tell_what_they_are() {
         let rows: String = (0..20)
-            .map(|n| {
-                format!(
-                    "{n},12+4{n:02},(1.5-{n}e-3j),joint,{}\n",
-                    if n == 0 { "80" } else { "" }
-                )
-            })
+            .map(|n| format!("{n},12+4{n:02},(1.5-{n}e-3j),joint,{}\n", if n == 0 { "80" } else { "" }))
             .collect();
         let table = Table::find(format!(",km,H,event,speed\n{rows}").as_bytes()).unwrap();
         assert_eq!(table.kinds, [Kind::Number, Kind::Chainage, Kind::Complex]);

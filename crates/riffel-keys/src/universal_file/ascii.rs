@@ -20,11 +20,7 @@ pub(super) fn numbers(lines: &mut Lines, form: &Form) -> Result<Vec<f64>, Univer
         let missing = form.numbers() - numbers.len();
         let needed = missing.min(widths.len());
         if values.len() < needed && !lines.mark_follows() {
-            return Err(UniversalFileError::ShortLine {
-                line: line.number,
-                needed,
-                held: values.len(),
-            });
+            return Err(UniversalFileError::ShortLine { line: line.number, needed, held: values.len() });
         }
         let fill = values.iter().skip(needed);
         if missing == 0 || fill.copied().any(|value| value != 0.0) {

@@ -24,11 +24,7 @@ impl Encoding {
         let order = fields.choice(6, "the byte order", &[1, 2])?;
         fields.choice(6, "the floating point format", &[2])?;
         fields.choice(12, "the number of lines before the binary data", &[11])?;
-        Ok(Self {
-            line: fields.line(),
-            big_endian: order == 2,
-            declared: fields.integer(12, "the number of bytes")?,
-        })
+        Ok(Self { line: fields.line(), big_endian: order == 2, declared: fields.integer(12, "the number of bytes")? })
     }
 
     /// The values of a dataset 58b and its closing mark.
@@ -36,11 +32,7 @@ impl Encoding {
     /// By the definition, the abscissa of an uneven spacing is single whatever the ordinate is, but
     /// pyuff writes it as wide as the ordinate. As the closing mark is where only one of the two
     /// lengths can end, it tells which.
-    pub(super) fn numbers(
-        &self,
-        lines: &mut Lines,
-        form: &Form,
-    ) -> Result<Vec<f64>, UniversalFileError> {
+    pub(super) fn numbers(&self, lines: &mut Lines, form: &Form) -> Result<Vec<f64>, UniversalFileError> {
         let ordinate = if form.double { DOUBLE } else { SINGLE };
         let line = lines.coming();
         for abscissa in [SINGLE, ordinate] {
@@ -90,19 +82,10 @@ impl Encoding {
         if declared == bytes || declared == one_each {
             return Ok(());
         }
-        Err(UniversalFileError::ByteCount {
-            line: self.line,
-            declared: self.declared,
-            bytes,
-        })
+        Err(UniversalFileError::ByteCount { line: self.line, declared: self.declared, bytes })
     }
 
-    fn decode(
-        &self,
-        block: &[u8],
-        widths: &[usize],
-        line: usize,
-    ) -> Result<Vec<f64>, UniversalFileError> {
+    fn decode(&self, block: &[u8], widths: &[usize], line: usize) -> Result<Vec<f64>, UniversalFileError> {
         let mut numbers = Vec::new();
         let mut rest = block;
         for &width in widths.iter().cycle() {
@@ -121,11 +104,7 @@ impl Encoding {
         if number.is_finite() {
             return Ok(number);
         }
-        Err(UniversalFileError::Number {
-            line,
-            what: "a value",
-            text: number.to_string(),
-        })
+        Err(UniversalFileError::Number { line, what: "a value", text: number.to_string() })
     }
 
     /// One number of four or eight bytes.
@@ -136,11 +115,10 @@ impl Encoding {
                 false => f64::from_le_bytes(bytes),
             };
         }
-        let single =
-            <[u8; SINGLE]>::try_from(field).map_or(f32::NAN, |bytes| match self.big_endian {
-                true => f32::from_be_bytes(bytes),
-                false => f32::from_le_bytes(bytes),
-            });
+        let single = <[u8; SINGLE]>::try_from(field).map_or(f32::NAN, |bytes| match self.big_endian {
+            true => f32::from_be_bytes(bytes),
+            false => f32::from_le_bytes(bytes),
+        });
         single.into()
     }
 }

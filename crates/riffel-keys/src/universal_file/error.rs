@@ -25,67 +25,29 @@ pub enum UniversalFileError {
     /// A number of a dataset with a letter that has no meaning.
     UnknownForm { line: usize, text: String },
     /// Not an integer, or too large a one.
-    Integer {
-        line: usize,
-        what: &'static str,
-        text: String,
-    },
+    Integer { line: usize, what: &'static str, text: String },
     /// Not a number, or not a finite one.
-    Number {
-        line: usize,
-        what: &'static str,
-        text: String,
-    },
+    Number { line: usize, what: &'static str, text: String },
     /// An integer that has no meaning where it stands.
-    Choice {
-        line: usize,
-        what: &'static str,
-        value: i32,
-        allowed: Vec<i32>,
-    },
+    Choice { line: usize, what: &'static str, value: i32, allowed: Vec<i32> },
     /// Zero or negative.
-    NotPositive {
-        line: usize,
-        what: &'static str,
-        value: f64,
-    },
+    NotPositive { line: usize, what: &'static str, value: f64 },
     /// Something in a column between two fields.
     Gap { line: usize, column: usize },
     /// Units that contradict those before.
     OtherUnits { line: usize },
     /// Fewer values than announced.
-    TooFew {
-        line: usize,
-        points: usize,
-        numbers: usize,
-        held: usize,
-    },
+    TooFew { line: usize, points: usize, numbers: usize, held: usize },
     /// More values than announced.
-    TooMany {
-        line: usize,
-        points: usize,
-        numbers: usize,
-    },
+    TooMany { line: usize, points: usize, numbers: usize },
     /// A line that is not full although others follow.
-    ShortLine {
-        line: usize,
-        needed: usize,
-        held: usize,
-    },
+    ShortLine { line: usize, needed: usize, held: usize },
     /// Text after the last field of a line.
     LongLine { line: usize, column: usize },
     /// Binary data of another length than announced, or cut short.
-    BinaryEnd {
-        line: usize,
-        points: usize,
-        bytes: usize,
-    },
+    BinaryEnd { line: usize, points: usize, bytes: usize },
     /// Two announcements that contradict each other.
-    ByteCount {
-        line: usize,
-        declared: i32,
-        bytes: usize,
-    },
+    ByteCount { line: usize, declared: i32, bytes: usize },
 }
 
 /// In English.
@@ -118,9 +80,7 @@ fn fault(error: &UniversalFileError) -> (Option<usize>, Message) {
         Fault::NoDataset => return (None, say!(no_dataset)),
         Fault::Outside { line } => (line, say!(outside_of_datasets)),
         Fault::Truncated { line } => (line, say!(dataset_cut_short)),
-        Fault::RecordMissing { line, record } => {
-            (line, say!(record_missing, record = in_words(record)))
-        }
+        Fault::RecordMissing { line, record } => (line, say!(record_missing, record = in_words(record))),
         Fault::UnknownForm { line, text } => (line, say!(unknown_form_of_dataset, text = text)),
         Fault::Integer { line, what, text } => {
             let what = in_words(what);
@@ -130,27 +90,12 @@ fn fault(error: &UniversalFileError) -> (Option<usize>, Message) {
             let what = in_words(what);
             (line, say!(field_is_no_number, what = what, text = text))
         }
-        Fault::Choice {
-            line,
-            what,
-            value,
-            allowed,
-        } => {
+        Fault::Choice { line, what, value, allowed } => {
             let (what, value) = (in_words(what), f64::from(*value));
-            let allowed = allowed
-                .iter()
-                .map(|one| say!(number_alone, number = f64::from(*one)));
+            let allowed = allowed.iter().map(|one| say!(number_alone, number = f64::from(*one)));
             let allowed = allowed.reduce(|one, other| say!(one_or_other, one = one, other = other));
             let allowed = allowed.unwrap_or_else(|| Message::verbatim(""));
-            (
-                line,
-                say!(
-                    field_has_no_meaning,
-                    what = what,
-                    allowed = allowed,
-                    value = value
-                ),
-            )
+            (line, say!(field_has_no_meaning, what = what, allowed = allowed, value = value))
         }
         Fault::NotPositive { line, what, value } => {
             let what = in_words(what);
@@ -158,51 +103,20 @@ fn fault(error: &UniversalFileError) -> (Option<usize>, Message) {
         }
         Fault::Gap { line, column } => (line, say!(column_must_be_blank, column = *column)),
         Fault::OtherUnits { line } => (line, say!(units_stated_twice)),
-        Fault::TooFew {
-            line,
-            points,
-            numbers,
-            held,
-        } => (
-            line,
-            say!(
-                too_few_numbers,
-                points = *points,
-                numbers = *numbers,
-                held = *held
-            ),
-        ),
-        Fault::TooMany {
-            line,
-            points,
-            numbers,
-        } => (
-            line,
-            say!(too_many_numbers, points = *points, numbers = *numbers),
-        ),
-        Fault::ShortLine { line, needed, held } => (
-            line,
-            say!(line_lacks_numbers, needed = *needed, held = *held),
-        ),
+        Fault::TooFew { line, points, numbers, held } => {
+            (line, say!(too_few_numbers, points = *points, numbers = *numbers, held = *held))
+        }
+        Fault::TooMany { line, points, numbers } => {
+            (line, say!(too_many_numbers, points = *points, numbers = *numbers))
+        }
+        Fault::ShortLine { line, needed, held } => (line, say!(line_lacks_numbers, needed = *needed, held = *held)),
         Fault::LongLine { line, column } => (line, say!(text_after_numbers, column = *column)),
-        Fault::BinaryEnd {
-            line,
-            points,
-            bytes,
-        } => (
-            line,
-            say!(no_mark_behind_bytes, points = *points, bytes = *bytes),
-        ),
-        Fault::ByteCount {
-            line,
-            declared,
-            bytes,
-        } => {
+        Fault::BinaryEnd { line, points, bytes } => {
+            (line, say!(no_mark_behind_bytes, points = *points, bytes = *bytes))
+        }
+        Fault::ByteCount { line, declared, bytes } => {
             let declared = f64::from(*declared);
-            (
-                line,
-                say!(other_count_of_bytes, declared = declared, bytes = *bytes),
-            )
+            (line, say!(other_count_of_bytes, declared = declared, bytes = *bytes))
         }
     };
     (Some(*line), said)
@@ -233,17 +147,9 @@ mod tests {
 
     #[test]
     fn faults_are_said_in_german() {
-        let fault = UniversalFileError::Choice {
-            line: 7,
-            what: "the byte order",
-            value: 3,
-            allowed: vec![1, 2],
-        };
+        let fault = UniversalFileError::Choice { line: 7, what: "the byte order", value: 3, allowed: vec![1, 2] };
         let message = Message::from(&fault);
-        assert_eq!(
-            message.to_string(),
-            "line 7: the byte order must be 1 or 2, not 3"
-        );
+        assert_eq!(message.to_string(), "line 7: the byte order must be 1 or 2, not 3");
         let german = "Zeile 7: die Bytefolge muss 1 oder 2 sein, nicht 3";
         assert_eq!(message.text(Language::German), german);
     }

@@ -11,11 +11,7 @@ pub(super) struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     pub(super) fn new(line: usize, text: &'a str) -> Self {
-        Self {
-            line,
-            column: 0,
-            rest: text,
-        }
+        Self { line, column: 0, rest: text }
     }
 
     pub(super) fn line(&self) -> usize {
@@ -25,9 +21,7 @@ impl<'a> Fields<'a> {
     /// Text of the next columns without the blanks around it.
     pub(super) fn text(&mut self, width: usize) -> &'a str {
         let end = self.rest.char_indices().nth(width).map(|(end, _)| end);
-        let (field, rest) = end
-            .and_then(|end| self.rest.split_at_checked(end))
-            .unwrap_or((self.rest, ""));
+        let (field, rest) = end.and_then(|end| self.rest.split_at_checked(end)).unwrap_or((self.rest, ""));
         self.rest = rest;
         self.column += width;
         field.trim()
@@ -38,25 +32,16 @@ impl<'a> Fields<'a> {
         if self.text(1).is_empty() {
             return Ok(());
         }
-        Err(UniversalFileError::Gap {
-            line: self.line,
-            column: self.column,
-        })
+        Err(UniversalFileError::Gap { line: self.line, column: self.column })
     }
 
     /// An integer; nothing is zero, as Fortran reads it.
-    pub(super) fn integer(
-        &mut self,
-        width: usize,
-        what: &'static str,
-    ) -> Result<i32, UniversalFileError> {
+    pub(super) fn integer(&mut self, width: usize, what: &'static str) -> Result<i32, UniversalFileError> {
         match self.text(width) {
             "" => Ok(0),
-            text => text.parse().map_err(|_| UniversalFileError::Integer {
-                line: self.line,
-                what,
-                text: text.to_owned(),
-            }),
+            text => {
+                text.parse().map_err(|_| UniversalFileError::Integer { line: self.line, what, text: text.to_owned() })
+            }
         }
     }
 
@@ -71,20 +56,11 @@ impl<'a> Fields<'a> {
         if allowed.contains(&value) {
             return Ok(value);
         }
-        Err(UniversalFileError::Choice {
-            line: self.line,
-            what,
-            value,
-            allowed: allowed.to_vec(),
-        })
+        Err(UniversalFileError::Choice { line: self.line, what, value, allowed: allowed.to_vec() })
     }
 
     /// A finite number; nothing is zero, as Fortran reads it.
-    pub(super) fn number(
-        &mut self,
-        width: usize,
-        what: &'static str,
-    ) -> Result<f64, UniversalFileError> {
+    pub(super) fn number(&mut self, width: usize, what: &'static str) -> Result<f64, UniversalFileError> {
         match self.text(width) {
             "" => Ok(0.0),
             text => self.parse(text, what),
@@ -92,13 +68,11 @@ impl<'a> Fields<'a> {
     }
 
     fn parse(&self, text: &str, what: &'static str) -> Result<f64, UniversalFileError> {
-        fortran(text)
-            .filter(|number| number.is_finite())
-            .ok_or_else(|| UniversalFileError::Number {
-                line: self.line,
-                what,
-                text: text.to_owned(),
-            })
+        fortran(text).filter(|number| number.is_finite()).ok_or_else(|| UniversalFileError::Number {
+            line: self.line,
+            what,
+            text: text.to_owned(),
+        })
     }
 
     /// The numbers of a line of values, to the first blank field.
@@ -116,10 +90,7 @@ impl<'a> Fields<'a> {
         if self.rest.trim().is_empty() {
             return Ok(numbers);
         }
-        Err(UniversalFileError::LongLine {
-            line: self.line,
-            column: self.column,
-        })
+        Err(UniversalFileError::LongLine { line: self.line, column: self.column })
     }
 }
 

@@ -54,22 +54,12 @@ impl Form {
         let points = usize::try_from(points)
             .ok()
             .filter(|&points| points > 0)
-            .ok_or(UniversalFileError::NotPositive {
-                line,
-                what: "the number of points",
-                value: points.into(),
-            })?;
+            .ok_or(UniversalFileError::NotPositive { line, what: "the number of points", value: points.into() })?;
         let spacing = match even {
             true => Spacing::read_even(fields, points)?,
             false => Spacing::Uneven,
         };
-        Ok(Self {
-            line,
-            complex: data_type >= 5,
-            double: data_type == 4 || data_type == 6,
-            points,
-            spacing,
-        })
+        Ok(Self { line, complex: data_type >= 5, double: data_type == 4 || data_type == 6, points, spacing })
     }
 
     pub(super) fn uneven(&self) -> bool {

@@ -21,20 +21,12 @@ pub(super) struct Line<'a> {
 
 impl<'a> Lines<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self {
-            rest: bytes,
-            taken: 0,
-            opening: 0,
-        }
+        Self { rest: bytes, taken: 0, opening: 0 }
     }
 
     /// Lines from within a dataset, so many of the file before them, and the one with the opening mark.
     pub(super) fn within(bytes: &'a [u8], taken: usize, opening: usize) -> Self {
-        Self {
-            rest: bytes,
-            taken,
-            opening,
-        }
+        Self { rest: bytes, taken, opening }
     }
 
     /// Line with the mark that opened the present dataset.
@@ -74,18 +66,14 @@ impl<'a> Lines<'a> {
 
     /// Take a line of the present dataset, which may be the closing mark.
     pub(super) fn inside(&mut self) -> Result<Line<'a>, UniversalFileError> {
-        self.next()
-            .ok_or(UniversalFileError::Truncated { line: self.opening })
+        self.next().ok_or(UniversalFileError::Truncated { line: self.opening })
     }
 
     /// Take a line of the present dataset that must not be the closing mark.
     pub(super) fn record(&mut self, name: &'static str) -> Result<Line<'a>, UniversalFileError> {
         let line = self.inside()?;
         if line.is_mark() {
-            return Err(UniversalFileError::RecordMissing {
-                line: line.number,
-                record: name,
-            });
+            return Err(UniversalFileError::RecordMissing { line: line.number, record: name });
         }
         Ok(line)
     }
@@ -133,10 +121,7 @@ impl<'a> Line<'a> {
     /// A line of a number, with its end.
     pub(super) fn new(number: usize, bytes: &'a [u8]) -> Self {
         let bytes = bytes.strip_suffix(b"\n").unwrap_or(bytes);
-        Self {
-            number,
-            text: decode(bytes.strip_suffix(b"\r").unwrap_or(bytes)),
-        }
+        Self { number, text: decode(bytes.strip_suffix(b"\r").unwrap_or(bytes)) }
     }
 
     pub(super) fn is_mark(&self) -> bool {

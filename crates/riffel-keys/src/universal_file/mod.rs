@@ -120,10 +120,7 @@ pub struct Axis {
 /// Read a universal file.
 pub fn read(bytes: &[u8]) -> Result<UniversalFile, UniversalFileError> {
     let mut lines = Lines::new(bytes);
-    let mut file = UniversalFile {
-        functions: Vec::new(),
-        units: None,
-    };
+    let mut file = UniversalFile { functions: Vec::new(), units: None };
     let mut empty = true;
     while lines.open()? {
         empty = false;
@@ -158,10 +155,7 @@ fn read_dataset(lines: &mut Lines, file: &mut UniversalFile) -> Result<(), Unive
         }
         (164, "") => file.set_units(Units::read(lines)?, name.number),
         (_, "") => lines.skip(),
-        _ => Err(UniversalFileError::UnknownForm {
-            line: name.number,
-            text: letter.to_owned(),
-        }),
+        _ => Err(UniversalFileError::UnknownForm { line: name.number, text: letter.to_owned() }),
     }
 }
 
@@ -184,17 +178,10 @@ impl Units {
         let mut fields = line.fields();
         let mut factor = |what| match fields.number(WIDTH, what)? {
             value if value > 0.0 => Ok(value),
-            value => Err(UniversalFileError::NotPositive {
-                line: line.number,
-                what,
-                value,
-            }),
+            value => Err(UniversalFileError::NotPositive { line: line.number, what, value }),
         };
-        let (length, force, temperature) = (
-            factor("the factor of length")?,
-            factor("the factor of force")?,
-            factor("the factor of temperature")?,
-        );
+        let (length, force, temperature) =
+            (factor("the factor of length")?, factor("the factor of force")?, factor("the factor of temperature")?);
         let offset = lines.record("temperature offset")?;
         let units = Self {
             length,

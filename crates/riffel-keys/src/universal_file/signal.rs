@@ -64,12 +64,7 @@ struct Reading<R> {
 
 impl<R: BufRead + Seek> Reading<R> {
     fn new(reader: R) -> Self {
-        Self {
-            reader,
-            offset: 0,
-            lines: 0,
-            bytes: Vec::new(),
-        }
+        Self { reader, offset: 0, lines: 0, bytes: Vec::new() }
     }
 
     /// Go on at an offset, before which there are so many lines.
@@ -128,10 +123,7 @@ impl Signals {
     /// [`SignalError::Read`] if it cannot be read, [`SignalError::File`] with the line of what is wrong.
     pub fn find(reader: impl BufRead + Seek) -> Result<Self, SignalError> {
         let mut reading = Reading::new(reader);
-        let mut file = UniversalFile {
-            functions: Vec::new(),
-            units: None,
-        };
+        let mut file = UniversalFile { functions: Vec::new(), units: None };
         let (mut signals, mut empty) = (Vec::new(), true);
         while let Some(line) = reading.next()? {
             let blank = line.trim_ascii().is_empty();
@@ -148,10 +140,7 @@ impl Signals {
         if empty {
             return Err(UniversalFileError::NoDataset.into());
         }
-        Ok(Self {
-            signals,
-            units: file.units,
-        })
+        Ok(Self { signals, units: file.units })
     }
 }
 
@@ -187,11 +176,7 @@ fn dataset<R: BufRead + Seek>(
         "" => None,
         "b" | "B" => Some(Encoding::read(fields)?),
         letter => {
-            return Err(UniversalFileError::UnknownForm {
-                line: opening + 1,
-                text: letter.to_owned(),
-            }
-            .into());
+            return Err(UniversalFileError::UnknownForm { line: opening + 1, text: letter.to_owned() }.into());
         }
     };
     let mut head = Vec::new();
@@ -215,15 +200,7 @@ fn dataset<R: BufRead + Seek>(
             Some((encoding, widths))
         }
     };
-    Ok(Some(Signal {
-        points: form.points,
-        even: form.even(),
-        function,
-        form,
-        encoding,
-        offset,
-        lines,
-    }))
+    Ok(Some(Signal { points: form.points, even: form.even(), function, form, encoding, offset, lines }))
 }
 
 impl Signal {
@@ -235,13 +212,7 @@ impl Signal {
     pub fn values<R: BufRead + Seek>(&self, reader: R) -> Result<Values<'_, R>, SignalError> {
         let mut reading = Reading::new(reader);
         reading.leap(self.offset, self.lines)?;
-        Ok(Values {
-            signal: self,
-            reading,
-            held: 0,
-            line: Vec::new().into_iter(),
-            broken: false,
-        })
+        Ok(Values { signal: self, reading, held: 0, line: Vec::new().into_iter(), broken: false })
     }
 }
 
@@ -285,12 +256,7 @@ impl<R: BufRead + Seek> Values<'_, R> {
         let line = Line::new(number, &text);
         let mut values = line.fields().numbers(widths)?;
         if values.len() < needed {
-            return Err(UniversalFileError::ShortLine {
-                line: number,
-                needed,
-                held: values.len(),
-            }
-            .into());
+            return Err(UniversalFileError::ShortLine { line: number, needed, held: values.len() }.into());
         }
         self.held += needed;
         // The last line may be filled up with zeros.

@@ -16,48 +16,18 @@ fn what_is_wrong_is_refused_with_its_line() {
         (String::new(), "no column from_m"),
         (format!("{head}\n"), "no block"),
         ("rail,from_m,to_m,level\n".to_owned(), "no column of RMS"),
-        (
-            "rail,from_m,to_m,rms_30_to_100_mm\n".to_owned(),
-            "no band and unit",
-        ),
-        (
-            "rail,from_m,to_m,rms_100_to_30_mm_m\n".to_owned(),
-            "no band and unit",
-        ),
-        (
-            format!("{head}\nleft,0,1,5\nleft,1,2\n"),
-            "line 3: has 3 columns",
-        ),
-        (
-            format!("{head}\nleft,0,1,5\nleft,1,2,rough\n"),
-            "line 3: column 4 is \"rough\"",
-        ),
-        (
-            format!("{head}\nleft,0,1,-5\n"),
-            "line 2: the RMS between 30 and 100 mm is",
-        ),
+        ("rail,from_m,to_m,rms_30_to_100_mm\n".to_owned(), "no band and unit"),
+        ("rail,from_m,to_m,rms_100_to_30_mm_m\n".to_owned(), "no band and unit"),
+        (format!("{head}\nleft,0,1,5\nleft,1,2\n"), "line 3: has 3 columns"),
+        (format!("{head}\nleft,0,1,5\nleft,1,2,rough\n"), "line 3: column 4 is \"rough\""),
+        (format!("{head}\nleft,0,1,-5\n"), "line 2: the RMS between 30 and 100 mm is"),
         (format!("{head}\nleft,0,1,5e5\n"), "is its unit right"),
         (format!("{head}\nleft,1,0,5\n"), "must end after it begins"),
-        (
-            format!("{head}\nleft,0,1,5\nleft,0.5,1.5,5\n"),
-            "must rise and not overlap",
-        ),
-        (
-            format!("{head}\nleft,0,1,5\nleft,1,inf,5\n"),
-            "must end after it begins",
-        ),
-        (
-            format!("{head}\nleft,0,10,5\nleft,5,15,5\nleft,10,20,5\n"),
-            "line 3: left: the block begins at 5.000 m",
-        ),
-        (
-            format!("{head}\nleft,0,1,5\nleft,1,2,5\nleft,0,1,5\nleft,1,2,5\n"),
-            "not to the first block",
-        ),
-        (
-            format!("{head}\nleft,5000,5001,5\nleft,6001,6002,5\nleft,5001,5002,5\n"),
-            "by 1000 m at most",
-        ),
+        (format!("{head}\nleft,0,1,5\nleft,0.5,1.5,5\n"), "must rise and not overlap"),
+        (format!("{head}\nleft,0,1,5\nleft,1,inf,5\n"), "must end after it begins"),
+        (format!("{head}\nleft,0,10,5\nleft,5,15,5\nleft,10,20,5\n"), "line 3: left: the block begins at 5.000 m"),
+        (format!("{head}\nleft,0,1,5\nleft,1,2,5\nleft,0,1,5\nleft,1,2,5\n"), "not to the first block"),
+        (format!("{head}\nleft,5000,5001,5\nleft,6001,6002,5\nleft,5001,5002,5\n"), "by 1000 m at most"),
         (format!("{head}\n ,0,1,5\n"), "the rail has no name"),
     ] {
         fs::write(&path, &text).unwrap();
@@ -65,19 +35,12 @@ fn what_is_wrong_is_refused_with_its_line() {
         assert!(refusal.contains(part), "{text}: {refusal}");
     }
     let store = store(&folder);
-    assert!(matches!(
-        Store::open(&folder.path().join("network")),
-        Err(NetworkError::NoNetwork { .. })
-    ));
+    assert!(matches!(Store::open(&folder.path().join("network")), Err(NetworkError::NoNetwork { .. })));
     let (_, file) = survey(folder.path(), "a.csv", [0, 10], |_, _| 5.0);
     let put = |line: &str, date: &str| store.ingest(line, date, &file, false, &|_| ());
     for (line, date, part) in [
         ("", "2026-01-01", "the line is"),
-        (
-            "A",
-            "2026-02-30",
-            "the date \"2026-02-30\" is not in the calendar",
-        ),
+        ("A", "2026-02-30", "the date \"2026-02-30\" is not in the calendar"),
         ("A", "yesterday", "the date \"yesterday\" is no date"),
     ] {
         let refusal = put(line, date).unwrap_err().to_string();
@@ -87,15 +50,8 @@ fn what_is_wrong_is_refused_with_its_line() {
     put("A", "2026-01-01").unwrap();
     fs::write(&path, "rail,from_m,to_m,rms_10_to_30_mm_um\nleft,0,1,5\n").unwrap();
     let other = SurveyFile::check(&path).unwrap();
-    let refusal = store
-        .ingest("A", "2026-02-01", &other, false, &|_| ())
-        .unwrap_err();
-    assert!(
-        refusal
-            .to_string()
-            .contains("must be of those of the store, 30–100 mm, 100–300 mm"),
-        "{refusal}"
-    );
+    let refusal = store.ingest("A", "2026-02-01", &other, false, &|_| ()).unwrap_err();
+    assert!(refusal.to_string().contains("must be of those of the store, 30–100 mm, 100–300 mm"), "{refusal}");
     let levels = LimitTable::find("iso-3095-2013").unwrap();
     assert!(Judgement::new(&store, &levels).is_err());
     assert!(worst(&store, &grassie(&store), 0.5, None, 1).is_err());
@@ -147,10 +103,7 @@ fn what_is_damaged_is_left_out_and_can_be_replaced() -> Result<(), NetworkError>
         "{\"format\":1,\"riffel_version\":\"0\",\"resolution_m\":1,\"bands_m\":[]}",
     )
     .unwrap();
-    assert!(matches!(
-        Store::open(&network),
-        Err(NetworkError::DamagedStore { .. })
-    ));
+    assert!(matches!(Store::open(&network), Err(NetworkError::DamagedStore { .. })));
     Ok(())
 }
 
@@ -161,9 +114,7 @@ fn damage_is_found() {
     let store = store(&folder);
     let (_, file) = survey(folder.path(), "a.csv", [0, 10], |_, _| 5.0);
     take(&store, "A", "2026-01-01", &file);
-    let chunk = files(&folder.path().join("network"))
-        .into_iter()
-        .find(|(path, _)| path.ends_with("left/c/0/0"));
+    let chunk = files(&folder.path().join("network")).into_iter().find(|(path, _)| path.ends_with("left/c/0/0"));
     let (path, mut bytes) = chunk.unwrap();
     bytes[3] ^= 1;
     fs::write(path, bytes).unwrap();

@@ -60,11 +60,7 @@ impl Rough {
                 while at < ROUGH[1] {
                     let own = depth * random.between(0.6, 1.4);
                     places.push(match kind {
-                        DefectKind::Joint => (
-                            at + random.between(-0.5, 0.5),
-                            own,
-                            random.between(0.03, 0.08),
-                        ),
+                        DefectKind::Joint => (at + random.between(-0.5, 0.5), own, random.between(0.03, 0.08)),
                         _ => (at, own, -random.between(0.1, 0.3)),
                     });
                     at += match kind {
@@ -80,11 +76,7 @@ impl Rough {
                 let rms = 7e-6 * random.between(1.4, 6.0);
                 let waves = (0..4).map(|_| {
                     let off = 1.0 + 0.004 * random.normal();
-                    (
-                        wavelength * off,
-                        rms / 2f64.sqrt(),
-                        random.between(0.0, TAU),
-                    )
+                    (wavelength * off, rms / 2f64.sqrt(), random.between(0.0, TAU))
                 });
                 Self::Waves(waves.collect())
             }
@@ -98,9 +90,7 @@ impl Rough {
                 let near = places.iter().filter(|(at, ..)| (x - at).abs() < 1.0);
                 let dips = near.map(|&(at, depth, length)| match length > 0.0 {
                     true => depth * (-(x - at).abs() / length).exp(),
-                    false if (x - at).abs() < -0.5 * length => {
-                        0.5 * depth * (1.0 + (TAU * (x - at) / length).cos())
-                    }
+                    false if (x - at).abs() < -0.5 * length => 0.5 * depth * (1.0 + (TAU * (x - at) / length).cos()),
                     false => 0.0,
                 });
                 -dips.sum::<f64>()
@@ -108,9 +98,7 @@ impl Rough {
             Self::Waves(_) if !(ROUGH[0]..ROUGH[1]).contains(&x) => 0.0,
             Self::Waves(waves) => {
                 let waves = waves.iter();
-                waves
-                    .map(|(length, height, phase)| height * (TAU * x / length + phase).sin())
-                    .sum()
+                waves.map(|(length, height, phase)| height * (TAU * x / length + phase).sin()).sum()
             }
         }
     }
@@ -121,11 +109,7 @@ fn squares(window: &[f64]) -> [f64; 2] {
     let count = window.len() as f64;
     let length = count * SPACING;
     let hann = |index: usize| (0.5 * TAU * (index as f64 + 0.5) / count).sin().powi(2);
-    let own: Vec<f64> = window
-        .iter()
-        .enumerate()
-        .map(|(index, height)| height * hann(index))
-        .collect();
+    let own: Vec<f64> = window.iter().enumerate().map(|(index, height)| height * hann(index)).collect();
     let mut sums = [0.0; 2];
     let mut line = (length / 0.3).ceil();
     while line / length <= 1.0 / 0.03 {
@@ -134,14 +118,10 @@ fn squares(window: &[f64]) -> [f64; 2] {
         for height in &own {
             re += height * turn.0;
             im += height * turn.1;
-            turn = (
-                turn.0 * cosine - turn.1 * sine,
-                turn.0 * sine + turn.1 * cosine,
-            );
+            turn = (turn.0 * cosine - turn.1 * sine, turn.0 * sine + turn.1 * cosine);
         }
         // Of a Hann window the mean square is 3/8.
-        sums[usize::from(line / length < 10.0)] +=
-            2.0 * (re * re + im * im) / (count * count * 0.375);
+        sums[usize::from(line / length < 10.0)] += 2.0 * (re * re + im * im) / (count * count * 0.375);
         line += 1.0;
     }
     sums
@@ -159,10 +139,7 @@ fn blocks(rails: &[(Vec<Rough>, f64)], length: f64, factor: f64, random: &mut Ra
             .map(|sample| {
                 rest = 0.97 * rest + noise * random.normal();
                 let rough = rough.iter();
-                rest + factor
-                    * rough
-                        .map(|one| one.height(sample as f64 * SPACING))
-                        .sum::<f64>()
+                rest + factor * rough.map(|one| one.height(sample as f64 * SPACING)).sum::<f64>()
             })
             .collect();
         let mut from = first;
@@ -171,13 +148,7 @@ fn blocks(rails: &[(Vec<Rough>, f64)], length: f64, factor: f64, random: &mut Ra
             let window = at((from - 0.1).max(0.0))..at(from + length + 0.1);
             let [short, long] = squares(&heights[window]).map(|square| 1e6 * gain * square.sqrt());
             let place = |place: f64| 6000.0 + off + stretch * place;
-            writeln!(
-                text,
-                "{name},{:.3},{:.3},{short:.3},{long:.3}",
-                place(from),
-                place(from + length)
-            )
-            .unwrap();
+            writeln!(text, "{name},{:.3},{:.3},{short:.3},{long:.3}", place(from), place(from + length)).unwrap();
             from += length;
         }
     }
@@ -185,11 +156,7 @@ fn blocks(rails: &[(Vec<Rough>, f64)], length: f64, factor: f64, random: &mut Ra
 }
 
 /// What most of the rough sections of a made rail are told as, and how many sections are told as corrugation.
-fn told(
-    kind: DefectKind,
-    length: f64,
-    seed: u64,
-) -> Result<(Option<DefectKind>, usize), NetworkError> {
+fn told(kind: DefectKind, length: f64, seed: u64) -> Result<(Option<DefectKind>, usize), NetworkError> {
     let random = &mut Random(seed);
     let folder = tempfile::tempdir().unwrap();
     let store = store(&folder);
@@ -220,22 +187,14 @@ fn told(
         };
         let cut = if ground && survey >= since { left } else { 1.0 };
         let path = folder.path().join(format!("{survey}.csv"));
-        std::fs::write(
-            &path,
-            blocks(&rails, length, cut * 10f64.powf(grown / 20.0), random),
-        )
-        .unwrap();
+        std::fs::write(&path, blocks(&rails, length, cut * 10f64.powf(grown / 20.0), random)).unwrap();
         take(&store, "A", &day.to_string(), &SurveyFile::check(&path)?);
         day = day.saturating_add((random.between(60.0, 300.0) as i64).days());
     }
     let judgement = grassie(&store);
     let found: Vec<(f64, Option<DefectKind>)> = match surveys {
-        1 => (worst(&store, &judgement, 100.0, None, 100)?.into_iter())
-            .map(|one| (one.from_m, one.kind))
-            .collect(),
-        _ => (growth(&store, &judgement, 100.0, None)?.into_iter())
-            .map(|one| (one.from_m, one.kind))
-            .collect(),
+        1 => (worst(&store, &judgement, 100.0, None, 100)?.into_iter()).map(|one| (one.from_m, one.kind)).collect(),
+        _ => (growth(&store, &judgement, 100.0, None)?.into_iter()).map(|one| (one.from_m, one.kind)).collect(),
     };
     let (mut inside, mut corrugation) = (BTreeMap::new(), 0);
     for (from, kind) in found {
@@ -251,12 +210,7 @@ fn told(
 /// rails, odometers 3 m and 1 ‰ off: of a hundred rails 95 and more are told right. The book has the table.
 #[test]
 fn kinds_of_a_hundred_rails() -> Result<(), NetworkError> {
-    let kinds = [
-        DefectKind::Joint,
-        DefectKind::Weld,
-        DefectKind::Ground,
-        DefectKind::Corrugation,
-    ];
+    let kinds = [DefectKind::Joint, DefectKind::Weld, DefectKind::Ground, DefectKind::Corrugation];
     let mut table: BTreeMap<(DefectKind, Option<DefectKind>), Vec<u64>> = BTreeMap::new();
     let (mut right, mut ground_in_vain) = (0, 0);
     for kind in kinds {
@@ -288,9 +242,7 @@ fn joints_in_cells_of_two_metres() -> Result<(), NetworkError> {
         }
     }
     assert!(joints >= 22 && ground_in_vain == 0, "{others:?}");
-    let are_welds = others
-        .iter()
-        .all(|(_, found)| *found == Some(DefectKind::Weld));
+    let are_welds = others.iter().all(|(_, found)| *found == Some(DefectKind::Weld));
     assert!(are_welds, "{others:?}");
     Ok(())
 }

@@ -18,12 +18,7 @@ use tempfile::TempDir;
 
 /// A survey of two rails in blocks of a metre between two places \[m\], with RMS of `rms(rail, place)` \[µm\] between 30 and
 /// 100 mm and a tenth of that between 100 and 300 mm.
-fn survey(
-    folder: &Path,
-    name: &str,
-    ends: [i32; 2],
-    rms: impl Fn(usize, f64) -> f64,
-) -> (PathBuf, SurveyFile) {
+fn survey(folder: &Path, name: &str, ends: [i32; 2], rms: impl Fn(usize, f64) -> f64) -> (PathBuf, SurveyFile) {
     let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um,rms_100_to_300_mm_um\n".to_owned();
     for (index, rail) in ["left", "right"].iter().enumerate() {
         for from in ends[0]..ends[1] {
@@ -80,20 +75,11 @@ fn a_long_kilometre_is_kept() -> Result<(), NetworkError> {
         let path = folder.path().join("long.csv");
         fs::write(&path, text).unwrap();
         let store = store(&folder);
-        let found = store.ingest(
-            "A",
-            "2026-01-31",
-            &SurveyFile::check(&path)?,
-            false,
-            &|_| (),
-        )?;
+        let found = store.ingest("A", "2026-01-31", &SurveyFile::check(&path)?, false, &|_| ())?;
         let [told] = &found.goes_back[..] else {
             panic!("{found:?}");
         };
-        assert_eq!(
-            (told.line, told.end_m, told.from_m),
-            (1002, 6000.0, 6000.0 - back)
-        );
+        assert_eq!((told.line, told.end_m, told.from_m), (1002, 6000.0, 6000.0 - back));
         let measured = (2000.0 - back).ceil() as u64;
         assert_eq!(found.measured["left"], measured);
         let survey = &store.surveys()?[0];
@@ -127,12 +113,7 @@ fn surveys_are_there_whole_once_or_not_at_all() -> Result<(), NetworkError> {
     assert_eq!(files(&network), before);
 
     // Arrays of the day without a record, and half-written ones: a process died. What the store has not written stays.
-    let line = fs::read_dir(network.join("surveys"))
-        .unwrap()
-        .next()
-        .unwrap()
-        .unwrap()
-        .path();
+    let line = fs::read_dir(network.join("surveys")).unwrap().next().unwrap().unwrap().path();
     for (name, file) in [
         ("2026-01-01-0123456789ab.zarr", "zarr.json"),
         (".riffel-abc123", "half-written"),
@@ -152,12 +133,7 @@ fn surveys_are_there_whole_once_or_not_at_all() -> Result<(), NetworkError> {
     assert_eq!(names.len(), 5, "{names:?}");
     assert_eq!(names[0], ".riffel-diary1");
     assert_eq!(names[3..], ["2026-02-01-0123456789ab.zarr", "raw"]);
-    let sections = Sections::of(
-        &store,
-        &store.surveys()?[0],
-        &store.surveys()?[0].rails[0],
-        10.0,
-    )?;
+    let sections = Sections::of(&store, &store.surveys()?[0], &store.surveys()?[0].rails[0], 10.0)?;
     assert_eq!(sections.sections.len(), 6);
     assert!((sections.sections[5].rms[0] - 6e-6).abs() < 1e-18);
 
@@ -222,10 +198,7 @@ fn what_the_store_has_not_written_stays() -> Result<(), NetworkError> {
         assert!(matches!(refusal, Err(NetworkError::Foreign { .. })));
         assert!(!project.join("lock").exists());
     }
-    assert_eq!(
-        fs::read(project.join("surveys/A/raw/run1.csv")).unwrap(),
-        b"x"
-    );
+    assert_eq!(fs::read(project.join("surveys/A/raw/run1.csv")).unwrap(), b"x");
     Ok(())
 }
 
@@ -235,9 +208,7 @@ fn cells_are_where_they_are_across_chunks() -> Result<(), NetworkError> {
     let folder = tempfile::tempdir().unwrap();
     let store = store(&folder);
     let level = |place: f64| 1.0 + (place / 1000.0).floor();
-    let (_, file) = survey(folder.path(), "a.csv", [-1000, 17_500], |_, place| {
-        level(place + 1000.0)
-    });
+    let (_, file) = survey(folder.path(), "a.csv", [-1000, 17_500], |_, place| level(place + 1000.0));
     take(&store, "A", "2026-01-01", &file);
     let survey = &store.surveys()?[0];
     assert_eq!((survey.start_m, survey.cells), (-1000.0, 18_500));
@@ -245,10 +216,7 @@ fn cells_are_where_they_are_across_chunks() -> Result<(), NetworkError> {
     assert_eq!(sections.len(), 19);
     for section in &sections {
         let expected = 1e-6 * level(section.from + 1500.0);
-        assert!(
-            (section.rms[0] / expected - 1.0).abs() < 1e-12,
-            "{section:?}"
-        );
+        assert!((section.rms[0] / expected - 1.0).abs() < 1e-12, "{section:?}");
     }
     Ok(())
 }
@@ -261,9 +229,8 @@ fn cells_are_as_long_as_most_blocks_and_names_alike_are_told() -> Result<(), Net
     let store = store(&folder);
     let write = |name: &str, rms: f64| {
         let path = folder.path().join(name);
-        let blocks = format!(
-            "rail,from_m,to_m,rms_30_to_100_mm_um\nleft,7,10,{rms}\nleft,10,20,{rms}\nleft,20,30,{rms}\n"
-        );
+        let blocks =
+            format!("rail,from_m,to_m,rms_30_to_100_mm_um\nleft,7,10,{rms}\nleft,10,20,{rms}\nleft,20,30,{rms}\n");
         fs::write(&path, blocks).unwrap();
         path
     };
@@ -275,10 +242,7 @@ fn cells_are_as_long_as_most_blocks_and_names_alike_are_told() -> Result<(), Net
     let again = store.ingest("Nord 1", "2026-02-01", &file, false, &|_| ())?;
     assert_eq!(again.alike, None);
     let refused = SurveyFile::check(&write("b.csv", 0.005)).unwrap_err();
-    assert!(
-        refused.to_string().contains("is the unit right?"),
-        "{refused}"
-    );
+    assert!(refused.to_string().contains("is the unit right?"), "{refused}");
     Ok(())
 }
 
@@ -289,17 +253,8 @@ fn a_survey_may_have_fewer_bands() -> Result<(), NetworkError> {
     let store = store(&folder);
     let (path, file) = survey(folder.path(), "a.csv", [0, 10], |_, _| 5.0);
     take(&store, "A", "2026-01-01", &file);
-    fs::write(
-        &path,
-        "rail,from_m,to_m,rms_100_to_300_mm_um\nleft,0,10,7\n",
-    )
-    .unwrap();
-    take(
-        &store,
-        "A",
-        "2026-02-01",
-        &SurveyFile::check(&path).unwrap(),
-    );
+    fs::write(&path, "rail,from_m,to_m,rms_100_to_300_mm_um\nleft,0,10,7\n").unwrap();
+    take(&store, "A", "2026-02-01", &SurveyFile::check(&path).unwrap());
     let later = &store.surveys()?[1];
     let sections = Sections::of(&store, later, &later.rails[0], 10.0)?.sections;
     let [unknown, known] = sections[0].rms[..] else {

@@ -10,21 +10,14 @@ fn the_worst_place_is_found() -> Result<(), NetworkError> {
     let folder = tempfile::tempdir().unwrap();
     let store = store(&folder);
     let (_, file) = survey(folder.path(), "a.csv", [12_000, 13_000], |rail, place| {
-        if rail == 1 && (12_300.0..12_400.0).contains(&place) {
-            40.0
-        } else {
-            5.0
-        }
+        if rail == 1 && (12_300.0..12_400.0).contains(&place) { 40.0 } else { 5.0 }
     });
     take(&store, "Main line", "2026-01-31", &file);
     let judgement = grassie(&store);
     let places = worst(&store, &judgement, 100.0, None, 3)?;
     assert_eq!(places.len(), 3);
     let first = &places[0];
-    assert_eq!(
-        (first.line.as_str(), first.rail.as_str()),
-        ("Main line", "right")
-    );
+    assert_eq!((first.line.as_str(), first.rail.as_str()), ("Main line", "right"));
     assert_eq!((first.from_m, first.to_m), (12_300.0, 12_400.0));
     assert!((first.rms_m / 40e-6 - 1.0).abs() < 1e-12);
     assert!((places[1].rms_m / 5e-6 - 1.0).abs() < 1e-12);
@@ -60,11 +53,7 @@ fn growth_that_is_expected_stands_in_where_surveys_show_none() -> Result<(), Net
     take(&store, "Ground", "2026-03-15", &flat("after.csv", -10.0));
     take(&store, "Measured", "2026-01-01", &flat("earlier.csv", -7.0));
     take(&store, "Measured", "2026-03-15", &flat("later.csv", -5.0));
-    let expected = ExpectedGrowth {
-        median: 10.0,
-        band_50: [8.0, 12.0],
-        band_80: [5.0, 20.0],
-    };
+    let expected = ExpectedGrowth { median: 10.0, band_50: [8.0, 12.0], band_80: [5.0, 20.0] };
     let bands = judgement.ends_of_bands().len();
     let judgement = judgement.expecting(&store, None, vec![Some(expected); bands])?;
     let grown = growth(&store, &judgement, 100.0, None)?;
@@ -86,10 +75,7 @@ fn growth_that_is_expected_stands_in_where_surveys_show_none() -> Result<(), Net
 
     let refused = grassie(&store).expecting(&store, Some("Two"), Vec::new());
     let sentence = refused.unwrap_err().to_string();
-    assert!(
-        sentence.contains("\"Two\"") && sentence.contains("Measured, One"),
-        "{sentence}"
-    );
+    assert!(sentence.contains("\"Two\"") && sentence.contains("Measured, One"), "{sentence}");
     Ok(())
 }
 
@@ -105,12 +91,8 @@ fn growth_between_dates_tells_when_a_limit_is_reached() -> Result<(), NetworkErr
     let limit = 1e-6 / worst(&store, &judgement, 100.0, None, 1)?[0].rms_over_limit;
     let rms = |decibels: f64| 1e6 * limit * 10f64.powf(decibels / 20.0);
     // The first of three sections was ground in between.
-    let (_, before) = survey(folder.path(), "b.csv", [0, 300], |_, place| {
-        rms(if place < 100.0 { 6.0 } else { -7.0 })
-    });
-    let (_, after) = survey(folder.path(), "c.csv", [0, 300], |_, place| {
-        rms(if place < 100.0 { -20.0 } else { -5.0 })
-    });
+    let (_, before) = survey(folder.path(), "b.csv", [0, 300], |_, place| rms(if place < 100.0 { 6.0 } else { -7.0 }));
+    let (_, after) = survey(folder.path(), "c.csv", [0, 300], |_, place| rms(if place < 100.0 { -20.0 } else { -5.0 }));
     let line = "B";
     take(&store, line, "2026-01-01", &before);
     take(&store, line, "2026-03-15", &after);
@@ -123,21 +105,14 @@ fn growth_between_dates_tells_when_a_limit_is_reached() -> Result<(), NetworkErr
     assert!((first.months_to_limit.unwrap() - months).abs() < 1e-6);
     let ground: Vec<_> = grown.iter().filter(|section| section.ground).collect();
     assert_eq!(ground.len(), 2);
-    assert!(
-        ground
-            .iter()
-            .all(|section| section.from_m == 0.0 && section.months_to_limit.is_none())
-    );
+    assert!(ground.iter().all(|section| section.from_m == 0.0 && section.months_to_limit.is_none()));
 
     // Nothing is over the limit now but in a year two sections of track are.
     let one = Budget::of_length(100.0);
     let now = plan(&store, &judgement, 100.0, 0.0, &one, Aim::WorstFirst)?;
     assert_eq!((now.over_limit_m, now.sites.len()), (0.0, 0));
     let later = plan(&store, &judgement, 100.0, 12.0, &one, Aim::WorstFirst)?;
-    assert_eq!(
-        (later.over_limit_m, later.length_m, later.left_over_limit_m),
-        (200.0, 100.0, 100.0)
-    );
+    assert_eq!((later.over_limit_m, later.length_m, later.left_over_limit_m), (200.0, 100.0, 100.0));
     Ok(())
 }
 
@@ -154,39 +129,19 @@ fn a_plan_takes_the_worst_first_and_keeps_its_budget() -> Result<(), NetworkErro
     });
     take(&store, "A", "2026-01-01", &file);
     let judgement = grassie(&store);
-    let budget = |money: f64| Budget {
-        money,
-        per_metre: 2.0,
-        per_site: 300.0,
-    };
+    let budget = |money: f64| Budget { money, per_metre: 2.0, per_site: 300.0 };
     let sites = |money: f64| -> Result<Vec<(f64, f64, f64)>, NetworkError> {
-        let found = plan(
-            &store,
-            &judgement,
-            100.0,
-            0.0,
-            &budget(money),
-            Aim::WorstFirst,
-        )?;
+        let found = plan(&store, &judgement, 100.0, 0.0, &budget(money), Aim::WorstFirst)?;
         assert!(found.cost <= money);
         let sites = found.sites.iter();
-        Ok(sites
-            .map(|site| (site.from_m, site.to_m, site.cost))
-            .collect())
+        Ok(sites.map(|site| (site.from_m, site.to_m, site.cost)).collect())
     };
     assert_eq!(sites(499.0)?, []);
     assert_eq!(sites(500.0)?, [(0.0, 100.0, 500.0)]);
     // 21 µm at 500 m does not fit; 20 µm that joins on does.
     assert_eq!(sites(700.0)?, [(0.0, 200.0, 700.0)]);
     assert_eq!(sites(1200.0)?, [(0.0, 200.0, 700.0), (500.0, 600.0, 500.0)]);
-    let refused = plan(
-        &store,
-        &judgement,
-        100.0,
-        0.0,
-        &budget(-1.0),
-        Aim::WorstFirst,
-    );
+    let refused = plan(&store, &judgement, 100.0, 0.0, &budget(-1.0), Aim::WorstFirst);
     assert!(refused.is_err());
     Ok(())
 }
@@ -203,11 +158,7 @@ fn the_most_track_is_that_of_one_site() -> Result<(), NetworkError> {
         _ => 1.0,
     });
     take(&store, "A", "2026-01-01", &file);
-    let budget = Budget {
-        money: 1100.0,
-        per_metre: 2.0,
-        per_site: 300.0,
-    };
+    let budget = Budget { money: 1100.0, per_metre: 2.0, per_site: 300.0 };
     let judgement = grassie(&store);
     let found = |aim| plan(&store, &judgement, 100.0, 0.0, &budget, aim);
     let (worst, most) = (found(Aim::WorstFirst)?, found(Aim::MostTrack)?);
@@ -220,9 +171,6 @@ fn the_most_track_is_that_of_one_site() -> Result<(), NetworkError> {
     assert_eq!((most.cost, most.left_over_limit_m), (1100.0, 100.0));
     assert_eq!(worst.left_over_limit_m, 300.0);
     // 1100 pay for no fifth section, and both say so.
-    assert_eq!(
-        [worst, most].map(|plan| plan.least_left_over_limit_m),
-        [100.0; 2]
-    );
+    assert_eq!([worst, most].map(|plan| plan.least_left_over_limit_m), [100.0; 2]);
     Ok(())
 }

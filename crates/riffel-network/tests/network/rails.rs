@@ -32,20 +32,13 @@ fn one_rail_has_one_name_in_its_line() -> Result<(), NetworkError> {
     ] {
         let folder = tempfile::tempdir().unwrap();
         let store = store(&folder);
-        for (date, names, rms) in [
-            ("2024-01-01", ["left", "right"], 4.0),
-            ("2026-01-01", names, 8.0),
-        ] {
+        for (date, names, rms) in [("2024-01-01", ["left", "right"], 4.0), ("2026-01-01", names, 8.0)] {
             let file = SurveyFile::check(&named(&folder, date, names, rms))?;
             let found = store.ingest("A", date, &file, false, &|_| ())?;
             assert!(found.new_rails.is_empty(), "{names:?}");
             assert_eq!(found.renamed.len(), if rms == 8.0 { 2 } else { 0 });
             // The same again changes nothing.
-            assert!(
-                store
-                    .ingest("A", date, &file, false, &|_| ())?
-                    .there_already
-            );
+            assert!(store.ingest("A", date, &file, false, &|_| ())?.there_already);
         }
         let grown = growth(&store, &grassie(&store), 100.0, None)?;
         assert_eq!(grown.len(), 4, "{names:?}");
@@ -79,20 +72,14 @@ fn a_new_rail_is_told_and_renamed() -> Result<(), NetworkError> {
     assert!(told.contains("north, south of 2025-01-01"), "{told}");
     let names = [("north", "left"), ("south", "right")];
     let refusal = take("2025-01-01", ["north", "south"], false, &names).unwrap_err();
-    assert!(
-        matches!(refusal, NetworkError::Conflict { .. }),
-        "{refusal}"
-    );
+    assert!(matches!(refusal, NetworkError::Conflict { .. }), "{refusal}");
     let found = take("2025-01-01", ["north", "south"], true, &names)?;
     assert!(found.new_rails.is_empty());
     assert_eq!(found.renamed.get("north").map(String::as_str), Some("left"));
     assert!(take("2025-01-01", ["north", "south"], false, &names)?.there_already);
     assert!(left_out_of_growth(&store, None)?.is_empty());
     for (names, part) in [
-        (
-            [("east", "left")],
-            "no rail \"east\" in the file; there are north, south",
-        ),
+        ([("east", "left")], "no rail \"east\" in the file; there are north, south"),
         ([("north", "south")], "the only one of that name"),
     ] {
         let refusal = take("2026-02-01", ["north", "south"], false, &names).unwrap_err();
@@ -119,13 +106,8 @@ fn dates_of_blocks_are_read_or_refused() -> Result<(), NetworkError> {
     for date in ["2026-01-31", "31.01.2026", "46053", "2026-01-31 02:59"] {
         let file = checked("date", date)?;
         store.ingest("A", "2026-01-31", &file, true, &|_| ())?;
-        let refusal = store
-            .ingest("A", "2025-01-31", &file, true, &|_| ())
-            .unwrap_err();
-        assert!(
-            refusal.to_string().contains("2026-01-31 to 2026-01-31"),
-            "{refusal}"
-        );
+        let refusal = store.ingest("A", "2025-01-31", &file, true, &|_| ()).unwrap_err();
+        assert!(refusal.to_string().contains("2026-01-31 to 2026-01-31"), "{refusal}");
     }
     for (head, date, part) in [
         ("date", "01/02/2026", "may be two dates"),
@@ -135,10 +117,7 @@ fn dates_of_blocks_are_read_or_refused() -> Result<(), NetworkError> {
         ("date", "1769817600", "is no date"),
     ] {
         let refusal = checked(head, date).unwrap_err().to_string();
-        assert!(
-            refusal.contains(part) && refusal.contains(&format!("column `{head}`")),
-            "{refusal}"
-        );
+        assert!(refusal.contains(part) && refusal.contains(&format!("column `{head}`")), "{refusal}");
     }
     // A year of which all blocks are tells them not apart.
     let file = checked("year", "2026")?;
@@ -155,31 +134,11 @@ fn what_instruments_differ_by_is_no_growth() -> Result<(), NetworkError> {
     // Head and cell of each survey, how much more it shows, and the growth that is told, to what 366 days are of a year.
     let (own, none) = (Some(4.0), None);
     for (head, surveys, growth_told, left_out) in [
-        (
-            "device",
-            &[("T1", 1.0), ("T1", 1.0), ("T1", 1.0)][..],
-            own,
-            0,
-        ),
+        ("device", &[("T1", 1.0), ("T1", 1.0), ("T1", 1.0)][..], own, 0),
         ("device", &[("T1", 1.0), ("T1", 1.0), ("T2", more)], none, 2),
-        (
-            "Messgerät",
-            &[("T1", 1.0), ("T2", more), ("T2", more)],
-            own,
-            1,
-        ),
-        (
-            "serial",
-            &[("17", more), ("12", 1.0), ("17", more), ("12", 1.0)],
-            own,
-            2,
-        ),
-        (
-            "instrument",
-            &[("A", 1.0), ("B", more), ("C", 2.0), ("A", 1.0)],
-            own,
-            2,
-        ),
+        ("Messgerät", &[("T1", 1.0), ("T2", more), ("T2", more)], own, 1),
+        ("serial", &[("17", more), ("12", 1.0), ("17", more), ("12", 1.0)], own, 2),
+        ("instrument", &[("A", 1.0), ("B", more), ("C", 2.0), ("A", 1.0)], own, 2),
         // Where one is not named, nobody knows that it was another.
         ("device", &[("", 1.0), ("T2", 1.0)], own, 0),
         ("remark", &[("T1", 1.0), ("T2", 1.0)], own, 0),
@@ -200,13 +159,8 @@ fn what_instruments_differ_by_is_no_growth() -> Result<(), NetworkError> {
         match growth_told {
             Some(right) => {
                 let grown = grown?;
-                let off = |section: &riffel_network::SectionGrowth| {
-                    (section.growth_db_per_year.unwrap() - right).abs()
-                };
-                assert!(
-                    grown.len() == 4 && grown.iter().all(|it| off(it) < 0.02),
-                    "{head}"
-                );
+                let off = |section: &riffel_network::SectionGrowth| (section.growth_db_per_year.unwrap() - right).abs();
+                assert!(grown.len() == 4 && grown.iter().all(|it| off(it) < 0.02), "{head}");
             }
             None => assert!(matches!(grown, Err(NetworkError::Nothing(_))), "{head}"),
         }

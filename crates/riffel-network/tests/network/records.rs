@@ -30,33 +30,17 @@ fn records_that_cannot_be_are_told() {
         (start, "\"start_m\": 1e300", "no line has such places"),
         (start, "\"start_m\": -2e8", "no line has such places"),
         (start, "\"start_m\": 0.3", "does not begin with a cell"),
-        (
-            "\"cells\": 40",
-            "\"cells\": 10000000000",
-            "no survey is so long",
-        ),
-        (
-            "\"cells\": 40",
-            "\"cells\": 20",
-            "fewer cells than were measured",
-        ),
+        ("\"cells\": 40", "\"cells\": 10000000000", "no survey is so long"),
+        ("\"cells\": 40", "\"cells\": 20", "fewer cells than were measured"),
         ("\"name\": \"right\"", "\"name\": \"left\"", "is damaged"),
-        (
-            "\"array\": \"left\"",
-            "\"array\": \"../../left\"",
-            "is the record of another",
-        ),
+        ("\"array\": \"left\"", "\"array\": \"../../left\"", "is the record of another"),
     ] {
         let told = change(from, to);
         assert!(told.contains(words), "{to}: {told}");
     }
     fs::write(&record, &plain).unwrap();
     let bands = fs::read_to_string(network.join("network.json")).unwrap();
-    for (from, to) in [
-        ("0.03", "1e-30"),
-        ("0.3", "1e9"),
-        ("\"resolution_m\": 1.0", "\"resolution_m\": 1e-9"),
-    ] {
+    for (from, to) in [("0.03", "1e-30"), ("0.3", "1e9"), ("\"resolution_m\": 1.0", "\"resolution_m\": 1e-9")] {
         assert!(bands.contains(from), "{bands}");
         fs::write(network.join("network.json"), bands.replacen(from, to, 1)).unwrap();
         assert!(Store::open(&network).is_err(), "{to}");

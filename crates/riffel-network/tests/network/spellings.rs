@@ -32,10 +32,7 @@ const DATES: [([&str; 2], Option<&str>); 36] = [
     (["'01.06.2025", "'01.06.2026"], Some("2026-06-01")),
     (["\"2025-06-01\"", "\"2026-06-01\""], Some("2026-06-01")),
     (["2025-06-01 10:00", "2026-06-01 23:59"], Some("2026-06-01")),
-    (
-        ["2025-06-01T10:00:00Z", "2026-06-01T10:00:00Z"],
-        Some("2026-06-01"),
-    ),
+    (["2025-06-01T10:00:00Z", "2026-06-01T10:00:00Z"], Some("2026-06-01")),
     (["13/06/2025", "13/06/2026"], Some("2026-06-13")),
     (["06/13/2025", "06/13/2026"], Some("2026-06-13")),
     (["13-06-2025", "13-06-2026"], Some("2026-06-13")),
@@ -68,11 +65,7 @@ const DATES: [([&str; 2], Option<&str>); 36] = [
 /// Heads of a column of dates, besides `date`, with how it is written there.
 const HEADS_OF_DATES: [(&str, [&str; 2], Option<&str>); 17] = [
     ("Datum", ["45809", "46174"], Some("2026-06-01")),
-    (
-        "Messdatum",
-        ["01.06.2025", "01.06.2026"],
-        Some("2026-06-01"),
-    ),
+    ("Messdatum", ["01.06.2025", "01.06.2026"], Some("2026-06-01")),
     ("measured on", ["45809", "46174"], Some("2026-06-01")),
     ("campaign", ["2025-06-01", "2026-06-01"], Some("2026-06-01")),
     ("survey", ["45809", "46174"], Some("2026-06-01")),
@@ -93,12 +86,8 @@ const HEADS_OF_DATES: [(&str, [&str; 2], Option<&str>); 17] = [
 /// The last date of a table of levels, of profiles below each other, and of blocks; or what is said of the column.
 fn latest(kind: &str, head: &str, cells: [&str; 2]) -> Result<Option<Date>, String> {
     let rows = |row: &dyn Fn(usize) -> String, count: usize| -> String {
-        let dated = cells
-            .iter()
-            .flat_map(|cell| (0..count).map(move |at| (cell, at)));
-        dated
-            .map(|(cell, at)| format!("{cell};{}\n", row(at)))
-            .collect()
+        let dated = cells.iter().flat_map(|cell| (0..count).map(move |at| (cell, at)));
+        dated.map(|(cell, at)| format!("{cell};{}\n", row(at))).collect()
     };
     let text = match kind {
         "levels" => {
@@ -106,8 +95,7 @@ fn latest(kind: &str, head: &str, cells: [&str; 2]) -> Result<Option<Date>, Stri
             format!("{head};wavelength_mm;level_db\n{}", rows(&row, 3))
         }
         _ => {
-            let row =
-                |at: usize| format!("{:.3};{:.2}", 1e-3 * at as f64, (at * 7919 % 101) as f64);
+            let row = |at: usize| format!("{:.3};{:.2}", 1e-3 * at as f64, (at * 7919 % 101) as f64);
             format!("{head};x_m;height_um\n{}", rows(&row, 1100))
         }
     };
@@ -115,10 +103,7 @@ fn latest(kind: &str, head: &str, cells: [&str; 2]) -> Result<Option<Date>, Stri
         let file = RoughnessFile::read(path, &Layout::default(), &|_| ()).map_err(shown)?;
         let survey = Survey::of(path, file).map_err(shown)?;
         let dates = survey.groups(survey.date_column()).map_err(shown)?.len();
-        assert!(
-            dates == 2 || survey.date_column().is_none(),
-            "{kind}: {head} {cells:?}"
-        );
+        assert!(dates == 2 || survey.date_column().is_none(), "{kind}: {head} {cells:?}");
         Ok(survey.latest().1)
     })
 }
@@ -126,10 +111,7 @@ fn latest(kind: &str, head: &str, cells: [&str; 2]) -> Result<Option<Date>, Stri
 /// The date of a survey of blocks whose column of dates is written in a way.
 fn ingested(head: &str, cell: &str, date: &str) -> Result<(), String> {
     let rows = (0..300).map(|at| format!("{cell},{at},{},2.5\n", at + 1));
-    let text = format!(
-        "{head},from_m,to_m,rms_30_to_100_mm_um\n{}",
-        rows.collect::<String>()
-    );
+    let text = format!("{head},from_m,to_m,rms_30_to_100_mm_um\n{}", rows.collect::<String>());
     with(&text, |path| {
         let file = SurveyFile::check(path).map_err(shown)?;
         let folder = tempfile::tempdir().unwrap();
@@ -140,13 +122,8 @@ fn ingested(head: &str, cell: &str, date: &str) -> Result<(), String> {
 
 #[test]
 fn dates_are_read_or_refused_however_they_are_written() {
-    let heads = HEADS_OF_DATES
-        .iter()
-        .map(|&(head, cells, read)| (head, cells, read));
-    let all = DATES
-        .iter()
-        .map(|&(cells, read)| ("date", cells, read))
-        .chain(heads);
+    let heads = HEADS_OF_DATES.iter().map(|&(head, cells, read)| (head, cells, read));
+    let all = DATES.iter().map(|&(cells, read)| ("date", cells, read)).chain(heads);
     for (head, cells, read) in all {
         let bare = |cell: &str| cell.trim_matches(['"', '\'']).to_owned();
         for kind in ["levels", "profile"] {
@@ -156,18 +133,11 @@ fn dates_are_read_or_refused_however_they_are_written() {
                 let [first, second] = cells.map(bare);
                 let cell = if second.is_empty() { &second } else { &first };
                 for part in [&format!("\"{cell}\""), &format!("`{head}`"), ", line "] {
-                    assert!(
-                        refusal.contains(part),
-                        "{kind}: {head} {cells:?}: {refusal}"
-                    );
+                    assert!(refusal.contains(part), "{kind}: {head} {cells:?}: {refusal}");
                 }
                 continue;
             };
-            assert_eq!(
-                found,
-                Ok(Some(date.parse().unwrap())),
-                "{kind}: {head} {cells:?}"
-            );
+            assert_eq!(found, Ok(Some(date.parse().unwrap())), "{kind}: {head} {cells:?}");
         }
     }
     for (cells, read) in DATES {
@@ -235,36 +205,19 @@ const HEADS: [(&str, Option<&str>); 44] = [
 fn columns_are_rails_or_left_out_and_told_in_both_readers() {
     let value = |row: usize| (row * 7919 % 101) as f64 - 50.25;
     for (head, why) in HEADS {
-        let rows = (0..1100)
-            .map(|at| format!("{:.3};{};{}\n", 1e-3 * at as f64, value(at + 40), value(at)));
+        let rows = (0..1100).map(|at| format!("{:.3};{};{}\n", 1e-3 * at as f64, value(at + 40), value(at)));
         let text = format!("x_m;left [um];{head} [um]\n{}", rows.collect::<String>());
-        let (rails, said) = with(&text, |path| {
-            match RoughnessFile::read(path, &Layout::default(), &|_| ()) {
-                Ok(RoughnessFile::Profile(record)) => {
-                    let said: Vec<String> =
-                        record.warnings.iter().map(|it| it.to_string()).collect();
-                    (record.rails.len(), said.join("; "))
-                }
-                other => panic!("{head}: {other:?}"),
+        let (rails, said) = with(&text, |path| match RoughnessFile::read(path, &Layout::default(), &|_| ()) {
+            Ok(RoughnessFile::Profile(record)) => {
+                let said: Vec<String> = record.warnings.iter().map(|it| it.to_string()).collect();
+                (record.rails.len(), said.join("; "))
             }
+            other => panic!("{head}: {other:?}"),
         });
         let is_told = |said: &str| why.is_some_and(|why| said.contains(why) && said.contains(head));
-        assert!(
-            rails == 2 && why.is_none() || rails == 1 && is_told(&said),
-            "roughness, {head}: {said}"
-        );
-        let rows = (0..1100).map(|at| {
-            format!(
-                "{:.3};{};{};72\n",
-                1e-3 * at as f64,
-                value(at + 40),
-                value(at)
-            )
-        });
-        let text = format!(
-            "time_s;left [m/s²];{head} [m/s²];speed_km_per_h\n{}",
-            rows.collect::<String>()
-        );
+        assert!(rails == 2 && why.is_none() || rails == 1 && is_told(&said), "roughness, {head}: {said}");
+        let rows = (0..1100).map(|at| format!("{:.3};{};{};72\n", 1e-3 * at as f64, value(at + 40), value(at)));
+        let text = format!("time_s;left [m/s²];{head} [m/s²];speed_km_per_h\n{}", rows.collect::<String>());
         with(&text, |path| {
             let file = AxleBoxFile::open(path, &AxleBoxLayout::default()).unwrap();
             let (remarks, _) = file.read(None, &mut |_| Ok(()), &|_| ()).unwrap();
@@ -280,38 +233,18 @@ fn columns_are_rails_or_left_out_and_told_in_both_readers() {
 fn every_column_that_axle_boxes_leave_out_is_told() {
     for (head, cell, why) in [
         ("right", "1.5", "no acceleration, speed, odometer or time"),
-        (
-            "temperature_c",
-            "21.5",
-            "no acceleration, speed, odometer or time",
-        ),
-        (
-            "jerk_right_m_per_s3",
-            "21.5",
-            "no acceleration, speed, odometer or time",
-        ),
+        ("temperature_c", "21.5", "no acceleration, speed, odometer or time"),
+        ("jerk_right_m_per_s3", "21.5", "no acceleration, speed, odometer or time"),
         ("comment", "dry", "it is text"),
         ("comment", "", "it is empty"),
         ("acceleration_right_m_per_s2", "", "it is empty"),
-        (
-            "gps_speed_km_per_h",
-            "71.5",
-            "one before it is of the same kind",
-        ),
-        (
-            "velocity_right_m_per_s",
-            "20.5",
-            "one before it is of the same kind",
-        ),
+        ("gps_speed_km_per_h", "71.5", "one before it is of the same kind"),
+        ("velocity_right_m_per_s", "20.5", "one before it is of the same kind"),
         ("time_2_s", "20.5", "one before it is of the same kind"),
         ("clock", "02:59:54", "one before it is of the same kind"),
     ] {
-        let rows =
-            (0..1100).map(|at| format!("{:.3};{};72;{cell}\n", 1e-3 * at as f64, at * 7919 % 101));
-        let text = format!(
-            "time_s;left_m_per_s2;speed_km_per_h;{head}\n{}",
-            rows.collect::<String>()
-        );
+        let rows = (0..1100).map(|at| format!("{:.3};{};72;{cell}\n", 1e-3 * at as f64, at * 7919 % 101));
+        let text = format!("time_s;left_m_per_s2;speed_km_per_h;{head}\n{}", rows.collect::<String>());
         with(&text, |path| {
             let file = AxleBoxFile::open(path, &AxleBoxLayout::default()).unwrap();
             let (remarks, _) = file.read(None, &mut |_| Ok(()), &|_| ()).unwrap();
@@ -332,15 +265,11 @@ fn blocks_are_read_or_refused_with_column_and_line() {
         };
         let rows: Vec<String> = (0..60).map(|at| row("left", at, cells)).collect();
         with(&format!("{head}\n{}", rows.concat()), |path| {
-            SurveyFile::check(path)
-                .map(|file| file.rows())
-                .map_err(shown)
+            SurveyFile::check(path).map(|file| file.rows()).map_err(shown)
         })
     };
     let head = "rail,from_m,to_m,rms_30_to_100_mm_um";
-    let read = [
-        "2.5", "+2.5", "\"2.5\"", " 2.5 ", "2.5e0", "2.5E+00", "", "NaN",
-    ];
+    let read = ["2.5", "+2.5", "\"2.5\"", " 2.5 ", "2.5e0", "2.5E+00", "", "NaN"];
     for cell in read {
         assert_eq!(check(head, ["0", "1", cell]), Ok(60), "{cell}");
     }
@@ -368,11 +297,7 @@ fn blocks_are_read_or_refused_with_column_and_line() {
     ];
     for cell in refused {
         let bare = cell.trim_matches('"');
-        for (column, cells) in [
-            (2, [cell, "1", "2.5"]),
-            (3, ["0", cell, "2.5"]),
-            (4, ["0", "1", cell]),
-        ] {
+        for (column, cells) in [(2, [cell, "1", "2.5"]), (3, ["0", cell, "2.5"]), (4, ["0", "1", cell])] {
             let refusal = check(head, cells).unwrap_err();
             let part = format!("line 2: column {column} is \"{bare}\"");
             assert!(refusal.contains(&part), "{refusal}");

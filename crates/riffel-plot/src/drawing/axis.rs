@@ -23,14 +23,8 @@ pub(crate) struct Ticks {
 impl Ticks {
     /// The names of rows at their middles, in rows from the top.
     pub(crate) fn of_rows<'a>(names: impl Iterator<Item = &'a str>) -> Self {
-        let tick = |(index, name): (usize, &str)| Tick {
-            value: index as f64 + 0.5,
-            label: Some(name.to_owned()),
-        };
-        Self {
-            ticks: names.enumerate().map(tick).collect(),
-            exponent: 0,
-        }
+        let tick = |(index, name): (usize, &str)| Tick { value: index as f64 + 0.5, label: Some(name.to_owned()) };
+        Self { ticks: names.enumerate().map(tick).collect(), exponent: 0 }
     }
 
     /// An axis title with the power of ten, if there is one.
@@ -61,13 +55,7 @@ pub(crate) struct Axis {
 impl Axis {
     /// An axis of equal steps over a range, between two sheet positions.
     pub(crate) fn linear((low, high): (f64, f64), (start, end): (f64, f64)) -> Self {
-        Axis {
-            scale: Scale::Linear,
-            low,
-            high,
-            start,
-            end,
-        }
+        Axis { scale: Scale::Linear, low, high, start, end }
     }
 
     /// Sheet position of a value, pixels.
@@ -90,9 +78,7 @@ impl Axis {
         let span = self.high - self.low;
         match self.scale {
             Scale::Linear if degree_step(span, count).is_some() => {
-                let steps = (1..=count.max(1))
-                    .rev()
-                    .filter_map(|count| degree_step(span, count));
+                let steps = (1..=count.max(1)).rev().filter_map(|count| degree_step(span, count));
                 let ticks = steps.map(|step| linear_ticks(self.low, self.high, step));
                 self.first_with_room(ticks.collect(), direction)
             }
@@ -103,18 +89,16 @@ impl Axis {
     /// Sets of ticks, from the richest to the poorest.
     fn candidates(&self, count: usize) -> Vec<Ticks> {
         let linear = || {
-            (1..=count.max(1)).rev().map(|count| {
-                linear_ticks(self.low, self.high, nice_step(self.high - self.low, count))
-            })
+            (1..=count.max(1))
+                .rev()
+                .map(|count| linear_ticks(self.low, self.high, nice_step(self.high - self.low, count)))
         };
         match self.scale {
             Scale::Linear => linear().collect(),
             Scale::Log => {
                 let of_decades = log_ticks(self.low, self.high, count);
                 // Between two decades there may be nothing but steps.
-                let bare = of_decades
-                    .first()
-                    .is_none_or(|most| most.labels().count() < 2);
+                let bare = of_decades.first().is_none_or(|most| most.labels().count() < 2);
                 let steps = linear().filter(|_| bare);
                 steps.chain(of_decades.clone()).collect()
             }
@@ -137,9 +121,7 @@ impl Axis {
             Some((self.at(tick.value), 0.5 * direction.room(label)))
         });
         let labelled: Vec<(f64, f64)> = labelled.collect();
-        labelled
-            .windows(2)
-            .all(|pair| (pair[1].0 - pair[0].0).abs() >= pair[0].1 + pair[1].1)
+        labelled.windows(2).all(|pair| (pair[1].0 - pair[0].0).abs() >= pair[0].1 + pair[1].1)
     }
 }
 
@@ -164,9 +146,7 @@ impl Direction {
 
 /// Smallest customary division of a turn that needs at most `count` intervals for `span` degrees.
 pub(crate) fn degree_step(span: f64, count: usize) -> Option<f64> {
-    [5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0]
-        .into_iter()
-        .find(|step| step * count.max(1) as f64 >= span)
+    [5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0].into_iter().find(|step| step * count.max(1) as f64 >= span)
 }
 
 /// More ticks than this would mean a step lost in rounding.
@@ -176,11 +156,7 @@ fn linear_ticks(low: f64, high: f64, step: f64) -> Ticks {
     let largest = low.abs().max(high.abs());
     // Plain numbers from 0.001 to 99999, a common power of ten outside.
     let magnitude = largest.log10().floor() as i32;
-    let exponent = if (-2..=4).contains(&magnitude) {
-        0
-    } else {
-        magnitude
-    };
+    let exponent = if (-2..=4).contains(&magnitude) { 0 } else { magnitude };
     let unit = 10f64.powi(exponent);
     let decimals = (exponent - (step * (1.0 + 1e-9)).log10().floor() as i32).clamp(0, 15) as usize;
     let first = (low / step - 1e-9).ceil();
@@ -189,10 +165,7 @@ fn linear_ticks(low: f64, high: f64, step: f64) -> Ticks {
     let mut index = first;
     while index <= last && ticks.len() < MOST_TICKS {
         let value = index * step;
-        ticks.push(Tick {
-            value,
-            label: Some(text::fixed(value / unit, decimals)),
-        });
+        ticks.push(Tick { value, label: Some(text::fixed(value / unit, decimals)) });
         index += 1.0;
     }
     Ticks { ticks, exponent }
@@ -207,18 +180,11 @@ fn log_ticks(low: f64, high: f64, count: usize) -> Vec<Ticks> {
     let plain = first >= -2 && last <= 5;
     // Few decades leave room for labels between them, many ask for gaps.
     let between: &[&[u32]] = match decades {
-        0 | 1 => &[
-            &[1, 2, 3, 4, 5, 6, 7, 8, 9],
-            &[1, 2, 3, 4, 5, 7],
-            &[1, 2, 5],
-            &[1],
-        ],
+        0 | 1 => &[&[1, 2, 3, 4, 5, 6, 7, 8, 9], &[1, 2, 3, 4, 5, 7], &[1, 2, 5], &[1]],
         2 if count >= 5 => &[&[1, 2, 5], &[1]],
         _ => &[&[1]],
     };
-    let gaps = (every..=every.max(decades as i32))
-        .skip(1)
-        .map(|every| (&[1][..], every));
+    let gaps = (every..=every.max(decades as i32)).skip(1).map(|every| (&[1][..], every));
     let choices = between.iter().map(|factors| (*factors, every)).chain(gaps);
     let ticks = |(factors, every): (&[u32], i32)| {
         let mut ticks = Vec::new();
@@ -247,26 +213,14 @@ mod tests {
     use super::*;
 
     fn labels(scale: Scale, low: f64, high: f64, count: usize) -> Vec<String> {
-        let axis = Axis {
-            scale,
-            ..Axis::linear((low, high), (0.0, 400.0))
-        };
-        axis.ticks(count, Direction::Across)
-            .labels()
-            .map(str::to_owned)
-            .collect()
+        let axis = Axis { scale, ..Axis::linear((low, high), (0.0, 400.0)) };
+        axis.ticks(count, Direction::Across).labels().map(str::to_owned).collect()
     }
 
     #[test]
     fn linear_labels_are_short() {
-        assert_eq!(
-            labels(Scale::Linear, 20.0, 80.0, 6),
-            ["20", "30", "40", "50", "60", "70", "80"]
-        );
-        assert_eq!(
-            labels(Scale::Linear, 18.0, 216.0, 5),
-            ["50", "100", "150", "200"]
-        );
+        assert_eq!(labels(Scale::Linear, 20.0, 80.0, 6), ["20", "30", "40", "50", "60", "70", "80"]);
+        assert_eq!(labels(Scale::Linear, 18.0, 216.0, 5), ["50", "100", "150", "200"]);
         assert_eq!(
             labels(Scale::Linear, -0.25, 0.05, 6),
             ["−0.25", "−0.20", "−0.15", "−0.10", "−0.05", "0.00", "0.05"]
@@ -277,15 +231,11 @@ mod tests {
     fn angles_divide_a_turn() {
         let axis = Axis::linear((-180.0, 0.0), (0.0, 400.0));
         assert_eq!(
-            axis.degree_ticks(6, Direction::Across)
-                .labels()
-                .collect::<Vec<_>>(),
+            axis.degree_ticks(6, Direction::Across).labels().collect::<Vec<_>>(),
             ["−180", "−150", "−120", "−90", "−60", "−30", "0"]
         );
         assert_eq!(
-            axis.degree_ticks(4, Direction::Across)
-                .labels()
-                .collect::<Vec<_>>(),
+            axis.degree_ticks(4, Direction::Across).labels().collect::<Vec<_>>(),
             ["−180", "−135", "−90", "−45", "0"]
         );
     }
@@ -301,24 +251,14 @@ mod tests {
 
     #[test]
     fn decades_carry_powers() {
-        assert_eq!(
-            labels(Scale::Log, 1e-11, 1e-8, 6),
-            ["10⁻¹¹", "10⁻¹⁰", "10⁻⁹", "10⁻⁸"]
-        );
+        assert_eq!(labels(Scale::Log, 1e-11, 1e-8, 6), ["10⁻¹¹", "10⁻¹⁰", "10⁻⁹", "10⁻⁸"]);
         assert_eq!(labels(Scale::Log, 10.0, 5000.0, 3), ["10", "100", "1000"]);
         assert_eq!(labels(Scale::Log, 1e-30, 1.0, 4).len(), 4);
     }
 
     #[test]
     fn labels_never_touch_on_any_scale() {
-        for (low, high) in [
-            (0.44, 8.2),
-            (1.0, 9.0),
-            (52.0, 58.0),
-            (3.0, 2500.0),
-            (1e-12, 1e4),
-            (12.4001, 12.4123),
-        ] {
+        for (low, high) in [(0.44, 8.2), (1.0, 9.0), (52.0, 58.0), (3.0, 2500.0), (1e-12, 1e4), (12.4001, 12.4123)] {
             for scale in [Scale::Linear, Scale::Log] {
                 for (length, direction) in [
                     (60.0, Direction::Upright),
@@ -326,15 +266,9 @@ mod tests {
                     (110.0, Direction::Across),
                     (450.0, Direction::Across),
                 ] {
-                    let axis = Axis {
-                        scale,
-                        ..Axis::linear((low, high), (0.0, length))
-                    };
+                    let axis = Axis { scale, ..Axis::linear((low, high), (0.0, length)) };
                     let ticks = axis.ticks(10, direction);
-                    assert!(
-                        axis.have_room(&ticks, direction),
-                        "{scale:?} {low} {high} {length}: {ticks:?}"
-                    );
+                    assert!(axis.have_room(&ticks, direction), "{scale:?} {low} {high} {length}: {ticks:?}");
                     assert!(
                         length < 200.0 || ticks.labels().count() >= 2,
                         "{scale:?} {low} {high} {length}: {ticks:?}"
@@ -343,39 +277,22 @@ mod tests {
             }
         }
         // Half a decade between two powers of ten.
-        assert_eq!(
-            labels(Scale::Log, 52.0, 58.0, 6),
-            ["52", "53", "54", "55", "56", "57", "58"]
-        );
+        assert_eq!(labels(Scale::Log, 52.0, 58.0, 6), ["52", "53", "54", "55", "56", "57", "58"]);
     }
 
     #[test]
     fn ranges_are_never_empty() {
         for scale in [Scale::Linear, Scale::Log] {
-            for values in [
-                &[][..],
-                &[0.0],
-                &[5.0],
-                &[-5.0],
-                &[f64::NAN, f64::INFINITY],
-                &[3.0, 3.0],
-                &[-1.0, 2.0],
-            ] {
+            for values in [&[][..], &[0.0], &[5.0], &[-5.0], &[f64::NAN, f64::INFINITY], &[3.0, 3.0], &[-1.0, 2.0]] {
                 let (low, high) = scale.with_air(scale.range_of(values.iter().copied()));
-                assert!(
-                    low < high && scale.admits(low) && scale.admits(high),
-                    "{scale:?} {values:?}: {low} {high}"
-                );
+                assert!(low < high && scale.admits(low) && scale.admits(high), "{scale:?} {values:?}: {low} {high}");
             }
         }
     }
 
     #[test]
     fn positions_are_exact_at_the_ends_and_the_middle() {
-        let axis = Axis {
-            scale: Scale::Log,
-            ..Axis::linear((1.0, 100.0), (200.0, 0.0))
-        };
+        let axis = Axis { scale: Scale::Log, ..Axis::linear((1.0, 100.0), (200.0, 0.0)) };
         assert!((axis.at(1.0) - 200.0).abs() < 1e-12);
         assert!((axis.at(10.0) - 100.0).abs() < 1e-12);
         assert!((axis.at(100.0)).abs() < 1e-12);

@@ -31,8 +31,7 @@ impl BarFigure {
     /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`] where rows and bars differ in number.
     pub fn picture(&self) -> Result<Picture, PlotError> {
         self.check()?;
-        let height =
-            |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
+        let height = |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
         let tallest = self.panels.iter().map(height).fold(0.0, f64::max);
         let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
         let below = |panel| frame::BELOW + height(panel) - tallest;
@@ -93,10 +92,7 @@ fn entries(figure: &BarFigure) -> Vec<Entry> {
         for (index, series) in panel.series.iter().enumerate() {
             let known = entries.iter().any(|entry| entry.name == series.label);
             if !series.label.is_empty() && !known {
-                entries.push(Entry {
-                    sample: Sample::Patch(color(panel, index)),
-                    name: series.label.clone(),
-                });
+                entries.push(Entry { sample: Sample::Patch(color(panel, index)), name: series.label.clone() });
             }
         }
     }
@@ -104,9 +100,7 @@ fn entries(figure: &BarFigure) -> Vec<Entry> {
 }
 
 fn color(panel: &BarPanel, index: usize) -> Rgb {
-    panel.series[index]
-        .color
-        .unwrap_or(OKABE_ITO[index % OKABE_ITO.len()])
+    panel.series[index].color.unwrap_or(OKABE_ITO[index % OKABE_ITO.len()])
 }
 
 /// Range of the bars with room for the words at their ends.
@@ -120,9 +114,7 @@ fn range(panel: &BarPanel) -> (f64, f64) {
         [bar.value, low, high]
     });
     let (low, high) = Scale::Linear.with_air(Scale::Linear.range_of(values.chain([panel.base])));
-    let widest = bars()
-        .map(|bar| text::width(&bar.note, NOTE_FONT, Weight::Regular))
-        .fold(0.0, f64::max);
+    let widest = bars().map(|bar| text::width(&bar.note, NOTE_FONT, Weight::Regular)).fold(0.0, f64::max);
     if widest == 0.0 {
         return (low, high);
     }
@@ -148,18 +140,11 @@ fn draw(picture: &mut Picture, panel: &BarPanel, frame: &SheetBox) {
             let middle = y.at(row as f64 + 0.5);
             let top = match panel.arrangement {
                 BarArrangement::OnOneLine => middle - 0.5 * BAR,
-                BarArrangement::SideBySide => {
-                    middle + (index as f64 - 0.5 * panel.series.len() as f64) * BAR
-                }
+                BarArrangement::SideBySide => middle + (index as f64 - 0.5 * panel.series.len() as f64) * BAR,
             };
             let end = x.at(bar.value).clamp(frame.left, frame.right);
             let (left, right) = (base.min(end), base.max(end));
-            picture.rectangle(
-                (left, top + 0.5),
-                (right, top + BAR - 0.5),
-                color(panel, index),
-                BAR_OPACITY,
-            );
+            picture.rectangle((left, top + 0.5), (right, top + BAR - 0.5), color(panel, index), BAR_OPACITY);
             if let Some((from, to)) = bar.interval {
                 let at = top + 0.5 * BAR;
                 let [from, to] = [from, to].map(|value| x.at(value).clamp(frame.left, frame.right));
@@ -181,10 +166,7 @@ fn draw(picture: &mut Picture, panel: &BarPanel, frame: &SheetBox) {
             picture.text(&bar.note, (place, top + 0.5 * BAR), lettering);
         }
     }
-    picture.line(
-        &[(base, frame.top), (base, frame.bottom)],
-        Stroke::solid(Rgb::INK, 1.0),
-    );
+    picture.line(&[(base, frame.top), (base, frame.bottom)], Stroke::solid(Rgb::INK, 1.0));
     frame::draw_outline(picture, frame);
     frame::draw_axis(picture, frame, Side::Bottom, &x, &ticks, &panel.x_label);
     frame::draw_axis(picture, frame, Side::Left, &y, &row_ticks(panel), "")

@@ -11,21 +11,15 @@ const TOUCH: f64 = 0.5;
 /// word that leaves the sheet. None for a picture that can be read. Subscripts count as large as the words around them.
 pub fn collisions(svg: &str) -> Vec<String> {
     let side = |name| number(svg, name).unwrap_or(0.0);
-    let sheet = SheetBox {
-        left: 0.0,
-        top: 0.0,
-        right: side("width"),
-        bottom: side("height"),
-    };
+    let sheet = SheetBox { left: 0.0, top: 0.0, right: side("width"), bottom: side("height") };
     let words: Vec<(String, SheetBox)> = svg.lines().filter_map(ink).collect();
     let mut found = Vec::new();
     for (index, (said, ink)) in words.iter().enumerate() {
         if !sheet.encloses(ink) {
             found.push(format!("{said:?} leaves the sheet"));
         }
-        let over = words[..index]
-            .iter()
-            .filter(|(_, other)| ink.shrunk(TOUCH / 2.0).overlaps(&other.shrunk(TOUCH / 2.0)));
+        let over =
+            words[..index].iter().filter(|(_, other)| ink.shrunk(TOUCH / 2.0).overlaps(&other.shrunk(TOUCH / 2.0)));
         found.extend(over.map(|(other, _)| format!("{said:?} lies over {other:?}")));
     }
     found
@@ -35,13 +29,8 @@ pub fn collisions(svg: &str) -> Vec<String> {
 fn ink(element: &str) -> Option<(String, SheetBox)> {
     let element = element.strip_prefix("<text")?;
     let (head, words) = element.split_once('>')?;
-    let words = words
-        .split('<')
-        .map(|piece| piece.split_once('>').map_or(piece, |(_, words)| words));
-    let words = words
-        .collect::<String>()
-        .replace("&lt;", "<")
-        .replace("&gt;", ">");
+    let words = words.split('<').map(|piece| piece.split_once('>').map_or(piece, |(_, words)| words));
+    let words = words.collect::<String>().replace("&lt;", "<").replace("&gt;", ">");
     let words = words.replace("&quot;", "\"").replace("&amp;", "&");
     let weight = match attribute(head, "font-weight") {
         Some(_) => Weight::Bold,
@@ -60,24 +49,13 @@ fn ink(element: &str) -> Option<(String, SheetBox)> {
         let (left, right) = (x + units(ink.x_min), x + units(ink.x_max));
         Some((left, y - units(ink.y_max), right, y - units(ink.y_min)))
     });
-    let (left, top, right, bottom) =
-        boxes.reduce(|a, b| (a.0.min(b.0), a.1.min(b.1), a.2.max(b.2), a.3.max(b.3)))?;
+    let (left, top, right, bottom) = boxes.reduce(|a, b| (a.0.min(b.0), a.1.min(b.1), a.2.max(b.2), a.3.max(b.3)))?;
     let (x, y) = (number(head, "x")?, number(head, "y")?);
     let before = horizontal.share_before() * width;
     let (left, right) = (left - before, right - before);
     let place = match attribute(head, "transform") {
-        None => SheetBox {
-            left: x + left,
-            top: y + top,
-            right: x + right,
-            bottom: y + bottom,
-        },
-        Some(_) => SheetBox {
-            left: x + top,
-            top: y - right,
-            right: x + bottom,
-            bottom: y - left,
-        },
+        None => SheetBox { left: x + left, top: y + top, right: x + right, bottom: y + bottom },
+        Some(_) => SheetBox { left: x + top, top: y - right, right: x + bottom, bottom: y - left },
     };
     Some((words, place))
 }
@@ -106,10 +84,7 @@ mod tests {
             collisions(&picture.svg())
         };
         assert!(at(&[(20.0, 12.0), (20.0, 24.0), (60.0, 12.0)]).is_empty());
-        assert_eq!(
-            at(&[(20.0, 12.0), (25.0, 16.0)]),
-            ["\"0.8\" lies over \"0.8\""]
-        );
+        assert_eq!(at(&[(20.0, 12.0), (25.0, 16.0)]), ["\"0.8\" lies over \"0.8\""]);
         assert_eq!(at(&[(190.0, 12.0)]), ["\"0.8\" leaves the sheet"]);
     }
 }

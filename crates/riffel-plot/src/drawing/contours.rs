@@ -14,23 +14,13 @@ pub(crate) type Ring = Vec<Point>;
 /// Marching squares: the quantity is linear along the edges of a cell, and the mean of its corners decides a saddle.
 /// Where the quantity is not finite, and beyond the border, it counts as lying far below every level; so rings close
 /// along the border.
-pub(crate) fn regions(
-    grid: &Grid,
-    quantity: impl Fn(f64) -> f64,
-    levels: &[f64],
-) -> Vec<Vec<Ring>> {
-    let scale = levels
-        .iter()
-        .fold(0.0_f64, |scale, level| scale.max(level.abs()));
+pub(crate) fn regions(grid: &Grid, quantity: impl Fn(f64) -> f64, levels: &[f64]) -> Vec<Vec<Ring>> {
+    let scale = levels.iter().fold(0.0_f64, |scale, level| scale.max(level.abs()));
     let below = levels.iter().copied().fold(f64::INFINITY, f64::min) - scale.max(f64::MIN_POSITIVE);
     // One more row and column on each side, in the place of the outermost.
     let framed = |points: &[f64]| [&points[..1], points, &points[points.len() - 1..]].concat();
     let (x, y) = (framed(&grid.x), framed(&grid.y));
-    let mut field = Field {
-        values: vec![below; x.len() * y.len()],
-        x,
-        y,
-    };
+    let mut field = Field { values: vec![below; x.len() * y.len()], x, y };
     for (row, values) in grid.values.chunks(grid.x.len()).enumerate() {
         for (column, value) in values.iter().map(|&value| quantity(value)).enumerate() {
             if value.is_finite() {
@@ -80,12 +70,7 @@ impl Field {
     fn segments(&self, (i, j): (usize, usize), level: f64) -> [Option<(Edge, Edge)>; 2] {
         let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|node| self.value(node));
         let inside = corners.map(|value| value >= level);
-        let edges = [
-            (i, j, false),
-            (i + 1, j, true),
-            (i, j + 1, false),
-            (i, j, true),
-        ];
+        let edges = [(i, j, false), (i + 1, j, true), (i, j + 1, false), (i, j, true)];
         let leaves = |k: usize| inside[k % 4] && !inside[(k + 1) % 4];
         let enters = |k: usize| !inside[k % 4] && inside[(k + 1) % 4];
         // Around the corner that is cut off, or around that which is not.
@@ -103,12 +88,8 @@ impl Field {
         let (from, to) = ((i, j), if upright { (i, j + 1) } else { (i + 1, j) });
         let (a, b) = (self.value(from) / 2.0, self.value(to) / 2.0);
         let t = (level / 2.0 - a) / (b - a);
-        let between =
-            |points: &[f64], from: usize, to: usize| points[from] + t * (points[to] - points[from]);
-        (
-            between(&self.x, from.0, to.0),
-            between(&self.y, from.1, to.1),
-        )
+        let between = |points: &[f64], from: usize, to: usize| points[from] + t * (points[to] - points[from]);
+        (between(&self.x, from.0, to.0), between(&self.y, from.1, to.1))
     }
 }
 
@@ -117,10 +98,7 @@ impl Field {
 pub(crate) fn off_border(ring: &[Point], from: Point, to: Point) -> Vec<Vec<Point>> {
     let along = |a: f64, b: f64, side: f64| a == side && b == side;
     let border = |a: Point, b: Point| {
-        along(a.0, b.0, from.0)
-            || along(a.0, b.0, to.0)
-            || along(a.1, b.1, from.1)
-            || along(a.1, b.1, to.1)
+        along(a.0, b.0, from.0) || along(a.0, b.0, to.0) || along(a.1, b.1, from.1) || along(a.1, b.1, to.1)
     };
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
@@ -165,20 +143,13 @@ pub(crate) fn simplified(line: &[Point], tolerance: f64) -> Vec<Point> {
             spans.push((farthest, last));
         }
     }
-    line.iter()
-        .zip(keep)
-        .filter_map(|(&point, keep)| keep.then_some(point))
-        .collect()
+    line.iter().zip(keep).filter_map(|(&point, keep)| keep.then_some(point)).collect()
 }
 
 fn distance_to_segment(point: Point, a: Point, b: Point) -> f64 {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let squared = dx * dx + dy * dy;
-    let t = if squared > 0.0 {
-        (((point.0 - a.0) * dx + (point.1 - a.1) * dy) / squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let t = if squared > 0.0 { (((point.0 - a.0) * dx + (point.1 - a.1) * dy) / squared).clamp(0.0, 1.0) } else { 0.0 };
     (point.0 - a.0 - t * dx).hypot(point.1 - a.1 - t * dy)
 }
 
@@ -187,24 +158,16 @@ mod tests {
     use super::*;
 
     fn grid(x: Vec<f64>, y: Vec<f64>, field: impl Fn(f64, f64) -> f64) -> Grid {
-        let values = y
-            .iter()
-            .flat_map(|&v| x.iter().map(|&u| field(u, v)).collect::<Vec<_>>())
-            .collect();
+        let values = y.iter().flat_map(|&v| x.iter().map(|&u| field(u, v)).collect::<Vec<_>>()).collect();
         Grid { x, y, values }
     }
 
     fn even(low: f64, high: f64, count: usize) -> Vec<f64> {
-        (0..count)
-            .map(|k| low + (high - low) * k as f64 / (count - 1) as f64)
-            .collect()
+        (0..count).map(|k| low + (high - low) * k as f64 / (count - 1) as f64).collect()
     }
 
     fn ring_area(ring: &[Point]) -> f64 {
-        ring.windows(2)
-            .map(|pair| pair[0].0 * pair[1].1 - pair[1].0 * pair[0].1)
-            .sum::<f64>()
-            / 2.0
+        ring.windows(2).map(|pair| pair[0].0 * pair[1].1 - pair[1].0 * pair[0].1).sum::<f64>() / 2.0
     }
 
     #[test]
@@ -232,10 +195,7 @@ mod tests {
             assert!((2.0 * x + 0.1 * y - 12.0).abs() < 1e-9, "({x}, {y})");
         }
         let ends = [lines[0][0], *lines[0].last().unwrap()];
-        assert!(
-            ends.iter().any(|p| (p.1 - from.1).abs() < 1e-12)
-                && ends.iter().any(|p| (p.1 - to.1).abs() < 1e-12)
-        );
+        assert!(ends.iter().any(|p| (p.1 - from.1).abs() < 1e-12) && ends.iter().any(|p| (p.1 - to.1).abs() < 1e-12));
     }
 
     #[test]
@@ -247,26 +207,17 @@ mod tests {
             let lines = off_border(&regions[0][0], (0.0, 0.0), (1.0, 1.0));
             assert_eq!(lines.len(), 1);
             for &(x, y) in &lines[0] {
-                assert!(
-                    (a * x + b * y - level).abs() < 1e-12,
-                    "({x}, {y}) for {a}, {b}"
-                );
+                assert!((a * x + b * y - level).abs() < 1e-12, "({x}, {y}) for {a}, {b}");
             }
         }
     }
 
     #[test]
     fn a_hole_turns_against_its_outline() {
-        let field = grid(even(-1.0, 1.0, 101), even(-1.0, 1.0, 101), |x, y| {
-            x.hypot(y)
-        });
+        let field = grid(even(-1.0, 1.0, 101), even(-1.0, 1.0, 101), |x, y| x.hypot(y));
         let regions = regions(&field, |r| 0.2 - (r - 0.6).abs(), &[0.0]);
         assert_eq!(regions[0].len(), 2);
-        let area = regions[0]
-            .iter()
-            .map(|ring| ring_area(ring))
-            .sum::<f64>()
-            .abs();
+        let area = regions[0].iter().map(|ring| ring_area(ring)).sum::<f64>().abs();
         let exact = std::f64::consts::PI * (0.64 - 0.16);
         assert!((area - exact).abs() < 2e-3, "{area} {exact}");
     }
@@ -278,27 +229,16 @@ mod tests {
         field.values[3] = f64::INFINITY;
         let regions = regions(&field, |v| -v, &[0.0, 0.5, 5.0]);
         assert!(regions[2].is_empty());
-        assert!(
-            regions[0]
-                .iter()
-                .flatten()
-                .all(|p| p.0.is_finite() && p.1.is_finite())
-        );
+        assert!(regions[0].iter().flatten().all(|p| p.0.is_finite() && p.1.is_finite()));
     }
 
     #[test]
     fn simplified_line_stays_within_its_tolerance() {
-        let line: Vec<Point> = (0..=200)
-            .map(|k| f64::from(k) / 20.0)
-            .map(|x| (x, x.sin()))
-            .collect();
+        let line: Vec<Point> = (0..=200).map(|k| f64::from(k) / 20.0).map(|x| (x, x.sin())).collect();
         let short = simplified(&line, 0.01);
         assert!(short.len() < 60);
         for &point in &line {
-            let d = short
-                .windows(2)
-                .map(|s| distance_to_segment(point, s[0], s[1]))
-                .fold(f64::INFINITY, f64::min);
+            let d = short.windows(2).map(|s| distance_to_segment(point, s[0], s[1])).fold(f64::INFINITY, f64::min);
             assert!(d <= 0.01 + 1e-12);
         }
     }

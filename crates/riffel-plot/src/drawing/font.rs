@@ -40,11 +40,7 @@ pub(crate) fn set(text: &str, size: f64, weight: Weight) -> (Vec<Glyph>, f64) {
     let face = weight.face();
     let (mut glyphs, mut x) = (Vec::new(), 0.0);
     for run in subscript::runs(text) {
-        let (share, y) = if run.lowered {
-            (subscript::SIZE, subscript::DEPTH * size)
-        } else {
-            (1.0, 0.0)
-        };
+        let (share, y) = if run.lowered { (subscript::SIZE, subscript::DEPTH * size) } else { (1.0, 0.0) };
         let scale = share * size / f64::from(face.units_per_em());
         let mut previous = None;
         for character in run.words.chars() {
@@ -61,11 +57,7 @@ pub(crate) fn set(text: &str, size: f64, weight: Weight) -> (Vec<Glyph>, f64) {
 
 /// What two neighbours change of their distance, design units.
 fn kerning(face: &Face<'_>, left: GlyphId, right: GlyphId) -> i16 {
-    let tables = face
-        .tables()
-        .kern
-        .into_iter()
-        .flat_map(|kern| kern.subtables);
+    let tables = face.tables().kern.into_iter().flat_map(|kern| kern.subtables);
     let mut distances = tables
         .filter(|table| table.horizontal && !table.variable)
         .filter_map(|table| table.glyphs_kerning(left, right));

@@ -42,10 +42,7 @@ fn upright_title(ticks: &Ticks, title: &str, length: f64) -> Vec<String> {
 }
 
 fn label_width(ticks: &Ticks) -> f64 {
-    ticks
-        .labels()
-        .map(|label| text::width(label, TICK_FONT, Weight::Regular))
-        .fold(0.0, f64::max)
+    ticks.labels().map(|label| text::width(label, TICK_FONT, Weight::Regular)).fold(0.0, f64::max)
 }
 
 /// Grid lines at the ticks of both axes.
@@ -68,34 +65,12 @@ pub(crate) fn draw_grid(
 
 /// The four sides of the frame.
 pub(crate) fn draw_outline(picture: &mut Picture, frame: &SheetBox) {
-    let SheetBox {
-        left,
-        top,
-        right,
-        bottom,
-    } = *frame;
-    picture.line(
-        &[
-            (left, top),
-            (right, top),
-            (right, bottom),
-            (left, bottom),
-            (left, top),
-            (right, top),
-        ],
-        OUTLINE,
-    )
+    let SheetBox { left, top, right, bottom } = *frame;
+    picture.line(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)], OUTLINE)
 }
 
 /// Ticks, tick labels and title of one side.
-pub(crate) fn draw_axis(
-    picture: &mut Picture,
-    frame: &SheetBox,
-    side: Side,
-    axis: &Axis,
-    ticks: &Ticks,
-    title: &str,
-) {
+pub(crate) fn draw_axis(picture: &mut Picture, frame: &SheetBox, side: Side, axis: &Axis, ticks: &Ticks, title: &str) {
     let label_style = Lettering::new(TICK_FONT);
     for tick in &ticks.ticks {
         let at = axis.at(tick.value);
@@ -105,29 +80,17 @@ pub(crate) fn draw_axis(
             Side::Bottom => {
                 picture.line(&[(at, frame.bottom), (at, frame.bottom - length)], OUTLINE);
                 let place = (at, frame.bottom + TICK_GAP);
-                picture.text(
-                    label,
-                    place,
-                    label_style.anchor(Horizontal::Center, Vertical::Top),
-                );
+                picture.text(label, place, label_style.anchor(Horizontal::Center, Vertical::Top));
             }
             Side::Left => {
                 picture.line(&[(frame.left, at), (frame.left + length, at)], OUTLINE);
                 let place = (frame.left - TICK_GAP, at);
-                picture.text(
-                    label,
-                    place,
-                    label_style.anchor(Horizontal::Right, Vertical::Center),
-                );
+                picture.text(label, place, label_style.anchor(Horizontal::Right, Vertical::Center));
             }
             Side::Right => {
                 picture.line(&[(frame.right, at), (frame.right - length, at)], OUTLINE);
                 let place = (frame.right + TICK_GAP, at);
-                picture.text(
-                    label,
-                    place,
-                    label_style.anchor(Horizontal::Left, Vertical::Center),
-                );
+                picture.text(label, place, label_style.anchor(Horizontal::Left, Vertical::Center));
             }
         }
     }
@@ -136,11 +99,7 @@ pub(crate) fn draw_axis(
     if side == Side::Bottom {
         let place = (middle_x, frame.bottom + TICK_GAP + TICK_FONT + TITLE_GAP);
         let title = ticks.title(title);
-        picture.text(
-            &title,
-            place,
-            style.anchor(Horizontal::Center, Vertical::Top),
-        );
+        picture.text(&title, place, style.anchor(Horizontal::Center, Vertical::Top));
         return;
     }
     let style = style.anchor(Horizontal::Center, Vertical::Center).upward();

@@ -44,9 +44,7 @@ impl Entry {
         match self.sample {
             Sample::Line(stroke) => picture.line(&[at, (at.0 + width, at.1)], stroke),
             Sample::Mark(marker, radius, color) => marker.draw(picture, middle, radius, color),
-            Sample::Patch(fill) => {
-                picture.rectangle((at.0, at.1 - 4.5), (at.0 + width, at.1 + 4.5), fill, 1.0)
-            }
+            Sample::Patch(fill) => picture.rectangle((at.0, at.1 - 4.5), (at.0 + width, at.1 + 4.5), fill, 1.0),
         }
         let lettering = Lettering::new(FONT).anchor(Horizontal::Left, Vertical::Center);
         picture.text(&self.name, (at.0 + width + SAMPLE_GAP, at.1), lettering)
@@ -67,10 +65,7 @@ impl Sample {
 fn lines(entry: &Entry, limit: f64) -> Vec<Entry> {
     let room = limit - entry.sample.width() - SAMPLE_GAP;
     let lines = text::wrap(&entry.name, FONT, Weight::Regular, room);
-    let line = |name| Entry {
-        sample: entry.sample,
-        name,
-    };
+    let line = |name| Entry { sample: entry.sample, name };
     lines.into_iter().map(line).collect()
 }
 
@@ -116,10 +111,7 @@ pub(crate) fn draw_rows(picture: &mut Picture, entries: &[Entry], corner: Point,
 
 /// Width and height of a legend with one entry per row.
 pub(crate) fn column_size(entries: &[Entry]) -> (f64, f64) {
-    (
-        entries.iter().map(Entry::width).fold(0.0, f64::max),
-        entries.len() as f64 * ROW,
-    )
+    (entries.iter().map(Entry::width).fold(0.0, f64::max), entries.len() as f64 * ROW)
 }
 
 /// Draws a legend with one entry per row, its upper left corner at `corner`.

@@ -41,17 +41,11 @@ impl LineFigure {
             (1, _) => (450.0, 200.0),
             _ => (278.0, 240.0),
         };
-        let frame = SheetBox {
-            left: 0.0,
-            top: 0.0,
-            right: frame_size.0,
-            bottom: frame_size.1,
-        };
+        let frame = SheetBox { left: 0.0, top: 0.0, right: frame_size.0, bottom: frame_size.1 };
         let panels = self.panels.iter().map(|panel| Drawing::new(panel, &frame));
         let panels: Vec<Drawing<'_>> = panels.collect();
-        let beside = |drawing: &Drawing<'_>| {
-            frame::room_beside(&drawing.y_ticks, &drawing.panel.y_label, frame.height())
-        };
+        let beside =
+            |drawing: &Drawing<'_>| frame::room_beside(&drawing.y_ticks, &drawing.panel.y_label, frame.height());
         let below = |drawing: &Drawing<'_>| frame::BELOW + drawing.legend_height_below(&frame);
         let sheet = Sheet {
             title: &self.title,
@@ -91,14 +85,8 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn new(panel: &'a LinePanel, frame: &SheetBox) -> Self {
         let (low_x, high_x) = panel.drawn_x_range();
-        let x = Axis {
-            scale: panel.x_scale,
-            ..Axis::linear((low_x, high_x), (frame.left, frame.right))
-        };
-        let y = Axis {
-            scale: panel.y_scale,
-            ..Axis::linear(panel.drawn_y_range(), (frame.bottom, frame.top))
-        };
+        let x = Axis { scale: panel.x_scale, ..Axis::linear((low_x, high_x), (frame.left, frame.right)) };
+        let y = Axis { scale: panel.y_scale, ..Axis::linear(panel.drawn_y_range(), (frame.bottom, frame.top)) };
         let lines: Vec<Vec<Vec<Point>>> = panel
             .series
             .iter()
@@ -108,10 +96,7 @@ impl<'a> Drawing<'a> {
             })
             .collect();
         let entries = legend_entries(panel);
-        let marks = panel
-            .marks
-            .iter()
-            .filter(|mark| low_x <= mark.x && mark.x <= high_x);
+        let marks = panel.marks.iter().filter(|mark| low_x <= mark.x && mark.x <= high_x);
         let marks: Vec<(&str, f64)> = marks.map(|mark| (&*mark.label, x.at(mark.x))).collect();
         let names = mark_name::beside(&marks, &lines, frame);
         // A legend keeps clear of the lines of marks and of their names.
@@ -134,40 +119,18 @@ impl<'a> Drawing<'a> {
                 y.ticks(count, Direction::Upright)
             }
         };
-        let (x_ticks, y_ticks) = (
-            x.ticks(count(frame.width(), 44.0), Direction::Across),
-            vertical_ticks(count(frame.height(), 29.0)),
-        );
-        Drawing {
-            panel,
-            x,
-            y,
-            x_ticks,
-            y_ticks,
-            lines,
-            names,
-            entries,
-            legend_corner,
-        }
+        let (x_ticks, y_ticks) =
+            (x.ticks(count(frame.width(), 44.0), Direction::Across), vertical_ticks(count(frame.height(), 29.0)));
+        Drawing { panel, x, y, x_ticks, y_ticks, lines, names, entries, legend_corner }
     }
 
     fn legend_height_below(&self, frame: &SheetBox) -> f64 {
-        if self.legend_corner.is_some() {
-            0.0
-        } else {
-            legend::height(&self.entries, frame.width()) + 6.0
-        }
+        if self.legend_corner.is_some() { 0.0 } else { legend::height(&self.entries, frame.width()) + 6.0 }
     }
 
     /// The samples of an area within the range of the abscissa, as one polygon; ordinates beyond the frame end
     /// at it.
-    fn draw_area(
-        &self,
-        picture: &mut Picture,
-        frame: &SheetBox,
-        (x, y): (&Axis, &Axis),
-        area: &Area,
-    ) {
+    fn draw_area(&self, picture: &mut Picture, frame: &SheetBox, (x, y): (&Axis, &Axis), area: &Area) {
         let point = |u: f64, v: f64| (x.at(u), y.at(v).clamp(frame.top, frame.bottom));
         let inside = |u: f64| self.x.low <= u && u <= self.x.high;
         let samples: Vec<(f64, f64, f64)> = area
@@ -176,9 +139,7 @@ impl<'a> Drawing<'a> {
             .zip(&area.low)
             .zip(&area.high)
             .map(|((&u, &low), &high)| (u, low, high))
-            .filter(|&(u, low, high)| {
-                inside(u) && self.panel.admits(u, low) && self.panel.admits(u, high)
-            })
+            .filter(|&(u, low, high)| inside(u) && self.panel.admits(u, low) && self.panel.admits(u, high))
             .collect();
         let upper = samples.iter().map(|&(u, _, high)| point(u, high));
         let lower = samples.iter().rev().map(|&(u, low, _)| point(u, low));
@@ -195,11 +156,7 @@ impl<'a> Drawing<'a> {
 
     fn draw(&self, picture: &mut Picture, frame: &SheetBox) {
         let shift = (frame.left, frame.top);
-        let moved = |axis: &Axis, by: f64| Axis {
-            start: axis.start + by,
-            end: axis.end + by,
-            ..*axis
-        };
+        let moved = |axis: &Axis, by: f64| Axis { start: axis.start + by, end: axis.end + by, ..*axis };
         let (x, y) = (moved(&self.x, shift.0), moved(&self.y, shift.1));
         frame::draw_grid(picture, frame, (&x, &self.x_ticks), (&y, &self.y_ticks));
         for area in &self.panel.areas {
@@ -213,18 +170,10 @@ impl<'a> Drawing<'a> {
         for (index, (series, lines)) in self.panel.series.iter().zip(&self.lines).enumerate() {
             let color = series_color(series, index);
             for line in lines {
-                let line: Vec<Point> = line
-                    .iter()
-                    .map(|point| (point.0 + shift.0, point.1 + shift.1))
-                    .collect();
+                let line: Vec<Point> = line.iter().map(|point| (point.0 + shift.0, point.1 + shift.1)).collect();
                 match (series.style, line[..].first()) {
-                    (LineStyle::Markers, Some(&at)) => {
-                        Marker::open(index).draw(picture, at, MARK_RADIUS, color)
-                    }
-                    _ => picture.line(
-                        &contours::simplified(&line, LINE_TOLERANCE),
-                        stroke(series.style, color),
-                    ),
+                    (LineStyle::Markers, Some(&at)) => Marker::open(index).draw(picture, at, MARK_RADIUS, color),
+                    _ => picture.line(&contours::simplified(&line, LINE_TOLERANCE), stroke(series.style, color)),
                 }
             }
         }
@@ -232,33 +181,14 @@ impl<'a> Drawing<'a> {
             name.draw(picture, shift);
         }
         frame::draw_outline(picture, frame);
-        frame::draw_axis(
-            picture,
-            frame,
-            Side::Bottom,
-            &x,
-            &self.x_ticks,
-            &self.panel.x_label,
-        );
-        frame::draw_axis(
-            picture,
-            frame,
-            Side::Left,
-            &y,
-            &self.y_ticks,
-            &self.panel.y_label,
-        );
+        frame::draw_axis(picture, frame, Side::Bottom, &x, &self.x_ticks, &self.panel.x_label);
+        frame::draw_axis(picture, frame, Side::Left, &y, &self.y_ticks, &self.panel.y_label);
         match self.legend_corner {
             Some(corner) => {
                 let corner = (corner.0 + shift.0, corner.1 + shift.1);
                 let size = legend::column_size(&self.entries);
                 let from = (corner.0 - 4.0, corner.1 - 2.0);
-                picture.rectangle(
-                    from,
-                    (corner.0 + size.0 + 4.0, corner.1 + size.1 + 2.0),
-                    Rgb::WHITE,
-                    0.85,
-                );
+                picture.rectangle(from, (corner.0 + size.0 + 4.0, corner.1 + size.1 + 2.0), Rgb::WHITE, 0.85);
                 legend::draw_column(picture, &self.entries, corner)
             }
             None => {
@@ -278,16 +208,9 @@ fn stroke(style: LineStyle, color: Rgb) -> Stroke {
 }
 
 fn legend_entries(panel: &LinePanel) -> Vec<Entry> {
-    let named = panel
-        .series
-        .iter()
-        .enumerate()
-        .filter(|(_, series)| !series.label.is_empty() && panel.shows(series));
+    let named = panel.series.iter().enumerate().filter(|(_, series)| !series.label.is_empty() && panel.shows(series));
     let areas = panel.areas.iter().filter(|area| !area.label.is_empty());
-    let areas = areas.map(|area| Entry {
-        sample: Sample::Patch(area.color),
-        name: area.label.clone(),
-    });
+    let areas = areas.map(|area| Entry { sample: Sample::Patch(area.color), name: area.label.clone() });
     named
         .map(|(index, series)| {
             let color = series_color(series, index);
@@ -295,43 +218,20 @@ fn legend_entries(panel: &LinePanel) -> Vec<Entry> {
                 LineStyle::Markers => Sample::Mark(Marker::open(index), MARK_RADIUS, color),
                 style => Sample::Line(stroke(style, color)),
             };
-            Entry {
-                sample,
-                name: series.label.clone(),
-            }
+            Entry { sample, name: series.label.clone() }
         })
         .chain(areas)
         .collect()
 }
 
 /// Samples as single points inside the frame.
-fn marks(
-    panel: &LinePanel,
-    series: &Series,
-    x: &Axis,
-    y: &Axis,
-    frame: &SheetBox,
-) -> Vec<Vec<Point>> {
-    let samples = series
-        .x
-        .iter()
-        .zip(&series.y)
-        .filter(|&(&u, &v)| panel.admits(u, v));
-    samples
-        .map(|(&u, &v)| (x.at(u), y.at(v)))
-        .filter(|&point| frame.contains(point))
-        .map(|point| vec![point])
-        .collect()
+fn marks(panel: &LinePanel, series: &Series, x: &Axis, y: &Axis, frame: &SheetBox) -> Vec<Vec<Point>> {
+    let samples = series.x.iter().zip(&series.y).filter(|&(&u, &v)| panel.admits(u, v));
+    samples.map(|(&u, &v)| (x.at(u), y.at(v))).filter(|&point| frame.contains(point)).map(|point| vec![point]).collect()
 }
 
 /// Lines through consecutive samples that can be drawn, cut at the frame.
-fn clipped_lines(
-    panel: &LinePanel,
-    series: &Series,
-    x: &Axis,
-    y: &Axis,
-    frame: &SheetBox,
-) -> Vec<Vec<Point>> {
+fn clipped_lines(panel: &LinePanel, series: &Series, x: &Axis, y: &Axis, frame: &SheetBox) -> Vec<Vec<Point>> {
     let mut lines: Vec<Vec<Point>> = Vec::new();
     let mut previous: Option<Point> = None;
     for (&u, &v) in series.x.iter().zip(&series.y) {
@@ -351,41 +251,21 @@ fn clipped_lines(
 /// empty legend fits anywhere.
 fn free_corner(entries: &[Entry], lines: &[Vec<Vec<Point>>], frame: &SheetBox) -> Option<Point> {
     let (width, height) = legend::column_size(entries);
-    let (left, right) = (
-        frame.left + LEGEND_MARGIN,
-        frame.right - LEGEND_MARGIN - width,
-    );
-    let (top, bottom) = (
-        frame.top + LEGEND_MARGIN,
-        frame.bottom - LEGEND_MARGIN - height,
-    );
+    let (left, right) = (frame.left + LEGEND_MARGIN, frame.right - LEGEND_MARGIN - width);
+    let (top, bottom) = (frame.top + LEGEND_MARGIN, frame.bottom - LEGEND_MARGIN - height);
     if entries.is_empty() {
         return Some((left, top));
     }
     let middle = (left + right) / 2.0;
-    [
-        (right, top),
-        (left, top),
-        (left, bottom),
-        (right, bottom),
-        (middle, top),
-        (middle, bottom),
-    ]
-    .into_iter()
-    .filter(|corner| corner.0 >= left && corner.1 >= top)
-    .find(|corner| {
-        let place = SheetBox {
-            left: corner.0,
-            top: corner.1,
-            right: corner.0 + width,
-            bottom: corner.1 + height,
-        };
-        let near = place.shrunk(-LEGEND_CLEARANCE);
-        !lines.iter().flatten().any(|line| match line[..] {
-            [point] => near.contains(point),
-            _ => line
-                .windows(2)
-                .any(|pair| near.clip(pair[0], pair[1]).is_some()),
+    [(right, top), (left, top), (left, bottom), (right, bottom), (middle, top), (middle, bottom)]
+        .into_iter()
+        .filter(|corner| corner.0 >= left && corner.1 >= top)
+        .find(|corner| {
+            let place = SheetBox { left: corner.0, top: corner.1, right: corner.0 + width, bottom: corner.1 + height };
+            let near = place.shrunk(-LEGEND_CLEARANCE);
+            !lines.iter().flatten().any(|line| match line[..] {
+                [point] => near.contains(point),
+                _ => line.windows(2).any(|pair| near.clip(pair[0], pair[1]).is_some()),
+            })
         })
-    })
 }

@@ -5,9 +5,7 @@ use super::color_bar;
 use super::contours::{self, Ring};
 use super::frame::{self, Side};
 use super::legend::{Entry, Sample};
-use super::map_marks::{
-    BEST_FIT_RAY, BRANCH, Marks, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker,
-};
+use super::map_marks::{BEST_FIT_RAY, BRANCH, Marks, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker};
 use super::marker::Marker;
 use super::picture::{Picture, Stroke};
 use super::point::Point;
@@ -46,15 +44,10 @@ impl MapFigure {
         self.check()?;
         let labels = self.observation_labels();
         let columns = self.panels.len().min(2);
-        let frame_size = if columns == 1 {
-            (440.0, 350.0)
-        } else {
-            (262.0, 290.0)
-        };
+        let frame_size = if columns == 1 { (440.0, 350.0) } else { (262.0, 290.0) };
         let panel = |panel| Drawing::new(panel, &labels, frame_size.1);
         let panels: Vec<Drawing<'_>> = self.panels.iter().map(panel).collect();
-        let widest =
-            |room: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(room).fold(0.0, f64::max);
+        let widest = |room: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(room).fold(0.0, f64::max);
         let beside = |ticks: &Ticks, title| frame::room_beside(ticks, title, frame_size.1);
         let sheet = Sheet {
             title: &self.title,
@@ -86,16 +79,8 @@ impl<'a> Drawing<'a> {
         let grid = panel.grid();
         let steps = panel.steps();
         let (low, high) = panel.window().speed_m_per_s;
-        let ticks = |unit: f64| {
-            Axis::linear((low * unit, high * unit), (0.0, height)).ticks(10, Direction::Upright)
-        };
-        Drawing {
-            panel,
-            labels,
-            grid: grid.thinned(MOST_GRID_POINTS),
-            steps,
-            speed_ticks: (ticks(3.6), ticks(1.0)),
-        }
+        let ticks = |unit: f64| Axis::linear((low * unit, high * unit), (0.0, height)).ticks(10, Direction::Upright);
+        Drawing { panel, labels, grid: grid.thinned(MOST_GRID_POINTS), steps, speed_ticks: (ticks(3.6), ticks(1.0)) }
     }
 
     fn has_missing_values(&self) -> bool {
@@ -113,17 +98,9 @@ impl<'a> Drawing<'a> {
         let x_ticks = x.ticks(if frame.width() > 350.0 { 8 } else { 6 }, Direction::Across);
         let place = |(wavelength, speed): (f64, f64)| (x.at(1e3 * wavelength), m_per_s.at(speed));
 
-        frame::draw_grid(
-            picture,
-            frame,
-            (&x, &x_ticks),
-            (&km_per_h, &self.speed_ticks.0),
-        );
+        frame::draw_grid(picture, frame, (&x, &x_ticks), (&km_per_h, &self.speed_ticks.0));
         self.draw_contours(picture, frame, &place);
-        let marks = Marks {
-            panel: self.panel,
-            labels: self.labels,
-        };
+        let marks = Marks { panel: self.panel, labels: self.labels };
         marks.draw_rays(picture, &place);
         marks.draw_marks(picture, frame, &place);
         marks.draw_ray_labels(picture, frame, &place);
@@ -140,12 +117,7 @@ impl<'a> Drawing<'a> {
         color_bar::draw(picture, bar, self.steps.as_ref(), &self.panel.value_label)
     }
 
-    fn draw_contours(
-        &self,
-        picture: &mut Picture,
-        frame: &SheetBox,
-        place: &impl Fn(Point) -> Point,
-    ) {
+    fn draw_contours(&self, picture: &mut Picture, frame: &SheetBox, place: &impl Fn(Point) -> Point) {
         let (from, to) = ((frame.left, frame.top), (frame.right, frame.bottom));
         let regions = |quantity: &dyn Fn(f64) -> f64, levels: &[f64]| {
             let mut regions = contours::regions(&self.grid, quantity, levels);
@@ -160,18 +132,11 @@ impl<'a> Drawing<'a> {
         if let Some(steps) = &self.steps {
             let levels = regions(&|value| -value, &steps.growth_levels());
             for (index, rings) in levels.iter().enumerate() {
-                picture.region(
-                    rings.iter().map(simplified).collect(),
-                    steps.color(index),
-                    1.0,
-                );
+                picture.region(rings.iter().map(simplified).collect(), steps.color(index), 1.0);
             }
             for (index, rings) in levels.iter().enumerate() {
                 let stroke = if index == 0 { ZERO_CONTOUR } else { CONTOUR };
-                for line in rings
-                    .iter()
-                    .flat_map(|ring| contours::off_border(ring, from, to))
-                {
+                for line in rings.iter().flat_map(|ring| contours::off_border(ring, from, to)) {
                     picture.line(&simplified(&line), stroke);
                 }
             }
@@ -200,62 +165,25 @@ fn legend_entries(panels: &[Drawing<'_>], labels: &[&str], words: &MapWords) -> 
     let mut entries = Vec::new();
     let mut add = |present: bool, sample: Sample, name: &str| {
         if present {
-            entries.push(Entry {
-                sample,
-                name: name.to_owned(),
-            });
+            entries.push(Entry { sample, name: name.to_owned() });
         }
     };
     let any = |test: &dyn Fn(&Drawing<'_>) -> bool| panels.iter().any(test);
-    let ridge = |at_edge: bool| {
-        any(&|drawing| {
-            drawing
-                .panel
-                .ridge
-                .iter()
-                .any(|mark| mark.at_edge == at_edge)
-        })
-    };
+    let ridge = |at_edge: bool| any(&|drawing| drawing.panel.ridge.iter().any(|mark| mark.at_edge == at_edge));
     let mark = |at_edge| Sample::Mark(ridge_marker(at_edge), RIDGE_RADIUS, Rgb::BLACK);
     add(ridge(false), mark(false), &words.ridge);
     add(ridge(true), mark(true), &words.ridge_at_edge);
+    add(any(&|drawing| drawing.panel.best_fit_frequency_hz.is_some()), Sample::Line(BEST_FIT_RAY), &words.best_fit_ray);
     add(
-        any(&|drawing| drawing.panel.best_fit_frequency_hz.is_some()),
-        Sample::Line(BEST_FIT_RAY),
-        &words.best_fit_ray,
-    );
-    add(
-        any(&|drawing| {
-            drawing
-                .panel
-                .branches
-                .iter()
-                .any(|branch| branch.points.len() > 1)
-        }),
+        any(&|drawing| drawing.panel.branches.iter().any(|branch| branch.points.len() > 1)),
         Sample::Line(BRANCH),
         &words.branches,
     );
-    add(
-        any(&|drawing| drawing.panel.other_rays().next().is_some()),
-        Sample::Line(RAY),
-        &words.rays,
-    );
-    add(
-        any(&|drawing| drawing.steps.is_some()),
-        Sample::Line(ZERO_CONTOUR),
-        &words.zero,
-    );
-    add(
-        any(&|drawing| drawing.has_missing_values()),
-        Sample::Patch(Rgb::NOT_COMPUTED),
-        &words.not_computed,
-    );
+    add(any(&|drawing| drawing.panel.other_rays().next().is_some()), Sample::Line(RAY), &words.rays);
+    add(any(&|drawing| drawing.steps.is_some()), Sample::Line(ZERO_CONTOUR), &words.zero);
+    add(any(&|drawing| drawing.has_missing_values()), Sample::Patch(Rgb::NOT_COMPUTED), &words.not_computed);
     for (index, label) in labels.iter().enumerate() {
-        add(
-            true,
-            Sample::Mark(Marker::open(index), OBSERVATION_RADIUS, Rgb::BLACK),
-            label,
-        );
+        add(true, Sample::Mark(Marker::open(index), OBSERVATION_RADIUS, Rgb::BLACK), label);
     }
     entries
 }

@@ -33,43 +33,21 @@ pub(crate) struct Marks<'a> {
 impl Marks<'_> {
     pub(crate) fn draw_rays(&self, picture: &mut Picture, place: &impl Fn(Point) -> Point) {
         let window = self.panel.window();
-        for ray in self
-            .panel
-            .other_rays()
-            .filter_map(|frequency| window.ray(frequency))
-        {
+        for ray in self.panel.other_rays().filter_map(|frequency| window.ray(frequency)) {
             picture.line(&ray.map(place), RAY);
         }
-        if let Some(ray) = self
-            .panel
-            .best_fit_frequency_hz
-            .and_then(|frequency| window.ray(frequency))
-        {
-            let under = Stroke {
-                color: Rgb::WHITE,
-                width: 3.6,
-                opacity: 0.7,
-                dash: None,
-            };
+        if let Some(ray) = self.panel.best_fit_frequency_hz.and_then(|frequency| window.ray(frequency)) {
+            let under = Stroke { color: Rgb::WHITE, width: 3.6, opacity: 0.7, dash: None };
             picture.line(&ray.map(place), under);
             picture.line(&ray.map(place), BEST_FIT_RAY);
         }
-        for branch in self
-            .panel
-            .branches
-            .iter()
-            .filter(|branch| branch.points.len() > 1)
-        {
+        for branch in self.panel.branches.iter().filter(|branch| branch.points.len() > 1) {
             let line: Vec<Point> = branch.points.iter().map(|&point| place(point)).collect();
             picture.line(&simplified(&line, BRANCH_TOLERANCE), BRANCH);
         }
     }
 
-    fn ridge_points(
-        &self,
-        frame: &SheetBox,
-        place: &impl Fn(Point) -> Point,
-    ) -> Vec<(Point, bool)> {
+    fn ridge_points(&self, frame: &SheetBox, place: &impl Fn(Point) -> Point) -> Vec<(Point, bool)> {
         let marks: Vec<(Point, bool)> = self
             .panel
             .ridge
@@ -77,42 +55,22 @@ impl Marks<'_> {
             .map(|mark| (place((mark.wavelength_m, mark.speed_m_per_s)), mark.at_edge))
             .filter(|(point, _)| frame.shrunk(-0.01).contains(*point))
             .collect();
-        thinned_indices(marks.len(), MOST_RIDGE_MARKS)
-            .into_iter()
-            .map(|index| marks[index])
-            .collect()
+        thinned_indices(marks.len(), MOST_RIDGE_MARKS).into_iter().map(|index| marks[index]).collect()
     }
 
-    fn observation_points(
-        &self,
-        frame: &SheetBox,
-        place: &impl Fn(Point) -> Point,
-    ) -> Vec<(Point, usize)> {
-        let shape = |label: &str| {
-            self.labels
-                .iter()
-                .position(|other| *other == label)
-                .unwrap_or(0)
-        };
+    fn observation_points(&self, frame: &SheetBox, place: &impl Fn(Point) -> Point) -> Vec<(Point, usize)> {
+        let shape = |label: &str| self.labels.iter().position(|other| *other == label).unwrap_or(0);
         self.panel
             .observations
             .iter()
             .map(|observation| {
-                (
-                    place((observation.wavelength_m, observation.speed_m_per_s)),
-                    shape(&observation.label),
-                )
+                (place((observation.wavelength_m, observation.speed_m_per_s)), shape(&observation.label))
             })
             .filter(|(point, _)| frame.shrunk(-0.01).contains(*point))
             .collect()
     }
 
-    pub(crate) fn draw_marks(
-        &self,
-        picture: &mut Picture,
-        frame: &SheetBox,
-        place: &impl Fn(Point) -> Point,
-    ) {
+    pub(crate) fn draw_marks(&self, picture: &mut Picture, frame: &SheetBox, place: &impl Fn(Point) -> Point) {
         for (point, at_edge) in self.ridge_points(frame, place) {
             ridge_marker(at_edge).draw(picture, point, RIDGE_RADIUS, Rgb::BLACK);
         }
@@ -121,27 +79,14 @@ impl Marks<'_> {
         }
     }
 
-    pub(crate) fn draw_ray_labels(
-        &self,
-        picture: &mut Picture,
-        frame: &SheetBox,
-        place: &impl Fn(Point) -> Point,
-    ) {
+    pub(crate) fn draw_ray_labels(&self, picture: &mut Picture, frame: &SheetBox, place: &impl Fn(Point) -> Point) {
         let window = self.panel.window();
-        let line = |frequency: f64| {
-            window
-                .ray(frequency)
-                .map(|[from, to]| (place(from), place(to)))
-        };
+        let line = |frequency: f64| window.ray(frequency).map(|[from, to]| (place(from), place(to)));
         let marks: Vec<Point> = self
             .ridge_points(frame, place)
             .iter()
             .map(|mark| mark.0)
-            .chain(
-                self.observation_points(frame, place)
-                    .iter()
-                    .map(|mark| mark.0),
-            )
+            .chain(self.observation_points(frame, place).iter().map(|mark| mark.0))
             .collect();
         let best = self.panel.best_fit_frequency_hz;
         let best_label = best.and_then(|frequency| {
@@ -154,10 +99,8 @@ impl Marks<'_> {
             let ends = (place(*first), place(*last));
             Some((Name::Branch, ends, named(branch.frequency_hz.round())))
         });
-        let others = self
-            .panel
-            .other_rays()
-            .filter_map(|frequency| Some((Name::Ray, line(frequency)?, named(frequency))));
+        let others =
+            self.panel.other_rays().filter_map(|frequency| Some((Name::Ray, line(frequency)?, named(frequency))));
         let inner = frame.shrunk(3.0);
         let mut taken: Vec<SheetBox> = Vec::new();
         for (name, ray, label) in best_label.into_iter().chain(branches).chain(others) {
@@ -166,22 +109,10 @@ impl Marks<'_> {
                 Name::Branch => Lettering::new(RAY_FONT).bold().color(BEST_FIT),
                 Name::Ray => Lettering::new(RAY_FONT).color(Rgb(80, 80, 80)),
             };
-            let size = (
-                text::width(&label, lettering.size, lettering.weight) + 5.0,
-                lettering.size + 3.0,
-            );
-            let lines: Vec<(Point, Point)> = self
-                .panel
-                .other_rays()
-                .chain(best)
-                .filter_map(line)
-                .filter(|other| *other != ray)
-                .collect();
-            let obstacles = Obstacles {
-                labels: &taken,
-                marks: &marks,
-                lines: &lines,
-            };
+            let size = (text::width(&label, lettering.size, lettering.weight) + 5.0, lettering.size + 3.0);
+            let lines: Vec<(Point, Point)> =
+                self.panel.other_rays().chain(best).filter_map(line).filter(|other| *other != ray).collect();
+            let obstacles = Obstacles { labels: &taken, marks: &marks, lines: &lines };
             // A branch runs through marks of the ridge: its label stands beside it, the others break
             // their rays.
             let beside: &[f64] = match name {
@@ -191,17 +122,8 @@ impl Marks<'_> {
             let Some(spot) = sheet_box::along_line(ray, size, &inner, &obstacles, beside) else {
                 continue;
             };
-            picture.rectangle(
-                (spot.left, spot.top),
-                (spot.right, spot.bottom),
-                Rgb::WHITE,
-                0.85,
-            );
-            picture.text(
-                &label,
-                spot.center(),
-                lettering.anchor(Horizontal::Center, Vertical::Center),
-            );
+            picture.rectangle((spot.left, spot.top), (spot.right, spot.bottom), Rgb::WHITE, 0.85);
+            picture.text(&label, spot.center(), lettering.anchor(Horizontal::Center, Vertical::Center));
             taken.push(spot);
         }
     }
@@ -223,18 +145,11 @@ pub(crate) fn hertz(frequency: f64) -> String {
         text::fixed(frequency, 0)
     } else {
         let digits = text::fixed(frequency, 2);
-        digits
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
+        digits.trim_end_matches('0').trim_end_matches('.').to_owned()
     }
 }
 
 /// Mark of the ridge.
 pub(crate) fn ridge_marker(at_edge: bool) -> Marker {
-    if at_edge {
-        Marker::Circle
-    } else {
-        Marker::Disc
-    }
+    if at_edge { Marker::Circle } else { Marker::Disc }
 }

@@ -30,12 +30,7 @@ pub(crate) struct MarkName {
 impl MarkName {
     /// A line that whoever covers the name crosses.
     pub(crate) fn diagonal(&self) -> Vec<Point> {
-        let SheetBox {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.place;
+        let SheetBox { left, top, right, bottom } = self.place;
         vec![(left, top), (right, bottom)]
     }
 
@@ -51,9 +46,7 @@ impl MarkName {
             );
         }
         let at = (place.center().0 + shift.0, place.bottom + shift.1);
-        let lettering = Lettering::new(FONT)
-            .anchor(Horizontal::Left, Vertical::Center)
-            .upward();
+        let lettering = Lettering::new(FONT).anchor(Horizontal::Left, Vertical::Center).upward();
         picture.text(&self.words, at, lettering)
     }
 }
@@ -61,11 +54,7 @@ impl MarkName {
 /// Places for the names of marks, given with the positions of their lines: left of the line at its upper end, at its
 /// lower end, anywhere along it, or the same at its right; the place with the fewest curves. A name for which there
 /// is no room at all is left out.
-pub(crate) fn beside(
-    marks: &[(&str, f64)],
-    lines: &[Vec<Vec<Point>>],
-    frame: &SheetBox,
-) -> Vec<MarkName> {
+pub(crate) fn beside(marks: &[(&str, f64)], lines: &[Vec<Vec<Point>>], frame: &SheetBox) -> Vec<MarkName> {
     let mut names: Vec<MarkName> = Vec::new();
     for &(words, at) in marks {
         let length = text::width(words, FONT, Weight::Regular);
@@ -74,37 +63,23 @@ pub(crate) fn beside(
             continue;
         }
         let steps = (room / STEP) as usize;
-        let along = [0.0, room]
-            .into_iter()
-            .chain((1..=steps).map(|step| step as f64 * STEP));
+        let along = [0.0, room].into_iter().chain((1..=steps).map(|step| step as f64 * STEP));
         let mut best: Option<(usize, SheetBox)> = None;
-        for (side, down) in [-1.0, 1.0]
-            .into_iter()
-            .flat_map(|side| along.clone().map(move |down| (side, down)))
-        {
+        for (side, down) in [-1.0, 1.0].into_iter().flat_map(|side| along.clone().map(move |down| (side, down))) {
             let center = at + side * (0.5 * THICKNESS + LINE_GAP);
             let top = frame.top + END_GAP + down;
-            let place = SheetBox {
-                left: center - 0.5 * THICKNESS,
-                right: center + 0.5 * THICKNESS,
-                top,
-                bottom: top + length,
-            };
+            let place =
+                SheetBox { left: center - 0.5 * THICKNESS, right: center + 0.5 * THICKNESS, top, bottom: top + length };
             if !frame.encloses(&place) || names.iter().any(|name| name.place.overlaps(&place)) {
                 continue;
             }
             let crossed = |&&(_, other): &&(&str, f64)| place.left < other && other < place.right;
-            let covered =
-                covered(&place, lines) + LINE_OF_MARK * marks.iter().filter(crossed).count();
+            let covered = covered(&place, lines) + LINE_OF_MARK * marks.iter().filter(crossed).count();
             if best.as_ref().is_none_or(|(least, _)| covered < *least) {
                 best = Some((covered, place));
             }
         }
-        names.extend(best.map(|(covered, place)| MarkName {
-            words: words.to_owned(),
-            place,
-            covers: covered > 0,
-        }));
+        names.extend(best.map(|(covered, place)| MarkName { words: words.to_owned(), place, covers: covered > 0 }));
     }
     names
 }
@@ -113,10 +88,7 @@ pub(crate) fn beside(
 fn covered(place: &SheetBox, lines: &[Vec<Vec<Point>>]) -> usize {
     let of_line = |line: &Vec<Point>| match line[..] {
         [point] => usize::from(place.contains(point)),
-        _ => line
-            .windows(2)
-            .filter(|pair| place.clip(pair[0], pair[1]).is_some())
-            .count(),
+        _ => line.windows(2).filter(|pair| place.clip(pair[0], pair[1]).is_some()).count(),
     };
     lines.iter().flatten().map(of_line).sum()
 }
@@ -125,41 +97,24 @@ fn covered(place: &SheetBox, lines: &[Vec<Vec<Point>>]) -> usize {
 mod tests {
     use super::*;
 
-    const FRAME: SheetBox = SheetBox {
-        left: 0.0,
-        top: 0.0,
-        right: 450.0,
-        bottom: 200.0,
-    };
+    const FRAME: SheetBox = SheetBox { left: 0.0, top: 0.0, right: 450.0, bottom: 200.0 };
 
     #[test]
     fn names_stand_clear_of_curves_and_of_each_other() {
         let curve = vec![vec![(0.0, 20.0), (450.0, 20.0)]];
-        let marks = [
-            ("P₂ 51 Hz", 100.0),
-            ("full-track 52 Hz", 103.0),
-            ("rail on pad 54 Hz", 108.0),
-        ];
+        let marks = [("P₂ 51 Hz", 100.0), ("full-track 52 Hz", 103.0), ("rail on pad 54 Hz", 108.0)];
         let curves = [curve];
         let names = beside(&marks, &curves, &FRAME);
         assert_eq!(names.len(), 3);
         for (index, name) in names.iter().enumerate() {
             assert!(covered(&name.place, &curves) == 0 && FRAME.encloses(&name.place));
-            assert!(
-                names[..index]
-                    .iter()
-                    .all(|other| !other.place.overlaps(&name.place))
-            );
+            assert!(names[..index].iter().all(|other| !other.place.overlaps(&name.place)));
         }
     }
 
     #[test]
     fn names_keep_within_the_frame() {
-        let names = beside(
-            &[("pinned-pinned", 0.0), ("P₂", 450.0), ("", 5.0)],
-            &[],
-            &FRAME,
-        );
+        let names = beside(&[("pinned-pinned", 0.0), ("P₂", 450.0), ("", 5.0)], &[], &FRAME);
         assert_eq!(names.len(), 2);
         assert!(names.iter().all(|name| FRAME.encloses(&name.place)));
     }

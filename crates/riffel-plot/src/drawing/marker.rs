@@ -73,28 +73,14 @@ impl Marker {
 
     /// Lines of the shape for a circumscribed circle of radius 1.
     fn lines(self) -> Vec<Vec<Point>> {
-        let closed = |corners: &[Point]| {
-            corners
-                .iter()
-                .chain(&corners[..2])
-                .copied()
-                .collect::<Vec<_>>()
-        };
+        let closed = |corners: &[Point]| corners.iter().chain(&corners[..2]).copied().collect::<Vec<_>>();
         match self {
             Marker::Disc | Marker::Circle => Vec::new(),
             Marker::Triangle => vec![closed(&[(0.0, -1.15), (1.05, 0.7), (-1.05, 0.7)])],
             Marker::TriangleDown => vec![closed(&[(0.0, 1.15), (1.05, -0.7), (-1.05, -0.7)])],
-            Marker::Square => vec![closed(&[
-                (-0.9, -0.9),
-                (0.9, -0.9),
-                (0.9, 0.9),
-                (-0.9, 0.9),
-            ])],
+            Marker::Square => vec![closed(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)])],
             Marker::Diamond => vec![closed(&[(0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0)])],
-            Marker::Cross => vec![
-                vec![(-0.9, -0.9), (0.9, 0.9)],
-                vec![(-0.9, 0.9), (0.9, -0.9)],
-            ],
+            Marker::Cross => vec![vec![(-0.9, -0.9), (0.9, 0.9)], vec![(-0.9, 0.9), (0.9, -0.9)]],
             Marker::Plus => vec![vec![(-1.1, 0.0), (1.1, 0.0)], vec![(0.0, -1.1), (0.0, 1.1)]],
         }
     }

@@ -18,19 +18,11 @@ pub(crate) struct Stroke {
 
 impl Stroke {
     pub(crate) const fn solid(color: Rgb, width: f64) -> Self {
-        Stroke {
-            color,
-            width,
-            opacity: 1.0,
-            dash: None,
-        }
+        Stroke { color, width, opacity: 1.0, dash: None }
     }
 
     pub(crate) const fn dashed(color: Rgb, width: f64, dash: f64, gap: f64) -> Self {
-        Stroke {
-            dash: Some((dash, gap)),
-            ..Stroke::solid(color, width)
-        }
+        Stroke { dash: Some((dash, gap)), ..Stroke::solid(color, width) }
     }
 
     pub(crate) const fn with_opacity(self, opacity: f64) -> Self {
@@ -101,10 +93,7 @@ impl Lettering {
     }
 
     pub(crate) const fn bold(self) -> Self {
-        Lettering {
-            weight: Weight::Bold,
-            ..self
-        }
+        Lettering { weight: Weight::Bold, ..self }
     }
 
     pub(crate) const fn color(self, color: Rgb) -> Self {
@@ -112,18 +101,11 @@ impl Lettering {
     }
 
     pub(crate) const fn anchor(self, horizontal: Horizontal, vertical: Vertical) -> Self {
-        Lettering {
-            horizontal,
-            vertical,
-            ..self
-        }
+        Lettering { horizontal, vertical, ..self }
     }
 
     pub(crate) const fn upward(self) -> Self {
-        Lettering {
-            upward: true,
-            ..self
-        }
+        Lettering { upward: true, ..self }
     }
 }
 
@@ -157,12 +139,8 @@ impl Picture {
     /// A white sheet of at least a size.
     pub(crate) fn new(size: (f64, f64), title: &str, description: &str) -> Self {
         let size = (size.0.ceil(), size.1.ceil());
-        let mut picture = Picture {
-            size,
-            title: title.to_owned(),
-            description: description.to_owned(),
-            shapes: Vec::new(),
-        };
+        let mut picture =
+            Picture { size, title: title.to_owned(), description: description.to_owned(), shapes: Vec::new() };
         picture.rectangle((0.0, 0.0), size, Rgb::WHITE, 1.0);
         picture
     }

@@ -26,11 +26,7 @@ impl Picture {
     pub fn png(&self, scale: f32) -> Result<Vec<u8>, PlotError> {
         let side = |length: f64| (length * f64::from(scale)).ceil();
         let (width, height) = (side(self.size.0), side(self.size.1));
-        let size = || PlotError::PictureSize {
-            width,
-            height,
-            limit: LONGEST_SIDE,
-        };
+        let size = || PlotError::PictureSize { width, height, limit: LONGEST_SIDE };
         let allowed = 1.0..=f64::from(LONGEST_SIDE);
         if !allowed.contains(&width) || !allowed.contains(&height) {
             return Err(size());
@@ -40,9 +36,7 @@ impl Picture {
         for shape in &self.shapes {
             draw(&mut pixels, to_device, shape);
         }
-        pixels.encode_png().map_err(|error| PlotError::Drawing {
-            reason: error.to_string(),
-        })
+        pixels.encode_png().map_err(|error| PlotError::Drawing { reason: error.to_string() })
     }
 }
 
@@ -53,8 +47,7 @@ fn draw(pixels: &mut Pixmap, to_device: Transform, shape: &Shape) {
             pixels.fill_path(&path, &paint(color, opacity), rule, to_device, None);
         }
     };
-    let circle =
-        |(x, y): Point, radius: f64| PathBuilder::from_circle(x as f32, y as f32, radius as f32);
+    let circle = |(x, y): Point, radius: f64| PathBuilder::from_circle(x as f32, y as f32, radius as f32);
     let (path, pen) = match shape {
         Shape::Line(points, stroke) => {
             trace(&mut path, points);
@@ -104,9 +97,7 @@ fn stroke(stroke: Stroke) -> tiny_skia::Stroke {
     tiny_skia::Stroke {
         width: stroke.width as f32,
         line_join: LineJoin::Round,
-        dash: stroke
-            .dash
-            .and_then(|(dash, gap)| StrokeDash::new(vec![dash as f32, gap as f32], 0.0)),
+        dash: stroke.dash.and_then(|(dash, gap)| StrokeDash::new(vec![dash as f32, gap as f32], 0.0)),
         ..tiny_skia::Stroke::default()
     }
 }
@@ -116,17 +107,8 @@ fn outlines(words: &str, at: Point, lettering: Lettering) -> impl Iterator<Item 
     let (glyphs, width) = font::set(words, lettering.size, lettering.weight);
     let start = -lettering.horizontal.share_before() * width;
     glyphs.into_iter().map(move |glyph| {
-        let mut outline = Outline {
-            path: PathBuilder::new(),
-            glyph,
-            start,
-            at,
-            upward: lettering.upward,
-        };
-        lettering
-            .weight
-            .face()
-            .outline_glyph(glyph.id, &mut outline);
+        let mut outline = Outline { path: PathBuilder::new(), glyph, start, at, upward: lettering.upward };
+        lettering.weight.face().outline_glyph(glyph.id, &mut outline);
         outline.path.finish()
     })
 }
@@ -145,11 +127,8 @@ impl Outline {
     fn place(&self, x: f32, y: f32) -> (f32, f32) {
         let along = self.start + self.glyph.at.0 + self.glyph.scale * f64::from(x);
         let down = self.glyph.at.1 - self.glyph.scale * f64::from(y);
-        let (x, y) = if self.upward {
-            (self.at.0 + down, self.at.1 - along)
-        } else {
-            (self.at.0 + along, self.at.1 + down)
-        };
+        let (x, y) =
+            if self.upward { (self.at.0 + down, self.at.1 - along) } else { (self.at.0 + along, self.at.1 + down) };
         (x as f32, y as f32)
     }
 }
@@ -171,8 +150,7 @@ impl OutlineBuilder for Outline {
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let ((x1, y1), (x2, y2), (x, y)) =
-            (self.place(x1, y1), self.place(x2, y2), self.place(x, y));
+        let ((x1, y1), (x2, y2), (x, y)) = (self.place(x1, y1), self.place(x2, y2), self.place(x, y));
         self.path.cubic_to(x1, y1, x2, y2, x, y);
     }
 
@@ -202,17 +180,11 @@ mod tests {
     fn words_are_as_wide_as_computed() {
         for weight in [Weight::Regular, Weight::Bold] {
             let words = "HgHf = 537 Hz, λ [mm] Re Ŵ₁ × 10⁻⁹ µüH";
-            let lettering = Lettering {
-                weight,
-                ..Lettering::new(12.0).anchor(Horizontal::Center, Vertical::Center)
-            };
+            let lettering = Lettering { weight, ..Lettering::new(12.0).anchor(Horizontal::Center, Vertical::Center) };
             let columns = inked_columns(words, lettering);
             let drawn = (columns[columns.len() - 1] - columns[0] + 1) as f64;
             let computed = font::set(words, 12.0, weight).1;
-            assert!(
-                (drawn / computed - 1.0).abs() < 0.02,
-                "{weight:?}: drawn {drawn}, computed {computed}"
-            );
+            assert!((drawn / computed - 1.0).abs() < 0.02, "{weight:?}: drawn {drawn}, computed {computed}");
             // Upright they are as wide as a line is high.
             assert!(inked_columns(words, lettering.upward()).len() <= 15);
         }
@@ -222,10 +194,7 @@ mod tests {
     fn impossible_pictures_are_refused() {
         let picture = Picture::new((100.0, 50.0), "", "");
         for scale in [0.0, -1.0, f32::NAN, 1e9] {
-            assert!(
-                matches!(picture.png(scale), Err(PlotError::PictureSize { .. })),
-                "{scale}"
-            );
+            assert!(matches!(picture.png(scale), Err(PlotError::PictureSize { .. })), "{scale}");
         }
     }
 }

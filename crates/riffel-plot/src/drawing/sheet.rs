@@ -68,12 +68,7 @@ impl Sheet<'_> {
     }
 
     fn caption_lines(&self) -> Vec<String> {
-        text::wrap(
-            self.caption,
-            CAPTION_FONT,
-            Weight::Regular,
-            self.text_width(),
-        )
+        text::wrap(self.caption, CAPTION_FONT, Weight::Regular, self.text_width())
     }
 
     fn panels_top(&self) -> f64 {
@@ -107,48 +102,26 @@ impl Sheet<'_> {
     }
 
     fn size(&self) -> (f64, f64) {
-        (
-            self.width(),
-            self.caption_top() + self.caption_lines().len() as f64 * CAPTION_LINE + MARGIN,
-        )
+        (self.width(), self.caption_top() + self.caption_lines().len() as f64 * CAPTION_LINE + MARGIN)
     }
 
     fn frame(&self, index: usize) -> SheetBox {
         let (row, column) = (index / self.columns, index % self.columns);
-        let left = MARGIN
-            + column as f64 * (self.left + self.frame_size.0 + self.right + COLUMN_GAP)
-            + self.left;
+        let left = MARGIN + column as f64 * (self.left + self.frame_size.0 + self.right + COLUMN_GAP) + self.left;
         let top = self.panels_top() + self.height_of(row) + self.above();
-        SheetBox {
-            left,
-            top,
-            right: left + self.frame_size.0,
-            bottom: top + self.frame_size.1,
-        }
+        SheetBox { left, top, right: left + self.frame_size.0, bottom: top + self.frame_size.1 }
     }
 
     /// Title, legend and caption.
     fn draw_words(&self, picture: &mut Picture) {
-        let style = Lettering::new(TITLE_FONT)
-            .bold()
-            .color(Rgb::BLACK)
-            .anchor(Horizontal::Left, Vertical::Top);
+        let style = Lettering::new(TITLE_FONT).bold().color(Rgb::BLACK).anchor(Horizontal::Left, Vertical::Top);
         for (index, line) in self.title_lines().iter().enumerate() {
             picture.text(line, (MARGIN, MARGIN + index as f64 * TITLE_LINE), style);
         }
-        legend::draw_rows(
-            picture,
-            self.legend,
-            (MARGIN, self.legend_top()),
-            self.text_width(),
-        );
+        legend::draw_rows(picture, self.legend, (MARGIN, self.legend_top()), self.text_width());
         let style = Lettering::new(CAPTION_FONT).anchor(Horizontal::Left, Vertical::Top);
         for (index, line) in self.caption_lines().iter().enumerate() {
-            picture.text(
-                line,
-                (MARGIN, self.caption_top() + index as f64 * CAPTION_LINE),
-                style,
-            );
+            picture.text(line, (MARGIN, self.caption_top() + index as f64 * CAPTION_LINE), style);
         }
     }
 }

@@ -31,52 +31,30 @@ impl SheetBox {
     }
 
     pub(crate) fn center(&self) -> Point {
-        (
-            (self.left + self.right) / 2.0,
-            (self.top + self.bottom) / 2.0,
-        )
+        ((self.left + self.right) / 2.0, (self.top + self.bottom) / 2.0)
     }
 
     pub(crate) fn shrunk(&self, by: f64) -> Self {
-        SheetBox {
-            left: self.left + by,
-            top: self.top + by,
-            right: self.right - by,
-            bottom: self.bottom - by,
-        }
+        SheetBox { left: self.left + by, top: self.top + by, right: self.right - by, bottom: self.bottom - by }
     }
 
     pub(crate) fn contains(&self, point: Point) -> bool {
-        point.0 >= self.left
-            && point.0 <= self.right
-            && point.1 >= self.top
-            && point.1 <= self.bottom
+        point.0 >= self.left && point.0 <= self.right && point.1 >= self.top && point.1 <= self.bottom
     }
 
     pub(crate) fn encloses(&self, other: &SheetBox) -> bool {
-        other.left >= self.left
-            && other.right <= self.right
-            && other.top >= self.top
-            && other.bottom <= self.bottom
+        other.left >= self.left && other.right <= self.right && other.top >= self.top && other.bottom <= self.bottom
     }
 
     pub(crate) fn overlaps(&self, other: &SheetBox) -> bool {
-        self.left < other.right
-            && other.left < self.right
-            && self.top < other.bottom
-            && other.top < self.bottom
+        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
     }
 
     /// The part of the segment `a` … `b` inside the rectangle (Liang and Barsky, 1984).
     pub(crate) fn clip(&self, a: Point, b: Point) -> Option<(Point, Point)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
-        let sides = [
-            (-dx, a.0 - self.left),
-            (dx, self.right - a.0),
-            (-dy, a.1 - self.top),
-            (dy, self.bottom - a.1),
-        ];
+        let sides = [(-dx, a.0 - self.left), (dx, self.right - a.0), (-dy, a.1 - self.top), (dy, self.bottom - a.1)];
         for (step, room) in sides {
             if step == 0.0 {
                 if room < 0.0 {
@@ -89,16 +67,8 @@ impl SheetBox {
             }
         }
         // Ends inside are returned exactly, so that consecutive segments of a line join.
-        let start = if from > 0.0 {
-            (a.0 + from * dx, a.1 + from * dy)
-        } else {
-            a
-        };
-        let end = if to < 1.0 {
-            (a.0 + to * dx, a.1 + to * dy)
-        } else {
-            b
-        };
+        let start = if from > 0.0 { (a.0 + from * dx, a.1 + from * dy) } else { a };
+        let end = if to < 1.0 { (a.0 + to * dx, a.1 + to * dy) } else { b };
         (from <= to).then_some((start, end))
     }
 }
@@ -130,37 +100,20 @@ pub(crate) fn along_line(
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
     // The normal that points up the sheet, and the half width of the label along it.
-    let normal = if dx >= 0.0 {
-        (dy / length, -dx / length)
-    } else {
-        (-dy / length, dx / length)
-    };
+    let normal = if dx >= 0.0 { (dy / length, -dx / length) } else { (-dy / length, dx / length) };
     let clearance = (normal.0.abs() * size.0 + normal.1.abs() * size.1) / 2.0 + 5.0;
     let mut best: Option<(usize, SheetBox)> = None;
     for &distance in beside {
         let offset = distance * clearance;
         for step in 0..=STEPS {
             let t = 1.0 - f64::from(step) / f64::from(STEPS);
-            let center = (
-                from.0 + t * dx + offset * normal.0,
-                from.1 + t * dy + offset * normal.1,
-            );
+            let center = (from.0 + t * dx + offset * normal.0, from.1 + t * dy + offset * normal.1);
             let place = SheetBox::around(center, size.0, size.1);
-            if !frame.encloses(&place)
-                || obstacles.labels.iter().any(|label| label.overlaps(&place))
-            {
+            if !frame.encloses(&place) || obstacles.labels.iter().any(|label| label.overlaps(&place)) {
                 continue;
             }
-            let marks = obstacles
-                .marks
-                .iter()
-                .filter(|&&mark| place.shrunk(-3.0).contains(mark))
-                .count();
-            let lines = obstacles
-                .lines
-                .iter()
-                .filter(|(a, b)| place.clip(*a, *b).is_some())
-                .count();
+            let marks = obstacles.marks.iter().filter(|&&mark| place.shrunk(-3.0).contains(mark)).count();
+            let lines = obstacles.lines.iter().filter(|(a, b)| place.clip(*a, *b).is_some()).count();
             let covered = 2 * marks + lines;
             if best.as_ref().is_none_or(|(least, _)| covered < *least) {
                 best = Some((covered, place));
@@ -174,23 +127,12 @@ pub(crate) fn along_line(
 mod tests {
     use super::*;
 
-    const FRAME: SheetBox = SheetBox {
-        left: 0.0,
-        top: 0.0,
-        right: 100.0,
-        bottom: 100.0,
-    };
+    const FRAME: SheetBox = SheetBox { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
 
     #[test]
     fn segments_are_clipped_to_the_frame() {
-        assert_eq!(
-            FRAME.clip((-50.0, 50.0), (150.0, 50.0)),
-            Some(((0.0, 50.0), (100.0, 50.0)))
-        );
-        assert_eq!(
-            FRAME.clip((10.0, 10.0), (20.0, 30.0)),
-            Some(((10.0, 10.0), (20.0, 30.0)))
-        );
+        assert_eq!(FRAME.clip((-50.0, 50.0), (150.0, 50.0)), Some(((0.0, 50.0), (100.0, 50.0))));
+        assert_eq!(FRAME.clip((10.0, 10.0), (20.0, 30.0)), Some(((10.0, 10.0), (20.0, 30.0))));
         assert_eq!(FRAME.clip((-10.0, 0.0), (-10.0, 100.0)), None);
         assert_eq!(FRAME.clip((-20.0, 10.0), (10.0, -20.0)), None);
     }
@@ -199,17 +141,7 @@ mod tests {
     fn labels_give_way_to_labels_and_marks() {
         let line = ((0.0, 100.0), (100.0, 0.0));
         let place = |size, labels: &[SheetBox], marks: &[Point], beside: &[f64]| {
-            along_line(
-                line,
-                size,
-                &FRAME,
-                &Obstacles {
-                    labels,
-                    marks,
-                    lines: &[],
-                },
-                beside,
-            )
+            along_line(line, size, &FRAME, &Obstacles { labels, marks, lines: &[] }, beside)
         };
         let first = place((20.0, 10.0), &[], &[], &[0.0]).unwrap();
         assert!(FRAME.encloses(&first) && first.center().0 > 85.0);
@@ -225,11 +157,7 @@ mod tests {
     fn label_beside_a_line_does_not_touch_it() {
         let (from, to) = ((0.0, 100.0), (100.0, 30.0));
         for side in [1.0, -1.0] {
-            let clear = Obstacles {
-                labels: &[],
-                marks: &[],
-                lines: &[],
-            };
+            let clear = Obstacles { labels: &[], marks: &[], lines: &[] };
             let place = along_line((from, to), (30.0, 10.0), &FRAME, &clear, &[side]).unwrap();
             assert!(place.clip(from, to).is_none());
             let line_height = 100.0 - 0.7 * place.center().0;

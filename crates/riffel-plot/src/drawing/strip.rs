@@ -27,10 +27,7 @@ impl StripFigure {
         let tallest = self.panels.iter().map(height).fold(0.0, f64::max);
         let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
         let below = |panel| frame::BELOW + height(panel) - tallest;
-        let entry = |class: &StripClass| Entry {
-            sample: Sample::Patch(class.color),
-            name: class.label.clone(),
-        };
+        let entry = |class: &StripClass| Entry { sample: Sample::Patch(class.color), name: class.label.clone() };
         let sheet = Sheet {
             title: &self.title,
             caption: &self.caption,
@@ -74,10 +71,7 @@ impl StripFigure {
         let pixels = (x.end - x.start).ceil() as usize;
         let mut classes: Vec<Option<usize>> = vec![None; pixels];
         for strip in row.strips.iter().filter(|strip| strip.value.is_finite()) {
-            let class = self
-                .classes
-                .iter()
-                .position(|class| strip.value <= class.to);
+            let class = self.classes.iter().position(|class| strip.value <= class.to);
             let place = |at: f64| (x.at(at) - x.start).max(0.0);
             let first = (place(strip.from).round() as usize).min(pixels.saturating_sub(1));
             let end = (place(strip.to).round() as usize).clamp(first + 1, pixels);
@@ -113,18 +107,12 @@ mod tests {
     use crate::strip_figure::Strip;
 
     fn figure(strips: Vec<Strip>) -> StripFigure {
-        let class = |label: &str, to: f64, grey: u8| StripClass {
-            label: label.to_owned(),
-            to,
-            color: Rgb(grey, grey, grey),
-        };
+        let class =
+            |label: &str, to: f64, grey: u8| StripClass { label: label.to_owned(), to, color: Rgb(grey, grey, grey) };
         StripFigure {
             classes: vec![class("low", 1.0, 200), class("high", f64::INFINITY, 50)],
             panels: vec![StripPanel {
-                rows: vec![StripRow {
-                    label: "2026-01-31".to_owned(),
-                    strips,
-                }],
+                rows: vec![StripRow { label: "2026-01-31".to_owned(), strips }],
                 ..StripPanel::default()
             }],
             ..StripFigure::default()
@@ -151,16 +139,8 @@ mod tests {
 
     #[test]
     fn what_is_not_known_stays_white() {
-        let strip = |from: f64, value: f64| Strip {
-            from,
-            to: from + 10.0,
-            value,
-        };
-        let figure = figure(vec![
-            strip(0.0, 0.5),
-            strip(10.0, f64::NAN),
-            strip(30.0, 3.0),
-        ]);
+        let strip = |from: f64, value: f64| Strip { from, to: from + 10.0, value };
+        let figure = figure(vec![strip(0.0, 0.5), strip(10.0, f64::NAN), strip(30.0, 3.0)]);
         let x = Axis::linear((0.0, 40.0), (0.0, 40.0));
         let runs = figure.runs(&figure.panels[0].rows[0], &x);
         assert_eq!(runs, [(0.0, 10.0, 0), (30.0, 40.0, 1)]);

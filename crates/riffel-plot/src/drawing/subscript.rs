@@ -20,10 +20,7 @@ pub(crate) fn runs(text: &str) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut push = |character: char, lowered: bool| match runs.last_mut() {
         Some(run) if run.lowered == lowered => run.words.push(character),
-        _ => runs.push(Run {
-            words: character.to_string(),
-            lowered,
-        }),
+        _ => runs.push(Run { words: character.to_string(), lowered }),
     };
     let characters: Vec<char> = text.chars().collect();
     let mut index = 0;
@@ -52,16 +49,8 @@ fn digit(character: char) -> Option<char> {
 fn is_index(characters: &[char], at: usize) -> bool {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let letter = |at: usize| characters.get(at).is_some_and(|c| c.is_alphabetic());
-    let ends = |at: Option<usize>| {
-        at.and_then(|at| characters.get(at))
-            .is_none_or(|&c| !is_part(c))
-    };
-    characters[at] == '_'
-        && at > 0
-        && letter(at - 1)
-        && letter(at + 1)
-        && ends(at.checked_sub(2))
-        && ends(Some(at + 2))
+    let ends = |at: Option<usize>| at.and_then(|at| characters.get(at)).is_none_or(|&c| !is_part(c));
+    characters[at] == '_' && at > 0 && letter(at - 1) && letter(at + 1) && ends(at.checked_sub(2)) && ends(Some(at + 2))
 }
 
 /// The words of an element of SVG, already escaped, with their subscripts.
@@ -73,17 +62,12 @@ pub(crate) fn svg(escaped: &str) -> String {
     let mut words = String::new();
     let mut below = false;
     for run in runs {
-        let Run {
-            words: run,
-            lowered,
-        } = run;
+        let Run { words: run, lowered } = run;
         words += &match (lowered, below) {
             // A shift is in sizes of the element that is shifted.
-            (true, _) => format!(
-                "<tspan dy=\"{:.3}em\" font-size=\"{:.0}%\">{run}</tspan>",
-                DEPTH / SIZE,
-                100.0 * SIZE
-            ),
+            (true, _) => {
+                format!("<tspan dy=\"{:.3}em\" font-size=\"{:.0}%\">{run}</tspan>", DEPTH / SIZE, 100.0 * SIZE)
+            }
             (false, true) => format!("<tspan dy=\"-{DEPTH:.3}em\">{run}</tspan>"),
             (false, false) => run,
         };
@@ -108,21 +92,9 @@ mod tests {
     #[test]
     fn indices_of_symbols_are_subscripts_and_nothing_else_is() {
         assert_eq!(html("Re Ŵ₁ [-]"), "Re Ŵ<sub>1</sub> [-]");
-        assert_eq!(
-            html("C₁₁, m_w = 350 kg"),
-            "C<sub>11</sub>, m<sub>w</sub> = 350 kg"
-        );
+        assert_eq!(html("C₁₁, m_w = 350 kg"), "C<sub>11</sub>, m<sub>w</sub> = 350 kg");
         assert_eq!(html("S_T"), "S<sub>T</sub>");
-        for plain in [
-            "contact.normal_load",
-            "a_bc",
-            "ab_c",
-            "line_2.csv",
-            "_a",
-            "a_",
-            "10⁻⁹ m²",
-            "",
-        ] {
+        for plain in ["contact.normal_load", "a_bc", "ab_c", "line_2.csv", "_a", "a_", "10⁻⁹ m²", ""] {
             assert_eq!(html(plain), plain);
         }
     }
@@ -130,11 +102,8 @@ mod tests {
     #[test]
     fn the_line_goes_on_where_it_was() {
         let svg = svg("P₁/P₀ &lt; 1");
-        let shifts: Vec<f64> = svg
-            .split("dy=\"")
-            .skip(1)
-            .map(|rest| rest[..rest.find("em").unwrap()].parse().unwrap())
-            .collect();
+        let shifts: Vec<f64> =
+            svg.split("dy=\"").skip(1).map(|rest| rest[..rest.find("em").unwrap()].parse().unwrap()).collect();
         // Down by the size of the subscript, up by that of the text.
         let depth = shifts[0] * SIZE + shifts[1] + shifts[2] * SIZE + shifts[3];
         assert!(shifts.len() == 4 && depth.abs() < 1e-3, "{svg}");

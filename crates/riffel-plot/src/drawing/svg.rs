@@ -48,11 +48,7 @@ fn element(shape: &Shape) -> String {
             format!("<path d=\"{path}\" fill-rule=\"evenodd\" {fill}/>")
         }
         Shape::Disc(center, radius, color) => {
-            format!(
-                "<circle {} {}/>",
-                round(*center, *radius),
-                paint("fill", *color, 1.0)
-            )
+            format!("<circle {} {}/>", round(*center, *radius), paint("fill", *color, 1.0))
         }
         Shape::Circle(center, radius, stroke) => {
             format!("<circle {} {}/>", round(*center, *radius), pen(*stroke))
@@ -62,12 +58,7 @@ fn element(shape: &Shape) -> String {
 }
 
 fn round((x, y): Point, radius: f64) -> String {
-    format!(
-        "cx=\"{}\" cy=\"{}\" r=\"{}\"",
-        short(x),
-        short(y),
-        short(radius)
-    )
+    format!("cx=\"{}\" cy=\"{}\" r=\"{}\"", short(x), short(y), short(radius))
 }
 
 fn text(words: &str, (x, y): Point, lettering: Lettering) -> String {
@@ -94,14 +85,11 @@ fn text(words: &str, (x, y): Point, lettering: Lettering) -> String {
 }
 
 fn pen(stroke: Stroke) -> String {
-    let dash = stroke.dash.map_or(String::new(), |(dash, gap)| {
-        format!(" stroke-dasharray=\"{} {}\"", short(dash), short(gap))
-    });
+    let dash = stroke
+        .dash
+        .map_or(String::new(), |(dash, gap)| format!(" stroke-dasharray=\"{} {}\"", short(dash), short(gap)));
     let color = paint("stroke", stroke.color, stroke.opacity);
-    format!(
-        "fill=\"none\" {color} stroke-width=\"{}\"{dash}",
-        short(stroke.width)
-    )
+    format!("fill=\"none\" {color} stroke-width=\"{}\"{dash}", short(stroke.width))
 }
 
 fn paint(what: &str, color: Rgb, opacity: f64) -> String {

@@ -20,11 +20,7 @@ pub(crate) fn wrap(text: &str, size: f64, weight: Weight, limit: f64) -> Vec<Str
     for paragraph in text.lines() {
         let mut line = String::new();
         for word in paragraph.split(' ').filter(|word| !word.is_empty()) {
-            let candidate = if line.is_empty() {
-                word.to_owned()
-            } else {
-                format!("{line} {word}")
-            };
+            let candidate = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
             if fits(&candidate) {
                 line = candidate;
                 continue;
@@ -49,15 +45,7 @@ pub(crate) fn wrap(text: &str, size: f64, weight: Weight, limit: f64) -> Vec<Str
 
 /// A text without the characters that XML forbids.
 pub(crate) fn printable(text: &str) -> String {
-    text.chars()
-        .map(|c| {
-            if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') {
-                ' '
-            } else {
-                c
-            }
-        })
-        .collect()
+    text.chars().map(|c| if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') { ' ' } else { c }).collect()
 }
 
 /// A text for XML and HTML, in an element or in a quoted attribute.
@@ -122,24 +110,13 @@ mod tests {
         let text = "Growth is negative Re Ŵ₁ in the sense of the paper, and the ridge is the strongest growth.";
         let lines = wrap(text, 12.0, Weight::Regular, 200.0);
         assert!(lines.len() > 2);
-        assert!(
-            lines
-                .iter()
-                .all(|line| width(line, 12.0, Weight::Regular) <= 200.0)
-        );
+        assert!(lines.iter().all(|line| width(line, 12.0, Weight::Regular) <= 200.0));
         assert_eq!(lines.join(" "), text);
-        assert_eq!(
-            wrap("one\ntwo", 12.0, Weight::Regular, 200.0),
-            ["one", "two"]
-        );
+        assert_eq!(wrap("one\ntwo", 12.0, Weight::Regular, 200.0), ["one", "two"]);
         assert!(wrap("", 12.0, Weight::Regular, 200.0).is_empty());
         let word = "left_rail_".repeat(20);
         let lines = wrap(&word, 12.0, Weight::Regular, 200.0);
-        assert!(
-            lines
-                .iter()
-                .all(|line| width(line, 12.0, Weight::Regular) <= 200.0)
-        );
+        assert!(lines.iter().all(|line| width(line, 12.0, Weight::Regular) <= 200.0));
         assert_eq!(lines.concat(), word);
     }
 

@@ -71,26 +71,20 @@ pub(crate) fn page(title: &str, caption: &str, stacked: bool, stages: &[PageStag
     let figure: Vec<Value> = stages
         .iter()
         .map(|stage| {
-            let panels = stage.panels.iter().map(
-                |panel| json!({ "data": panel.data, "layout": panel.layout, "hover": panel.hover }),
-            );
+            let panels = stage
+                .panels
+                .iter()
+                .map(|panel| json!({ "data": panel.data, "layout": panel.layout, "hover": panel.hover }));
             json!({ "name": stage.name, "panels": panels.collect::<Vec<Value>>() })
         })
         .collect();
     // Inside a script element only "<" can end or confuse it.
     let figure = Value::from(figure).to_string().replace('<', "\\u003c");
-    let heading = if title.is_empty() {
-        String::new()
-    } else {
-        format!("<h1>{}</h1>\n", words(title))
-    };
+    let heading = if title.is_empty() { String::new() } else { format!("<h1>{}</h1>\n", words(title)) };
     let title = text::escape(title);
     let caption_lines = caption.lines().map(words).collect::<Vec<_>>().join("\n");
-    let caption = if caption_lines.is_empty() {
-        String::new()
-    } else {
-        format!("<p class=\"caption\">{caption_lines}</p>\n")
-    };
+    let caption =
+        if caption_lines.is_empty() { String::new() } else { format!("<p class=\"caption\">{caption_lines}</p>\n") };
     let last = stages.len().saturating_sub(1);
     let places: String = (0..stages.last().map_or(0, |stage| stage.panels.len()))
         .map(|index| format!("<div class=\"panel\" id=\"panel-{index}\"></div>\n"))
@@ -124,13 +118,8 @@ pub(crate) fn page(title: &str, caption: &str, stacked: bool, stages: &[PageStag
 pub fn plotly_js() -> &'static str {
     static SCRIPT: LazyLock<String> = LazyLock::new(|| {
         let scripts = Plot::offline_js_sources();
-        let script = scripts
-            .split_once("</script>")
-            .map_or("", |(first, _)| first);
-        script
-            .split_once('>')
-            .map_or("", |(_, text)| text)
-            .to_owned()
+        let script = scripts.split_once("</script>").map_or("", |(first, _)| first);
+        script.split_once('>').map_or("", |(_, text)| text).to_owned()
     });
     &SCRIPT
 }
@@ -146,16 +135,9 @@ pub(crate) fn coordinates(values: impl IntoIterator<Item = f64>) -> Value {
 }
 
 fn rounded(value: f64, decimals: usize) -> Value {
-    let short = format!("{value:.decimals$e}")
-        .parse::<f64>()
-        .ok()
-        .filter(|short| short.is_finite());
+    let short = format!("{value:.decimals$e}").parse::<f64>().ok().filter(|short| short.is_finite());
     short.map_or(Value::Null, |short| {
-        if short.fract() == 0.0 && short.abs() < 1e9 {
-            json!(short as i64)
-        } else {
-            json!(short)
-        }
+        if short.fract() == 0.0 && short.abs() < 1e9 { json!(short as i64) } else { json!(short) }
     })
 }
 
@@ -181,11 +163,7 @@ const SUBTITLE: u32 = 24;
 /// The layout common to all panels.
 pub(crate) fn layout(subtitle: &str, x: Value, y: Value) -> Value {
     // The toolbar has a strip of its own at the top, the words above the panel stand below it.
-    let top = if subtitle.is_empty() {
-        TOOLBAR
-    } else {
-        TOOLBAR + SUBTITLE
-    };
+    let top = if subtitle.is_empty() { TOOLBAR } else { TOOLBAR + SUBTITLE };
     json!({
         "title": { "text": words(subtitle), "font": { "size": 14 }, "x": 0.5, "y": 1, "yref": "paper", "yanchor": "bottom",
             "pad": { "b": 6 } },
@@ -221,24 +199,14 @@ mod tests {
 
     #[test]
     fn words_cannot_leave_their_element() {
-        let panel = || PagePanel {
-            data: vec![json!({ "name": "</script><b>" })],
-            layout: json!({}),
-            hover: Value::Null,
-        };
-        let stage = |name: &str| PageStage {
-            name: name.to_owned(),
-            panels: vec![panel()],
-        };
+        let panel =
+            || PagePanel { data: vec![json!({ "name": "</script><b>" })], layout: json!({}), hover: Value::Null };
+        let stage = |name: &str| PageStage { name: name.to_owned(), panels: vec![panel()] };
         let slid = page("", "", false, &[stage("one"), stage("<two>")]);
         assert!(slid.contains("max=\"1\"") && slid.contains(">&lt;two&gt;</output>"));
         let page = page("a<b", "c</p>", false, &[stage("")]);
         assert!(!page.contains("type=\"range\""));
         let tail = &page[page.find("<main>").unwrap()..];
-        assert!(
-            !tail.contains("</script><b>")
-                && !tail.contains("c</p></p>")
-                && tail.contains("a&lt;b")
-        );
+        assert!(!tail.contains("</script><b>") && !tail.contains("c</p></p>") && tail.contains("a&lt;b"));
     }
 }

@@ -32,18 +32,10 @@ pub fn html_of_stages(stages: &[(&str, &LineFigure)]) -> Result<String, PlotErro
         .iter()
         .map(|(name, figure)| {
             figure.check()?;
-            Ok(PageStage {
-                name: (*name).to_owned(),
-                panels: figure.panels.iter().map(page_panel).collect(),
-            })
+            Ok(PageStage { name: (*name).to_owned(), panels: figure.panels.iter().map(page_panel).collect() })
         })
         .collect();
-    Ok(html::page(
-        &last.title,
-        &last.caption,
-        last.arrangement != Arrangement::SideBySide,
-        &stages?,
-    ))
+    Ok(html::page(&last.title, &last.caption, last.arrangement != Arrangement::SideBySide, &stages?))
 }
 
 fn page_panel(panel: &LinePanel) -> PagePanel {
@@ -58,16 +50,8 @@ fn page_panel(panel: &LinePanel) -> PagePanel {
     }
     let mut layout = html::layout(&panel.subtitle, x, y);
     layout["shapes"] = panel.marks.iter().map(upright).collect();
-    layout["annotations"] = panel
-        .marks
-        .iter()
-        .map(|mark| name(mark, panel.x_scale))
-        .collect();
-    PagePanel {
-        data,
-        layout,
-        hover: Value::Null,
-    }
+    layout["annotations"] = panel.marks.iter().map(|mark| name(mark, panel.x_scale)).collect();
+    PagePanel { data, layout, hover: Value::Null }
 }
 
 /// The two edges of an area, filled between.
@@ -81,10 +65,7 @@ fn edges(area: &Area) -> [Value; 2] {
         })
     };
     let labelled = !area.label.is_empty();
-    [
-        edge(&area.low, Value::Null, false),
-        edge(&area.high, json!("tonexty"), labelled),
-    ]
+    [edge(&area.low, Value::Null, false), edge(&area.high, json!("tonexty"), labelled)]
 }
 
 /// The line of a mark.

@@ -29,15 +29,8 @@ impl MapFigure {
 fn html(figure: &MapFigure) -> Result<String, PlotError> {
     figure.check()?;
     let labels = figure.observation_labels();
-    let panels: Vec<PagePanel> = figure
-        .panels
-        .iter()
-        .map(|panel| page_panel(panel, &labels))
-        .collect();
-    let stage = PageStage {
-        name: String::new(),
-        panels,
-    };
+    let panels: Vec<PagePanel> = figure.panels.iter().map(|panel| page_panel(panel, &labels)).collect();
+    let stage = PageStage { name: String::new(), panels };
     Ok(html::page(&figure.title, &figure.caption, false, &[stage]))
 }
 
@@ -51,53 +44,23 @@ fn page_panel(panel: &MapPanel, labels: &[&str]) -> PagePanel {
     let rays: Vec<f64> = panel.other_rays().collect();
     for (index, &frequency) in rays.iter().enumerate() {
         let style = json!({ "color": Rgb::AUXILIARY.hex(), "width": 1 });
-        data.extend(ray_trace(
-            panel,
-            frequency,
-            "constant frequency V = fλ",
-            style,
-            index == 0,
-        ));
+        data.extend(ray_trace(panel, frequency, "constant frequency V = fλ", style, index == 0));
     }
     if let Some(frequency) = panel.best_fit_frequency_hz {
         let style = json!({ "color": BEST_FIT.hex(), "width": 2.5, "dash": "dash" });
-        data.extend(ray_trace(
-            panel,
-            frequency,
-            "constant frequency of the strongest branch",
-            style,
-            true,
-        ));
+        data.extend(ray_trace(panel, frequency, "constant frequency of the strongest branch", style, true));
     }
-    let branches = panel
-        .branches
-        .iter()
-        .filter(|branch| branch.points.len() > 1);
-    data.extend(
-        branches
-            .enumerate()
-            .map(|(index, branch)| branch_trace(branch, index == 0)),
-    );
-    for (at_edge, name) in [
-        (false, "strongest growth at each speed"),
-        (true, "strongest at the edge of the window"),
-    ] {
+    let branches = panel.branches.iter().filter(|branch| branch.points.len() > 1);
+    data.extend(branches.enumerate().map(|(index, branch)| branch_trace(branch, index == 0)));
+    for (at_edge, name) in [(false, "strongest growth at each speed"), (true, "strongest at the edge of the window")] {
         data.extend(ridge_trace(&panel.ridge, at_edge, name));
     }
     for (index, label) in labels.iter().enumerate() {
-        data.extend(observation_trace(
-            &panel.observations,
-            label,
-            Marker::open(index),
-        ));
+        data.extend(observation_trace(&panel.observations, label, Marker::open(index)));
     }
     data.push(scale_trace(panel, steps.as_ref()));
-    let labels = rays
-        .iter()
-        .filter_map(|&frequency| ray_label(panel, frequency, false));
-    let best_label = panel
-        .best_fit_frequency_hz
-        .and_then(|frequency| ray_label(panel, frequency, true));
+    let labels = rays.iter().filter_map(|&frequency| ray_label(panel, frequency, false));
+    let best_label = panel.best_fit_frequency_hz.and_then(|frequency| ray_label(panel, frequency, true));
     let mut layout = map_layout(panel);
     let weaker = panel.weaker_branches().filter_map(branch_label);
     layout["annotations"] = labels.chain(weaker).chain(best_label).collect();
@@ -106,18 +69,10 @@ fn page_panel(panel: &MapPanel, labels: &[&str]) -> PagePanel {
             "xref": "paper", "yref": "paper", "x": 0.5, "y": 0.5 }]);
     }
     let hover = panel.hover_values.as_ref().map_or(Value::Null, |values| {
-        let hover = Grid {
-            values: values.clone(),
-            ..panel.grid()
-        }
-        .thinned(MOST_GRID_POINTS);
+        let hover = Grid { values: values.clone(), ..panel.grid() }.thinned(MOST_GRID_POINTS);
         rows(&hover, number)
     });
-    PagePanel {
-        data,
-        layout,
-        hover,
-    }
+    PagePanel { data, layout, hover }
 }
 
 fn map_layout(panel: &MapPanel) -> Value {
@@ -170,9 +125,7 @@ fn map_trace(panel: &MapPanel, grid: &Grid, steps: Option<&Steps>) -> Value {
     let count = steps.map_or(1, |steps| steps.count);
     let scale: Vec<Value> = (0..=count)
         .map(|band| {
-            let color = steps
-                .filter(|_| band < count)
-                .map_or(Rgb::WHITE, |steps| steps.color(count - 1 - band));
+            let color = steps.filter(|_| band < count).map_or(Rgb::WHITE, |steps| steps.color(count - 1 - band));
             json!([band as f64 / count as f64, color.hex()])
         })
         .collect();
@@ -226,26 +179,14 @@ fn scale_trace(panel: &MapPanel, steps: Option<&Steps>) -> Value {
 }
 
 fn rows(grid: &Grid, cell: impl Fn(f64) -> Value) -> Value {
-    (0..grid.y.len())
-        .map(|j| {
-            (0..grid.x.len())
-                .map(|i| cell(grid.value(i, j)))
-                .collect::<Value>()
-        })
-        .collect()
+    (0..grid.y.len()).map(|j| (0..grid.x.len()).map(|i| cell(grid.value(i, j))).collect::<Value>()).collect()
 }
 
 fn places(points: &[f64], unit: f64) -> Value {
     coordinates(points.iter().map(|point| point * unit))
 }
 
-fn ray_trace(
-    panel: &MapPanel,
-    frequency: f64,
-    name: &str,
-    line: Value,
-    showlegend: bool,
-) -> Option<Value> {
+fn ray_trace(panel: &MapPanel, frequency: f64, name: &str, line: Value, showlegend: bool) -> Option<Value> {
     let [from, to] = panel.window().ray(frequency)?;
     Some(json!({
         "type": "scatter", "mode": "lines", "name": name, "legendgroup": name, "showlegend": showlegend,
@@ -259,20 +200,9 @@ fn ray_trace(
 fn ray_label(panel: &MapPanel, frequency: f64, best: bool) -> Option<Value> {
     let [from, to] = panel.window().ray(frequency)?;
     let share = if best { 0.86 } else { 0.93 };
-    let at = (
-        from.0 + share * (to.0 - from.0),
-        from.1 + share * (to.1 - from.1),
-    );
-    let text = if best {
-        format!("<b>f = {} Hz</b>", hertz(frequency))
-    } else {
-        format!("{} Hz", hertz(frequency))
-    };
-    let (color, size) = if best {
-        (BEST_FIT.hex(), 13)
-    } else {
-        ("#505050".to_owned(), 11)
-    };
+    let at = (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
+    let text = if best { format!("<b>f = {} Hz</b>", hertz(frequency)) } else { format!("{} Hz", hertz(frequency)) };
+    let (color, size) = if best { (BEST_FIT.hex(), 13) } else { ("#505050".to_owned(), 11) };
     Some(json!({
         "text": text, "showarrow": false, "x": number(1e3 * at.0), "y": number(3.6 * at.1),
         "xshift": if best { -46 } else { 0 }, "yshift": if best { 18 } else { 0 },
@@ -306,24 +236,16 @@ fn branch_label(branch: &BranchLine) -> Option<Value> {
 fn ridge_trace(ridge: &[RidgeMark], at_edge: bool, name: &str) -> Option<Value> {
     let marks: Vec<&RidgeMark> = ridge
         .iter()
-        .filter(|mark| {
-            mark.at_edge == at_edge
-                && mark.wavelength_m.is_finite()
-                && mark.speed_m_per_s.is_finite()
-        })
+        .filter(|mark| mark.at_edge == at_edge && mark.wavelength_m.is_finite() && mark.speed_m_per_s.is_finite())
         .collect();
     if marks.is_empty() {
         return None;
     }
-    let marks: Vec<&RidgeMark> = thinned_indices(marks.len(), MOST_RIDGE_MARKS)
-        .into_iter()
-        .map(|index| marks[index])
-        .collect();
+    let marks: Vec<&RidgeMark> =
+        thinned_indices(marks.len(), MOST_RIDGE_MARKS).into_iter().map(|index| marks[index]).collect();
     Some(point_trace(
         name,
-        marks
-            .iter()
-            .map(|mark| (mark.wavelength_m, mark.speed_m_per_s)),
+        marks.iter().map(|mark| (mark.wavelength_m, mark.speed_m_per_s)),
         json!({ "symbol": if at_edge { Marker::Circle } else { Marker::Disc }.plotly_symbol(), "size": 5,
             "color": "#000", "line": { "width": if at_edge { 1.2 } else { 0.6 },
             "color": if at_edge { "#000" } else { "#fff" } } }),
@@ -331,11 +253,8 @@ fn ridge_trace(ridge: &[RidgeMark], at_edge: bool, name: &str) -> Option<Value> 
 }
 
 fn observation_trace(observations: &[Observation], label: &str, marker: Marker) -> Option<Value> {
-    let mut points = observations
-        .iter()
-        .filter(|other| other.label == label)
-        .map(|o| (o.wavelength_m, o.speed_m_per_s))
-        .peekable();
+    let mut points =
+        observations.iter().filter(|other| other.label == label).map(|o| (o.wavelength_m, o.speed_m_per_s)).peekable();
     points.peek()?;
     let style = json!({ "symbol": marker.plotly_symbol(), "size": 10, "color": "#000", "line": { "width": 1.6 } });
     Some(point_trace(label, points, style))
@@ -343,10 +262,7 @@ fn observation_trace(observations: &[Observation], label: &str, marker: Marker) 
 
 fn point_trace(name: &str, points: impl Iterator<Item = (f64, f64)>, marker: Value) -> Value {
     let (wavelengths, speeds): (Vec<f64>, Vec<f64>) = points.unzip();
-    let frequencies = wavelengths
-        .iter()
-        .zip(&speeds)
-        .map(|(wavelength, speed)| number(speed / wavelength));
+    let frequencies = wavelengths.iter().zip(&speeds).map(|(wavelength, speed)| number(speed / wavelength));
     json!({
         "type": "scatter", "mode": "markers", "name": words(name), "marker": marker, "cliponaxis": false,
         "customdata": frequencies.collect::<Value>(),

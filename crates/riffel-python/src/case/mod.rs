@@ -37,13 +37,7 @@ pub(crate) use portable::PortableCase;
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 type Complex<'py> = Bound<'py, PyArray1<Complex64>>;
 /// Input, output, its name, response and error.
-type Response<'py> = (
-    &'static str,
-    &'static str,
-    &'static str,
-    Complex<'py>,
-    Real<'py>,
-);
+type Response<'py> = (&'static str, &'static str, &'static str, Complex<'py>, Real<'py>);
 
 /// A case, checked and complete.
 #[pyclass(frozen, module = "riffel._riffel")]
@@ -70,18 +64,13 @@ pub(crate) fn direction(name: &str) -> PyResult<Direction> {
         "vertical" => Ok(Direction::Vertical),
         "lateral" => Ok(Direction::Lateral),
         "longitudinal" => Ok(Direction::Longitudinal),
-        _ => Err(wrong(format!(
-            "direction is \"{name}\", but must be \"vertical\", \"lateral\" or \"longitudinal\""
-        ))),
+        _ => Err(wrong(format!("direction is \"{name}\", but must be \"vertical\", \"lateral\" or \"longitudinal\""))),
     }
 }
 
 impl Case {
     pub(crate) fn new(case: riffel_case::Case) -> Self {
-        Self {
-            case: Arc::new(case),
-            callables: Vec::new(),
-        }
+        Self { case: Arc::new(case), callables: Vec::new() }
     }
 }
 
@@ -95,16 +84,9 @@ impl Case {
     }
 
     #[staticmethod]
-    fn parse(
-        py: Python<'_>,
-        text: String,
-        name: String,
-        overrides: &Bound<'_, PyDict>,
-    ) -> PyResult<Self> {
+    fn parse(py: Python<'_>, text: String, name: String, overrides: &Bound<'_, PyDict>) -> PyResult<Self> {
         let overrides = assignments(overrides)?;
-        let case = interruptible(py, move || {
-            riffel_case::Case::parse(&name, &text, &overrides)
-        })?;
+        let case = interruptible(py, move || riffel_case::Case::parse(&name, &text, &overrides))?;
         case.map(Self::new).map_err(of_case)
     }
 
@@ -118,10 +100,7 @@ impl Case {
     fn with_overrides(&self, py: Python<'_>, overrides: &Bound<'_, PyDict>) -> PyResult<Self> {
         let overrides = assignments(overrides)?;
         let case = self.compute(py, move |case| case.with(&[&overrides]))?;
-        Ok(Self {
-            case: Arc::new(case.map_err(of_case)?),
-            callables: self.callables.clone(),
-        })
+        Ok(Self { case: Arc::new(case.map_err(of_case)?), callables: self.callables.clone() })
     }
 
     fn with_track(&self, py: Python<'_>, track: &Bound<'_, PyAny>) -> PyResult<Self> {
@@ -154,9 +133,7 @@ impl Case {
         };
         let (track, wheel) = (extract(track, "track")?, extract(wheel, "wheel")?);
         let portable = portable.0.clone();
-        let built = interruptible(py, move || {
-            riffel_case::Case::restore(&portable, track, wheel)
-        })?;
+        let built = interruptible(py, move || riffel_case::Case::restore(&portable, track, wheel))?;
         Self::built(built, callables)
     }
 
@@ -166,8 +143,7 @@ impl Case {
     }
 
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let mut table =
-            toml::Table::try_from(&self.case.file).map_err(|error| wrong(error.to_string()))?;
+        let mut table = toml::Table::try_from(&self.case.file).map_err(|error| wrong(error.to_string()))?;
         // What the wear measured has made is none of the keys beside it.
         if self.case.file.wear.measured.is_some()
             && let Some(wear) = table.get_mut("wear").and_then(toml::Value::as_table_mut)
@@ -207,16 +183,8 @@ impl Case {
         let case = self.case.clone();
         let all = interruptible(py, move || case.sensitivities(wavelength, speed))?;
         let all = self.unless_callable_failed(all)?.map_err(of_case)?;
-        let row = |one: riffel_case::Sensitivity| {
-            (
-                one.key,
-                one.unit,
-                one.value,
-                one.derivative,
-                one.elasticity,
-                one.error,
-            )
-        };
+        let row =
+            |one: riffel_case::Sensitivity| (one.key, one.unit, one.value, one.derivative, one.elasticity, one.error);
         Ok(all.into_iter().map(row).collect())
     }
 
@@ -230,22 +198,11 @@ impl Case {
         seed: u64,
     ) -> PyResult<[Vec<f64>; 4]> {
         let [wavelength, speed] = point;
-        let drawn = DrawnSupports {
-            deviation,
-            supports,
-            seed,
-        };
+        let drawn = DrawnSupports { deviation, supports, seed };
         let case = self.case.clone();
-        let growth = interruptible(py, move || {
-            case.growth_on_irregular_supports(wavelength, speed, drawn)
-        })?;
+        let growth = interruptible(py, move || case.growth_on_irregular_supports(wavelength, speed, drawn))?;
         let growth = self.unless_callable_failed(growth)?.map_err(of_case)?;
-        Ok([
-            growth.places,
-            growth.growth_rates,
-            growth.even,
-            growth.supports,
-        ])
+        Ok([growth.places, growth.growth_rates, growth.even, growth.supports])
     }
 
     /// Quantities at pairs of wavelength and speed: key, unit, name and values of each.
@@ -287,10 +244,7 @@ impl Case {
     }
 
     /// Ŵ₁ over a support, in mid-span and in the mean over the bay, over the window of the case.
-    fn bay_maps<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<([Bound<'py, PyArray2<Complex64>>; 3], f64)> {
+    fn bay_maps<'py>(&self, py: Python<'py>) -> PyResult<([Bound<'py, PyArray2<Complex64>>; 3], f64)> {
         self.case.check_window().map_err(of_case)?;
         let track = self.case.track.structure.clone();
         let bay = track.and_then(|track| Bay::new(&self.case.feedback, track));
@@ -301,20 +255,14 @@ impl Case {
                 self.case.file.track.model.name()
             )));
         };
-        let maps = self.compute(py, move |case| {
-            bay.maps(case.wavelength, case.speed, |_| ())
-        })?;
+        let maps = self.compute(py, move |case| bay.maps(case.wavelength, case.speed, |_| ()))?;
         let rate = self.case.feedback.growth_rate_per_dissipation();
         let array = |map: &GrowthMap| {
             let values: Vec<Complex64> = map.rows().flat_map(|(_, row)| row).copied().collect();
             let shape = [map.speed().points(), map.wavelength().points()];
             values.into_pyarray(py).reshape(shape)
         };
-        let arrays = [
-            array(&maps.over_support)?,
-            array(&maps.mid_span)?,
-            array(&maps.mean)?,
-        ];
+        let arrays = [array(&maps.over_support)?, array(&maps.mid_span)?, array(&maps.mean)?];
         Ok((arrays, rate))
     }
 
@@ -339,13 +287,7 @@ impl Case {
         py: Python<'py>,
         wavelength: (f64, f64, usize),
         speeds: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<
-        Vec<(
-            Bound<'py, PyDict>,
-            [Real<'py>; 5],
-            Bound<'py, PyArray1<bool>>,
-        )>,
-    > {
+    ) -> PyResult<Vec<(Bound<'py, PyDict>, [Real<'py>; 5], Bound<'py, PyArray1<bool>>)>> {
         let (case, ridge) = self.search_ridge(py, wavelength, &speeds)?;
         let documents = self.unless_callable_failed(BranchDocument::all(&case, &ridge))?;
         let branches = documents.iter().zip(&ridge.branches);
@@ -387,12 +329,9 @@ impl Case {
             }
         };
         let (lowest, highest) = ends(&frequencies);
-        self.case
-            .check_frequencies(lowest, highest)
-            .map_err(of_case)?;
-        let curves = self.compute(py, move |case| {
-            ReceptanceCurves::new(case, &track, direction, speed, frequencies)
-        })?;
+        self.case.check_frequencies(lowest, highest).map_err(of_case)?;
+        let curves =
+            self.compute(py, move |case| ReceptanceCurves::new(case, &track, direction, speed, frequencies))?;
         let all = curves.joints.into_iter().chain(curves.places);
         let all = all.map(|curve| (curve.key, curve.label, curve.values.into_pyarray(py)));
         Ok((curves.frequencies.into_pyarray(py), all.collect()))
@@ -422,10 +361,7 @@ impl Case {
 
     /// Nominal frequency, decay rate and whether it is an upper bound, for each one-third octave.
     fn decay_rate(&self, py: Python<'_>, direction: &str) -> PyResult<Vec<(f64, f64, bool)>> {
-        let track = self
-            .case
-            .track_in(self::direction(direction)?)
-            .map_err(of_case)?;
+        let track = self.case.track_in(self::direction(direction)?).map_err(of_case)?;
         let Some(structure) = track.structure.filter(|_| track.support.is_some()) else {
             return Err(wrong(
                 "a decay rate needs a track whose supports are known: a rail without support hardly decays",

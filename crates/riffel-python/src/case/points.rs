@@ -31,17 +31,11 @@ pub(super) fn at(
     };
     if wavelengths.len() < MANY {
         let pairs = wavelengths.iter().zip(&speeds);
-        Ok(py.detach(|| {
-            pairs
-                .map(|(&wavelength, &speed)| at(wavelength, speed))
-                .collect()
-        }))
+        Ok(py.detach(|| pairs.map(|(&wavelength, &speed)| at(wavelength, speed)).collect()))
     } else {
         interruptible(py, move || {
             let pairs = wavelengths.par_iter().zip(&speeds);
-            pairs
-                .map(|(&wavelength, &speed)| at(wavelength, speed))
-                .collect()
+            pairs.map(|(&wavelength, &speed)| at(wavelength, speed)).collect()
         })
     }
 }
@@ -50,8 +44,8 @@ pub(super) fn at(
 fn damage_columns<'py>(py: Python<'py>, points: &[&DamagePoint]) -> PyResult<Vec<Column<'py>>> {
     let mut columns: Vec<(String, Vec<Value>)> = Vec::new();
     for (index, point) in points.iter().enumerate() {
-        let value = serde_json::to_value(point)
-            .map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))?;
+        let value =
+            serde_json::to_value(point).map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))?;
         let mut leaves = Vec::new();
         collect_numbers("damage", &value, &mut leaves);
         for (place, (key, value)) in leaves.into_iter().enumerate() {
@@ -98,10 +92,7 @@ fn collect_numbers(key: &str, value: &Value, into: &mut Vec<(String, Value)>) {
 }
 
 /// The quantities of points, what damage says of them, and the limits by wear.
-pub(super) fn columns<'py>(
-    py: Python<'py>,
-    points: &[(Point, WearLimitDocument)],
-) -> PyResult<Vec<Column<'py>>> {
+pub(super) fn columns<'py>(py: Python<'py>, points: &[(Point, WearLimitDocument)]) -> PyResult<Vec<Column<'py>>> {
     let columns = points[0].0.quantities.iter().enumerate();
     let columns = columns.map(|(index, (quantity, _))| {
         let values = || points.iter().map(|point| point.0.quantities[index].1);
@@ -133,24 +124,9 @@ pub(super) fn columns<'py>(
     let wear = limits(|limit| limit.mean_wear_mm_per_100_mgt);
     let amplitude = limits(|limit| limit.amplitude_limit_m.unwrap_or(f64::NAN));
     let beside = [
-        (
-            "wear_coefficient_kg_per_j".to_owned(),
-            "kg/J",
-            "wear coefficient that the rate goes by",
-            coefficient,
-        ),
-        (
-            "mean_wear_mm_per_100_mgt".to_owned(),
-            "mm",
-            "mean wear under 100 MGT",
-            wear,
-        ),
-        (
-            "amplitude_limit_m".to_owned(),
-            "m",
-            "amplitude beyond which the rate cannot last",
-            amplitude,
-        ),
+        ("wear_coefficient_kg_per_j".to_owned(), "kg/J", "wear coefficient that the rate goes by", coefficient),
+        ("mean_wear_mm_per_100_mgt".to_owned(), "mm", "mean wear under 100 MGT", wear),
+        ("amplitude_limit_m".to_owned(), "m", "amplitude beyond which the rate cannot last", amplitude),
     ];
     let damage = points.iter().map(|(point, _)| point.damage.as_ref());
     let damage = match damage.collect::<Option<Vec<_>>>() {

@@ -19,27 +19,13 @@ impl PortableCase {
         overrides: Vec<(String, String)>,
         folder: Option<PathBuf>,
     ) -> Self {
-        Self(riffel_case::PortableCase {
-            name,
-            text,
-            keys,
-            overrides,
-            folder,
-        })
+        Self(riffel_case::PortableCase { name, text, keys, overrides, folder })
     }
 
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
         let written = self.0.clone();
-        let arguments = (
-            written.name,
-            written.text,
-            written.keys,
-            written.overrides,
-            written.folder.map(PathBuf::into_os_string),
-        );
+        let arguments =
+            (written.name, written.text, written.keys, written.overrides, written.folder.map(PathBuf::into_os_string));
         Ok((py.get_type::<Self>(), arguments.into_pyobject(py)?))
     }
 }

@@ -7,10 +7,7 @@ use riffel::growth::RidgePoint;
 use super::Real;
 
 /// Wavelength, frequency, Re Ŵ₁ and growth rate of points of a ridge, and whether each sits at the edge.
-pub(super) fn over_speed<'py>(
-    py: Python<'py>,
-    points: &[RidgePoint],
-) -> ([Real<'py>; 4], Bound<'py, PyArray1<bool>>) {
+pub(super) fn over_speed<'py>(py: Python<'py>, points: &[RidgePoint]) -> ([Real<'py>; 4], Bound<'py, PyArray1<bool>>) {
     let column = |value: fn(&RidgePoint) -> f64| {
         let values = points.iter().map(value);
         values.collect::<Vec<_>>().into_pyarray(py)

@@ -46,16 +46,9 @@ impl Case {
     }
 
     /// The case on wavelengths and speeds that may leave its window.
-    pub(super) fn over(
-        &self,
-        py: Python<'_>,
-        wavelengths: &[f64],
-        speeds: &[f64],
-    ) -> PyResult<Arc<riffel_case::Case>> {
+    pub(super) fn over(&self, py: Python<'_>, wavelengths: &[f64], speeds: &[f64]) -> PyResult<Arc<riffel_case::Case>> {
         let ((shortest, longest), (slowest, fastest)) = (ends(wavelengths), ends(speeds));
-        self.case
-            .check_points([shortest, longest], [slowest, fastest])
-            .map_err(of_case)?;
+        self.case.check_points([shortest, longest], [slowest, fastest]).map_err(of_case)?;
         if self.case.wavelength.min() <= shortest && longest <= self.case.wavelength.max() {
             return Ok(self.case.clone());
         }
@@ -74,9 +67,7 @@ impl Case {
         let speeds = owned(speeds);
         let case = self.over(py, &[shortest, longest], &speeds)?;
         let searched = case.clone();
-        let ridge = interruptible(py, move || {
-            Ridge::search_at(&searched.feedback, axis, &speeds)
-        })?;
+        let ridge = interruptible(py, move || Ridge::search_at(&searched.feedback, axis, &speeds))?;
         Ok((case, self.unless_callable_failed(ridge)?))
     }
 
@@ -87,10 +78,7 @@ impl Case {
     ) -> PyResult<Self> {
         match take_failure(&callables) {
             Some(error) => Err(error),
-            None => Ok(Self {
-                case: Arc::new(built.map_err(of_case)?),
-                callables,
-            }),
+            None => Ok(Self { case: Arc::new(built.map_err(of_case)?), callables }),
         }
     }
 
@@ -99,18 +87,10 @@ impl Case {
         py: Python<'_>,
         given: &Bound<'_, PyAny>,
         what: &'static str,
-        put: fn(
-            &riffel_case::Case,
-            riffel_case::GivenReceptance,
-        ) -> Result<riffel_case::Case, CaseError>,
+        put: fn(&riffel_case::Case, riffel_case::GivenReceptance) -> Result<riffel_case::Case, CaseError>,
     ) -> PyResult<Self> {
         let (receptance, callable) = given::extract(given, what)?;
-        let mut callables: Vec<_> = self
-            .callables
-            .iter()
-            .filter(|callable| !callable.is_of(what))
-            .cloned()
-            .collect();
+        let mut callables: Vec<_> = self.callables.iter().filter(|callable| !callable.is_of(what)).cloned().collect();
         callables.extend(callable);
         let case = self.case.clone();
         let built = interruptible(py, move || put(&case, receptance))?;

@@ -53,15 +53,10 @@ impl Clock {
             let off = chunk.iter().zip(0u32..);
             let (low, high) = off
                 .map(|(time, row)| time - chunk[0] - f64::from(row) * step)
-                .fold((0.0f64, 0.0f64), |(low, high), off| {
-                    (low.min(off), high.max(off))
-                });
+                .fold((0.0f64, 0.0f64), |(low, high), off| (low.min(off), high.max(off)));
             high - low
         });
-        Some(Self {
-            rate: step.recip(),
-            jitter: median(ranges.collect())?,
-        })
+        Some(Self { rate: step.recip(), jitter: median(ranges.collect())? })
     }
 
     /// Farthest that a time may be from where it is expected \[s\].
@@ -101,11 +96,7 @@ pub(super) struct Ticking {
 
 impl Ticking {
     pub(super) fn new(clock: Clock) -> Self {
-        Self {
-            clock,
-            expected: None,
-            last: f64::NEG_INFINITY,
-        }
+        Self { clock, expected: None, last: f64::NEG_INFINITY }
     }
 
     /// The time before \[s\].
@@ -240,18 +231,13 @@ impl Regression {
             let digits = 10f64.powi(certain.max(3) - 1 - rate.log10().floor() as i32);
             (rate * digits).round() / digits
         };
-        let clock = Clock {
-            rate: rounded(rate, error(self.rows)),
-            jitter: self.clock.jitter,
-        };
+        let clock = Clock { rate: rounded(rate, error(self.rows)), jitter: self.clock.jitter };
         let part = self.blocks.len().div_ceil(PARTS).max(1);
         let parts = self.blocks.chunks(part).map(|blocks| {
             let sum = |sum: (f64, f64), one: &(f64, f64)| (sum.0 + one.0, sum.1 + one.1);
             slope(blocks.iter().fold((0.0, 0.0), sum))
         });
-        let (slowest, fastest) = parts.fold((rate, rate), |(low, high), rate| {
-            (low.min(rate), high.max(rate))
-        });
+        let (slowest, fastest) = parts.fold((rate, rate), |(low, high), rate| (low.min(rate), high.max(rate)));
         let drift = fastest / slowest - 1.0;
         let unsure = error(BLOCK as f64 / 2.0);
         if drift.is_nan() || drift <= DRIFT + unsure {
@@ -266,12 +252,7 @@ impl Regression {
                 percent = fixed(100.0 * STEADY, 0)
             )),
             false => {
-                let drifts = say!(
-                    clock_drifts,
-                    slowest = slowest,
-                    fastest = fastest,
-                    rate = clock.rate
-                );
+                let drifts = say!(clock_drifts, slowest = slowest, fastest = fastest, rate = clock.rate);
                 Ok((clock, Some(drifts)))
             }
         }
@@ -301,18 +282,14 @@ mod tests {
     fn rounded_times_have_the_rate_of_all_rows() {
         for hertz in [1000.0, 2500.0, 4096.0, 6000.0, 6250.0, 20_000.0] {
             for step in [1e-6, 1e-4, 1e-3, 1e-2] {
-                let times: Vec<f64> = (0..20_000)
-                    .map(|n| rounded(f64::from(n) / hertz, step))
-                    .collect();
+                let times: Vec<f64> = (0..20_000).map(|n| rounded(f64::from(n) / hertz, step)).collect();
                 let (found, said) = rate(&times).unwrap();
                 assert!((found / hertz - 1.0).abs() < 1e-4, "{hertz} {step} {found}");
                 assert_eq!(said, None, "{hertz} {step}");
             }
         }
         // Five thousand rows tell the fifth digit.
-        let times: Vec<f64> = (0..5000)
-            .map(|n| rounded(f64::from(n) / 6000.0, 1e-4))
-            .collect();
+        let times: Vec<f64> = (0..5000).map(|n| rounded(f64::from(n) / 6000.0, 1e-4)).collect();
         assert_eq!(rate(&times).unwrap().0, 6000.0);
     }
 
@@ -323,9 +300,7 @@ mod tests {
         let times: Vec<f64> = (0..24_000).map(time).collect();
         assert_eq!(rate(&times).unwrap(), (6000.0, None));
         let mut ticking = Ticking::new(Clock::of(&times[..2500]).unwrap());
-        let leaps = times
-            .iter()
-            .filter(|time| ticking.tick(**time) == Tick::Leap);
+        let leaps = times.iter().filter(|time| ticking.tick(**time) == Tick::Leap);
         assert_eq!(leaps.count(), 9);
     }
 

@@ -47,14 +47,7 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
         let mut own = own.iter().enumerate();
         own.any(|(place, word)| (place == 0 || word.len() > 2) && is_one_of(word, known))
     };
-    let missing = |one: &str, other: &str| {
-        Err(say!(
-            column_has_no_unit,
-            name = name,
-            one = one,
-            other = other
-        ))
-    };
+    let missing = |one: &str, other: &str| Err(say!(column_has_no_unit, name = name, one = one, other = other));
     if is(ACCELERATION) {
         return match acceleration(&written) {
             Some(unit) => Ok(Some(Content::Acceleration(unit))),
@@ -89,31 +82,24 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
     let written = written.trim_end();
     let is_marked = UNITS_OF_GRAVITY.iter().any(|unit| written.ends_with(unit));
     let has_unit = is_marked || SI.iter().any(|unit| written.contains(unit));
-    Ok(acceleration(written)
-        .filter(|_| has_unit)
-        .map(Content::Acceleration))
+    Ok(acceleration(written).filter(|_| has_unit).map(Content::Acceleration))
 }
 
 /// Ends of heads that are units and no words.
 const UNITS_OF_GRAVITY: [&str; 6] = ["[g]", "(g)", "_g", "[mg]", "(mg)", "_mg"];
 
 /// As metres per second squared are written.
-const SI: [&str; 8] = [
-    "m/s2", "m/s²", "m/s^2", "m_per_s2", "m_s2", "ms-2", "mps2", "m/s/s",
-];
+const SI: [&str; 8] = ["m/s2", "m/s²", "m/s^2", "m_per_s2", "m_s2", "ms-2", "mps2", "m/s/s"];
 
 fn acceleration(written: &str) -> Option<f64> {
     if SI.iter().any(|unit| written.contains(unit)) {
         return Some(1.0);
     }
-    words(written)
-        .iter()
-        .rev()
-        .find_map(|word| match word.as_str() {
-            "g" | "gn" => Some(STANDARD_GRAVITY),
-            "mg" => Some(1e-3 * STANDARD_GRAVITY),
-            _ => None,
-        })
+    words(written).iter().rev().find_map(|word| match word.as_str() {
+        "g" | "gn" => Some(STANDARD_GRAVITY),
+        "mg" => Some(1e-3 * STANDARD_GRAVITY),
+        _ => None,
+    })
 }
 
 fn speed(written: &str) -> Option<f64> {
@@ -180,15 +166,7 @@ mod tests {
 
     #[test]
     fn units_are_no_part_of_a_name() {
-        for unit in [
-            "[m/s²]",
-            "[m/s2]",
-            "(m/s^2)",
-            "ms-2",
-            "_m_per_s2",
-            "[g]",
-            "[m/s/s]",
-        ] {
+        for unit in ["[m/s²]", "[m/s2]", "(m/s^2)", "ms-2", "_m_per_s2", "[g]", "[m/s/s]"] {
             let heading = Heading::of_name(&format!("Beschleunigung links {unit}"));
             assert_eq!(channel_name(&heading, 0), "links", "{unit}");
         }

@@ -105,12 +105,7 @@ impl AxleBoxFile {
             }
         }
         if let Some(values) = place.values().filter(|values| values.len() != count) {
-            return refuse(say!(
-                place_of_other_length,
-                count = values.len(),
-                first = &names[0],
-                other = count
-            ));
+            return refuse(say!(place_of_other_length, count = values.len(), first = &names[0], other = count));
         }
         let head = AxleBoxHead {
             names,
@@ -121,11 +116,7 @@ impl AxleBoxFile {
             counting: Counting::Samples,
             remarks: Vec::new(),
         };
-        Self::checked(
-            path,
-            head,
-            Source::Arrays(AxleBoxArrays { channels, place }),
-        )
+        Self::checked(path, head, Source::Arrays(AxleBoxArrays { channels, place }))
     }
 
     fn checked(path: PathBuf, mut head: AxleBoxHead, source: Source) -> Result<Self, CaseError> {
@@ -136,8 +127,7 @@ impl AxleBoxFile {
             }
         }
         let filtered = head.names.iter();
-        let filtered =
-            filtered.filter_map(|name| filter_remark(name, format!("\"{name}\"").into()));
+        let filtered = filtered.filter_map(|name| filter_remark(name, format!("\"{name}\"").into()));
         head.remarks.extend(filtered);
         Ok(Self { path, head, source })
     }
@@ -186,9 +176,7 @@ impl AxleBoxFile {
             Source::Arrays(arrays) => arrays.each(&mut take, progress)?,
         }
         let end = listener.end();
-        let remarks = listener
-            .finish()
-            .map_err(|refusal| refusal.of(&self.path))?;
+        let remarks = listener.finish().map_err(|refusal| refusal.of(&self.path))?;
         Ok((remarks, end))
     }
 }
@@ -212,10 +200,7 @@ mod tests {
     const HEAD: &str = "time_s;acceleration_left_m_per_s2;speed_km_per_h";
 
     /// Samples, gaps, last position and remarks of a table.
-    fn read(
-        text: &str,
-        layout: &AxleBoxLayout,
-    ) -> Result<(usize, usize, f64, Vec<String>), String> {
+    fn read(text: &str, layout: &AxleBoxLayout) -> Result<(usize, usize, f64, Vec<String>), String> {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         std::fs::write(&path, text).unwrap();
@@ -238,17 +223,14 @@ mod tests {
 
     #[test]
     fn a_run_is_read() {
-        let (samples, gaps, last, remarks) =
-            read(&table(HEAD, |_, _| ()), &AxleBoxLayout::default()).unwrap();
+        let (samples, gaps, last, remarks) = read(&table(HEAD, |_, _| ()), &AxleBoxLayout::default()).unwrap();
         assert_eq!((samples, gaps), (2000, 0));
         assert!((last - 40.0).abs() < 1e-6, "{last}");
         assert!(remarks.is_empty(), "{remarks:?}");
         let commas = table(HEAD, |_, _| ()).replace('.', ",");
         assert_eq!(read(&commas, &AxleBoxLayout::default()).unwrap().0, 2000);
         let odometer = "time_s;acceleration_left_g;odometer_m";
-        let along = table(odometer, |row, values| {
-            values[2] = 12_000.0 + 0.02 * row as f64
-        });
+        let along = table(odometer, |row, values| values[2] = 12_000.0 + 0.02 * row as f64);
         let (_, _, last, _) = read(&along, &AxleBoxLayout::default()).unwrap();
         assert!((last - 12_039.98).abs() < 1e-6);
     }
@@ -273,22 +255,13 @@ mod tests {
             (first.unwrap(), end, said.unwrap_or_default())
         };
         let (_, end, _) = read(0.0, None);
-        assert!(
-            (end.position - 40.0).abs() < 1e-6 && end.time == Some(1.999),
-            "{end:?}"
-        );
+        assert!((end.position - 40.0).abs() < 1e-6 && end.time == Some(1.999), "{end:?}");
         let (first, last, said) = read(2.5, Some(end));
         // Half a second at 20 m/s between them.
-        assert!(
-            (first - 50.04).abs() < 1e-6 && (last.position - 90.02).abs() < 1e-2,
-            "{first} {last:?}"
-        );
+        assert!((first - 50.04).abs() < 1e-6 && (last.position - 90.02).abs() < 1e-2, "{first} {last:?}");
         assert!(said.is_empty(), "{said}");
         let (first, _, said) = read(0.0, Some(end));
-        assert!(
-            first < 0.1 && said.contains("another run from the same place"),
-            "{first} {said}"
-        );
+        assert!(first < 0.1 && said.contains("another run from the same place"), "{first} {said}");
     }
 
     #[test]
@@ -298,10 +271,7 @@ mod tests {
         });
         let (samples, gaps, _, remarks) = read(&leaping, &AxleBoxLayout::default()).unwrap();
         assert_eq!((samples, gaps), (2000, 1));
-        assert!(
-            remarks[0].contains("leaps once, at line 503"),
-            "{remarks:?}"
-        );
+        assert!(remarks[0].contains("leaps once, at line 503"), "{remarks:?}");
         let dead = table(HEAD, |row, values| {
             if (800..1000).contains(&row) {
                 values[1] = 0.123;
@@ -314,61 +284,32 @@ mod tests {
         let silent = table(HEAD, |_, values| values[1] = 0.0);
         let (.., remarks) = read(&silent, &AxleBoxLayout::default()).unwrap();
         // It drops out, and is not clipped.
-        assert!(
-            remarks[0].contains("drops out once") && remarks.len() == 1,
-            "{remarks:?}"
-        );
+        assert!(remarks[0].contains("drops out once") && remarks.len() == 1, "{remarks:?}");
     }
 
     #[test]
     fn what_is_wrong_is_refused_with_its_line() {
         let plain = &AxleBoxLayout::default();
         for (text, part) in [
+            (table(HEAD, |row, values| values[2] = 50.0 - 0.1 * row as f64), "line 503: the speed is"),
+            (table(HEAD, |row, values| values[0] -= if row > 99 { 0.05 } else { 0.0 }), "line 102: the time falls"),
             (
-                table(HEAD, |row, values| values[2] = 50.0 - 0.1 * row as f64),
-                "line 503: the speed is",
-            ),
-            (
-                table(HEAD, |row, values| {
-                    values[0] -= if row > 99 { 0.05 } else { 0.0 }
+                table("time_s;acceleration_left_m_per_s2;odometer_m", |row, values| {
+                    values[2] = 100.0 - 0.02 * row as f64;
                 }),
-                "line 102: the time falls",
-            ),
-            (
-                table(
-                    "time_s;acceleration_left_m_per_s2;odometer_m",
-                    |row, values| {
-                        values[2] = 100.0 - 0.02 * row as f64;
-                    },
-                ),
                 "line 3: the odometer falls",
             ),
-            (
-                table(HEAD, |_, values| values[1] = values[1].min(3.0)),
-                "clipped at 3.0000 m/s² in",
-            ),
-            (
-                table(HEAD, |_, values| values[1] = 0.01 * values[1] + 1.0),
-                "as gravity is in g",
-            ),
+            (table(HEAD, |_, values| values[1] = values[1].min(3.0)), "clipped at 3.0000 m/s² in"),
+            (table(HEAD, |_, values| values[1] = 0.01 * values[1] + 1.0), "as gravity is in g"),
             (
                 table("time_s;acceleration_left_g;speed_km_per_h", |_, values| {
                     values[1] = 0.01 * values[1] + 9.81;
                 }),
                 "as gravity is in m/s²",
             ),
-            (
-                table("time_s;acceleration_left;speed_km_per_h", |_, _| ()),
-                "has no unit",
-            ),
-            (
-                table("time_s;acceleration_left_g;temperature", |_, _| ()),
-                "no column of speeds",
-            ),
-            (
-                table("row;acceleration_left_g;speed_m_per_s", |_, _| ()),
-                "no column of times",
-            ),
+            (table("time_s;acceleration_left;speed_km_per_h", |_, _| ()), "has no unit"),
+            (table("time_s;acceleration_left_g;temperature", |_, _| ()), "no column of speeds"),
+            (table("row;acceleration_left_g;speed_m_per_s", |_, _| ()), "no column of times"),
             ("1;2;3\n4;5;6\n".to_owned(), "under a head"),
         ] {
             let refusal = read(&text, plain).unwrap_err();

@@ -40,12 +40,7 @@ pub(super) struct AxleBoxHead {
 
 impl AxleBoxHead {
     /// Of signals at even times.
-    pub(super) fn of_samples<S>(
-        names: Vec<String>,
-        rate: f64,
-        places: &Places<S>,
-        remarks: Vec<Message>,
-    ) -> Self {
+    pub(super) fn of_samples<S>(names: Vec<String>, rate: f64, places: &Places<S>, remarks: Vec<Message>) -> Self {
         Self {
             names,
             rate,
@@ -120,13 +115,7 @@ pub(super) struct Signals<T> {
 
 impl<T> Default for Signals<T> {
     fn default() -> Self {
-        Self {
-            channels: Vec::new(),
-            speed: None,
-            odometer: None,
-            time: None,
-            seconds: Vec::new(),
-        }
+        Self { channels: Vec::new(), speed: None, odometer: None, time: None, seconds: Vec::new() }
     }
 }
 
@@ -149,15 +138,8 @@ impl<T> Signals<T> {
     ///
     /// # Errors
     /// These sentences, where no channel is left.
-    pub(super) fn leave_out_others(
-        &mut self,
-        name: impl Fn(&T) -> String,
-    ) -> Result<Vec<Message>, Message> {
-        let names: Vec<String> = self
-            .channels
-            .iter()
-            .map(|(signal, _)| name(signal))
-            .collect();
+    pub(super) fn leave_out_others(&mut self, name: impl Fn(&T) -> String) -> Result<Vec<Message>, Message> {
+        let names: Vec<String> = self.channels.iter().map(|(signal, _)| name(signal)).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let why = why_no_rail(&names);
         let mut kept = why.iter().map(Option::is_none);
@@ -184,9 +166,7 @@ impl<T> Signals<T> {
         let (odometer, speed) = (self.odometer.take(), self.speed.take());
         if given.is_some() {
             let told = odometer.iter().chain(&speed);
-            remarks.extend(
-                told.map(|(signal, _)| left_out(&name(signal), say!(speed_tells_the_place))),
-            );
+            remarks.extend(told.map(|(signal, _)| left_out(&name(signal), say!(speed_tells_the_place))));
         }
         let odometer = odometer.map(|signal| (signal, PlaceBy::Odometer));
         let speed = speed.map(|signal| (signal, PlaceBy::Speed));
@@ -201,12 +181,7 @@ impl<T> Signals<T> {
             None => told.next().map(|(signal, by)| (Some(signal), by))?,
         };
         let (witness, witness_by) = told.next().unzip();
-        Some(Places {
-            signal,
-            by,
-            witness,
-            witness_by,
-        })
+        Some(Places { signal, by, witness, witness_by })
     }
 }
 
@@ -227,9 +202,5 @@ pub(super) struct Places<T> {
 }
 
 pub(super) fn unreadable(path: &Path, reason: std::io::Error) -> CaseError {
-    CaseError::Read {
-        what: "file",
-        path: path.to_owned(),
-        reason,
-    }
+    CaseError::Read { what: "file", path: path.to_owned(), reason }
 }

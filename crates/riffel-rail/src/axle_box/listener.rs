@@ -80,9 +80,7 @@ impl<'a> Listener<'a> {
     pub(super) fn new(head: &'a AxleBoxHead, before: Option<RunEnd>) -> Self {
         let sensors = head.names.iter();
         Self {
-            sensors: sensors
-                .map(|name| Sensor::new(name, head.rate, head.counting))
-                .collect(),
+            sensors: sensors.map(|name| Sensor::new(name, head.rate, head.counting)).collect(),
             head,
             before: before.filter(|_| head.place != PlaceBy::Odometer),
             follows: false,
@@ -93,9 +91,7 @@ impl<'a> Listener<'a> {
             held: 0,
             second: (0.0, 0),
             ticking: head.clock.map(Ticking::new),
-            witness: head
-                .witness
-                .map(|by| Witness::new(head.place, by, head.rate)),
+            witness: head.witness.map(|by| Witness::new(head.place, by, head.rate)),
             is_there: false,
             rows: 0,
             leaps: Counted::default(),
@@ -180,11 +176,7 @@ impl<'a> Listener<'a> {
 
     /// When and where the run ends.
     pub(super) fn end(&self) -> RunEnd {
-        RunEnd {
-            time: self.time,
-            position: self.position,
-            speed: self.speed.unwrap_or(0.0),
-        }
+        RunEnd { time: self.time, position: self.position, speed: self.speed.unwrap_or(0.0) }
     }
 
     /// One sample further at a speed.
@@ -200,28 +192,16 @@ impl<'a> Listener<'a> {
             return Ok(false);
         }
         if speed < 0.0 {
-            return self.refuse(
-                number,
-                say!(speed_is_below_zero, speed = Value::Number(readable(speed))),
-            );
+            return self.refuse(number, say!(speed_is_below_zero, speed = Value::Number(readable(speed))));
         }
         if speed > FASTEST {
-            let faster = say!(
-                speed_beyond_any_train,
-                speed = fixed(speed, 1),
-                kilometres = fixed(3.6 * speed, 0)
-            );
+            let faster = say!(speed_beyond_any_train, speed = fixed(speed, 1), kilometres = fixed(3.6 * speed, 0));
             return self.refuse(number, faster);
         }
         Ok(self.advance(speed))
     }
 
-    fn with_odometer(
-        &mut self,
-        odometer: f64,
-        number: usize,
-        leap: &mut bool,
-    ) -> Result<bool, Refusal> {
+    fn with_odometer(&mut self, odometer: f64, number: usize, leap: &mut bool) -> Result<bool, Refusal> {
         if odometer.is_nan() {
             return Ok(false);
         }
@@ -270,15 +250,9 @@ impl<'a> Listener<'a> {
         let found = [
             self.leaps.remark(say!(samples_are_lost), counting),
             self.still.remark(say!(time_is_repeated), counting),
-            self.jumps.remark(
-                say!(odometer_leaps, length = fixed(LARGEST_COUNT, 0)),
-                counting,
-            ),
+            self.jumps.remark(say!(odometer_leaps, length = fixed(LARGEST_COUNT, 0)), counting),
             self.missing.remark(say!(value_is_missing), counting),
-            self.marked.1.remark(
-                say!(number_marks_missing_value, mark = self.marked.0),
-                counting,
-            ),
+            self.marked.1.remark(say!(number_marks_missing_value, mark = self.marked.0), counting),
         ];
         let mut remarks = self.head.remarks.clone();
         remarks.extend(found.into_iter().flatten());

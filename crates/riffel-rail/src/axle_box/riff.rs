@@ -83,16 +83,12 @@ impl Wave {
                 }
                 b"fmt " => format = Some(Format::read(&mut file, size)?),
                 b"data" => {
-                    let format: Format =
-                        format.ok_or_else(|| WaveError::Form(say!(samples_before_their_form)))?;
+                    let format: Format = format.ok_or_else(|| WaveError::Form(say!(samples_before_their_form)))?;
                     let size = match (size, long) {
                         (UNKNOWN, Some(long)) => long,
                         (0 | UNKNOWN, None) => end - start,
                         // All bits but for the head of the file.
-                        (size, None)
-                            if start + size > end
-                                && (size + start >= UNKNOWN || LARGEST.contains(&size)) =>
-                        {
+                        (size, None) if start + size > end && (size + start >= UNKNOWN || LARGEST.contains(&size)) => {
                             end - start
                         }
                         (size, _) => size,
@@ -102,24 +98,14 @@ impl Wave {
                 _ => {}
             }
             file.seek(SeekFrom::Start(start + size))?;
-            let [after]: [u8; 1] = if size % 2 == 1 {
-                bytes(&mut file)?
-            } else {
-                [0]
-            };
+            let [after]: [u8; 1] = if size % 2 == 1 { bytes(&mut file)? } else { [0] };
             if after != 0 {
                 file.seek(SeekFrom::Start(start + size))?;
             }
         }
     }
 
-    fn new(
-        format: &Format,
-        file: &mut (impl Read + Seek),
-        start: u64,
-        size: u64,
-        end: u64,
-    ) -> Result<Self, WaveError> {
+    fn new(format: &Format, file: &mut (impl Read + Seek), start: u64, size: u64, end: u64) -> Result<Self, WaveError> {
         let mut wave = Self {
             channels: format.channels,
             rate: format.rate,
@@ -141,9 +127,7 @@ impl Wave {
             let least = 2f64.powi((room - format.bits) as i32);
             let largest = 2f64.powi(format.bits as i32 - 1);
             let values = || raw.chunks_exact(wave.width / wave.channels).map(integer);
-            if values().any(|value| value % least != 0.0)
-                && values().all(|value| value.abs() <= largest)
-            {
+            if values().any(|value| value % least != 0.0) && values().all(|value| value.abs() <= largest) {
                 wave.full = largest;
             }
         }
@@ -165,15 +149,12 @@ impl Wave {
         let mut raw = vec![0; self.width];
         let mut values = vec![0.0; self.channels];
         for number in 1..=self.samples as usize {
-            file.read_exact(&mut raw)
-                .map_err(|error| wrong(error.into(), number))?;
+            file.read_exact(&mut raw).map_err(|error| wrong(error.into(), number))?;
             let parts = raw.chunks_exact(self.width / self.channels);
             for (value, part) in values.iter_mut().zip(parts) {
                 *value = match (self.float, part) {
                     (true, &[a, b, c, d]) => f64::from(f32::from_le_bytes([a, b, c, d])),
-                    (true, &[a, b, c, d, e, f, g, h]) => {
-                        f64::from_le_bytes([a, b, c, d, e, f, g, h])
-                    }
+                    (true, &[a, b, c, d, e, f, g, h]) => f64::from_le_bytes([a, b, c, d, e, f, g, h]),
                     _ => integer(part) / self.full,
                 };
             }
@@ -195,10 +176,7 @@ impl Format {
         file.read_exact(&mut own[..known])?;
         let (tag, channels) = (number(&own[..2]), number(&own[2..4]) as usize);
         let (width, bits) = (number(&own[12..14]) as usize, number(&own[14..16]));
-        let (tag, bits) = match (
-            tag == EXTENSIBLE && known == own.len(),
-            number(&own[18..20]),
-        ) {
+        let (tag, bits) = match (tag == EXTENSIBLE && known == own.len(), number(&own[18..20])) {
             (false, _) => (tag, bits),
             (true, 0) => (number(&own[24..]), bits),
             (true, valid) => (number(&own[24..]), valid),
@@ -210,13 +188,7 @@ impl Format {
             (3, 4 | 8) => true,
             _ => return Err(WaveError::Form(say!(samples_of_other_kind))),
         };
-        Ok(Self {
-            channels,
-            rate: number(&own[4..8]) as f64,
-            width,
-            bits: bits as u32,
-            float,
-        })
+        Ok(Self { channels, rate: number(&own[4..8]) as f64, width, bits: bits as u32, float })
     }
 }
 
@@ -228,10 +200,7 @@ fn bytes<const N: usize>(file: &mut impl Read) -> io::Result<[u8; N]> {
 
 /// An unsigned number of up to eight bytes, the lowest first.
 fn number(bytes: &[u8]) -> u64 {
-    bytes
-        .iter()
-        .rev()
-        .fold(0, |sum, byte| sum << 8 | u64::from(*byte))
+    bytes.iter().rev().fold(0, |sum, byte| sum << 8 | u64::from(*byte))
 }
 
 /// A signed number of up to four bytes; of a single one, from 128 on.

@@ -66,12 +66,7 @@ impl End {
 impl Sensor {
     /// A channel of some name at a sampling rate \[Hz\].
     pub(super) fn new(name: &str, rate: f64, counting: Counting) -> Self {
-        let end = End {
-            value: f64::NEG_INFINITY,
-            run: 0,
-            clipped: 0,
-            line: 0,
-        };
+        let end = End { value: f64::NEG_INFINITY, run: 0, clipped: 0, line: 0 };
         Self {
             name: name.to_owned(),
             counting,
@@ -117,25 +112,12 @@ impl Sensor {
         let mut remarks = Vec::new();
         let count = self.count.max(1) as f64;
         let (mean, rms) = (self.sum / count, (self.square / count).sqrt());
-        for (what, other, value) in [
-            ("m/s²", "g", 1.0),
-            ("g", "m/s²", STANDARD_GRAVITY * STANDARD_GRAVITY),
-        ] {
+        for (what, other, value) in [("m/s²", "g", 1.0), ("g", "m/s²", STANDARD_GRAVITY * STANDARD_GRAVITY)] {
             if (mean.abs() / value - 1.0).abs() < NEAR {
-                let shown = if value == 1.0 {
-                    mean
-                } else {
-                    mean / STANDARD_GRAVITY
-                };
+                let shown = if value == 1.0 { mean } else { mean / STANDARD_GRAVITY };
                 return Err(Refusal {
                     line: None,
-                    message: say!(
-                        mean_is_gravity,
-                        mean = fixed(shown, 3),
-                        unit = what,
-                        other = other
-                    )
-                    .about(name),
+                    message: say!(mean_is_gravity, mean = fixed(shown, 3), unit = what, other = other).about(name),
                     help: Some(say!(give_in_unit, unit = other)),
                 });
             }
@@ -146,24 +128,15 @@ impl Sensor {
         if clipped > 0 && varies {
             let share = clipped as f64 / count;
             let percent = fixed(100.0 * share, 2);
-            let line = self
-                .ends
-                .iter()
-                .filter(|end| end.clipped > 0)
-                .map(|end| end.line);
+            let line = self.ends.iter().filter(|end| end.clipped > 0).map(|end| end.line);
             let line = line.min().unwrap_or(0);
             let at = self.counting.at(line);
             let [high, low] = self.ends;
             let [high_end, low_end] = [high.value, -low.value].map(|end| fixed(end, 4));
             let sentence = match (high.clipped, low.clipped) {
-                (1.., 1..) => say!(
-                    clipped_at_ends,
-                    high = high_end,
-                    low = low_end,
-                    count = clipped,
-                    share = percent,
-                    at = at
-                ),
+                (1.., 1..) => {
+                    say!(clipped_at_ends, high = high_end, low = low_end, count = clipped, share = percent, at = at)
+                }
                 (one, _) => say!(
                     clipped_at_end,
                     end = if one > 0 { high_end } else { low_end },

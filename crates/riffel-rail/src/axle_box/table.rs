@@ -40,11 +40,7 @@ pub(super) struct AxleBoxTable {
 
 impl AxleBoxTable {
     /// Find the columns by the first bytes of a file, and the sampling rate by all of its times.
-    pub(super) fn find(
-        path: &Path,
-        head: &[u8],
-        layout: &AxleBoxLayout,
-    ) -> Result<(Self, AxleBoxHead), CaseError> {
+    pub(super) fn find(path: &Path, head: &[u8], layout: &AxleBoxLayout) -> Result<(Self, AxleBoxHead), CaseError> {
         let found = Self::columns(head, layout).map_err(|refusal| refusal.of(path));
         let (table, signals, places, has_clock, mut remarks) = found?;
         let style = (table.delimiter, table.decimal);
@@ -52,9 +48,7 @@ impl AxleBoxTable {
             Some((column, unit)) => {
                 let first = match has_clock {
                     true => clocks(&table, head, column),
-                    false => (table.sample.iter())
-                        .map(|row| unit * row[column])
-                        .collect(),
+                    false => (table.sample.iter()).map(|row| unit * row[column]).collect(),
                 };
                 let first: Vec<f64> = first.into_iter().filter(|time| time.is_finite()).collect();
                 let mut columns = NumberColumns::new(style, &[column], &[], 0, true);
@@ -82,9 +76,7 @@ impl AxleBoxTable {
         let rate = rate(clock, at, layout.rate, &mut remarks);
         let (rate, clock) = rate.map_err(|refusal| refusal.of(path))?;
         let channels = signals.channels;
-        let names = channels
-            .iter()
-            .map(|&(column, _)| channel_name(&table.heading, column));
+        let names = channels.iter().map(|&(column, _)| channel_name(&table.heading, column));
         let head = AxleBoxHead {
             names: names.collect(),
             rate,
@@ -133,10 +125,7 @@ impl AxleBoxTable {
         match Encoding::of(head) {
             Ok(Encoding::Utf8 | Encoding::Windows1252) => {}
             Ok(other) => {
-                return Err(refuse(say!(
-                    file_of_other_encoding,
-                    encoding = other.name()
-                )));
+                return Err(refuse(say!(file_of_other_encoding, encoding = other.name())));
             }
             Err(byte) => return Err(refuse(byte.into())),
         }
@@ -154,8 +143,7 @@ impl AxleBoxTable {
             let has_values = has_values(&table, head, column);
             let at_head = |message| Refusal::new(Some(table.header_lines), message);
             let first = first_value(&table, head, column);
-            if !kind.is_numeric() && first.is_some_and(|(_, cell)| clock(cell.as_bytes()).is_some())
-            {
+            if !kind.is_numeric() && first.is_some_and(|(_, cell)| clock(cell.as_bytes()).is_some()) {
                 clocks.push(column);
                 continue;
             }
@@ -186,11 +174,7 @@ impl AxleBoxTable {
             }
         }
         if signals.channels.is_empty() {
-            let nothing = say!(
-                no_column_of_accelerations,
-                one = "acceleration_m_per_s2",
-                other = "acceleration_g"
-            );
+            let nothing = say!(no_column_of_accelerations, one = "acceleration_m_per_s2", other = "acceleration_g");
             let said = others.into_iter().fold(nothing, Message::followed_by);
             return Err(refuse(said));
         }
@@ -210,16 +194,8 @@ impl AxleBoxTable {
         remarks.append(&mut others);
         let name = |&column: &usize| written[column].clone();
         let places = signals.place(layout.speed, name, &mut remarks);
-        if let Some(Places {
-            signal: Some((column, _)),
-            ..
-        }) = places
-        {
-            let missing = table
-                .sample
-                .iter()
-                .filter(|row| row.get(column).is_none_or(|value| value.is_nan()))
-                .count();
+        if let Some(Places { signal: Some((column, _)), .. }) = places {
+            let missing = table.sample.iter().filter(|row| row.get(column).is_none_or(|value| value.is_nan())).count();
             // What is there and no number is refused with its line.
             let is_empty = table.kind(column).is_numeric() && 2 * missing > table.sample.len();
             empty = is_empty.then_some(column);
@@ -294,11 +270,7 @@ fn each_row(
     let mut bytes = Vec::new();
     for number in 1.. {
         bytes.clear();
-        let read = reader
-            .by_ref()
-            .take(LONGEST_LINE)
-            .read_until(b'\n', &mut bytes)
-            .map_err(failed)?;
+        let read = reader.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut bytes).map_err(failed)?;
         if read == 0 {
             break;
         }
@@ -345,14 +317,8 @@ fn clocks(table: &Table, head: &[u8], column: usize) -> Vec<f64> {
 /// That a column of times holds none.
 fn no_times(table: &Table, head: &[u8], column: usize) -> Refusal {
     let name = table.heading.name(column).unwrap_or_default();
-    let (line, cell) =
-        first_value(table, head, column).unwrap_or((table.header_lines + 1, String::new()));
-    let text = say!(
-        times_are_text,
-        column = column + 1,
-        name = name,
-        cell = cell
-    );
+    let (line, cell) = first_value(table, head, column).unwrap_or((table.header_lines + 1, String::new()));
+    let text = say!(times_are_text, column = column + 1, name = name, cell = cell);
     Refusal::new(Some(line), text)
 }
 

@@ -5,8 +5,7 @@ use std::io::BufReader;
 use std::path::Path;
 
 use riffel_keys::universal_file::{
-    ACCELERATION, Axis, DISPLACEMENT, Signal, SignalError, Signals, TIME, Units, VELOCITY,
-    unit_size,
+    ACCELERATION, Axis, DISPLACEMENT, Signal, SignalError, Signals, TIME, Units, VELOCITY, unit_size,
 };
 use riffel_keys::{CaseError, Exponents, Message, Unit, say};
 
@@ -51,10 +50,7 @@ fn kind(axis: &Axis) -> i32 {
 
 impl AxleBoxUniversal {
     /// Find the signals over time.
-    pub(super) fn find(
-        path: &Path,
-        layout: &AxleBoxLayout,
-    ) -> Result<(Self, AxleBoxHead), CaseError> {
+    pub(super) fn find(path: &Path, layout: &AxleBoxLayout) -> Result<(Self, AxleBoxHead), CaseError> {
         let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
         let found = Signals::find(BufReader::with_capacity(1 << 20, file));
         let Signals { signals, units } = found.map_err(|error| at_fault(path, error))?;
@@ -75,8 +71,7 @@ impl AxleBoxUniversal {
                     continue;
                 }
             };
-            let unit =
-                unit_of(&signal, exponents, units, what).map_err(|refusal| refusal.of(path))?;
+            let unit = unit_of(&signal, exponents, units, what).map_err(|refusal| refusal.of(path))?;
             let content = match kind {
                 ACCELERATION => {
                     let sign = f64::from(function.response.direction.signum());
@@ -106,16 +101,8 @@ impl AxleBoxUniversal {
             let (other_begin, other) = times(signal).map_err(|refusal| refusal.of(path))?;
             let (line, title) = (signal.function.line, &signal.function.title);
             let refuse = |message: Message| Err(Refusal::new(Some(line), message).of(path));
-            if signal.function.complex
-                || (other / step - 1.0).abs() > SAME_STEP
-                || signal.points != points
-            {
-                return refuse(say!(
-                    signal_of_other_form,
-                    title = title,
-                    points = points,
-                    step = step
-                ));
+            if signal.function.complex || (other / step - 1.0).abs() > SAME_STEP || signal.points != points {
+                return refuse(say!(signal_of_other_form, title = title, points = points, step = step));
             }
             // Signals a step apart or more stand at other places.
             if (other_begin - begin).abs() > 0.5 * step {
@@ -138,11 +125,7 @@ impl AxleBoxUniversal {
             return refuse(say!(file_says_its_rate, rate = rate));
         }
         let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
-        let read = Self {
-            channels,
-            place: places.signal,
-            witness: places.witness,
-        };
+        let read = Self { channels, place: places.signal, witness: places.witness };
         Ok((read, head))
     }
 
@@ -160,11 +143,7 @@ impl AxleBoxUniversal {
         for (signal, _) in &signals {
             let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
             let reader = BufReader::with_capacity(1 << 18, file);
-            values.push(
-                signal
-                    .values(reader)
-                    .map_err(|error| at_fault(path, error))?,
-            );
+            values.push(signal.values(reader).map_err(|error| at_fault(path, error))?);
         }
         let points = self.channels[0].0.points;
         let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
@@ -197,23 +176,13 @@ fn times(signal: &Signal) -> Result<(f64, f64), Refusal> {
     let uneven = || refuse(say!(times_are_uneven, title = title));
     let (begin, step) = signal.even.ok_or_else(uneven)?;
     let time = &signal.function.abscissa_axis;
-    let second = unit_size(time, Exponents::new(0, 0, 1), 1.0).ok_or_else(|| {
-        refuse(say!(
-            times_in_other_unit,
-            title = title,
-            unit = time.unit.trim()
-        ))
-    })?;
+    let second = unit_size(time, Exponents::new(0, 0, 1), 1.0)
+        .ok_or_else(|| refuse(say!(times_in_other_unit, title = title, unit = time.unit.trim())))?;
     Ok((second * begin, second * step))
 }
 
 /// SI units in one of a signal's.
-fn unit_of(
-    signal: &Signal,
-    exponents: Exponents,
-    units: Option<Units>,
-    what: Message,
-) -> Result<f64, Refusal> {
+fn unit_of(signal: &Signal, exponents: Exponents, units: Option<Units>, what: Message) -> Result<f64, Refusal> {
     let (axis, line) = (&signal.function.numerator, signal.function.line);
     let title = &signal.function.title;
     if !axis.has_unit() && units.is_none() {
@@ -222,22 +191,14 @@ fn unit_of(
     }
     let per_si = units.map_or(1.0, |units| units.length);
     unit_size(axis, exponents, per_si).ok_or_else(|| {
-        let other = say!(
-            signal_with_other_unit,
-            title = title,
-            what = what,
-            unit = &axis.unit
-        );
+        let other = say!(signal_with_other_unit, title = title, what = what, unit = &axis.unit);
         Refusal::new(Some(line), other)
     })
 }
 
 /// What channels are called: their titles where they have different ones, their nodes and directions otherwise.
 fn names(channels: &[(Signal, f64)]) -> Vec<String> {
-    let titles: Vec<String> = channels
-        .iter()
-        .map(|(signal, _)| signal.function.title.clone())
-        .collect();
+    let titles: Vec<String> = channels.iter().map(|(signal, _)| signal.function.title.clone()).collect();
     let said = |title: &String| !title.is_empty() && !title.eq_ignore_ascii_case("none");
     let mut different = titles.clone();
     different.sort_unstable();
@@ -248,9 +209,7 @@ fn names(channels: &[(Signal, f64)]) -> Vec<String> {
     let of = channels.iter().map(|(signal, _)| {
         let response = &signal.function.response;
         let axis = ["", "x", "y", "z"].get(response.direction.unsigned_abs() as usize);
-        format!("node {} {}", response.node, axis.unwrap_or(&""))
-            .trim_end()
-            .to_owned()
+        format!("node {} {}", response.node, axis.unwrap_or(&"")).trim_end().to_owned()
     });
     of.collect()
 }
@@ -268,13 +227,8 @@ mod tests {
 
     /// A signal at 1 kHz from a time \[s\] on.
     fn dataset(title: &str, kind: &str, unit: &str, begin: f64, second: (&str, f64)) -> String {
-        let values = (0..400).map(|row| {
-            format!(
-                "{:13.5e}{}",
-                f64::from(row) / 50.0,
-                if row % 6 == 5 { "\n" } else { "" }
-            )
-        });
+        let values =
+            (0..400).map(|row| format!("{:13.5e}{}", f64::from(row) / 50.0, if row % 6 == 5 { "\n" } else { "" }));
         let (time, size) = second;
         let none = "         0    0    0    0 NONE                 NONE                \n";
         format!(
@@ -301,25 +255,17 @@ mod tests {
             let odometer = dataset("odometer", "8", "m", begins[1], second);
             std::fs::write(&path, left + &odometer).unwrap();
             let found = AxleBoxUniversal::find(&path, &AxleBoxLayout::default());
-            found
-                .map(|(_, head)| head.rate)
-                .map_err(|error| error.to_string())
+            found.map(|(_, head)| head.rate).map_err(|error| error.to_string())
         };
-        for (begins, second) in [
-            ([0.0, 0.0], ("s", 1.0)),
-            ([5.0, 5.0], ("s", 1.0)),
-            ([5.0, 5.0], ("ms", 1e-3)),
-            ([0.0, 4e-4], ("s", 1.0)),
-        ] {
+        for (begins, second) in
+            [([0.0, 0.0], ("s", 1.0)), ([5.0, 5.0], ("s", 1.0)), ([5.0, 5.0], ("ms", 1e-3)), ([0.0, 4e-4], ("s", 1.0))]
+        {
             assert_eq!(found(begins, second), Ok(1000.0), "{begins:?}");
         }
         for (begins, says) in [
             ([0.0, 3.0], "\"odometer\" begins at 3 s and \"left\" at 0 s"),
             ([0.0, 1e-3], "\"odometer\" begins at 0.001 s"),
-            (
-                [2.5, 0.0],
-                "\"odometer\" begins at 0 s and \"left\" at 2.5 s",
-            ),
+            ([2.5, 0.0], "\"odometer\" begins at 0 s and \"left\" at 2.5 s"),
         ] {
             let refusal = found(begins, ("s", 1.0)).unwrap_err();
             assert!(refusal.contains(says), "{refusal}");

@@ -26,17 +26,12 @@ pub(super) struct AxleBoxWave {
 
 /// Whether a file is a WAV file by its first bytes, or one of the forms for files of more than 4 GB.
 pub(super) fn is_wave(head: &[u8]) -> bool {
-    [&b"RIFF"[..], b"RIFX", b"RF64", b"BW64", b"riff"]
-        .iter()
-        .any(|mark| head.starts_with(mark))
+    [&b"RIFF"[..], b"RIFX", b"RF64", b"BW64", b"riff"].iter().any(|mark| head.starts_with(mark))
 }
 
 impl AxleBoxWave {
     /// Find the channels by what a user says of them.
-    pub(super) fn find(
-        path: &Path,
-        layout: &AxleBoxLayout,
-    ) -> Result<(Self, AxleBoxHead), CaseError> {
+    pub(super) fn find(path: &Path, layout: &AxleBoxLayout) -> Result<(Self, AxleBoxHead), CaseError> {
         let refuse = |message: Message| CaseError::data(path, message);
         let wave = open(path)?;
         let count = wave.channels;
@@ -44,11 +39,7 @@ impl AxleBoxWave {
             return Err(refuse(say!(wav_has_no_units, example = EXAMPLE)));
         }
         if layout.channels.len() != count {
-            return Err(refuse(say!(
-                wav_has_other_count,
-                count = count,
-                named = layout.channels.len()
-            )));
+            return Err(refuse(say!(wav_has_other_count, count = count, named = layout.channels.len())));
         }
         let (mut signals, mut others) = (Signals::default(), Vec::new());
         for (channel, said) in layout.channels.iter().enumerate() {
@@ -56,11 +47,7 @@ impl AxleBoxWave {
             let scale = scale.trim().parse::<f64>().ok();
             let scale = scale.filter(|scale| *scale > 0.0 && scale.is_finite());
             let Some(scale) = scale else {
-                return Err(refuse(say!(
-                    channel_without_scale,
-                    channel = said,
-                    example = EXAMPLE
-                )));
+                return Err(refuse(say!(channel_without_scale, channel = said, example = EXAMPLE)));
             };
             let heading = Heading::of_name(name.trim());
             let option = || Value::Key("--channels".to_owned());
@@ -73,12 +60,7 @@ impl AxleBoxWave {
         if signals.channels.is_empty() {
             return Err(refuse(say!(no_channel_of_accelerations, example = EXAMPLE)));
         }
-        let said = |channel: usize| {
-            layout.channels[channel]
-                .split('=')
-                .next()
-                .unwrap_or_default()
-        };
+        let said = |channel: usize| layout.channels[channel].split('=').next().unwrap_or_default();
         let own_name = |channel: &usize| said(*channel).trim().to_owned();
         let mut remarks = signals.leave_out_others(own_name).map_err(refuse)?;
         remarks.append(&mut others);
@@ -86,11 +68,7 @@ impl AxleBoxWave {
             name if name.starts_with("column ") => format!("channel {}", channel + 1),
             name => name,
         };
-        let names = signals
-            .channels
-            .iter()
-            .map(|&(channel, _)| name(channel))
-            .collect();
+        let names = signals.channels.iter().map(|&(channel, _)| name(channel)).collect();
         let Some(places) = signals.place(layout.speed, own_name, &mut remarks) else {
             return Err(refuse(say!(no_channel_of_the_place)));
         };
@@ -99,11 +77,7 @@ impl AxleBoxWave {
             return Err(refuse(say!(file_says_its_rate, rate = rate)));
         }
         let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
-        let read = Self {
-            channels: signals.channels,
-            place: places.signal,
-            witness: places.witness,
-        };
+        let read = Self { channels: signals.channels, place: places.signal, witness: places.witness };
         Ok((read, head))
     }
 
@@ -121,9 +95,7 @@ impl AxleBoxWave {
             for (acceleration, (channel, scale)) in accelerations.iter_mut().zip(&self.channels) {
                 *acceleration = scale * sample[*channel];
             }
-            let of = |signal: Option<(usize, f64)>| {
-                signal.map_or(f64::NAN, |(channel, scale)| scale * sample[channel])
-            };
+            let of = |signal: Option<(usize, f64)>| signal.map_or(f64::NAN, |(channel, scale)| scale * sample[channel]);
             take(&Row {
                 accelerations: &accelerations,
                 time: None,
@@ -133,9 +105,7 @@ impl AxleBoxWave {
                 number,
             })
         };
-        wave.each(path, &mut take, |error, number| {
-            wrong(path, error, Some(number))
-        })
+        wave.each(path, &mut take, |error, number| wrong(path, error, Some(number)))
     }
 }
 
@@ -180,27 +150,13 @@ mod tests {
             let long = bits != 8 * width;
             let head = [if long { 0xFFFE } else { tag }, 1];
             form.extend(head.iter().flat_map(|value: &u16| value.to_le_bytes()));
-            form.extend(
-                [1000u32, 1000 * u32::from(width)]
-                    .iter()
-                    .flat_map(|value| value.to_le_bytes()),
-            );
-            form.extend(
-                [width, 8 * width]
-                    .iter()
-                    .flat_map(|value| value.to_le_bytes()),
-            );
+            form.extend([1000u32, 1000 * u32::from(width)].iter().flat_map(|value| value.to_le_bytes()));
+            form.extend([width, 8 * width].iter().flat_map(|value| value.to_le_bytes()));
             if long {
-                form.extend(
-                    [22, bits, 0, 0, tag]
-                        .iter()
-                        .flat_map(|value: &u16| value.to_le_bytes()),
-                );
+                form.extend([22, bits, 0, 0, tag].iter().flat_map(|value: &u16| value.to_le_bytes()));
                 form.extend([0; 14]);
             }
-            let chunk = |name: &[u8], size: u32, content: &[u8]| {
-                [name, &size.to_le_bytes()[..], content].concat()
-            };
+            let chunk = |name: &[u8], size: u32, content: &[u8]| [name, &size.to_le_bytes()[..], content].concat();
             let size = self.size.unwrap_or(self.samples.len() as u32);
             let bytes = [
                 &self.mark[..],
@@ -220,9 +176,7 @@ mod tests {
                 values.push(sample[0]);
                 Ok(())
             };
-            let each = wave.each(&path, &mut take, |error, number| {
-                wrong(&path, error, Some(number))
-            });
+            let each = wave.each(&path, &mut take, |error, number| wrong(&path, error, Some(number)));
             each.map_err(|error| error.to_string())?;
             Ok(values)
         }
@@ -235,13 +189,9 @@ mod tests {
         let wanted = [0.5, -0.25, bit];
         let whole = |bits: i32, width: usize, up: u32| -> Vec<u8> {
             let scaled = wanted.iter().map(|value| value * 2f64.powi(bits - 1));
-            scaled
-                .flat_map(|value| ((value as i32) << up).to_le_bytes()[..width].to_vec())
-                .collect()
+            scaled.flat_map(|value| ((value as i32) << up).to_le_bytes()[..width].to_vec()).collect()
         };
-        let floats = wanted
-            .iter()
-            .flat_map(|value| (*value as f32).to_le_bytes());
+        let floats = wanted.iter().flat_map(|value| (*value as f32).to_le_bytes());
         let doubles = wanted.iter().flat_map(|value| value.to_le_bytes());
         let forms = [
             ("24 bits", (1, 3, 24), whole(24, 3, 0)),
@@ -252,13 +202,7 @@ mod tests {
             ("floating point of 64", (3, 8, 64), doubles.collect()),
         ];
         for (name, form, samples) in forms {
-            let plain = Made {
-                mark: b"RIFF",
-                before: b"",
-                form,
-                samples,
-                size: None,
-            };
+            let plain = Made { mark: b"RIFF", before: b"", form, samples, size: None };
             assert_eq!(plain.values().unwrap(), wanted, "{name}");
         }
     }
@@ -267,13 +211,7 @@ mod tests {
     /// go back.
     #[test]
     fn samples_are_found_behind_any_chunks() {
-        let long = [
-            &b"ds64\x1c\0\0\0"[..],
-            &[0; 8],
-            &4u64.to_le_bytes(),
-            &[0; 12],
-        ]
-        .concat();
+        let long = [&b"ds64\x1c\0\0\0"[..], &[0; 8], &4u64.to_le_bytes(), &[0; 12]].concat();
         let cases: [(&[u8; 4], &[u8], Option<u32>); 9] = [
             (b"RIFF", b"LIST\x07\0\0\0INFOabc\0", None),
             (b"RIFF", b"LIST\x07\0\0\0INFOabc", None),
@@ -286,33 +224,18 @@ mod tests {
             (b"RIFF", b"", Some(0x7fff_f000)),
         ];
         for (mark, before, size) in cases {
-            let made = Made {
-                mark,
-                before,
-                form: (1, 2, 16),
-                samples: vec![0, 0x40, 0, 0xE0],
-                size,
-            };
+            let made = Made { mark, before, form: (1, 2, 16), samples: vec![0, 0x40, 0, 0xE0], size };
             assert_eq!(made.values().unwrap(), [0.5, -0.25], "{before:?} {size:?}");
         }
     }
 
     #[test]
     fn what_is_no_such_file_is_refused() {
-        let made = |mark: &'static [u8; 4], form, size| Made {
-            mark,
-            before: b"",
-            form,
-            samples: vec![0, 0x40],
-            size,
-        };
+        let made = |mark: &'static [u8; 4], form, size| Made { mark, before: b"", form, samples: vec![0, 0x40], size };
         for (refused, says) in [
             (made(b"RIFX", (1, 2, 16), None), "no RIFF or RF64"),
             (made(b"RIFF", (2, 2, 16), None), "floating point"),
-            (
-                made(b"RIFF", (1, 2, 16), Some(8)),
-                "ends before its head says",
-            ),
+            (made(b"RIFF", (1, 2, 16), Some(8)), "ends before its head says"),
         ] {
             let refusal = refused.values().unwrap_err();
             assert!(refusal.contains(says), "{refusal}");
@@ -339,10 +262,7 @@ mod tests {
         };
         let (_, head) = AxleBoxWave::find(&path, &layout).unwrap();
         let said = Message::one_after_other(head.remarks).unwrap().to_string();
-        for part in [
-            "`pantograph` is left out: it is no",
-            "`odometer_m` is left out: places follow",
-        ] {
+        for part in ["`pantograph` is left out: it is no", "`odometer_m` is left out: places follow"] {
             assert!(said.contains(part), "{part} not in: {said}");
         }
     }

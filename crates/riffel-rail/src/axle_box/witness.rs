@@ -29,15 +29,7 @@ pub(super) struct Witness {
 
 impl Witness {
     pub(super) fn new(place: PlaceBy, by: PlaceBy, rate: f64) -> Self {
-        Self {
-            place,
-            by,
-            rate,
-            odometer: None,
-            samples: 0.0,
-            lengths: [0.0; 2],
-            step: 0.0,
-        }
+        Self { place, by, rate, odometer: None, samples: 0.0, lengths: [0.0; 2], step: 0.0 }
     }
 
     /// One sample further by the place \[m\], with what the witness says; behind a gap nothing is compared.
@@ -110,9 +102,7 @@ mod tests {
         for n in 0..1000 * seconds {
             witness.hear(at(n + 1) - at(n), 20.0, false);
         }
-        let said = witness
-            .judged()
-            .map_err(|refusal| refusal.message.to_string())?;
+        let said = witness.judged().map_err(|refusal| refusal.message.to_string())?;
         Ok(said.map(|said| said.to_string()))
     }
 
@@ -121,10 +111,7 @@ mod tests {
         assert_eq!(judged(0.97, 20, PlaceBy::Odometer), Ok(None));
         let said = judged(0.9, 20, PlaceBy::Odometer).unwrap().unwrap();
         assert!(said.starts_with("the odometer makes 64.8 km/h"), "{said}");
-        assert!(
-            said.ends_with("the speeds make 72.0 km/h in the mean; the first is taken"),
-            "{said}"
-        );
+        assert!(said.ends_with("the speeds make 72.0 km/h in the mean; the first is taken"), "{said}");
         for factor in [0.5, 1.609, 2.0, 3.6] {
             let refused = judged(factor, 20, PlaceBy::Odometer).unwrap_err();
             assert!(refused.contains("one of the two is wrong"), "{refused}");

@@ -21,21 +21,9 @@ const SPELLINGS: [(&str, [&str; 2], Result<&str, &str>); 48] = [
     ("date", ["06/15/2024", "06/13/2026"], Ok("2026-06-13")),
     ("date", ["15-06-2024", "13-06-2026"], Ok("2026-06-13")),
     ("date", ["06/06/2024", "06/06/2026"], Ok("2026-06-06")),
-    (
-        "date",
-        ["2024-06-01 09:30", "2026-06-01 10:00"],
-        Ok("2026-06-01"),
-    ),
-    (
-        "date",
-        ["2024-06-01T09:30:00Z", "2026-06-01T10:00:00Z"],
-        Ok("2026-06-01"),
-    ),
-    (
-        "timestamp",
-        ["2024-06-01T09:30", "2026-06-01T10:00"],
-        Ok("2026-06-01"),
-    ),
+    ("date", ["2024-06-01 09:30", "2026-06-01 10:00"], Ok("2026-06-01")),
+    ("date", ["2024-06-01T09:30:00Z", "2026-06-01T10:00:00Z"], Ok("2026-06-01")),
+    ("timestamp", ["2024-06-01T09:30", "2026-06-01T10:00"], Ok("2026-06-01")),
     ("fecha", ["2024-06-01", "2026-06-01"], Ok("2026-06-01")),
     ("Messdatum", ["01.06.2024", "01.06.2026"], Ok("2026-06-01")),
     ("päivämäärä", ["1.6.2024", "1.6.2026"], Ok("2026-06-01")),
@@ -43,26 +31,10 @@ const SPELLINGS: [(&str, [&str; 2], Result<&str, &str>); 48] = [
     ("data", ["2024-06-01", "2026-06-01"], Ok("2026-06-01")),
     ("dato", ["45444", "46174"], Ok("2026-06-01")),
     ("campaña", ["01.06.2024", "01.06.2026"], Ok("2026-06-01")),
-    (
-        "date",
-        ["06/01/2024", "06/01/2026"],
-        Err("may be two dates"),
-    ),
-    (
-        "date",
-        ["06-01-2024", "06-01-2026"],
-        Err("may be two dates"),
-    ),
-    (
-        "survey",
-        ["06/01/2024", "06/01/2026"],
-        Err("may be two dates"),
-    ),
-    (
-        "date",
-        ["15/06/2024", "06/15/2026"],
-        Err("different orders"),
-    ),
+    ("date", ["06/01/2024", "06/01/2026"], Err("may be two dates")),
+    ("date", ["06-01-2024", "06-01-2026"], Err("may be two dates")),
+    ("survey", ["06/01/2024", "06/01/2026"], Err("may be two dates")),
+    ("date", ["15/06/2024", "06/15/2026"], Err("different orders")),
     ("date", ["01.06.24", "01.06.26"], Err("two digits")),
     ("date", ["01/06/24", "01/06/26"], Err("two digits")),
     ("date", ["24-06-01", "26-06-01"], Err("two digits")),
@@ -75,19 +47,11 @@ const SPELLINGS: [(&str, [&str; 2], Result<&str, &str>); 48] = [
     ("date", ["2024.42", "2026.42"], Err("is no date")),
     ("date", ["2024-06", "2026-06"], Err("is no date")),
     ("date", ["1717200000", "1780272000"], Err("is no date")),
-    (
-        "date",
-        ["1717200000000", "1780272000000"],
-        Err("is no date"),
-    ),
+    ("date", ["1717200000000", "1780272000000"], Err("is no date")),
     ("date", ["39999", "39998"], Err("is no date")),
     ("date", ["60001", "60002"], Err("is no date")),
     ("date", ["before", "after"], Err("is no date")),
-    (
-        "date",
-        ["31.02.2024", "31.02.2026"],
-        Err("not in the calendar"),
-    ),
+    ("date", ["31.02.2024", "31.02.2026"], Err("not in the calendar")),
     ("year", ["2024", "2026"], Err("is no date")),
     ("Jahr", ["2024", "2026"], Err("is no date")),
     ("KW", ["23", "24"], Err("is no date")),
@@ -134,33 +98,22 @@ fn now(text: &str) -> Result<(String, Survey), String> {
     let survey = survey.map_err(|error| error.to_string())?;
     let (latest, date) = survey.clone().latest();
     assert!(latest.records.len() < survey.records.len(), "{text}");
-    Ok((
-        date.map(|date| date.to_string()).unwrap_or_default(),
-        latest,
-    ))
+    Ok((date.map(|date| date.to_string()).unwrap_or_default(), latest))
 }
 
 /// Of no spelling a mean over the dates is taken: the later is now, or the table is refused with its column and line.
 #[test]
 fn every_reader_reads_a_date_or_refuses_it() {
     for (head, dates, right) in SPELLINGS {
-        let tables = [
-            (long_levels(head, dates), 2),
-            (wide_levels(head, dates), 2),
-            (profile(head, dates), 2),
-        ];
+        let tables = [(long_levels(head, dates), 2), (wide_levels(head, dates), 2), (profile(head, dates), 2)];
         for (text, line) in tables {
             let start: String = text.chars().take(60).collect();
             match (now(&text), right) {
                 (Ok((date, _)), Ok(right)) => assert_eq!(date, right, "{start}"),
                 (Err(error), Err(part)) => {
                     let of_column = format!("column `{head}`");
-                    let at_line = error.contains(&format!(":{line}"))
-                        || error.contains(&format!("line {line}"));
-                    assert!(
-                        error.contains(part) && error.contains(&of_column) && at_line,
-                        "{start}: {error}"
-                    );
+                    let at_line = error.contains(&format!(":{line}")) || error.contains(&format!("line {line}"));
+                    assert!(error.contains(part) && error.contains(&of_column) && at_line, "{start}: {error}");
                 }
                 (found, _) => panic!("{start}: {found:?}"),
             }
@@ -229,9 +182,6 @@ fn dates_of_heads_are_dates() {
     }
     for (text, rail) in [(levels, "left"), (heights, "rail")] {
         let (date, latest) = now(&text).unwrap();
-        assert_eq!(
-            (date.as_str(), latest.rails()),
-            ("2026-06-01", vec![rail.to_owned()])
-        );
+        assert_eq!((date.as_str(), latest.rails()), ("2026-06-01", vec![rail.to_owned()]));
     }
 }

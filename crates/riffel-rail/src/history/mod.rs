@@ -81,29 +81,15 @@ impl RailHistory {
         earlier: &[RailRecord<'_>],
         choice: SpectraChoice<'_>,
     ) -> Result<Self, CaseError> {
-        if let (
-            [],
-            None,
-            RailRoughness::Profile {
-                rails,
-                before: Some((date, before @ [_, ..])),
-                warnings,
-            },
-        ) = (earlier, present.date, present.roughness)
+        if let ([], None, RailRoughness::Profile { rails, before: Some((date, before @ [_, ..])), warnings }) =
+            (earlier, present.date, present.roughness)
         {
             let record = |date: Date, rails, warnings| RailRecord {
                 name: present.name,
                 date: Some(date),
-                roughness: RailRoughness::Profile {
-                    rails,
-                    before: None,
-                    warnings,
-                },
+                roughness: RailRoughness::Profile { rails, before: None, warnings },
             };
-            let earlier: Vec<RailRecord<'_>> = before
-                .iter()
-                .map(|one| record(one.date, &one.rails, &[]))
-                .collect();
+            let earlier: Vec<RailRecord<'_>> = before.iter().map(|one| record(one.date, &one.rails, &[])).collect();
             return Self::new(&record(date, rails, warnings), &earlier, choice);
         }
         let given = dates(earlier.iter().chain([present])).unwrap_or_default();
@@ -115,9 +101,9 @@ impl RailHistory {
             return Err(CaseError::data(present.name, message));
         }
         match present.roughness {
-            RailRoughness::Profile {
-                rails, warnings, ..
-            } => profiles::history(present, rails, warnings, earlier, choice),
+            RailRoughness::Profile { rails, warnings, .. } => {
+                profiles::history(present, rails, warnings, earlier, choice)
+            }
             RailRoughness::Spectra(spectra) => tables::history(present, spectra, earlier, choice),
         }
     }

@@ -5,9 +5,7 @@ use riffel::diagnosis::{CleanRail, Course, CoursePoint, FineSpectrum, LocatedWav
 use riffel_keys::{CaseError, Message, fixed, number, say};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, dates, times};
-use crate::{
-    DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words, find_rail, name_in_words,
-};
+use crate::{DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words, find_rail, name_in_words};
 
 /// The history of rails whose heights were measured.
 pub(super) fn history(
@@ -18,16 +16,10 @@ pub(super) fn history(
     choice: SpectraChoice<'_>,
 ) -> Result<RailHistory, CaseError> {
     if !choice.choose.is_empty() || choice.by.is_some() {
-        return Err(CaseError::data(
-            present.name,
-            "is a profile; a choice among spectra is for tables of them",
-        ));
+        return Err(CaseError::data(present.name, "is a profile; a choice among spectra is for tables of them"));
     }
     if rails.is_empty() {
-        return Err(CaseError::data(
-            present.name,
-            "there is no rail in the record",
-        ));
+        return Err(CaseError::data(present.name, "there is no rail in the record"));
     }
     let mut warnings = warnings.to_vec();
     let wrong = |error: riffel::Error| CaseError::data(present.name, error.to_string());
@@ -45,9 +37,7 @@ pub(super) fn history(
     let records = || earlier.iter().chain([present]);
     let dates = dates(records()).unwrap_or_default();
     let labels: Vec<String> = if dates.is_empty() {
-        records()
-            .map(|record| record.name.display().to_string())
-            .collect()
+        records().map(|record| record.name.display().to_string()).collect()
     } else {
         dates.iter().map(Date::to_string).collect()
     };
@@ -58,18 +48,14 @@ pub(super) fn history(
         levels.extend(level.map(|level| (earlier.len(), level)));
     }
     let measured = found.all().zip(points).map(|((index, one), levels)| {
-        let points = levels
-            .into_iter()
-            .map(|(record, (level, scatter))| CoursePoint {
-                label: labels[record].clone(),
-                time: times[record],
-                level,
-                scatter: Some(scatter),
-            });
-        let levels = clean
-            .iter()
-            .zip(rails)
-            .filter_map(|(rail, named)| Some((named.name.clone(), level_at(rail, one)?.0)));
+        let points = levels.into_iter().map(|(record, (level, scatter))| CoursePoint {
+            label: labels[record].clone(),
+            time: times[record],
+            level,
+            scatter: Some(scatter),
+        });
+        let levels =
+            clean.iter().zip(rails).filter_map(|(rail, named)| Some((named.name.clone(), level_at(rail, one)?.0)));
         Measured {
             record: None,
             rail: Some(rails[index].name.clone()),
@@ -79,29 +65,14 @@ pub(super) fn history(
             peak: one.peak.clone(),
             course: Course::new(points.collect(), unit).ok(),
             energy_levels: None,
-            rails: if rails.len() > 1 {
-                levels.collect()
-            } else {
-                Vec::new()
-            },
+            rails: if rails.len() > 1 { levels.collect() } else { Vec::new() },
         }
     });
-    Ok(RailHistory {
-        measured: measured.collect(),
-        words,
-        curves: Curves::Fine(curves),
-        defects,
-        warnings,
-    })
+    Ok(RailHistory { measured: measured.collect(), words, curves: Curves::Fine(curves), defects, warnings })
 }
 
 /// What the record is, in words.
-fn in_words(
-    rails: &[Rail],
-    clean: &[CleanRail],
-    spectrum: &FineSpectrum,
-    earlier: usize,
-) -> Message {
+fn in_words(rails: &[Rail], clean: &[CleanRail], spectrum: &FineSpectrum, earlier: usize) -> Message {
     let length = rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64;
     let is_windowed = clean.iter().any(|rail| rail.length() >= 2.0 * WINDOW);
     let windows = match is_windowed {
@@ -118,11 +89,7 @@ fn in_words(
     );
     match earlier {
         0 => words,
-        count => say!(
-            one_after_other,
-            one = words,
-            other = say!(earlier_records, count = count)
-        ),
+        count => say!(one_after_other, one = words, other = say!(earlier_records, count = count)),
     }
 }
 
@@ -153,11 +120,7 @@ impl FoundWavelengths {
     }
 
     /// Spectra of each rail, and of the place of the peak that stands out most, if it has one.
-    fn curves(
-        &self,
-        rails: &[Rail],
-        clean: &[CleanRail],
-    ) -> Result<Vec<(Message, FineSpectrum)>, riffel::Error> {
+    fn curves(&self, rails: &[Rail], clean: &[CleanRail]) -> Result<Vec<(Message, FineSpectrum)>, riffel::Error> {
         let mut curves = Vec::new();
         for (index, peaks) in &self.0 {
             let name = || name_in_words(&rails[*index].name);
@@ -184,28 +147,16 @@ impl FoundWavelengths {
     ) -> Result<Vec<Vec<LevelOfRecord>>, CaseError> {
         let mut levels = vec![Vec::new(); self.all().count()];
         for (place, record) in earlier.iter().enumerate() {
-            let RailRoughness::Profile {
-                rails: past,
-                warnings: remarks,
-                ..
-            } = record.roughness
-            else {
+            let RailRoughness::Profile { rails: past, warnings: remarks, .. } = record.roughness else {
                 return Err(CaseError::data(
                     record.name,
-                    format!(
-                        "is a table of levels, but {} is a profile; both must be the same",
-                        present.name.display()
-                    ),
+                    format!("is a table of levels, but {} is a profile; both must be the same", present.name.display()),
                 ));
             };
             let of_record = |said: Message| said.about(record.name.display());
             warnings.extend(remarks.iter().cloned().map(of_record));
             for (index, rail) in rails.iter().enumerate() {
-                let findings = || {
-                    self.all()
-                        .enumerate()
-                        .filter(move |(_, (own, _))| *own == index)
-                };
+                let findings = || self.all().enumerate().filter(move |(_, (own, _))| *own == index);
                 if findings().next().is_none() {
                     continue;
                 }

@@ -26,10 +26,7 @@ pub(super) fn history(
         let RailRoughness::Spectra(spectra) = record.roughness else {
             return Err(CaseError::data(
                 record.name,
-                format!(
-                    "is a profile, but {} is a table of levels; both must be the same",
-                    present.name.display()
-                ),
+                format!("is a profile, but {} is a table of levels; both must be the same", present.name.display()),
             ));
         };
         let survey = chosen(record.name, spectra)?;
@@ -58,23 +55,14 @@ pub(super) fn history(
     };
     let (times, unit) = times(records.len(), &dates);
     let spectra: usize = records.iter().map(|record| record.1.records.len()).sum();
-    let (spectra, count) = (
-        say!(one_third_octave_spectra, count = spectra),
-        records.len(),
-    );
+    let (spectra, count) = (say!(one_third_octave_spectra, count = spectra), records.len());
     let words = match rails.len() {
         1 => say!(spectra_of_records, spectra = spectra, count = count),
-        rails => say!(
-            spectra_of_records_by_rail,
-            spectra = spectra,
-            count = count,
-            rails = number(rails)
-        ),
+        rails => say!(spectra_of_records_by_rail, spectra = spectra, count = count, rails = number(rails)),
     };
     let mut warnings = remarks;
-    let records: Vec<(&str, f64, &Survey)> = (records.iter().zip(&times))
-        .map(|((name, survey), &time)| (name.as_str(), time, survey))
-        .collect();
+    let records: Vec<(&str, f64, &Survey)> =
+        (records.iter().zip(&times)).map(|((name, survey), &time)| (name.as_str(), time, survey)).collect();
     let are_several = rails.len() > 1;
     let tables = rails.into_iter().map(|rail| {
         let groups = groups(&rail, are_several, &records, &mut warnings);
@@ -89,13 +77,7 @@ pub(super) fn history(
     let several = tables.len() > 1;
     let curves = tables.iter().flat_map(|table| table.curves(several));
     let curves = curves.collect();
-    Ok(RailHistory {
-        measured,
-        words,
-        curves: Curves::Levels(curves),
-        defects: Vec::new(),
-        warnings,
-    })
+    Ok(RailHistory { measured, words, curves: Curves::Levels(curves), defects: Vec::new(), warnings })
 }
 
 /// The spectra of a rail in each record that has it, with a warning for those that have not.
@@ -117,11 +99,7 @@ fn groups(
             _ => Some(survey.clone()),
         };
         match (of_rail, rail) {
-            (Some(survey), _) => groups.push(Group {
-                name: name.to_owned(),
-                time,
-                spectra: survey.spectra(),
-            }),
+            (Some(survey), _) => groups.push(Group { name: name.to_owned(), time, spectra: survey.spectra() }),
             (None, Some(rail)) => {
                 let said = say!(record_lacks_rail_there, rail = name_in_words(rail));
                 warnings.push(said.about(Message::verbatim(name)));
@@ -148,9 +126,7 @@ impl Group {
     /// The point of this record in the course of a band.
     fn point(&self, band: ThirdOctave) -> Option<CoursePoint> {
         let spectra = self.spectra.iter();
-        let levels: Vec<f64> = spectra
-            .filter_map(|spectrum| spectrum.level(band))
-            .collect();
+        let levels: Vec<f64> = spectra.filter_map(|spectrum| spectrum.level(band)).collect();
         Some(CoursePoint {
             label: self.name.clone(),
             time: self.time,
@@ -196,9 +172,7 @@ impl RailTable {
             let course = Course::new(points.collect(), unit).ok();
             let since = course.as_ref().map(|course| course.on_line()[0].time);
             let mut own = (found.iter()).filter(|(peak, _)| peak.wavelength == first.wavelength);
-            let most = own
-                .clone()
-                .find(|(_, group)| since.is_none_or(|since| group.time >= since));
+            let most = own.clone().find(|(_, group)| since.is_none_or(|since| group.time >= since));
             peaks.extend(most.or(own.next()).map(|(wave, group)| Peak {
                 wave: wave.clone(),
                 record: group.name.clone(),
@@ -207,11 +181,7 @@ impl RailTable {
             }));
         }
         peaks.sort_by(|a, b| b.wave.prominence.total_cmp(&a.wave.prominence));
-        Self {
-            rail,
-            groups,
-            peaks,
-        }
+        Self { rail, groups, peaks }
     }
 
     /// The highest level of what stands out.
@@ -226,9 +196,7 @@ impl RailTable {
         self.peaks.iter().map(move |peak| {
             let band = ThirdOctave::containing(peak.wave.wavelength).ok();
             let groups = self.groups.iter();
-            let energy = groups
-                .filter_map(|group| Spectrum::energy_mean(&group.spectra)?.level(band?))
-                .collect();
+            let energy = groups.filter_map(|group| Spectrum::energy_mean(&group.spectra)?.level(band?)).collect();
             let rails = all.iter().filter(|_| all.len() > 1);
             let rails = rails.filter_map(|table| {
                 let mut groups = table.groups.iter();
@@ -277,8 +245,7 @@ fn sorted_by_date(records: &mut Vec<(String, Survey)>) -> Result<Option<Vec<Date
         let dates = survey.by_date(column)?;
         dated.push(dates[dates.len() / 2].0);
     }
-    let mut pairs: Vec<(Date, (String, Survey))> =
-        dated.into_iter().zip(records.drain(..)).collect();
+    let mut pairs: Vec<(Date, (String, Survey))> = dated.into_iter().zip(records.drain(..)).collect();
     pairs.sort_by_key(|(date, _)| *date);
     let (dates, sorted) = pairs.into_iter().unzip();
     *records = sorted;

@@ -67,7 +67,8 @@ impl<'a> ProfileTable<'a> {
                  --spacing",
                 counter + 1,
                 heading.name(counter).unwrap_or_default()
-            ).into());
+            )
+            .into());
         }
         if columns.is_empty() {
             let first = left_out.into_iter().next();
@@ -76,10 +77,7 @@ impl<'a> ProfileTable<'a> {
                 || say!(no_heights),
                 |(column, why)| {
                     let name = heading.name(column).unwrap_or_default();
-                    say!(
-                        no_heights_but,
-                        reason = left_out_sentence(column, name, why)
-                    )
+                    say!(no_heights_but, reason = left_out_sentence(column, name, why))
                 },
             ));
         }
@@ -87,10 +85,7 @@ impl<'a> ProfileTable<'a> {
             return Err(self.no_position());
         }
         self.check_units(&columns, position)?;
-        let heads: Vec<&str> = columns
-            .iter()
-            .filter_map(|&column| heading.name(column))
-            .collect();
+        let heads: Vec<&str> = columns.iter().filter_map(|&column| heading.name(column)).collect();
         let dated = dates_of_heads(&heads).filter(|_| heads.len() == columns.len());
         let name = |place: usize, column: usize| match &dated {
             // As the record takes them apart again.
@@ -105,10 +100,7 @@ impl<'a> ProfileTable<'a> {
         });
         let position = position.map(|column| Column {
             column: column + 1,
-            unit: self
-                .unit(column, Kind::Position)
-                .unwrap_or_else(|| self.likely_unit(column))
-                .to_owned(),
+            unit: self.unit(column, Kind::Position).unwrap_or_else(|| self.likely_unit(column)).to_owned(),
             name: String::new(),
         });
         let mut format = self.layout.apply(&ReaderFormat {
@@ -139,11 +131,7 @@ impl<'a> ProfileTable<'a> {
             || say!(heights_without_position),
             |(column, cell)| {
                 let column = number(column + 1);
-                say!(
-                    heights_without_position_but,
-                    column = column,
-                    cell = &cell[..]
-                )
+                say!(heights_without_position_but, column = column, cell = &cell[..])
             },
         )
     }
@@ -187,25 +175,20 @@ impl<'a> ProfileTable<'a> {
     fn left_out(&self, columns: &[usize]) -> BTreeMap<usize, Message> {
         let heading = &self.table.heading;
         let is_foreign = |column: &usize| heading.foreign_unit_of(*column).is_some();
-        let (foreign, lengths): (Vec<usize>, Vec<usize>) =
-            columns.iter().copied().partition(is_foreign);
+        let (foreign, lengths): (Vec<usize>, Vec<usize>) = columns.iter().copied().partition(is_foreign);
         let why = |columns: &[usize]| -> BTreeMap<usize, Message> {
             let names = columns.iter().map(|&column| heading.name(column));
             let names: Vec<&str> = names.map(Option::unwrap_or_default).collect();
             let all = columns.iter().copied().zip(why_no_rail(&names));
-            all.filter_map(|(column, why)| Some((column, why?)))
-                .collect()
+            all.filter_map(|(column, why)| Some((column, why?))).collect()
         };
         let mut left_out = why(&lengths);
-        let is_length =
-            |column: &usize| !left_out.contains_key(column) && heading.unit_of(*column).is_some();
+        let is_length = |column: &usize| !left_out.contains_key(column) && heading.unit_of(*column).is_some();
         let beside_lengths = lengths.iter().any(is_length);
         left_out.extend(why(&foreign));
         if beside_lengths {
             for column in foreign {
-                left_out
-                    .entry(column)
-                    .or_insert(say!(its_unit_is_no_length));
+                left_out.entry(column).or_insert(say!(its_unit_is_no_length));
             }
         }
         left_out
@@ -280,7 +263,8 @@ impl<'a> ProfileTable<'a> {
                     column + 1,
                     stated.line,
                     stated.unit
-                ).into());
+                )
+                .into());
             }
         }
         Ok(())
@@ -390,9 +374,7 @@ const IGNORED: &str = "index|sample|samples|nr|no|number|id|time|zeit|speed|date
                         event|velocity|geschwindigkeit|temperatur|datum|uhrzeit|lfd|temp|température|temperatura|vitesse|\
                         velocidad|velocità|alt|altitude|elevation|acc|acceleration|beschleunigung|gyro|quality|flag";
 /// Units of columns that hold something else.
-const OTHER_UNITS: [&str; 9] = [
-    "km/h", "m/s", "km_h", "kmh", "m_per_s", "°c", "[s]", "(s)", "[v]",
-];
+const OTHER_UNITS: [&str; 9] = ["km/h", "m/s", "km_h", "kmh", "m_per_s", "°c", "[s]", "(s)", "[v]"];
 /// Words for columns that tell records apart.
 const LABELS: &str = "rail|side|schiene|seite|track|gleis|line|linie|strecke|date|datum|run|lauf|fahrt|record|messung|\
                         site|ort|section|abschnitt|campaign|kampagne|côté|cote|voie|carril|lado|vía|fecha|rotaia|binario|\
@@ -400,14 +382,8 @@ const LABELS: &str = "rail|side|schiene|seite|track|gleis|line|linie|strecke|dat
 
 /// Whether the head of a column names neither a position nor a height.
 fn is_something_else(table: &Table, column: usize) -> bool {
-    let name = table
-        .heading
-        .name(column)
-        .unwrap_or_default()
-        .to_lowercase();
-    table.heading.is(column, IGNORED)
-        || is_of_time(&name)
-        || OTHER_UNITS.iter().any(|unit| name.contains(unit))
+    let name = table.heading.name(column).unwrap_or_default().to_lowercase();
+    table.heading.is(column, IGNORED) || is_of_time(&name) || OTHER_UNITS.iter().any(|unit| name.contains(unit))
 }
 
 /// That a column is left out, and why.
@@ -415,12 +391,7 @@ pub(crate) fn left_out_sentence(column: usize, name: &str, why: Message) -> Mess
     let column = number(column + 1);
     match name {
         "" => say!(column_left_out, column = column, reason = why),
-        name => say!(
-            headed_column_left_out,
-            column = column,
-            head = name,
-            reason = why
-        ),
+        name => say!(headed_column_left_out, column = column, head = name, reason = why),
     }
 }
 
@@ -434,8 +405,7 @@ fn is_of_a_rail(table: &Table, column: usize) -> bool {
 pub(super) fn names_a_rail(table: &Table, column: usize) -> bool {
     const LEFT: &str = "left|links|gauche|izquierda|izquierdo|sinistra|sinistro|lewa|low";
     const RIGHT: &str = "right|rechts|droite|droit|derecha|derecho|destra|destro|prawa|high";
-    const HEIGHT: &str =
-        "height|heights|höhe|hoehe|höhen|hauteur|altura|altezza|hoogte|roughness|rauheit";
+    const HEIGHT: &str = "height|heights|höhe|hoehe|höhen|hauteur|altura|altezza|hoogte|roughness|rauheit";
     let is = |known: &str| table.heading.is(column, known);
     is(LEFT) != is(RIGHT) || is(HEIGHT) && !is(LEFT)
 }
@@ -443,11 +413,7 @@ pub(super) fn names_a_rail(table: &Table, column: usize) -> bool {
 /// The texts of the first row.
 fn first_row(table: &Table, bytes: &[u8]) -> Vec<String> {
     let row = table::rows(bytes, table.header_lines, table.delimiter, None).next();
-    row.map_or_else(Vec::new, |row| {
-        (0..row.cells.len())
-            .map(|column| row.text(column))
-            .collect()
-    })
+    row.map_or_else(Vec::new, |row| (0..row.cells.len()).map(|column| row.text(column)).collect())
 }
 
 /// Columns of text, none of `labels`, whose head is that of a rail, or that of a position above cells with digits.
@@ -458,19 +424,14 @@ fn misread_columns(table: &Table, bytes: &[u8], labels: &[usize]) -> Vec<usize> 
     let is_misread = |&column: &usize| {
         let of_rail = is_of_a_rail(table, column);
         let of_position = table.heading.is(column, POSITION);
-        if table.kind(column) != table::Kind::Text
-            || labels.contains(&column)
-            || !(of_rail || of_position)
-        {
+        if table.kind(column) != table::Kind::Text || labels.contains(&column) || !(of_rail || of_position) {
             return false;
         }
         let (above, style) = (table.header_lines, (table.delimiter, table.decimal));
         let mut rows = table::rows(bytes, above, style.0, Some(style.1)).take(ROWS);
         rows.any(|row| {
             let text = row.text(column);
-            row.value(column).is_none()
-                && !text.is_empty()
-                && (of_rail || text.contains(char::is_numeric))
+            row.value(column).is_none() && !text.is_empty() && (of_rail || text.contains(char::is_numeric))
         })
     };
     (0..names.max(table.count())).filter(is_misread).collect()
@@ -535,12 +496,7 @@ fn dividing_column(table: &Table, bytes: &[u8], position: usize) -> Option<usize
     let mut last: Vec<BTreeMap<String, f64>> = vec![BTreeMap::new(); columns.len() + 1];
     let mut steps = vec![[0usize; 2]; columns.len() + 1];
     let (mut rows, mut is_whole) = (0, vec![true; columns.len() + 1]);
-    for row in table::rows(
-        bytes,
-        table.header_lines,
-        table.delimiter,
-        Some(table.decimal),
-    ) {
+    for row in table::rows(bytes, table.header_lines, table.delimiter, Some(table.decimal)) {
         let Some(here) = row.value(position).filter(|here| !here.is_nan()) else {
             continue;
         };

@@ -5,16 +5,9 @@ use super::*;
 #[test]
 fn words_tell_records_apart_where_positions_go_back() {
     let row = |word: &str, n: i32| format!("{word};{:.3};{}.5\n", 0.001 * f64::from(n), n % 7);
-    let one_by_one: String = ["vas", "oikea"]
-        .iter()
-        .flat_map(|word| (0..200).map(|n| row(word, n)))
-        .collect();
-    let in_turn: String = (0..200)
-        .flat_map(|n| ["vas", "oikea"].map(|word| row(word, n)))
-        .collect();
-    let remarks: String = (0..400)
-        .map(|n| row(if n % 90 > 80 { "hitsi" } else { "ok" }, n))
-        .collect();
+    let one_by_one: String = ["vas", "oikea"].iter().flat_map(|word| (0..200).map(|n| row(word, n))).collect();
+    let in_turn: String = (0..200).flat_map(|n| ["vas", "oikea"].map(|word| row(word, n))).collect();
+    let remarks: String = (0..400).map(|n| row(if n % 90 > 80 { "hitsi" } else { "ok" }, n)).collect();
     let labels = |rows: &str| format(&format!("kisko;x [m];z [um]\n{rows}")).labels;
     assert_eq!(labels(&one_by_one), [1]);
     assert_eq!(labels(&in_turn), [1]);
@@ -31,9 +24,7 @@ fn format(text: &str) -> ReaderFormat {
 #[test]
 fn units_come_from_the_header_or_the_step() {
     let units = |header: &str, step: &str| {
-        let rows: String = (0..20)
-            .map(|row| format!("{row}{step};{row}.5\n"))
-            .collect();
+        let rows: String = (0..20).map(|row| format!("{row}{step};{row}.5\n")).collect();
         let format = format(&(header.to_owned() + &rows));
         let position = format.position.unwrap();
         (position.unit, format.rails[0].unit.clone())
@@ -46,33 +37,19 @@ fn units_come_from_the_header_or_the_step() {
 
 #[test]
 fn other_columns_are_left_out() {
-    let rows: String = (0..30)
-        .map(|n| format!("{n},2014-07-01,{},{}.5\n", 0.001 * f64::from(n), n))
-        .collect();
+    let rows: String = (0..30).map(|n| format!("{n},2014-07-01,{},{}.5\n", 0.001 * f64::from(n), n)).collect();
     let format = format(&format!("index,date,chainage_m,left rail um\n{rows}"));
     assert_eq!(format.position.unwrap().column, 3);
     assert_eq!(format.rails.len(), 1);
-    assert_eq!(
-        (&format.rails[0].name[..], &format.labels[..]),
-        ("left rail", &[2][..])
-    );
+    assert_eq!((&format.rails[0].name[..], &format.labels[..]), ("left rail", &[2][..]));
 }
 
 /// Other channels of a trolley are no rails, and what is computed of rails is none beside them.
 #[test]
 fn other_channels_are_no_rails() {
     let rails = |head: &str| {
-        let rows: String = (0..60)
-            .map(|n| {
-                format!(
-                    "{:.3},{}.5,{}.25,{}.5\n",
-                    0.001 * f64::from(n),
-                    n % 7,
-                    n % 5,
-                    n % 3
-                )
-            })
-            .collect();
+        let rows: String =
+            (0..60).map(|n| format!("{:.3},{}.5,{}.25,{}.5\n", 0.001 * f64::from(n), n % 7, n % 5, n % 3)).collect();
         let format = format(&format!("{head}\n{rows}"));
         let rails: Vec<usize> = format.rails.iter().map(|rail| rail.column).collect();
         rails
@@ -92,19 +69,9 @@ fn other_channels_are_no_rails() {
 #[test]
 fn only_heights_are_rails() {
     let rows: String = (0..300)
-        .map(|n| {
-            format!(
-                "{n},{:.3},{}.5,{}.25,0.1,{}\n",
-                0.001 * f64::from(n),
-                n % 7,
-                n % 5,
-                n / 150
-            )
-        })
+        .map(|n| format!("{n},{:.3},{}.5,{}.25,0.1,{}\n", 0.001 * f64::from(n), n % 7, n % 5, n / 150))
         .collect();
-    let format = format(&format!(
-        ",x_m,left [um],cant [mm],ISO 3095 [um],run\n{rows}"
-    ));
+    let format = format(&format!(",x_m,left [um],cant [mm],ISO 3095 [um],run\n{rows}"));
     assert_eq!(format.position.unwrap().column, 2);
     let rails: Vec<usize> = format.rails.iter().map(|rail| rail.column).collect();
     assert_eq!((&rails[..], &format.labels[..]), (&[3][..], &[6][..]));

@@ -39,11 +39,7 @@ impl RoughnessFile {
     /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with the line and the rule if it is none of
     /// these, or its values are unlike any rail. Defects of less than one row in a hundred are put right and counted in
     /// the warnings of the record.
-    pub fn read(
-        path: &Path,
-        layout: &Layout,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, CaseError> {
+    pub fn read(path: &Path, layout: &Layout, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, CaseError> {
         let bytes = input::read(path, &|head| match layout.format {
             Some(_) => Ok(()),
             None => Table::find(head).map(|_| ()).ok_or_else(|| no_table(head)),
@@ -52,11 +48,7 @@ impl RoughnessFile {
     }
 
     /// Text in UTF-8 or Windows-1252 whose lines end in line feeds.
-    fn parse(
-        bytes: &[u8],
-        layout: &Layout,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, Refusal> {
+    fn parse(bytes: &[u8], layout: &Layout, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, Refusal> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         refuse_what_is_no_text(bytes)?;
         let spacing = layout.spacing;
@@ -80,14 +72,11 @@ impl RoughnessFile {
                 if let Some(header) = table.heading.names.as_deref()
                     && let Some(columns) = spectra::Columns::of(header, &table)
                 {
-                    for (argument, given) in [
-                        ("--height-unit", &layout.height_unit),
-                        ("--position-unit", &layout.position_unit),
-                    ] {
+                    for (argument, given) in
+                        [("--height-unit", &layout.height_unit), ("--position-unit", &layout.position_unit)]
+                    {
                         if given.is_some() {
-                            let message = format!(
-                                "{argument} is for profiles, but this is a table of levels"
-                            );
+                            let message = format!("{argument} is for profiles, but this is a table of levels");
                             return Err(Refusal::new(None, message));
                         }
                     }
@@ -103,8 +92,7 @@ impl RoughnessFile {
                     help: Some(HELP.to_owned().into()),
                 })?;
                 let assumptions = profile.assumptions(&format);
-                let head =
-                    |label: &usize| table.heading.name(label - 1).unwrap_or_default().to_owned();
+                let head = |label: &usize| table.heading.name(label - 1).unwrap_or_default().to_owned();
                 let heads = format.labels.iter().map(head).collect();
                 (format, heads, table.count(), table.text_behind, assumptions)
             }
@@ -120,11 +108,7 @@ impl RoughnessFile {
         {
             return Err(Refusal::new(
                 None,
-                say!(
-                    spacing_is_not_that_of_positions,
-                    spacing = spacing,
-                    metres = record.spacing
-                ),
+                say!(spacing_is_not_that_of_positions, spacing = spacing, metres = record.spacing),
             ));
         }
         Ok(Self::Profile(record))
@@ -141,10 +125,7 @@ fn check_marks(table: &Table) -> Result<(), Refusal> {
             table.count() / 2
         );
         let help = "write the file with semicolons or tabs between its columns";
-        return Err(Refusal {
-            help: Some(help.to_owned().into()),
-            ..Refusal::new(line, message)
-        });
+        return Err(Refusal { help: Some(help.to_owned().into()), ..Refusal::new(line, message) });
     }
     if table.mixed_marks {
         let message = format!(
@@ -168,11 +149,7 @@ fn number_columns(format: &ReaderFormat, count: usize, text_behind: bool) -> Num
 
 fn no_table(bytes: &[u8]) -> Refusal {
     let first = lines(bytes).position(|line| !is_comment(line));
-    Refusal {
-        line: first.map(|line| line + 1),
-        message: say!(no_table_of_numbers),
-        help: Some(HELP.to_owned().into()),
-    }
+    Refusal { line: first.map(|line| line + 1), message: say!(no_table_of_numbers), help: Some(HELP.to_owned().into()) }
 }
 
 const HELP: &str = "a profile is a position and a height in columns, or heights alone with --spacing; \
@@ -180,11 +157,7 @@ const HELP: &str = "a profile is a position and a height in columns, or heights 
 
 fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
     if bytes.iter().all(u8::is_ascii_whitespace) {
-        let what = if bytes.is_empty() {
-            "is empty"
-        } else {
-            "holds only blanks"
-        };
+        let what = if bytes.is_empty() { "is empty" } else { "holds only blanks" };
         return Err(Refusal::new(None, format!("the file {what}")));
     }
     Encoding::of(bytes).map_err(|byte| Refusal::new(Some(byte.line), byte))?;
@@ -196,28 +169,14 @@ fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
 fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<(usize, bool), Refusal> {
     let columns = format.position.iter().chain(&format.rails);
     let columns = columns.map(|column| column.column);
-    let needed = columns
-        .chain(format.labels.iter().copied())
-        .max()
-        .unwrap_or(0);
-    let first = rows(
-        bytes,
-        format.header_lines,
-        format.delimiter,
-        Some(format.decimal),
-    )
-    .next();
+    let needed = columns.chain(format.labels.iter().copied()).max().unwrap_or(0);
+    let first = rows(bytes, format.header_lines, format.delimiter, Some(format.decimal)).next();
     let Some(row) = first else {
-        let message = format!(
-            "nothing follows the {} lines of the header",
-            format.header_lines
-        );
+        let message = format!("nothing follows the {} lines of the header", format.header_lines);
         return Err(Refusal::new(None, message));
     };
     let refuse = |message: String| Err(Refusal::new(Some(row.line), message));
-    if format.delimiter.byte() == format.decimal.byte()
-        && !row.cells.iter().any(|cell| cell.starts_with(b"\""))
-    {
+    if format.delimiter.byte() == format.decimal.byte() && !row.cells.iter().any(|cell| cell.starts_with(b"\"")) {
         let rule = "the reader profile has commas between cells and in numbers, which then stand in quotes";
         return refuse(rule.to_owned());
     }
@@ -236,9 +195,8 @@ fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<(usize, bool), Refusa
 
 /// What stands above the columns of labels, in all lines of the header.
 fn heads_of(bytes: &[u8], format: &ReaderFormat) -> Vec<String> {
-    let header: Vec<_> = rows(bytes, 0, format.delimiter, None)
-        .take_while(|row| row.line <= format.header_lines)
-        .collect();
+    let header: Vec<_> =
+        rows(bytes, 0, format.delimiter, None).take_while(|row| row.line <= format.header_lines).collect();
     let head = |label: &usize| {
         let cells: Vec<String> = header.iter().map(|row| row.text(label - 1)).collect();
         cells.join(" ").trim().to_owned()
@@ -250,8 +208,6 @@ fn heads_of(bytes: &[u8], format: &ReaderFormat) -> Vec<String> {
 fn from_line(bytes: &[u8], line: usize) -> &[u8] {
     match line.checked_sub(1) {
         None => bytes,
-        Some(last) => memchr::memchr_iter(b'\n', bytes)
-            .nth(last)
-            .map_or(&[], |end| &bytes[end + 1..]),
+        Some(last) => memchr::memchr_iter(b'\n', bytes).nth(last).map_or(&[], |end| &bytes[end + 1..]),
     }
 }

@@ -3,10 +3,7 @@ use proptest::prelude::*;
 use riffel_keys::quantity::Quantity;
 
 fn parse(text: &[u8], spacing: Option<f64>) -> Result<RoughnessFile, String> {
-    let layout = Layout {
-        spacing: spacing.map(Quantity::new),
-        ..Layout::default()
-    };
+    let layout = Layout { spacing: spacing.map(Quantity::new), ..Layout::default() };
     RoughnessFile::parse(text, &layout, &|_| ()).map_err(|refusal| match refusal.line {
         Some(line) => format!("line {line}: {}", refusal.message),
         None => refusal.message.to_string(),
@@ -25,9 +22,7 @@ fn height(row: usize) -> f64 {
 }
 
 fn rows(count: usize) -> Vec<String> {
-    (0..count)
-        .map(|row| format!("{:.3},{:.1}", 10.0 + 1e-3 * row as f64, height(row)))
-        .collect()
+    (0..count).map(|row| format!("{:.3},{:.1}", 10.0 + 1e-3 * row as f64, height(row))).collect()
 }
 
 #[test]
@@ -52,14 +47,8 @@ fn positions_and_heights_come_back() {
 
 #[test]
 fn heights_alone_need_a_spacing() {
-    let text: String = (0..1500)
-        .map(|row| format!("{:.1}\n", height(row)))
-        .collect();
-    assert!(
-        parse(text.as_bytes(), None)
-            .unwrap_err()
-            .contains("no position")
-    );
+    let text: String = (0..1500).map(|row| format!("{:.1}\n", height(row))).collect();
+    assert!(parse(text.as_bytes(), None).unwrap_err().contains("no position"));
     let Ok(RoughnessFile::Profile(record)) = parse(text.as_bytes(), Some(1e-3)) else {
         panic!("no profile");
     };
@@ -74,24 +63,14 @@ fn defects_are_named_with_their_line() {
         parse(rows.join("\n").as_bytes(), None).unwrap_err()
     };
     let wrong = refusal(&|rows| rows[1500] = "11.500,abc".to_owned());
-    assert!(
-        wrong.starts_with("line 1501: column 2 is \"abc\""),
-        "{wrong}"
-    );
+    assert!(wrong.starts_with("line 1501: column 2 is \"abc\""), "{wrong}");
     let wrong = refusal(&|rows| rows[1500] = "11.500".to_owned());
     assert!(wrong.starts_with("line 1501: has 1 column"), "{wrong}");
     let wrong = refusal(&|rows| (700..800).for_each(|row| rows[row] = rows[700].clone()));
     assert!(wrong.starts_with("line 702: 99 rows"), "{wrong}");
-    let wrong =
-        refusal(&|rows| (0..2000).for_each(|row| rows[row] = format!("{},1.0", 1e-3 * row as f64)));
+    let wrong = refusal(&|rows| (0..2000).for_each(|row| rows[row] = format!("{},1.0", 1e-3 * row as f64)));
     assert!(wrong.contains("every height is 1"), "{wrong}");
-    let clip = |row: usize| {
-        format!(
-            "{:.3},{:.1}",
-            1e-3 * row as f64,
-            height(row).clamp(-5.0, 5.0) * 3.0
-        )
-    };
+    let clip = |row: usize| format!("{:.3},{:.1}", 1e-3 * row as f64, height(row).clamp(-5.0, 5.0) * 3.0);
     let wrong = refusal(&|rows| {
         for (row, line) in rows.iter_mut().enumerate() {
             *line = match row % 20 {
@@ -110,42 +89,21 @@ fn defects_are_named_with_their_line() {
         })
         .collect();
     let wrong = parse(mixed.as_bytes(), None).unwrap_err();
-    assert!(
-        wrong.starts_with("line 1701: column 2 is \"2,5\", with a decimal comma"),
-        "{wrong}"
-    );
+    assert!(wrong.starts_with("line 1701: column 2 is \"2,5\", with a decimal comma"), "{wrong}");
     // However many rows there are of either mark.
     let turns: String = (0..2000)
         .map(|row| {
             let line = format!("{:.3};{:.1}\n", 1e-3 * row as f64, height(row));
-            if row < 900 {
-                line
-            } else {
-                line.replace('.', ",")
-            }
+            if row < 900 { line } else { line.replace('.', ",") }
         })
         .collect();
     let wrong = parse(turns.as_bytes(), None).unwrap_err();
-    assert!(
-        wrong.starts_with("line 901: numbers have a decimal comma from here on"),
-        "{wrong}"
-    );
+    assert!(wrong.starts_with("line 901: numbers have a decimal comma from here on"), "{wrong}");
     let wrong = refusal(&|rows| rows[1500] = "11.500,-1e9".to_owned());
-    assert!(
-        wrong.starts_with("line 1501: rail column 2: a height of -1000 m"),
-        "{wrong}"
-    );
+    assert!(wrong.starts_with("line 1501: rail column 2: a height of -1000 m"), "{wrong}");
     assert_eq!(parse(b"", None).unwrap_err(), "the file is empty");
-    assert!(
-        parse(b"\x7fELF\x02\x01\x00\x00", None)
-            .unwrap_err()
-            .starts_with("line 1: the file is binary")
-    );
-    assert!(
-        parse(b"only words\nand more\n", None)
-            .unwrap_err()
-            .starts_with("line 1: no table")
-    );
+    assert!(parse(b"\x7fELF\x02\x01\x00\x00", None).unwrap_err().starts_with("line 1: the file is binary"));
+    assert!(parse(b"only words\nand more\n", None).unwrap_err().starts_with("line 1: no table"));
 }
 
 #[test]
@@ -158,14 +116,8 @@ fn what_can_be_put_right_is_counted() {
     let record = profile(&some.join("\n"));
     let warnings: Vec<String> = record.warnings.iter().map(ToString::to_string).collect();
     let warnings = warnings.join("\n");
-    assert!(
-        warnings.contains("2 heights missing") && warnings.contains("line 502"),
-        "{warnings}"
-    );
-    assert!(
-        warnings.contains("1 row with the position of the row before"),
-        "{warnings}"
-    );
+    assert!(warnings.contains("2 heights missing") && warnings.contains("line 502"), "{warnings}");
+    assert!(warnings.contains("1 row with the position of the row before"), "{warnings}");
     assert!(warnings.contains("line 1502"), "{warnings}");
     assert_eq!(record.rails[0].stretches.len(), 1);
     assert_eq!(record.rails[0].stretches[0].heights().len(), 4000);
@@ -199,27 +151,13 @@ fn the_same_rail_in_many_tables() {
     let comma = |value: f64| format!("{value:.3}").replace('.', ",");
     let fortran = |value: f64| format!("{value:.6e}").replace('e', "D");
     let others: [(&str, &dyn Fn(usize) -> String); 7] = [
-        (",x_m,height_um\n", &|row| {
-            format!("{row},{:.3},{:.1}", x(row), height(row))
-        }),
-        ("\"x (m)\",\"z (um)\"\n", &|row| {
-            format!("\"{}\",\"{}\"", comma(x(row)), comma(height(row)))
-        }),
-        ("", &|row| {
-            format!("  {} {}", fortran(x(row)), fortran(height(row)))
-        }),
-        ("x_m,z_um\n", &|row| {
-            format!("{:.3},{:.1}", x(row), height(row)).replace('-', "\u{2212}")
-        }),
-        ("x_m,z [um],cant [mm]\n", &|row| {
-            format!("{:.3},{:.1},0.{}", x(row), height(row), row % 7)
-        }),
-        ("x_m,z_um,limit_um\n", &|row| {
-            format!("{:.3},{:.1},5", x(row), height(row))
-        }),
-        ("rail,x_m,z_um\n", &|row| {
-            format!("L,{:.3},{:.1}", x(row), height(row))
-        }),
+        (",x_m,height_um\n", &|row| format!("{row},{:.3},{:.1}", x(row), height(row))),
+        ("\"x (m)\",\"z (um)\"\n", &|row| format!("\"{}\",\"{}\"", comma(x(row)), comma(height(row)))),
+        ("", &|row| format!("  {} {}", fortran(x(row)), fortran(height(row)))),
+        ("x_m,z_um\n", &|row| format!("{:.3},{:.1}", x(row), height(row)).replace('-', "\u{2212}")),
+        ("x_m,z [um],cant [mm]\n", &|row| format!("{:.3},{:.1},0.{}", x(row), height(row), row % 7)),
+        ("x_m,z_um,limit_um\n", &|row| format!("{:.3},{:.1},5", x(row), height(row))),
+        ("rail,x_m,z_um\n", &|row| format!("L,{:.3},{:.1}", x(row), height(row))),
     ];
     for (head, row) in others {
         assert_eq!(written(head, row), plain, "{head}");
@@ -230,16 +168,11 @@ fn the_same_rail_in_many_tables() {
 fn rows_of_other_labels_are_other_rails() {
     let of = |rail: &str, size: f64| -> Vec<String> {
         let rows = (0..1500).map(|row| (1e-3 * row as f64, size * height(row)));
-        rows.map(|(x, z)| format!("{rail},{x:.3},{z:.1}\n"))
-            .collect()
+        rows.map(|(x, z)| format!("{rail},{x:.3},{z:.1}\n")).collect()
     };
     let (left, right) = (of("L", 1.0), of("R", 2.0));
     let blocks = format!("rail,x_m,z_um\n{}{}", left.concat(), right.concat());
-    let mixed: String = left
-        .iter()
-        .zip(&right)
-        .map(|(l, r)| l.clone() + r)
-        .collect();
+    let mixed: String = left.iter().zip(&right).map(|(l, r)| l.clone() + r).collect();
     for text in [blocks, format!("rail,x_m,z_um\n{mixed}")] {
         let record = profile(&text);
         let names: Vec<&str> = record.rails.iter().map(|rail| &rail.name[..]).collect();
@@ -257,13 +190,7 @@ fn marks_of_missing_values_are_no_heights() {
         rows[700] = format!("10.700,{mark}");
         let record = profile(&rows.join("\n"));
         let said = format!("column 2 has {mark} in 1 row,");
-        assert!(
-            record
-                .warnings
-                .iter()
-                .any(|warning| warning.to_string().starts_with(&said)),
-            "{mark}"
-        );
+        assert!(record.warnings.iter().any(|warning| warning.to_string().starts_with(&said)), "{mark}");
         let heights = record.rails[0].stretches[0].heights();
         assert!(heights.iter().all(|height| height.abs() < 6e-6), "{mark}");
     }
@@ -278,14 +205,8 @@ fn limits_and_scatter_are_no_levels_and_octaves_no_third_octaves() {
             other => panic!("{head}: {other:?}"),
         }
     };
-    assert_eq!(
-        names("wavelength_mm,mean_db,min_db,max_db,std_db", "2,-1,5,1"),
-        1
-    );
-    assert_eq!(
-        names("wavelength_mm,L (dB),R (dB),ISO 3095 (dB)", "2,-1,5"),
-        2
-    );
+    assert_eq!(names("wavelength_mm,mean_db,min_db,max_db,std_db", "2,-1,5,1"), 1);
+    assert_eq!(names("wavelength_mm,L (dB),R (dB),ISO 3095 (dB)", "2,-1,5"), 2);
     let octaves = "wavelength_mm,level_db\n500,10\n250,8\n125,6\n63,4\n31.5,2\n";
     let wrong = parse(octaves.as_bytes(), None).unwrap_err();
     assert!(wrong.contains("those of octaves"), "{wrong}");
@@ -296,10 +217,7 @@ fn track_geometry_is_called_so() {
     let rows = (0..400).map(|row| format!("{},0.0{}\n", 0.25 * f64::from(row), row % 9));
     let text = format!("chainage_m,left_mm\n{}", rows.collect::<String>());
     let wrong = parse(text.as_bytes(), None).unwrap_err();
-    assert!(
-        wrong.contains("0.25 m apart, as those of track geometry"),
-        "{wrong}"
-    );
+    assert!(wrong.contains("0.25 m apart, as those of track geometry"), "{wrong}");
 }
 
 #[test]
@@ -312,36 +230,22 @@ fn spectra_are_told_by_their_header() {
     assert_eq!(spectra[1].label("site"), Some("B"));
     assert_eq!(spectra[0].spectrum.levels().len(), 2);
     let twice = "wavelength_mm,level_db\n20,-4.0\n19.953,-3.0\n";
-    assert!(
-        parse(twice.as_bytes(), None)
-            .unwrap_err()
-            .starts_with("line 3: 20 mm is there twice")
-    );
+    assert!(parse(twice.as_bytes(), None).unwrap_err().starts_with("line 3: 20 mm is there twice"));
     // Lines are those of the file, whatever stands above the table and between it and its header.
     let below = "a title\n\n# wavelength_mm,level_db\n\n20,-4.0\n25,-2.0\n19.953,-3.0\n";
-    assert!(
-        parse(below.as_bytes(), None)
-            .unwrap_err()
-            .starts_with("line 7: 20 mm is there twice")
-    );
+    assert!(parse(below.as_bytes(), None).unwrap_err().starts_with("line 7: 20 mm is there twice"));
     let odd = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-2.0\nA,31.5\nA,40,1\n";
     let wrong = parse(odd.as_bytes(), None).unwrap_err();
     assert_eq!(wrong, "line 4: has 2 columns, the header has 3");
     let none = "wavelength_mm,level_db\n20,-4.0\n22.4,-3.0\n25,1\n";
-    assert!(
-        parse(none.as_bytes(), None)
-            .unwrap_err()
-            .starts_with("line 3: 22.4 mm is no")
-    );
+    assert!(parse(none.as_bytes(), None).unwrap_err().starts_with("line 3: 22.4 mm is no"));
 }
 
 #[test]
 fn bands_may_be_columns() {
-    for header in [
-        "site;31,5 mm;40 mm;50 mm;63 mm",
-        "site / wavelength mm;31,5;40;50;63",
-        "site;L_31.5mm;L_40mm;L_50mm;L_63mm",
-    ] {
+    for header in
+        ["site;31,5 mm;40 mm;50 mm;63 mm", "site / wavelength mm;31,5;40;50;63", "site;L_31.5mm;L_40mm;L_50mm;L_63mm"]
+    {
         let text = format!("{header}\nBern;2,5;3;20,1;\nThun;1,5;2;4,5;3\n");
         let Ok(RoughnessFile::Spectra(spectra, _)) = parse(text.as_bytes(), None) else {
             panic!("{header}: {:?}", parse(text.as_bytes(), None));

@@ -18,15 +18,8 @@ use crate::rail_spectrum::RailSpectrum;
 use crate::{LabelledSpectrum, Layout, RoughnessFile, date_column, find_rail};
 
 /// The spectrum of stretches after EN 15610, levels alone; `place` is where they lie in words.
-pub(crate) fn spectrum(
-    path: &Path,
-    place: &str,
-    stretches: Vec<Profile>,
-) -> Result<Spectrum, CaseError> {
-    let settings = AnalysisSettings {
-        bands: Vec::new(),
-        ..AnalysisSettings::default()
-    };
+pub(crate) fn spectrum(path: &Path, place: &str, stretches: Vec<Profile>) -> Result<Spectrum, CaseError> {
+    let settings = AnalysisSettings { bands: Vec::new(), ..AnalysisSettings::default() };
     let analysis = RailAnalysis::new(stretches, &settings, &|| {})
         .map_err(|error| CaseError::data(path, format!("{place}: {error}")))?;
     Ok(analysis.spectrum)
@@ -49,23 +42,14 @@ impl Survey {
     ///
     /// # Errors
     /// [`CaseError::Data`] where there is none, or one has a date that is not read.
-    pub fn new(
-        path: &Path,
-        mut records: Vec<LabelledSpectrum>,
-        mut warnings: Vec<Message>,
-    ) -> Result<Self, CaseError> {
+    pub fn new(path: &Path, mut records: Vec<LabelledSpectrum>, mut warnings: Vec<Message>) -> Result<Self, CaseError> {
         if records.is_empty() {
             return Err(CaseError::data(path, "there is no spectrum in the file"));
         }
         // Those of a file were read with their lines.
         let read = date_column::write_dates_alike(&mut records);
         warnings.extend(read.map_err(|no_date| CaseError::data(path, no_date.message))?);
-        let mut survey = Self {
-            path: path.to_owned(),
-            records,
-            warnings,
-            history: None,
-        };
+        let mut survey = Self { path: path.to_owned(), records, warnings, history: None };
         if let (Some(rail), Some(date)) = (survey.rail_column(), survey.date_column()) {
             let (rail, date) = (rail.to_owned(), date.to_owned());
             let dated = survey.records.iter_mut().filter_map(|record| {
@@ -157,9 +141,7 @@ impl Survey {
             None => Ok(vec![("all".to_owned(), self.clone())]),
             Some(column) if self.date_column() == Some(column) => {
                 let dates = self.by_date(column)?.into_iter();
-                Ok(dates
-                    .map(|(date, survey)| (date.to_string(), survey))
-                    .collect())
+                Ok(dates.map(|(date, survey)| (date.to_string(), survey)).collect())
             }
             Some(column) => self.groups_in_order(column),
         }
@@ -215,8 +197,7 @@ impl Survey {
             });
             if let Some(history) = &mut self.history {
                 let dates = std::mem::take(&mut history.dates).into_iter();
-                let dates =
-                    dates.filter_map(|(time, survey)| Some((time, survey.of_rail(Some(rail))?)));
+                let dates = dates.filter_map(|(time, survey)| Some((time, survey.of_rail(Some(rail))?)));
                 history.dates = dates.collect();
             }
         }
@@ -292,10 +273,7 @@ impl Survey {
             path: survey.path,
             records,
             warnings,
-            history: has_dates.then(|| RailDates {
-                dates: dates.collect(),
-                elapsed: Elapsed::Days,
-            }),
+            history: has_dates.then(|| RailDates { dates: dates.collect(), elapsed: Elapsed::Days }),
         };
         (latest, Some(last))
     }
@@ -320,12 +298,7 @@ impl Survey {
     pub fn rail_means(&self) -> Vec<RailSpectrum> {
         let named = self.rail_column().is_some();
         let rails = self.by_rail().into_iter();
-        rails
-            .map(|(name, survey)| RailSpectrum {
-                rail: named.then_some(name),
-                spectrum: survey.mean(),
-            })
-            .collect()
+        rails.map(|(name, survey)| RailSpectrum { rail: named.then_some(name), spectrum: survey.mean() }).collect()
     }
 
     /// The spectra.
@@ -341,16 +314,9 @@ impl Survey {
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for passages not above zero.
-    pub fn change_since(
-        &self,
-        earlier: &Self,
-        passages: f64,
-    ) -> Result<MeasuredChange, riffel::Error> {
+    pub fn change_since(&self, earlier: &Self, passages: f64) -> Result<MeasuredChange, riffel::Error> {
         let (mut records, paired) = in_step(&[&earlier.with_names_of(self), self]);
-        let (later, earlier) = (
-            records.pop().unwrap_or_default(),
-            records.pop().unwrap_or_default(),
-        );
+        let (later, earlier) = (records.pop().unwrap_or_default(), records.pop().unwrap_or_default());
         match paired {
             true => MeasuredChange::paired(earlier, later, passages),
             false => MeasuredChange::groups(earlier, later, passages),
@@ -380,13 +346,8 @@ impl Survey {
         }
         let there: Vec<&str> = self.columns().collect();
         Err(self.refuse(match &there[..] {
-            [] => format!(
-                "no column \"{column}\" to choose by; there are wavelengths and levels alone"
-            ),
-            there => format!(
-                "no column \"{column}\" to choose by; there are {}",
-                there.join(", ")
-            ),
+            [] => format!("no column \"{column}\" to choose by; there are wavelengths and levels alone"),
+            there => format!("no column \"{column}\" to choose by; there are {}", there.join(", ")),
         }))
     }
 

@@ -30,10 +30,7 @@ impl RailDates {
     /// Records of now with earlier ones, of which each is so long ago, the longest first.
     pub fn new(now: &Survey, earlier: Vec<(f64, Survey)>, elapsed: Elapsed) -> Self {
         let earlier = earlier.into_iter().map(|(ago, survey)| (-ago, survey));
-        Self {
-            dates: earlier.chain([(0.0, now.clone())]).collect(),
-            elapsed,
-        }
+        Self { dates: earlier.chain([(0.0, now.clone())]).collect(), elapsed }
     }
 
     /// The first records since the rails were last ground, with their share of the time from the oldest to now; of rails that were ground
@@ -52,20 +49,14 @@ impl RailDates {
 
     /// The growth of a rail by its own dates, or of all rails together without a name, in axle passages; none where days are counted and
     /// it is not known how many axles run in one, or no band of the rail has two dates since it was ground.
-    pub fn growth(
-        &self,
-        rail: Option<&str>,
-        passages_per_day: Option<f64>,
-    ) -> Option<MeasuredGrowth> {
+    pub fn growth(&self, rail: Option<&str>, passages_per_day: Option<f64>) -> Option<MeasuredGrowth> {
         let per_unit = match self.elapsed {
             Elapsed::Days => passages_per_day?,
             Elapsed::Passages => 1.0,
         };
         let (_, last) = self.dates.last()?;
-        let dated = self
-            .dates
-            .iter()
-            .filter_map(|(time, survey)| Some((*time, survey.with_names_of(last).of_rail(rail)?)));
+        let dated =
+            self.dates.iter().filter_map(|(time, survey)| Some((*time, survey.with_names_of(last).of_rail(rail)?)));
         let (times, surveys): (Vec<f64>, Vec<Survey>) = dated.unzip();
         let surveys: Vec<&Survey> = surveys.iter().collect();
         let (records, paired) = in_step(&surveys);
@@ -91,9 +82,7 @@ pub(super) fn in_step(surveys: &[&Survey]) -> (Vec<Vec<Spectrum>>, bool) {
     };
     let columns: Vec<&str> = first
         .columns()
-        .filter(|column| {
-            (others.iter()).all(|other| values(other, column) == values(first, column))
-        })
+        .filter(|column| (others.iter()).all(|other| values(other, column) == values(first, column)))
         .collect();
     let keyed = |survey: &Survey| -> BTreeMap<Vec<String>, Spectrum> {
         let records = survey.records.iter();
@@ -104,24 +93,18 @@ pub(super) fn in_step(surveys: &[&Survey]) -> (Vec<Vec<Spectrum>>, bool) {
         });
         keyed.collect()
     };
-    let maps: Vec<BTreeMap<Vec<String>, Spectrum>> =
-        surveys.iter().map(|survey| keyed(survey)).collect();
+    let maps: Vec<BTreeMap<Vec<String>, Spectrum>> = surveys.iter().map(|survey| keyed(survey)).collect();
     let unique = (surveys.iter().zip(&maps)).all(|(survey, map)| survey.records.len() == map.len());
-    let same = maps
-        .windows(2)
-        .all(|pair| pair[0].keys().eq(pair[1].keys()));
+    let same = maps.windows(2).all(|pair| pair[0].keys().eq(pair[1].keys()));
     if columns.is_empty() || !unique || !same {
         return (apart(), false);
     }
     // In the order of the rail: neighbours scatter together.
     let order = first.records.iter().map(|record| {
         let labels = columns.iter().map(|column| record.label(column));
-        labels
-            .map(|label| label.unwrap_or_default().to_owned())
-            .collect()
+        labels.map(|label| label.unwrap_or_default().to_owned()).collect()
     });
     let order: Vec<Vec<String>> = order.collect();
-    let in_order =
-        |map: &BTreeMap<Vec<String>, Spectrum>| order.iter().map(|key| map[key].clone()).collect();
+    let in_order = |map: &BTreeMap<Vec<String>, Spectrum>| order.iter().map(|key| map[key].clone()).collect();
     (maps.iter().map(in_order).collect(), true)
 }

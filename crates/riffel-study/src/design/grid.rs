@@ -48,9 +48,7 @@ mod tests {
     fn the_last_list_runs_fastest() {
         let grid = Grid::new(vec![2, 3]);
         let level = |point: Vec<f64>| [(2.0 * point[0]) as u64, (3.0 * point[1]) as u64];
-        let levels: Vec<_> = (0..grid.samples())
-            .map(|index| level(grid.point(index)))
-            .collect();
+        let levels: Vec<_> = (0..grid.samples()).map(|index| level(grid.point(index))).collect();
         assert_eq!(levels, [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2]]);
     }
 

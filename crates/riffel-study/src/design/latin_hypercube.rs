@@ -21,11 +21,7 @@ impl LatinHypercube {
     pub fn new(samples: u64, dimensions: usize, seed: u64) -> Self {
         // The numbers of points are below this one.
         let mut random = generator(seed, u64::MAX);
-        Self {
-            samples,
-            seed,
-            keys: (0..dimensions).map(|_| random.next_u64()).collect(),
-        }
+        Self { samples, seed, keys: (0..dimensions).map(|_| random.next_u64()).collect() }
     }
 
     /// Number of points.

@@ -16,11 +16,7 @@ pub struct Random {
 impl Random {
     /// So many points in so many dimensions.
     pub fn new(samples: u64, dimensions: usize, seed: u64) -> Self {
-        Self {
-            samples,
-            dimensions,
-            seed,
-        }
+        Self { samples, dimensions, seed }
     }
 
     /// Number of points.
@@ -31,9 +27,7 @@ impl Random {
     /// The point of a number.
     pub fn point(&self, index: u64) -> Vec<f64> {
         let mut random = generator(self.seed, index);
-        (0..self.dimensions)
-            .map(|_| unit(random.next_u64()))
-            .collect()
+        (0..self.dimensions).map(|_| unit(random.next_u64())).collect()
     }
 }
 
@@ -59,17 +53,12 @@ mod tests {
             let mean = points.iter().map(|point| point[i]).sum::<f64>() / count;
             assert!((mean - 0.5).abs() < 5.0 / (12.0 * count).sqrt());
             for j in 0..i {
-                let products = points
-                    .iter()
-                    .map(|point| (point[i] - 0.5) * (point[j] - 0.5));
+                let products = points.iter().map(|point| (point[i] - 0.5) * (point[j] - 0.5));
                 let covariance = products.sum::<f64>() / count;
                 assert!(covariance.abs() < 5.0 / (12.0 * count.sqrt()));
             }
         }
-        assert_ne!(
-            design.point(3),
-            Random::new(samples, dimensions, 8).point(3)
-        );
+        assert_ne!(design.point(3), Random::new(samples, dimensions, 8).point(3));
         assert_eq!(design.point(3), points[3]);
     }
 }

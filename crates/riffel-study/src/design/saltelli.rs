@@ -20,10 +20,7 @@ impl Saltelli {
 
     /// So many base points for so many parameters, at most [`MOST_PARAMETERS`](Self::MOST_PARAMETERS).
     pub fn new(base_samples: u64, parameters: usize, seed: u64) -> Self {
-        Self {
-            base: Sobol::new(base_samples, 2 * parameters, seed),
-            parameters,
-        }
+        Self { base: Sobol::new(base_samples, 2 * parameters, seed), parameters }
     }
 
     /// Number of points: base points times the number of parameters and two more.

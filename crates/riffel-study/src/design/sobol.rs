@@ -41,22 +41,17 @@ impl Sobol {
             ..=100 => JoeKuoD6::minimal(),
             _ => JoeKuoD6::standard(),
         };
-        let plain =
-            ::sobol::Sobol::<f64>::init_direction_vals::<u32>(dimensions, INDEX_BITS, &params);
+        let plain = ::sobol::Sobol::<f64>::init_direction_vals::<u32>(dimensions, INDEX_BITS, &params);
         let dimensions = plain.iter().enumerate().map(|(dimension, directions)| {
             let mut random = generator(seed, dimension as u64);
             // Column p of a lower triangular matrix over the digits, ones on its diagonal.
-            let columns: [u64; INDEX_BITS] =
-                std::array::from_fn(|p| (random.next_u64() | 1 << 63) >> p);
+            let columns: [u64; INDEX_BITS] = std::array::from_fn(|p| (random.next_u64() | 1 << 63) >> p);
             Dimension {
                 directions: std::array::from_fn(|bit| scrambled(directions[bit], &columns)),
                 shift: random.next_u64(),
             }
         });
-        Self {
-            samples,
-            dimensions: dimensions.collect(),
-        }
+        Self { samples, dimensions: dimensions.collect() }
     }
 
     /// Number of points.
@@ -71,9 +66,7 @@ impl Sobol {
             .map(|dimension| {
                 let digits = (0..INDEX_BITS)
                     .filter(|bit| index >> bit & 1 == 1)
-                    .fold(dimension.shift, |digits, bit| {
-                        digits ^ dimension.directions[bit]
-                    });
+                    .fold(dimension.shift, |digits, bit| digits ^ dimension.directions[bit]);
                 unit(digits)
             })
             .collect()
@@ -81,9 +74,7 @@ impl Sobol {
 }
 
 fn scrambled(digits: u64, columns: &[u64; INDEX_BITS]) -> u64 {
-    (0..INDEX_BITS)
-        .filter(|p| digits >> (63 - p) & 1 == 1)
-        .fold(0, |sum, p| sum ^ columns[p])
+    (0..INDEX_BITS).filter(|p| digits >> (63 - p) & 1 == 1).fold(0, |sum, p| sum ^ columns[p])
 }
 
 #[cfg(test)]
@@ -139,14 +130,9 @@ mod tests {
         let samples = 1 << 14;
         let design = Sobol::new(samples, 6, 11);
         let product = |point: Vec<f64>| -> f64 { point.iter().map(|x| 0.5 + x).product() };
-        let mean = (0..samples)
-            .map(|index| product(design.point(index)))
-            .sum::<f64>();
+        let mean = (0..samples).map(|index| product(design.point(index))).sum::<f64>();
         let error = mean / samples as f64 - 1.0;
-        assert!(
-            error.abs() < 0.01 * 0.72 / (samples as f64).sqrt() * 3.0,
-            "{error:e}"
-        );
+        assert!(error.abs() < 0.01 * 0.72 / (samples as f64).sqrt() * 3.0, "{error:e}");
     }
 
     #[test]

@@ -17,11 +17,7 @@ pub struct Band {
 }
 
 /// The bands that a plan asks for.
-pub(super) fn bands(
-    source: &KeyFile,
-    file: &OutputsFile,
-    case: &Case,
-) -> Result<Vec<Band>, CaseError> {
+pub(super) fn bands(source: &KeyFile, file: &OutputsFile, case: &Case) -> Result<Vec<Band>, CaseError> {
     let wavelengths = case.wavelength.values();
     let band = |from: f64, to: f64, open: bool| {
         let first = wavelengths.partition_point(|&wavelength| wavelength < from);
@@ -29,11 +25,7 @@ pub(super) fn bands(
             true => wavelength < to,
             false => wavelength <= to,
         });
-        Band {
-            from,
-            to,
-            lines: first..last,
-        }
+        Band { from, to, lines: first..last }
     };
     let (first, last) = (case.wavelength.min(), case.wavelength.max());
     let bands: Vec<Band> = match file.growth_by_band {
@@ -42,19 +34,14 @@ pub(super) fn bands(
             for (index, written) in file.band.iter().enumerate() {
                 let (from, to) = (written.from.si(), written.to.si());
                 let key = format!("outputs.band[{index}]");
-                WavelengthBand::new(from, to)
-                    .map_err(|error| source.invalid(&key, error.to_string(), ""))?;
+                WavelengthBand::new(from, to).map_err(|error| source.invalid(&key, error.to_string(), ""))?;
                 let band = band(from, to, false);
                 if band.lines.is_empty() {
                     let rule = format!(
                         "holds no wavelength of the map, which has {} from {first} m to {last} m",
                         wavelengths.len()
                     );
-                    return Err(source.invalid(
-                        &key,
-                        &rule,
-                        "widen map.wavelength, by [set] or in the case",
-                    ));
+                    return Err(source.invalid(&key, &rule, "widen map.wavelength, by [set] or in the case"));
                 }
                 bands.push(band);
             }
@@ -67,16 +54,13 @@ pub(super) fn bands(
                 say!(give_one_of_the_two),
             ));
         }
-        Some(BandSet::Grinding) => WavelengthBand::GRINDING
-            .iter()
-            .map(|grinding| band(grinding.from(), grinding.to(), true))
-            .collect(),
+        Some(BandSet::Grinding) => {
+            WavelengthBand::GRINDING.iter().map(|grinding| band(grinding.from(), grinding.to(), true)).collect()
+        }
         Some(BandSet::OneThirdOctaves) => {
             // An axis has wavelengths above zero.
-            let ends = ThirdOctave::containing(first)
-                .and_then(|low| Ok((low, ThirdOctave::containing(last)?)));
-            let ends = ends
-                .map_err(|error| source.invalid("outputs.growth_by_band", error.to_string(), ""))?;
+            let ends = ThirdOctave::containing(first).and_then(|low| Ok((low, ThirdOctave::containing(last)?)));
+            let ends = ends.map_err(|error| source.invalid("outputs.growth_by_band", error.to_string(), ""))?;
             ThirdOctave::between(ends.0, ends.1)
                 .map(|octave| {
                     let (from, to) = octave.wavelength_range();
@@ -85,8 +69,5 @@ pub(super) fn bands(
                 .collect()
         }
     };
-    Ok(bands
-        .into_iter()
-        .filter(|band| !band.lines.is_empty())
-        .collect())
+    Ok(bands.into_iter().filter(|band| !band.lines.is_empty()).collect())
 }

@@ -36,11 +36,7 @@ pub struct Outputs {
 
 impl Outputs {
     /// What a plan asks for on the window of its case, with what is to be asked about points that are not usual.
-    pub(crate) fn new(
-        source: &KeyFile,
-        file: &OutputsFile,
-        case: &Case,
-    ) -> Result<(Self, Vec<Message>), CaseError> {
+    pub(crate) fn new(source: &KeyFile, file: &OutputsFile, case: &Case) -> Result<(Self, Vec<Message>), CaseError> {
         let mut remarks = Vec::new();
         let mut outputs = Self {
             file: file.clone(),
@@ -69,8 +65,7 @@ impl Outputs {
             for name in ["wavelength", "speed", "amplitude"] {
                 remarks.extend(source.judge(&key(name))?);
             }
-            let refuse =
-                |name: &str, rule: Message, help: &str| Err(source.invalid(&key(name), rule, help));
+            let refuse = |name: &str, rule: Message, help: &str| Err(source.invalid(&key(name), rule, help));
             if wave.quantities.is_empty() {
                 return refuse("quantities", say!(is_an_empty_list), "");
             }
@@ -86,11 +81,7 @@ impl Outputs {
                 }
                 None if asks_for_amplitude => {
                     let rule = Message::verbatim("asks for amplitude_m, but no passages are given");
-                    return refuse(
-                        "quantities",
-                        rule,
-                        "without passages it is outputs.wave.amplitude",
-                    );
+                    return refuse("quantities", rule, "without passages it is outputs.wave.amplitude");
                 }
                 _ => {}
             }
@@ -101,19 +92,12 @@ impl Outputs {
             return Err(source.invalid("outputs", "is empty: nothing would be computed", help));
         }
         for (index, variable) in outputs.variables.iter().enumerate() {
-            if outputs.variables[..index]
-                .iter()
-                .any(|other| other.name == variable.name)
-            {
+            if outputs.variables[..index].iter().any(|other| other.name == variable.name) {
                 let rule = format!("asks for {} twice", variable.name);
                 return Err(source.invalid("outputs", &rule, "give each point a name of its own"));
             }
         }
-        outputs.lengths = outputs
-            .variables
-            .iter()
-            .map(|variable| outputs.length(variable))
-            .collect();
+        outputs.lengths = outputs.variables.iter().map(|variable| outputs.length(variable)).collect();
         Ok((outputs, remarks))
     }
 
@@ -124,11 +108,7 @@ impl Outputs {
 
     /// Numbers of an array in one sample; a complex value counts as two.
     pub fn length(&self, variable: &Variable) -> usize {
-        let values: usize = variable
-            .dimensions
-            .iter()
-            .map(|&dimension| self.size(dimension))
-            .product();
+        let values: usize = variable.dimensions.iter().map(|&dimension| self.size(dimension)).product();
         values * if variable.complex { 2 } else { 1 }
     }
 
@@ -159,11 +139,7 @@ impl Outputs {
     /// The dimensions that the arrays have.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let all = [Dimension::Speed, Dimension::Wavelength, Dimension::Band];
-        let used = |dimension: &Dimension| {
-            self.variables
-                .iter()
-                .any(|v| v.dimensions.contains(dimension))
-        };
+        let used = |dimension: &Dimension| self.variables.iter().any(|v| v.dimensions.contains(dimension));
         all.into_iter().filter(used).collect()
     }
 
@@ -234,16 +210,12 @@ impl Outputs {
         if let Some(traffic) = &self.traffic {
             let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ());
             let growth = on.map_err(|error| error.to_string())?.growth;
-            let (wavelength, rate, at_edge) = case
-                .fastest_under(&growth)
-                .ok_or("no wavelength is in the window")?;
+            let (wavelength, rate, at_edge) = case.fastest_under(&growth).ok_or("no wavelength is in the window")?;
             values.extend([rate, wavelength, f64::from(u8::from(at_edge))]);
         }
         for point in &self.file.point {
             let (wavelength, speed) = (point.wavelength.si(), point.speed.si());
-            let state = case
-                .point(wavelength, speed)
-                .map_err(|error| error.to_string())?;
+            let state = case.point(wavelength, speed).map_err(|error| error.to_string())?;
             for &quantity in &point.quantities {
                 let value = quantity
                     .number(case, &state)
@@ -287,8 +259,7 @@ impl Outputs {
                 map.extend_from_slice(&row);
             }
         }
-        mean.iter_mut()
-            .for_each(|mean| *mean /= speed.points() as f64);
+        mean.iter_mut().for_each(|mean| *mean /= speed.points() as f64);
         let ridge = search.ridge(&ridge, 1);
         let flag = |is: bool| if is { 1.0 } else { 0.0 };
         if file.ridge {
@@ -342,11 +313,7 @@ impl Outputs {
 }
 
 /// The traffic of a plan.
-fn traffic(
-    source: &KeyFile,
-    file: &OutputsFile,
-    case: &Case,
-) -> Result<Option<Traffic>, CaseError> {
+fn traffic(source: &KeyFile, file: &OutputsFile, case: &Case) -> Result<Option<Traffic>, CaseError> {
     match &file.traffic {
         Some(_) if file.usual_traffic => Err(source.refuse(
             "outputs.usual_traffic",
@@ -365,7 +332,5 @@ fn not_plain(name: &str) -> Message {
 
 /// Whether a name, if there is one, can be that of an array.
 fn is_plain(name: Option<&str>) -> bool {
-    name.is_none_or(|name| {
-        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-    })
+    name.is_none_or(|name| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'))
 }

@@ -43,12 +43,7 @@ impl Dimension {
 pub(super) const RIDGE_FREQUENCY: &str = "ridge_frequency";
 
 /// An array of real numbers: its name, its dimensions after the sample, its unit, and what it is.
-pub(super) type Row = (
-    &'static str,
-    &'static [Dimension],
-    &'static str,
-    &'static str,
-);
+pub(super) type Row = (&'static str, &'static [Dimension], &'static str, &'static str);
 
 /// Of the ridge of the map.
 pub(super) const RIDGE: &[Row] = &[
@@ -58,30 +53,10 @@ pub(super) const RIDGE: &[Row] = &[
         "Hz",
         "frequency that the strongest branch of the ridge follows, missing where nothing grows",
     ),
-    (
-        "highest_growth_rate",
-        &[],
-        "1",
-        "highest growth rate per passage in the window",
-    ),
-    (
-        "highest_growth_wavelength",
-        &[],
-        "m",
-        "wavelength of the highest growth rate",
-    ),
-    (
-        "highest_growth_speed",
-        &[],
-        "m/s",
-        "speed of the highest growth rate",
-    ),
-    (
-        "highest_growth_frequency",
-        &[],
-        "Hz",
-        "frequency of the highest growth rate",
-    ),
+    ("highest_growth_rate", &[], "1", "highest growth rate per passage in the window"),
+    ("highest_growth_wavelength", &[], "m", "wavelength of the highest growth rate"),
+    ("highest_growth_speed", &[], "m/s", "speed of the highest growth rate"),
+    ("highest_growth_frequency", &[], "Hz", "frequency of the highest growth rate"),
     (
         "highest_growth_at_edge",
         &[],
@@ -92,24 +67,9 @@ pub(super) const RIDGE: &[Row] = &[
 
 /// Of the ridge at each speed.
 pub(super) const RIDGE_OVER_SPEED: &[Row] = &[
-    (
-        "ridge_wavelength",
-        &[Dimension::Speed],
-        "m",
-        "wavelength of highest growth at each speed",
-    ),
-    (
-        "ridge_growth_rate",
-        &[Dimension::Speed],
-        "1",
-        "highest growth rate per passage at each speed",
-    ),
-    (
-        "ridge_at_edge",
-        &[Dimension::Speed],
-        "1",
-        "1 where the ridge sits at an end of the window, else 0",
-    ),
+    ("ridge_wavelength", &[Dimension::Speed], "m", "wavelength of highest growth at each speed"),
+    ("ridge_growth_rate", &[Dimension::Speed], "1", "highest growth rate per passage at each speed"),
+    ("ridge_at_edge", &[Dimension::Speed], "1", "1 where the ridge sits at an end of the window, else 0"),
 ];
 
 /// Of the mean over the speeds.
@@ -130,18 +90,8 @@ pub(super) const GROWTH_BY_BAND: &[Row] = &[(
 
 /// Under the traffic.
 pub(super) const UNDER_TRAFFIC: &[Row] = &[
-    (
-        "traffic_growth_rate",
-        &[],
-        "1",
-        "highest growth rate per axle passage under the traffic",
-    ),
-    (
-        "traffic_growth_wavelength",
-        &[],
-        "m",
-        "wavelength of the highest growth rate under the traffic",
-    ),
+    ("traffic_growth_rate", &[], "1", "highest growth rate per axle passage under the traffic"),
+    ("traffic_growth_wavelength", &[], "m", "wavelength of the highest growth rate under the traffic"),
     (
         "traffic_growth_at_edge",
         &[],
@@ -150,12 +100,7 @@ pub(super) const UNDER_TRAFFIC: &[Row] = &[
     ),
 ];
 
-const MAP_OF_GROWTH: Row = (
-    "growth_rate",
-    &[Dimension::Speed, Dimension::Wavelength],
-    "1",
-    "growth rate per passage",
-);
+const MAP_OF_GROWTH: Row = ("growth_rate", &[Dimension::Speed, Dimension::Wavelength], "1", "growth rate per passage");
 const MAP_OF_DISSIPATION: Row = (
     "normalized_dissipation",
     &[Dimension::Speed, Dimension::Wavelength],
@@ -178,10 +123,7 @@ impl Variable {
     pub(super) fn of_map(quantity: &MapQuantity) -> Self {
         match quantity {
             MapQuantity::GrowthRate => Self::of(&MAP_OF_GROWTH),
-            MapQuantity::NormalizedDissipation => Self {
-                complex: true,
-                ..Self::of(&MAP_OF_DISSIPATION)
-            },
+            MapQuantity::NormalizedDissipation => Self { complex: true, ..Self::of(&MAP_OF_DISSIPATION) },
         }
     }
 }
@@ -194,12 +136,7 @@ impl PointFile {
             dimensions: Vec::new(),
             complex: quantity.is_complex(),
             unit: quantity.unit(),
-            description: format!(
-                "{} at {} and {}",
-                quantity.name(),
-                self.wavelength,
-                self.speed
-            ),
+            description: format!("{} at {} and {}", quantity.name(), self.wavelength, self.speed),
         })
     }
 }

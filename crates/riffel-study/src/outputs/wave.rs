@@ -35,17 +35,9 @@ impl WaveQuantity {
             Self::NormalForceN => ["normal_force_n", "N", "first harmonic of the normal force"],
             Self::MinimumNormalForceN => ["minimum_normal_force_n", "N", "least normal force"],
             Self::MaximumNormalForceN => ["maximum_normal_force_n", "N", "largest normal force"],
-            Self::ContactLossFraction => [
-                "contact_loss_fraction",
-                "1",
-                "share of the time without contact",
-            ],
+            Self::ContactLossFraction => ["contact_loss_fraction", "1", "share of the time without contact"],
             Self::MeanCreepage => ["mean_creepage", "1", "mean creepage along the rail"],
-            Self::MeanDissipationJPerM => [
-                "mean_dissipation_j_per_m",
-                "J/m",
-                "mean energy dissipated per metre",
-            ],
+            Self::MeanDissipationJPerM => ["mean_dissipation_j_per_m", "J/m", "mean energy dissipated per metre"],
             Self::AmplitudeM => ["amplitude_m", "m", "amplitude of the wave"],
         }
     }
@@ -76,13 +68,12 @@ impl WaveFile {
     /// Its numbers on a case, or why there are none.
     pub(super) fn evaluate(&self, case: &Case, values: &mut Vec<f64>) -> Result<(), String> {
         let speed = self.speed.si();
-        let mut wave = Sinusoid {
-            amplitude: self.amplitude.si(),
-            wavelength: self.wavelength.si(),
-        };
+        let mut wave = Sinusoid { amplitude: self.amplitude.si(), wavelength: self.wavelength.si() };
         let steps = wave.usual_steps(speed);
         if steps > Sinusoid::MOST_STEPS {
-            return Err("the wave passes in more than 0.65 s: what is slower is followed by the whole vehicle".to_owned());
+            return Err(
+                "the wave passes in more than 0.65 s: what is slower is followed by the whole vehicle".to_owned()
+            );
         }
         let model = match self.passages {
             None => case.in_time(speed).map_err(|error| error.to_string())?,
@@ -134,20 +125,13 @@ fn first(model: &PassageModel, wave: Sinusoid, steps: usize) -> Result<Settled, 
 
 /// Amplitude of the first harmonic of a wave after some passages \[m\], on a [ring](Sinusoid::ring). A wheel that is in the air for more
 /// than half of a passage ends it.
-fn worn(
-    wheel: &PassingWheel,
-    wave: Sinusoid,
-    steps: usize,
-    passages: u64,
-) -> Result<f64, riffel::Error> {
+fn worn(wheel: &PassingWheel, wave: Sinusoid, steps: usize, passages: u64) -> Result<f64, riffel::Error> {
     let ring = wave.ring(wheel.model.structures.support_spacing())?;
     let mut rail = Evolution::new(&ring);
     let length = rail.heights().len() as f64 * rail.spacing();
     let waves = (length / wave.wavelength).round() as usize;
-    let step = EvolutionStep {
-        largest_change: EvolutionStep::USUAL_CHANGE,
-        largest_step: wave.wavelength / steps as f64,
-    };
+    let step =
+        EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: wave.wavelength / steps as f64 };
     while rail.passages() < passages {
         let extremes = rail.advance(&[wheel], &step, passages - rail.passages())?;
         if extremes.contact_loss > Evolution::MOST_CONTACT_LOSS {

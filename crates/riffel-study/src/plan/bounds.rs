@@ -19,11 +19,7 @@ const TAIL: f64 = 1e-3;
 /// A refused value is an error of the plan. An infinite tail that the case refuses is a remark: its samples will
 /// fail one by one.
 pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<(), CaseError> {
-    let middle: Vec<Setting> = plan
-        .parameters
-        .iter()
-        .map(|p| p.setting(&p.value(0.5)))
-        .collect();
+    let middle: Vec<Setting> = plan.parameters.iter().map(|p| p.setting(&p.value(0.5))).collect();
     let mut remarks = Vec::new();
     for (index, parameter) in plan.parameters.iter().enumerate() {
         for (share, place) in trials(parameter) {
@@ -49,11 +45,7 @@ pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<()
             }
             // The end itself reads better than the number next to it, where it is refused as well.
             settings[index] = parameter.setting(&parameter.value(share.round()));
-            let at_end = plan
-                .outputs
-                .on(case, &settings)
-                .err()
-                .filter(|_| NEXT_TO_AN_END == share.min(1.0 - share));
+            let at_end = plan.outputs.on(case, &settings).err().filter(|_| NEXT_TO_AN_END == share.min(1.0 - share));
             let sentence = at_end.unwrap_or(error).to_string();
             let sentence = format!("{sentence}{}", beside(&middle, index));
             match place {
@@ -79,14 +71,10 @@ const ELSEWHERE: u32 = 32;
 /// x^(n + 1) = x + 1 (Roberts 2018), modulo 1.
 fn elsewhere(plan: &Plan, number: u32) -> Vec<Setting> {
     let count = plan.parameters.len() as i32;
-    let root = (0..60).fold(2.0f64, |root, _| {
-        (1.0 + root).powf(1.0 / f64::from(count + 1))
-    });
+    let root = (0..60).fold(2.0f64, |root, _| (1.0 + root).powf(1.0 / f64::from(count + 1)));
     let shares = (1..=count).map(|axis| (f64::from(number + 1) * root.powi(-axis)).fract());
     let settings = plan.parameters.iter().zip(shares);
-    settings
-        .map(|(parameter, share)| parameter.setting(&parameter.value(share)))
-        .collect()
+    settings.map(|(parameter, share)| parameter.setting(&parameter.value(share))).collect()
 }
 
 /// Most other parameters that are named.
@@ -119,10 +107,7 @@ fn beside(middle: &[Setting], tried: usize) -> String {
 /// Shares to try, each with the key of the plan that is at fault if it is refused; none for a tail.
 fn trials(parameter: &Parameter) -> Vec<(f64, Option<String>)> {
     let ends = |table: &str| {
-        vec![
-            (NEXT_TO_AN_END, Some(format!("{table}.min"))),
-            (1.0 - NEXT_TO_AN_END, Some(format!("{table}.max"))),
-        ]
+        vec![(NEXT_TO_AN_END, Some(format!("{table}.min"))), (1.0 - NEXT_TO_AN_END, Some(format!("{table}.max")))]
     };
     match &parameter.spread {
         Spread::Values(values) => {

@@ -24,10 +24,7 @@ impl Plan {
             };
             return Err(source.invalid(
                 "correlation[0]",
-                format!(
-                    "and design.method = \"{}\" exclude each other: {why}",
-                    method.name()
-                ),
+                format!("and design.method = \"{}\" exclude each other: {why}", method.name()),
                 "choose sobol, latin-hypercube or random, or leave the correlation out",
             ));
         }
@@ -37,17 +34,12 @@ impl Plan {
             let mut pair = [0; 2];
             for (slot, key) in pair.iter_mut().zip(&written.between) {
                 let between = format!("{place}.between");
-                *slot = parameters
-                    .iter()
-                    .position(|parameter| parameter.key.key == *key)
-                    .ok_or_else(|| {
-                        let rule = format!("names \"{key}\", which is not the key of a parameter");
-                        source.invalid(&between, &rule, "")
-                    })?;
+                *slot = parameters.iter().position(|parameter| parameter.key.key == *key).ok_or_else(|| {
+                    let rule = format!("names \"{key}\", which is not the key of a parameter");
+                    source.invalid(&between, &rule, "")
+                })?;
                 if parameters[*slot].levels().is_some() {
-                    let rule = format!(
-                        "names \"{key}\", but only parameters with a distribution vary together"
-                    );
+                    let rule = format!("names \"{key}\", but only parameters with a distribution vary together");
                     return Err(source.invalid(&between, &rule, ""));
                 }
             }
@@ -55,8 +47,7 @@ impl Plan {
                 let rule = "names the same key twice";
                 return Err(source.invalid(&format!("{place}.between"), rule, ""));
             }
-            let known =
-                |(other, _): &([usize; 2], f64)| *other == pair || *other == [pair[1], pair[0]];
+            let known = |(other, _): &([usize; 2], f64)| *other == pair || *other == [pair[1], pair[0]];
             if pairs.iter().any(known) {
                 let rule = "names a pair a second time";
                 return Err(source.invalid(&format!("{place}.between"), rule, ""));

@@ -13,11 +13,7 @@ use crate::parameter::Parameter;
 const MOST_SAMPLES: u64 = 100_000_000;
 
 impl Plan {
-    pub(super) fn design(
-        source: &KeyFile,
-        file: &PlanFile,
-        parameters: &[Parameter],
-    ) -> Result<Design, CaseError> {
+    pub(super) fn design(source: &KeyFile, file: &PlanFile, parameters: &[Parameter]) -> Result<Design, CaseError> {
         let method = file.design.method;
         let count = parameters.len();
         if method == Method::Grid {
@@ -59,28 +55,19 @@ impl Plan {
             _ => usize::MAX,
         };
         if count > most {
-            let rule = format!(
-                "is \"{}\", which reaches {most} parameters, but there are {count}",
-                method.name()
-            );
+            let rule = format!("is \"{}\", which reaches {most} parameters, but there are {count}", method.name());
             return Err(source.invalid("design.method", &rule, "choose latin-hypercube or random"));
         }
         let seed = file.design.seed;
         Ok(match method {
             Method::Grid | Method::Random => Design::Random(Random::new(samples, count, seed)),
-            Method::LatinHypercube => {
-                Design::LatinHypercube(LatinHypercube::new(samples, count, seed))
-            }
+            Method::LatinHypercube => Design::LatinHypercube(LatinHypercube::new(samples, count, seed)),
             Method::Sobol => Design::Sobol(Sobol::new(samples, count, seed)),
             Method::Saltelli => Design::Saltelli(Saltelli::new(samples, count, seed)),
         })
     }
 
-    fn grid(
-        source: &KeyFile,
-        file: &PlanFile,
-        parameters: &[Parameter],
-    ) -> Result<Design, CaseError> {
+    fn grid(source: &KeyFile, file: &PlanFile, parameters: &[Parameter]) -> Result<Design, CaseError> {
         let mut levels = Vec::new();
         for (index, parameter) in parameters.iter().enumerate() {
             let Some(count) = parameter.levels() else {
@@ -92,10 +79,7 @@ impl Plan {
             };
             levels.push(count as u64);
         }
-        let total = levels
-            .iter()
-            .map(|&count| u128::from(count))
-            .product::<u128>();
+        let total = levels.iter().map(|&count| u128::from(count)).product::<u128>();
         if total > u128::from(MOST_SAMPLES) {
             let mut factors = String::new();
             for (index, (written, count)) in file.parameter.iter().zip(&levels).enumerate() {

@@ -77,12 +77,7 @@ impl Plan {
         Self::on(source, file, text, case)
     }
 
-    fn on(
-        source: KeyFile,
-        file: PlanFile,
-        text: &str,
-        path: &Path,
-    ) -> Result<(Self, Case, PathBuf), CaseError> {
+    fn on(source: KeyFile, file: PlanFile, text: &str, path: &Path) -> Result<(Self, Case, PathBuf), CaseError> {
         let case = Case::read_with(path, &settings(&file.set)).map_err(|error| match error {
             CaseError::Changed { key, message } => source.refuse(&format!("set.{key}"), &message),
             CaseError::Read { reason, .. } => source.invalid(
@@ -97,10 +92,7 @@ impl Plan {
         let copula = Self::copula(&source, &file, &parameters)?;
         let (outputs, of_points) = Outputs::new(&source, &file.outputs, &case)?;
         if outputs.has_axes()
-            && let Some(index) = file
-                .parameter
-                .iter()
-                .position(|p| p.key.starts_with("map."))
+            && let Some(index) = file.parameter.iter().position(|p| p.key.starts_with("map."))
         {
             return Err(source.invalid(
                 &format!("parameter[{index}].key"),
@@ -139,10 +131,8 @@ impl Plan {
             let help = "take fewer samples, or leave out outputs.map";
             return Err(source.invalid("outputs", &rule, help));
         }
-        plan.remarks
-            .extend(case.remarks.iter().map(ToString::to_string));
-        plan.remarks
-            .extend(of_points.iter().map(ToString::to_string));
+        plan.remarks.extend(case.remarks.iter().map(ToString::to_string));
+        plan.remarks.extend(of_points.iter().map(ToString::to_string));
         plan.remarks.extend(plan.own_remarks());
         plan.remarks.extend(plan.idle_parameters(&case));
         bounds::check(&source, &mut plan, &case)?;
@@ -156,9 +146,7 @@ impl Plan {
         let mut parameters: Vec<Parameter> = Vec::new();
         for (index, written) in file.parameter.iter().enumerate() {
             let place = format!("parameter[{index}].key");
-            let Some(key) =
-                CaseKey::find_with_curving(&written.key).filter(|key| key.key != "title")
-            else {
+            let Some(key) = CaseKey::find_with_curving(&written.key).filter(|key| key.key != "title") else {
                 let nearest = CaseKey::nearest(&written.key);
                 return Err(source.invalid(
                     &place,
@@ -204,9 +192,8 @@ impl Plan {
             return Vec::new();
         }
         // A place along the bay counts where growth is no mean over it.
-        let is_of_track = |key: &&String| {
-            (key.starts_with("track.") || key.starts_with("rail.")) && *key != "track.position"
-        };
+        let is_of_track =
+            |key: &&String| (key.starts_with("track.") || key.starts_with("rail.")) && *key != "track.position";
         let keys = self.parameters.iter().map(|it| &it.key.key);
         let keys = keys.filter(is_of_track);
         let idle = keys.filter_map(|key| {
@@ -228,18 +215,14 @@ impl Plan {
     /// Bytes of the results of one sample: outputs and parameters.
     pub fn bytes_per_sample(&self) -> u64 {
         let variables = self.outputs.variables().iter();
-        let numbers: usize = variables
-            .map(|variable| self.outputs.length(variable))
-            .sum();
+        let numbers: usize = variables.map(|variable| self.outputs.length(variable)).sum();
         // A text counts as a number, a failure as a number.
         8 * (numbers + self.parameters.len() + 1) as u64
     }
 
     /// Bytes of all results.
     pub fn bytes(&self) -> u64 {
-        self.design
-            .samples()
-            .saturating_mul(self.bytes_per_sample())
+        self.design.samples().saturating_mul(self.bytes_per_sample())
     }
 
     /// The same in words, as "3.2 MB".
@@ -252,11 +235,7 @@ impl Plan {
         let samples = self.design.samples();
         self.file.results.samples_per_chunk.unwrap_or_else(|| {
             let by_bytes = USUAL_CHUNK_BYTES / self.bytes_per_sample();
-            samples
-                .div_ceil(USUAL_CHUNKS)
-                .clamp(LEAST_CHUNK, USUAL_CHUNK)
-                .min(by_bytes)
-                .max(1)
+            samples.div_ceil(USUAL_CHUNKS).clamp(LEAST_CHUNK, USUAL_CHUNK).min(by_bytes).max(1)
         })
     }
 }

@@ -38,11 +38,7 @@ pub(super) fn of(
         ("lognormal", written.lognormal.is_some()),
         ("triangular", written.triangular.is_some()),
     ];
-    let given: Vec<&str> = given
-        .iter()
-        .filter(|(_, is)| *is)
-        .map(|(name, _)| *name)
-        .collect();
+    let given: Vec<&str> = given.iter().filter(|(_, is)| *is).map(|(name, _)| *name).collect();
     let &[way] = &given[..] else {
         let help = "give just one of values, range, uniform, normal, lognormal and triangular";
         return Err(match given[..] {
@@ -75,11 +71,7 @@ pub(super) fn of(
             .enumerate()
             .map(|(index, value)| place.number(&format!("values[{index}]"), value))
             .collect::<Result<Vec<f64>, CaseError>>()?;
-        return list(
-            source,
-            &place.at,
-            numbers.into_iter().map(ParameterValue::Number).collect(),
-        );
+        return list(source, &place.at, numbers.into_iter().map(ParameterValue::Number).collect());
     }
     if let Some(range) = &written.range {
         return place.range(range);
@@ -102,11 +94,7 @@ pub fn distribution(
     kind: Kind,
     written: &ParameterFile,
 ) -> Result<Option<Distribution>, CaseError> {
-    let place = Place {
-        source,
-        at: at.to_owned(),
-        kind,
-    };
+    let place = Place { source, at: at.to_owned(), kind };
     Ok(Some(if let Some(uniform) = &written.uniform {
         let (min, max) = place.ends("uniform", &uniform.min, &uniform.max)?;
         Distribution::Uniform { min, max }
@@ -151,14 +139,7 @@ impl Place<'_> {
 
     /// An end that is not above the other one.
     fn not_above(&self, key: &str, (min, max): (f64, f64)) -> CaseError {
-        self.wrong(
-            key,
-            say!(
-                is_but_must_be,
-                value = max,
-                rule = say!(above_the_min, min = min)
-            ),
-        )
+        self.wrong(key, say!(is_but_must_be, value = max, rule = say!(above_the_min, min = min)))
     }
 
     fn number(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
@@ -167,11 +148,7 @@ impl Place<'_> {
             Value::Float(number) => self.kind.read(&number.to_string()),
             Value::String(text) => self.kind.read(text),
             _ => {
-                let must_be = say!(
-                    kind_as_in_example,
-                    kind = self.kind.name.to_owned(),
-                    example = self.kind.example
-                );
+                let must_be = say!(kind_as_in_example, kind = self.kind.name.to_owned(), example = self.kind.example);
                 let rule = say!(is_no_number, rule = must_be);
                 return Err(self.wrong(key, rule));
             }
@@ -232,12 +209,7 @@ impl Place<'_> {
         let max = self.optional("normal.max", normal.max.as_ref(), f64::INFINITY)?;
         let far = |end: f64| (end - mean) / standard_deviation;
         self.cut("normal", min, max, [far(min), far(max)])?;
-        Ok(Distribution::Normal {
-            mean,
-            standard_deviation,
-            min,
-            max,
-        })
+        Ok(Distribution::Normal { mean, standard_deviation, min, max })
     }
 
     fn lognormal(&self, lognormal: &LognormalFile) -> Result<Distribution, CaseError> {
@@ -250,11 +222,7 @@ impl Place<'_> {
         }
         let distribution = match lognormal {
             LognormalFile {
-                mean: Some(mean),
-                standard_deviation: Some(deviation),
-                median: None,
-                factor: None,
-                ..
+                mean: Some(mean), standard_deviation: Some(deviation), median: None, factor: None, ..
             } => {
                 let mean = self.positive(&key("mean"), self.number(&key("mean"), mean)?)?;
                 let name = key("standard_deviation");
@@ -262,11 +230,7 @@ impl Place<'_> {
                 Distribution::lognormal_of_moments(mean, deviation, (min, max))
             }
             LognormalFile {
-                mean: None,
-                standard_deviation: None,
-                median: Some(median),
-                factor: Some(factor),
-                ..
+                mean: None, standard_deviation: None, median: Some(median), factor: Some(factor), ..
             } => {
                 let median = self.positive(&key("median"), self.number(&key("median"), median)?)?;
                 let factor = factor.si();
@@ -274,23 +238,13 @@ impl Place<'_> {
                     let rule = say!(is_but_must_be, value = factor, rule = say!(more_than_one));
                     return Err(self.wrong(&key("factor"), rule));
                 }
-                Distribution::Lognormal {
-                    log_mean: median.ln(),
-                    log_deviation: factor.ln(),
-                    min,
-                    max,
-                }
+                Distribution::Lognormal { log_mean: median.ln(), log_deviation: factor.ln(), min, max }
             }
             _ => {
                 return Err(self.wrong("lognormal", say!(needs_moments_or_median)));
             }
         };
-        if let Distribution::Lognormal {
-            log_mean,
-            log_deviation,
-            ..
-        } = distribution
-        {
+        if let Distribution::Lognormal { log_mean, log_deviation, .. } = distribution {
             let far = |end: f64| (end.ln() - log_mean) / log_deviation;
             self.cut("lognormal", min, max, [far(min), far(max)])?;
         }

@@ -69,10 +69,7 @@ impl Arrays {
             from = to;
         }
         let words = json!({ "long_name": "why the sample has no results, empty where it has or is not computed yet" });
-        arrays.push((
-            Content::Failure,
-            array(FAILURE, DataType::String, &[], words),
-        ));
+        arrays.push((Content::Failure, array(FAILURE, DataType::String, &[], words)));
         Self { arrays }
     }
 
@@ -101,13 +98,9 @@ impl Arrays {
         }
         let own = self.arrays.iter().map(|(_, array)| array);
         let all = || own.clone().chain(axes.iter().map(|(array, _)| array));
-        let described =
-            |array: &Array| (format!("{}/zarr.json", array.name), json(&array.metadata()));
+        let described = |array: &Array| (format!("{}/zarr.json", array.name), json(&array.metadata()));
         let mut files: Vec<_> = all().map(described).collect();
-        files.extend(
-            axes.iter()
-                .map(|(array, values)| (array.file(0), array.encode(values))),
-        );
+        files.extend(axes.iter().map(|(array, values)| (array.file(0), array.encode(values))));
         let attributes = json!({
             "title": study.plan.file.title.as_deref().unwrap_or("Study"),
             "source": concat!("riffel ", env!("CARGO_PKG_VERSION")),
@@ -131,17 +124,11 @@ impl Arrays {
         let mut arrays = self.arrays.iter().map(|(_, array)| array);
         arrays
             .find(|array| array.name == name)
-            .ok_or_else(|| StudyError::Array {
-                name: name.to_owned(),
-                reason: "the study has no such array",
-            })
+            .ok_or_else(|| StudyError::Array { name: name.to_owned(), reason: "the study has no such array" })
     }
 
     /// The bytes of all files of a chunk.
-    pub(super) fn encode<'a>(
-        &'a self,
-        chunk: &'a Chunk,
-    ) -> impl Iterator<Item = (String, Vec<u8>)> + 'a {
+    pub(super) fn encode<'a>(&'a self, chunk: &'a Chunk) -> impl Iterator<Item = (String, Vec<u8>)> + 'a {
         self.arrays.iter().map(|(content, array)| {
             let values = content.values(array.data_type, &chunk.samples);
             (array.file(chunk.index), array.encode(&values))

@@ -18,9 +18,7 @@ impl ResultFolder {
         let take = |name: &str, shared| {
             let taken = InUse::take(&self.path, name, shared);
             let taken = taken.map_err(StudyError::write(&self.path))?;
-            taken.ok_or_else(|| StudyError::InUse {
-                folder: self.path.clone(),
-            })
+            taken.ok_or_else(|| StudyError::InUse { folder: self.path.clone() })
         };
         if shard == Shard::ALL {
             return Ok(vec![take(LOCK, false)?]);

@@ -68,16 +68,10 @@ impl ResultFolder {
                 let Some(record) = record else {
                     continue;
                 };
-                let known = there[slot]
-                    .as_ref()
-                    .or(sources[slot].as_ref().map(|(_, record)| record));
+                let known = there[slot].as_ref().or(sources[slot].as_ref().map(|(_, record)| record));
                 match known {
                     Some(known) if *known != record => {
-                        return Err(StudyError::Conflict {
-                            folder: folder.path.clone(),
-                            into: into.to_owned(),
-                            chunk,
-                        });
+                        return Err(StudyError::Conflict { folder: folder.path.clone(), into: into.to_owned(), chunk });
                     }
                     Some(_) => there_already += 1,
                     None => sources[slot] = Some((index, record)),
@@ -95,10 +89,7 @@ impl ResultFolder {
             };
             for (name, checksum) in &record.files {
                 let path = folders[index].1.path.join(ARRAYS).join(name);
-                let bytes = fs::read(&path).map_err(|reason| StudyError::Read {
-                    path: path.clone(),
-                    reason,
-                })?;
+                let bytes = fs::read(&path).map_err(|reason| StudyError::Read { path: path.clone(), reason })?;
                 if super::checksum(&bytes) != *checksum {
                     return Err(StudyError::Damaged { path, chunk });
                 }
@@ -111,11 +102,6 @@ impl ResultFolder {
     }
 
     fn report(&self, copied: u64, there_already: u64) -> Result<MergeReport, StudyError> {
-        Ok(MergeReport {
-            copied,
-            there_already,
-            missing: self.pending(Shard::ALL)?,
-            summary: self.summary()?,
-        })
+        Ok(MergeReport { copied, there_already, missing: self.pending(Shard::ALL)?, summary: self.summary()? })
     }
 }

@@ -66,11 +66,7 @@ impl ResultFolder {
     /// something else, which is left alone; [`StudyError::Write`].
     pub fn begin(study: &Study, path: &Path) -> Result<Self, StudyError> {
         let own = StudyRecord::of(study);
-        let folder = Self {
-            path: path.to_owned(),
-            arrays: Arrays::new(study),
-            study: own,
-        };
+        let folder = Self { path: path.to_owned(), arrays: Arrays::new(study), study: own };
         if !path.join(STUDY).exists() {
             folder.check_free(study)?;
             // Of two studies that begin here at once, the second finds the record of the first.
@@ -94,24 +90,15 @@ impl ResultFolder {
     pub fn open(path: &Path) -> Result<(Study, Self), StudyError> {
         let record = path.join(STUDY);
         if !record.exists() {
-            return Err(StudyError::NoStudy {
-                folder: path.to_owned(),
-            });
+            return Err(StudyError::NoStudy { folder: path.to_owned() });
         }
         let there = StudyRecord::read(&record)?;
         let plan = path.join(PLAN);
-        let text = fs::read_to_string(&plan).map_err(|reason| StudyError::Read {
-            path: plan.clone(),
-            reason,
-        })?;
+        let text = fs::read_to_string(&plan).map_err(|reason| StudyError::Read { path: plan.clone(), reason })?;
         there.check_version(path)?;
         let study = Study::parse(&plan.display().to_string(), &text, &path.join(CASE))?;
         there.check(&StudyRecord::of(&study), path)?;
-        let folder = Self {
-            path: path.to_owned(),
-            arrays: Arrays::new(&study),
-            study: there,
-        };
+        let folder = Self { path: path.to_owned(), arrays: Arrays::new(&study), study: there };
         Ok((study, folder))
     }
 
@@ -130,35 +117,23 @@ impl ResultFolder {
         if !self.path.exists() {
             return Ok(());
         }
-        let read = |reason| StudyError::Read {
-            path: self.path.clone(),
-            reason,
-        };
-        let files = [
-            (PLAN, study.plan.text.as_bytes()),
-            (CASE, study.case_text.as_bytes()),
-        ];
+        let read = |reason| StudyError::Read { path: self.path.clone(), reason };
+        let files = [(PLAN, study.plan.text.as_bytes()), (CASE, study.case_text.as_bytes())];
         let data = study.data.iter().map(|(name, bytes)| (&**name, &**bytes));
         let files: Vec<(&str, &[u8])> = files.into_iter().chain(data).collect();
         let first = |name: &str| name.split('/').next().unwrap_or_default().to_owned();
         for entry in fs::read_dir(&self.path).map_err(read)? {
             let name = entry.map_err(read)?.file_name();
             let name = name.to_string_lossy();
-            let folder =
-                [ARRAYS, FINISHED].contains(&&*name) || name.starts_with(whole_file::PREFIX);
-            let mut own = files
-                .iter()
-                .filter(|(file, _)| first(file) == name)
-                .peekable();
+            let folder = [ARRAYS, FINISHED].contains(&&*name) || name.starts_with(whole_file::PREFIX);
+            let mut own = files.iter().filter(|(file, _)| first(file) == name).peekable();
             let same = own.peek().is_some()
                 && own.all(|(file, bytes)| {
                     let path = self.path.join(file);
                     !path.exists() || fs::read(path).is_ok_and(|there| there == *bytes)
                 });
             if !folder && !same {
-                return Err(StudyError::NotAStudy {
-                    folder: self.path.clone(),
-                });
+                return Err(StudyError::NotAStudy { folder: self.path.clone() });
             }
         }
         Ok(())
@@ -173,9 +148,7 @@ impl ResultFolder {
         write(PLAN, study.plan.text.as_bytes())?;
         write(CASE, study.case_text.as_bytes())?;
         for (name, bytes) in &study.data {
-            let inside = Path::new(name)
-                .components()
-                .all(|part| matches!(part, Component::Normal(_)));
+            let inside = Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
             // A name that leads out of the folder of the case is found where it was, or not at all.
             if inside {
                 write(name, bytes)?;
@@ -184,10 +157,7 @@ impl ResultFolder {
         for (name, bytes) in self.arrays.beginning(study) {
             write(&format!("{ARRAYS}/{name}"), &bytes)?;
         }
-        let of_chunks = self
-            .arrays
-            .files_of(0)
-            .map(|name| format!("{ARRAYS}/{name}"));
+        let of_chunks = self.arrays.files_of(0).map(|name| format!("{ARRAYS}/{name}"));
         for name in of_chunks.chain([record_name(0)]) {
             let path = self.path.join(&name);
             whole_file::place(&self.path, &name).map_err(StudyError::write(&path))?;
@@ -234,8 +204,7 @@ impl ResultFolder {
         };
         for name in self.arrays.files_of(chunk) {
             let path = self.path.join(ARRAYS).join(&name);
-            let believed = fs::read(&path)
-                .is_ok_and(|bytes| record.files.get(&name) == Some(&checksum(&bytes)));
+            let believed = fs::read(&path).is_ok_and(|bytes| record.files.get(&name) == Some(&checksum(&bytes)));
             if !believed {
                 return Ok((ChunkState::Damaged(path), None));
             }
@@ -261,10 +230,7 @@ impl ResultFolder {
     /// [`StudyError::Read`].
     pub fn pending(&self, shard: Shard) -> Result<Vec<u64>, StudyError> {
         let states = self.states(shard)?.into_iter();
-        Ok(states
-            .filter(|(_, state)| *state != ChunkState::Finished)
-            .map(|(chunk, _)| chunk)
-            .collect())
+        Ok(states.filter(|(_, state)| *state != ChunkState::Finished).map(|(chunk, _)| chunk).collect())
     }
 
     /// What the finished chunks hold.
@@ -298,10 +264,7 @@ impl ResultFolder {
         self.check_complete()?;
         match self.read_array(name)? {
             Values::Numbers(numbers) => Ok(numbers),
-            Values::Texts(_) => Err(StudyError::Array {
-                name: name.to_owned(),
-                reason: "its values are texts",
-            }),
+            Values::Texts(_) => Err(StudyError::Array { name: name.to_owned(), reason: "its values are texts" }),
         }
     }
 
@@ -318,16 +281,10 @@ impl ResultFolder {
     }
 
     fn check_complete(&self) -> Result<(), StudyError> {
-        let missing = (0..self.study.chunks)
-            .filter(|&chunk| !self.record_path(chunk).exists())
-            .count() as u64;
+        let missing = (0..self.study.chunks).filter(|&chunk| !self.record_path(chunk).exists()).count() as u64;
         match missing {
             0 => Ok(()),
-            missing => Err(StudyError::Incomplete {
-                folder: self.path.clone(),
-                missing,
-                chunks: self.study.chunks,
-            }),
+            missing => Err(StudyError::Incomplete { folder: self.path.clone(), missing, chunks: self.study.chunks }),
         }
     }
 
@@ -337,22 +294,15 @@ impl ResultFolder {
         for chunk in 0..self.study.chunks {
             let file = array.file(chunk);
             let path = self.path.join(ARRAYS).join(&file);
-            let damaged = || StudyError::Damaged {
-                path: path.clone(),
-                chunk,
-            };
+            let damaged = || StudyError::Damaged { path: path.clone(), chunk };
             let bytes = fs::read(&path).map_err(|_| damaged())?;
             let record = ChunkRecord::read(&self.record_path(chunk))?;
             if record.files.get(&file) != Some(&checksum(&bytes)) {
                 return Err(damaged());
             }
-            let values =
-                array
-                    .decode(&bytes, record.samples)
-                    .map_err(|reason| StudyError::Array {
-                        name: name.to_owned(),
-                        reason,
-                    })?;
+            let values = array
+                .decode(&bytes, record.samples)
+                .map_err(|reason| StudyError::Array { name: name.to_owned(), reason })?;
             match (&mut all, values) {
                 (Some(Values::Numbers(all)), Values::Numbers(more)) => all.extend(more),
                 (Some(Values::Texts(all)), Values::Texts(more)) => all.extend(more),

@@ -88,11 +88,7 @@ impl StudyRecord {
         if self.format == FORMAT && self.riffel_version == VERSION {
             return Ok(());
         }
-        Err(StudyError::OtherVersion {
-            folder: folder.to_owned(),
-            version: self.riffel_version.clone(),
-            own: VERSION,
-        })
+        Err(StudyError::OtherVersion { folder: folder.to_owned(), version: self.riffel_version.clone(), own: VERSION })
     }
 
     /// `Ok` if the folder is that of the study.
@@ -104,9 +100,7 @@ impl StudyRecord {
         if same {
             return Ok(());
         }
-        Err(StudyError::OtherPlan {
-            folder: folder.to_owned(),
-        })
+        Err(StudyError::OtherPlan { folder: folder.to_owned() })
     }
 }
 
@@ -117,19 +111,11 @@ impl ChunkRecord {
             if let Err(sentence) = &sample.outputs {
                 let reason = failures
                     .entry(without_numbers(sentence))
-                    .or_insert_with(|| Reason {
-                        count: 0,
-                        example: sentence.clone(),
-                    });
+                    .or_insert_with(|| Reason { count: 0, example: sentence.clone() });
                 reason.count += 1;
             }
         }
-        Self {
-            chunk: chunk.index,
-            samples: chunk.samples.len() as u64,
-            failures,
-            files: BTreeMap::new(),
-        }
+        Self { chunk: chunk.index, samples: chunk.samples.len() as u64, failures, files: BTreeMap::new() }
     }
 
     pub(super) fn read(path: &Path) -> Result<Self, StudyError> {
@@ -161,8 +147,7 @@ impl Summary {
                 .or_insert_with(|| reason.clone());
         }
         self.reasons = self.by_sentence.values().cloned().collect();
-        self.reasons
-            .sort_by_key(|reason| std::cmp::Reverse(reason.count));
+        self.reasons.sort_by_key(|reason| std::cmp::Reverse(reason.count));
     }
 }
 
@@ -184,14 +169,9 @@ fn without_numbers(sentence: &str) -> String {
 }
 
 fn read<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
-    let text = fs::read(path).map_err(|reason| StudyError::Read {
-        path: path.to_owned(),
-        reason,
-    })?;
-    serde_json::from_slice(&text).map_err(|error| StudyError::Record {
-        path: path.to_owned(),
-        reason: error.to_string(),
-    })
+    let text = fs::read(path).map_err(|reason| StudyError::Read { path: path.to_owned(), reason })?;
+    serde_json::from_slice(&text)
+        .map_err(|error| StudyError::Record { path: path.to_owned(), reason: error.to_string() })
 }
 
 #[cfg(test)]
@@ -201,12 +181,8 @@ mod tests {
     #[test]
     fn sentences_are_told_apart_without_their_numbers() {
         let one = without_numbers("`contact.tractive_ratio` is 1.25, but must be between 0 and 1");
-        let other =
-            without_numbers("`contact.tractive_ratio` is 1.9e1, but must be between 0 and 1");
+        let other = without_numbers("`contact.tractive_ratio` is 1.9e1, but must be between 0 and 1");
         assert_eq!(one, other);
-        assert_eq!(
-            one,
-            "`contact.tractive_ratio` is #, but must be between # and #"
-        );
+        assert_eq!(one, "`contact.tractive_ratio` is #, but must be between # and #");
     }
 }

@@ -26,10 +26,8 @@ impl Bands {
     /// Quantiles of curves of `width` places, one curve after the other; a curve with a value that is not a
     /// number is left out.
     pub fn new(values: &[f64], width: usize, shares: &[f64]) -> Self {
-        let curves: Vec<&[f64]> = values
-            .chunks_exact(width)
-            .filter(|curve| curve.iter().all(|value| !value.is_nan()))
-            .collect();
+        let curves: Vec<&[f64]> =
+            values.chunks_exact(width).filter(|curve| curve.iter().all(|value| !value.is_nan())).collect();
         let by_place: Vec<Vec<f64>> = (0..width)
             .into_par_iter()
             .map(|place| {
@@ -44,9 +42,7 @@ impl Bands {
             .collect();
         Self {
             shares: shares.to_vec(),
-            curves: (0..shares.len())
-                .map(|share| by_place.iter().map(|place| place[share]).collect())
-                .collect(),
+            curves: (0..shares.len()).map(|share| by_place.iter().map(|place| place[share]).collect()).collect(),
             samples: curves.len(),
         }
     }

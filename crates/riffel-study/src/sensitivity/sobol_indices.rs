@@ -40,11 +40,7 @@ pub struct Intervals {
 
 impl Default for Intervals {
     fn default() -> Self {
-        Self {
-            confidence: 0.95,
-            resamples: 1000,
-            seed: 0,
-        }
+        Self { confidence: 0.95, resamples: 1000, seed: 0 }
     }
 }
 
@@ -81,22 +77,12 @@ impl SobolIndices {
     ///
     /// # Errors
     /// [`StudyError::Analysis`] where fewer than two base samples are left, or the output does not vary.
-    pub fn new(
-        values: &[f64],
-        parameters: usize,
-        intervals: Intervals,
-    ) -> Result<Self, StudyError> {
-        let refuse = |message: &str| {
-            Err(StudyError::Analysis {
-                message: message.to_owned(),
-            })
-        };
+    pub fn new(values: &[f64], parameters: usize, intervals: Intervals) -> Result<Self, StudyError> {
+        let refuse = |message: &str| Err(StudyError::Analysis { message: message.to_owned() });
         let width = parameters + 2;
         let all = values.len() / width;
-        let complete: Vec<&[f64]> = values
-            .chunks_exact(width)
-            .filter(|rows| rows.iter().all(|value| value.is_finite()))
-            .collect();
+        let complete: Vec<&[f64]> =
+            values.chunks_exact(width).filter(|rows| rows.iter().all(|value| value.is_finite())).collect();
         if complete.len() < 2 {
             return refuse("fewer than two base samples have all their results");
         }
@@ -104,17 +90,10 @@ impl SobolIndices {
         let ends = complete.iter().flat_map(|rows| [rows[0], rows[width - 1]]);
         let mean = ends.clone().sum::<f64>() / (2 * complete.len()) as f64;
         let largest = ends.fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        let centred: Vec<f64> = complete
-            .iter()
-            .flat_map(|rows| rows.iter().map(|value| value - mean))
-            .collect();
+        let centred: Vec<f64> = complete.iter().flat_map(|rows| rows.iter().map(|value| value - mean)).collect();
         let rows: Vec<Row<'_>> = centred
             .chunks_exact(width)
-            .map(|rows| Row {
-                a: rows[0],
-                mixed: &rows[1..width - 1],
-                b: rows[width - 1],
-            })
+            .map(|rows| Row { a: rows[0], mixed: &rows[1..width - 1], b: rows[width - 1] })
             .collect();
         let every: Vec<usize> = (0..rows.len()).collect();
         let (variance, indices) = estimate(&rows, &every, parameters);
@@ -128,18 +107,14 @@ impl SobolIndices {
                 let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
                 let count = rows.len() as u128;
                 // The high half of a product is even to one part in 2⁶⁴ over the number of rows.
-                let chosen: Vec<usize> = (0..rows.len())
-                    .map(|_| ((u128::from(random.next_u64()) * count) >> 64) as usize)
-                    .collect();
+                let chosen: Vec<usize> =
+                    (0..rows.len()).map(|_| ((u128::from(random.next_u64()) * count) >> 64) as usize).collect();
                 estimate(&rows, &chosen, parameters).1
             })
             .collect();
         let interval = |parameter: usize, which: usize| {
-            let mut found: Vec<f64> = resampled
-                .iter()
-                .map(|indices| indices[parameter][which])
-                .filter(|value| value.is_finite())
-                .collect();
+            let mut found: Vec<f64> =
+                resampled.iter().map(|indices| indices[parameter][which]).filter(|value| value.is_finite()).collect();
             found.sort_by(f64::total_cmp);
             let value = indices[parameter][which];
             let beyond = 0.5 * (1.0 - intervals.confidence);
@@ -147,18 +122,11 @@ impl SobolIndices {
                 true => value,
                 false => quantile(&found, share),
             };
-            Estimate {
-                value,
-                low: end(beyond),
-                high: end(1.0 - beyond),
-            }
+            Estimate { value, low: end(beyond), high: end(1.0 - beyond) }
         };
         Ok(Self {
             parameters: (0..parameters)
-                .map(|parameter| ParameterIndices {
-                    first: interval(parameter, 0),
-                    total: interval(parameter, 1),
-                })
+                .map(|parameter| ParameterIndices { first: interval(parameter, 0), total: interval(parameter, 1) })
                 .collect(),
             variance,
             base_samples: rows.len(),
@@ -183,9 +151,8 @@ fn estimate(rows: &[Row<'_>], chosen: &[usize], parameters: usize) -> (f64, Vec<
     }
     let mean = sum / (2.0 * count);
     let variance = squares / (2.0 * count) - mean * mean;
-    let indices = products
-        .into_iter()
-        .map(|[first, total]| [first / (count * variance), total / (2.0 * count * variance)]);
+    let indices =
+        products.into_iter().map(|[first, total]| [first / (count * variance), total / (2.0 * count * variance)]);
     (variance, indices.collect())
 }
 
@@ -199,9 +166,7 @@ mod tests {
     /// Indices of a function of the unit cube.
     fn indices_of(f: impl Fn(&[f64]) -> f64, parameters: usize, base: u64) -> SobolIndices {
         let design = Saltelli::new(base, parameters, 1);
-        let values: Vec<f64> = (0..design.samples())
-            .map(|row| f(&design.point(row)))
-            .collect();
+        let values: Vec<f64> = (0..design.samples()).map(|row| f(&design.point(row))).collect();
         SobolIndices::new(&values, parameters, Intervals::default()).unwrap()
     }
 
@@ -209,10 +174,7 @@ mod tests {
     fn assert_found(estimate: Estimate, exact: f64, width: f64) {
         let Estimate { value, low, high } = estimate;
         assert!(high - low < width, "{low} to {high}");
-        assert!(
-            (value - exact).abs() < 0.75 * (high - low) + 1e-12,
-            "{value} ({low} to {high}), not {exact}"
-        );
+        assert!((value - exact).abs() < 0.75 * (high - low) + 1e-12, "{value} ({low} to {high}), not {exact}");
         assert!(low <= value && value <= high);
     }
 
@@ -232,9 +194,8 @@ mod tests {
         assert!((first - 0.3139).abs() < 1e-4 && (joint - 0.2437).abs() < 1e-4);
         let found = indices_of(ishigami, 3, 8192);
         assert!((found.variance / variance - 1.0).abs() < 0.01);
-        for (parameter, (exact, total)) in [(first, first + joint), (second, second), (0.0, joint)]
-            .into_iter()
-            .enumerate()
+        for (parameter, (exact, total)) in
+            [(first, first + joint), (second, second), (0.0, joint)].into_iter().enumerate()
         {
             assert_found(found.parameters[parameter].first, exact, 0.1);
             assert_found(found.parameters[parameter].total, total, 0.1);
@@ -247,20 +208,11 @@ mod tests {
         let a = [0.0, 0.5, 3.0, 9.0, 99.0, 99.0];
         let parts = a.map(|a: f64| 1.0 / (3.0 * (1.0 + a).powi(2)));
         let product: f64 = parts.iter().map(|part| 1.0 + part).product();
-        let g = |u: &[f64]| -> f64 {
-            u.iter()
-                .zip(a)
-                .map(|(u, a)| ((4.0 * u - 2.0).abs() + a) / (1.0 + a))
-                .product()
-        };
+        let g = |u: &[f64]| -> f64 { u.iter().zip(a).map(|(u, a)| ((4.0 * u - 2.0).abs() + a) / (1.0 + a)).product() };
         let found = indices_of(g, a.len(), 8192);
         for (parameter, part) in found.parameters.iter().zip(parts) {
             assert_found(parameter.first, part / (product - 1.0), 0.12);
-            assert_found(
-                parameter.total,
-                part * product / (1.0 + part) / (product - 1.0),
-                0.12,
-            );
+            assert_found(parameter.total, part * product / (1.0 + part) / (product - 1.0), 0.12);
         }
     }
 
@@ -297,10 +249,7 @@ mod tests {
                     [vec![ishigami(&a)], mixed, vec![ishigami(&b)]].concat()
                 })
                 .collect();
-            let intervals = Intervals {
-                resamples: 200,
-                ..Intervals::default()
-            };
+            let intervals = Intervals { resamples: 200, ..Intervals::default() };
             let found = SobolIndices::new(&values, 3, intervals).unwrap();
             let Estimate { low, high, .. } = found.parameters[1].total;
             held += i32::from(low <= 0.4424 && 0.4424 <= high);
@@ -317,9 +266,6 @@ mod tests {
         assert!(failed.unwrap_err().to_string().contains("fewer than two"));
         let mut values: Vec<f64> = (0..40).map(f64::from).collect();
         values[5] = f64::NAN;
-        assert_eq!(
-            SobolIndices::new(&values, 2, intervals).unwrap().left_out,
-            1
-        );
+        assert_eq!(SobolIndices::new(&values, 2, intervals).unwrap().left_out, 1);
     }
 }

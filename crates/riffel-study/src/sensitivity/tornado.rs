@@ -48,10 +48,6 @@ impl Tornado {
                 Swing { values, outputs }
             })
             .collect();
-        Self {
-            shares,
-            middle,
-            swings,
-        }
+        Self { shares, middle, swings }
     }
 }

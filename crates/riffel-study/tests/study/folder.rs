@@ -29,9 +29,7 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 fn run(study: &Study, path: &Path, shard: Shard) -> ResultFolder {
     let folder = ResultFolder::begin(study, path).unwrap();
     let chunks = folder.pending(shard).unwrap();
-    study
-        .run(&folder, &chunks, &|| (), &Stop::default())
-        .unwrap();
+    study.run(&folder, &chunks, &|| (), &Stop::default()).unwrap();
     folder
 }
 
@@ -57,19 +55,14 @@ fn threads_shards_and_chunks_change_nothing() {
     assert!(files(&whole) == files(&serial));
 
     // Seven shards, each in its folder, merged.
-    let parts: Vec<PathBuf> = (1..=7)
-        .map(|part| place.path().join(format!("part-{part}")))
-        .collect();
+    let parts: Vec<PathBuf> = (1..=7).map(|part| place.path().join(format!("part-{part}"))).collect();
     for (part, path) in (1..).zip(&parts) {
         run(&study, path, Shard::new(part, 7).unwrap());
     }
     let merged = place.path().join("merged");
     let paths: Vec<&Path> = parts.iter().map(PathBuf::as_path).collect();
     let report = ResultFolder::merge(&merged, &paths).unwrap();
-    assert_eq!(
-        (report.copied, report.there_already, report.missing.len()),
-        (6, 0, 0)
-    );
+    assert_eq!((report.copied, report.there_already, report.missing.len()), (6, 0, 0));
     assert!(files(&whole) == files(&merged));
     let again = ResultFolder::merge(&merged, &paths).unwrap();
     assert_eq!((again.copied, again.there_already), (0, 6));
@@ -79,11 +72,7 @@ fn threads_shards_and_chunks_change_nothing() {
     let others = run(&other, &place.path().join("other"), Shard::ALL);
     for variable in study.outputs().variables() {
         let [one, other] = [&folder, &others].map(|folder| folder.output(&variable.name).unwrap());
-        assert!(
-            one.iter()
-                .zip(&other)
-                .all(|(a, b)| a.to_bits() == b.to_bits())
-        );
+        assert!(one.iter().zip(&other).all(|(a, b)| a.to_bits() == b.to_bits()));
         assert_eq!(one.len(), 23 * study.outputs().length(variable));
     }
 }
@@ -104,14 +93,9 @@ fn what_is_written_is_read() {
         assert_eq!(rates[sample], outputs[1]);
         assert_eq!(sections[sample], computed.parameters[2]);
         // The last three numbers of a sample are those of the point.
-        assert_eq!(
-            force[2 * sample..2 * sample + 2],
-            outputs[outputs.len() - 3..outputs.len() - 1]
-        );
+        assert_eq!(force[2 * sample..2 * sample + 2], outputs[outputs.len() - 3..outputs.len() - 1]);
     }
-    assert!(
-        matches!(&sections[0], ParameterValue::Text(name) if name.contains('E') || name == "BS113A")
-    );
+    assert!(matches!(&sections[0], ParameterValue::Text(name) if name.contains('E') || name == "BS113A"));
 }
 
 #[test]
@@ -144,10 +128,7 @@ fn only_missing_and_damaged_chunks_are_computed() {
     assert_eq!(states[4], ChunkState::Missing);
     assert_eq!(states[5], ChunkState::Finished);
     assert_eq!(folder.pending(Shard::ALL).unwrap(), [0, 1, 2, 3, 4]);
-    assert!(matches!(
-        folder.output("growth_rate"),
-        Err(StudyError::Incomplete { missing: 1, .. })
-    ));
+    assert!(matches!(folder.output("growth_rate"), Err(StudyError::Incomplete { missing: 1, .. })));
 
     let kept = place.path().join("finished/000005.json");
     let time = fs::metadata(&kept).unwrap().modified().unwrap();
@@ -165,19 +146,13 @@ fn a_folder_of_another_plan_is_left_alone() {
     let other = study_of(&PLAN.replace("seed = 4", "seed = 5"));
     let error = ResultFolder::begin(&other, place.path()).err().unwrap();
     assert!(matches!(error, StudyError::OtherPlan { .. }), "{error}");
-    assert!(
-        error
-            .to_string()
-            .ends_with("holds the results of another plan")
-    );
+    assert!(error.to_string().ends_with("holds the results of another plan"));
 
     let record = place.path().join("study.json");
     let text = fs::read_to_string(&record).unwrap();
     let version = env!("CARGO_PKG_VERSION");
     fs::write(&record, text.replace(version, "0.0.1")).unwrap();
-    let error = ResultFolder::begin(&study_of(PLAN), place.path())
-        .err()
-        .unwrap();
+    let error = ResultFolder::begin(&study_of(PLAN), place.path()).err().unwrap();
     assert!(matches!(error, StudyError::OtherVersion { .. }), "{error}");
     fs::write(&record, text).unwrap();
     assert!(files(place.path()) == before);
@@ -204,19 +179,12 @@ fn a_merge_checks_before_it_writes() {
     let whole = fs::read(&file).unwrap();
     fs::write(&file, &whole[..10]).unwrap();
     let error = ResultFolder::merge(&into, &[&one, &two]).unwrap_err();
-    assert!(
-        matches!(error, StudyError::Damaged { chunk: 1, .. }),
-        "{error}"
-    );
+    assert!(matches!(error, StudyError::Damaged { chunk: 1, .. }), "{error}");
     assert!(!into.exists());
     fs::write(&file, whole).unwrap();
 
     let other = place.path().join("other");
-    run(
-        &study_of(&PLAN.replace("seed = 4", "seed = 5")),
-        &other,
-        Shard::new(3, 3).unwrap(),
-    );
+    run(&study_of(&PLAN.replace("seed = 4", "seed = 5")), &other, Shard::new(3, 3).unwrap());
     let error = ResultFolder::merge(&into, &[&one, &other]).unwrap_err();
     assert!(matches!(error, StudyError::OtherPlan { .. }), "{error}");
     assert!(!into.exists());
@@ -226,15 +194,9 @@ fn a_merge_checks_before_it_writes() {
     if let Ok(values) = &mut chunk.samples[0].outputs {
         values[0] += 1.0;
     }
-    ResultFolder::begin(&study, &two)
-        .unwrap()
-        .commit(&chunk)
-        .unwrap();
+    ResultFolder::begin(&study, &two).unwrap().commit(&chunk).unwrap();
     let error = ResultFolder::merge(&into, &[&one, &two]).unwrap_err();
-    assert!(
-        matches!(error, StudyError::Conflict { chunk: 0, .. }),
-        "{error}"
-    );
+    assert!(matches!(error, StudyError::Conflict { chunk: 0, .. }), "{error}");
     assert!(!into.exists());
 }
 
@@ -247,9 +209,7 @@ fn a_place_that_takes_no_file_ends_the_study() {
     let blocked = folder.arrays_path().join("ridge_wavelength/c/1/0");
     fs::create_dir_all(&blocked).unwrap();
     let pending = folder.pending(Shard::ALL).unwrap();
-    let error = study
-        .run(&folder, &pending, &|| (), &Stop::default())
-        .unwrap_err();
+    let error = study.run(&folder, &pending, &|| (), &Stop::default()).unwrap_err();
     assert!(matches!(error, StudyError::Write { .. }), "{error}");
     fs::remove_dir_all(&blocked).unwrap();
     let folder = run(&study, place.path(), Shard::ALL);
@@ -268,14 +228,7 @@ fn a_wish_to_stop_keeps_finished_chunks() {
             stop.ask();
         }
     };
-    study
-        .run(
-            &folder,
-            &folder.pending(Shard::ALL).unwrap(),
-            &progress,
-            &stop,
-        )
-        .unwrap();
+    study.run(&folder, &folder.pending(Shard::ALL).unwrap(), &progress, &stop).unwrap();
     let left = folder.pending(Shard::ALL).unwrap().len();
     assert!((1..6).contains(&left), "{left}");
     let summary = folder.summary().unwrap();
@@ -288,14 +241,8 @@ fn data_of_the_case_is_recorded() {
     let plan = "case = \"measured.toml\"\ndesign = { method = \"grid\" }\noutputs.ridge = true\n[[parameter]]\n\
                 key = \"contact.friction\"\nvalues = [0.3, 0.4]\n";
     let place = folder_with(plan);
-    let table: String = (0..60)
-        .map(|k| format!("{},1e-9,-1e-9\n", 50.0 * 1.08f64.powi(k)))
-        .collect();
-    fs::write(
-        place.path().join("hammer.csv"),
-        format!("frequency_hz,re,im\n{table}"),
-    )
-    .unwrap();
+    let table: String = (0..60).map(|k| format!("{},1e-9,-1e-9\n", 50.0 * 1.08f64.powi(k))).collect();
+    fs::write(place.path().join("hammer.csv"), format!("frequency_hz,re,im\n{table}")).unwrap();
     let case = riffel_case::NOMINAL_CASE.replace("model = \"free-beam\" ", "model = \"measured\" ")
         + "\n[track.measurement]\nfile = \"hammer.csv\"\nreal = \"re\"\nimaginary = \"im\"\n";
     fs::write(place.path().join("measured.toml"), case).unwrap();
@@ -306,20 +253,10 @@ fn data_of_the_case_is_recorded() {
     fs::rename(&results, &moved).unwrap();
     fs::remove_file(place.path().join("hammer.csv")).unwrap();
     let (recorded, folder) = ResultFolder::open(&moved).unwrap();
-    assert_eq!(
-        recorded.sample(1).outputs.unwrap()[1],
-        folder.output("highest_growth_rate").unwrap()[1]
-    );
+    assert_eq!(recorded.sample(1).outputs.unwrap()[1], folder.output("highest_growth_rate").unwrap()[1]);
 
-    fs::write(
-        moved.join("hammer.csv"),
-        format!("frequency_hz,re,im\n{table}").replace("-1e-9", "-2e-9"),
-    )
-    .unwrap();
-    assert!(matches!(
-        ResultFolder::open(&moved),
-        Err(StudyError::OtherPlan { .. })
-    ));
+    fs::write(moved.join("hammer.csv"), format!("frequency_hz,re,im\n{table}").replace("-1e-9", "-2e-9")).unwrap();
+    assert!(matches!(ResultFolder::open(&moved), Err(StudyError::OtherPlan { .. })));
 }
 
 /// A second run of the same shard is told, and so is one of all beside shards; other shards go on, and nothing is left.
@@ -355,12 +292,7 @@ fn nothing_is_written_through_links() {
     let [results, victim] = ["results", "victim"].map(|name| place.path().join(name));
     let study = study_of(PLAN);
     run(&study, &results, Shard::ALL);
-    for name in [
-        "000000.json",
-        "zarr.json",
-        "c/0",
-        "contact.friction/zarr.json",
-    ] {
+    for name in ["000000.json", "zarr.json", "c/0", "contact.friction/zarr.json"] {
         fs::create_dir_all(victim.join(name).parent().unwrap()).unwrap();
         fs::write(victim.join(name), "precious").unwrap();
     }
@@ -391,19 +323,14 @@ fn nothing_is_written_through_links() {
 /// Of two studies that begin in one folder at once one has it, with all of its files; the other is refused.
 #[test]
 fn two_studies_that_begin_at_once_do_not_mix() {
-    let studies = [
-        study_of(PLAN),
-        study_of(&PLAN.replace("seed = 4", "seed = 5")),
-    ];
+    let studies = [study_of(PLAN), study_of(&PLAN.replace("seed = 4", "seed = 5"))];
     assert_ne!(studies[0].fingerprint, studies[1].fingerprint);
     for _ in 0..30 {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("results");
         let begin = |study| ResultFolder::begin(study, &path).map(drop);
         let begun = std::thread::scope(|scope| {
-            let threads = studies
-                .each_ref()
-                .map(|study| scope.spawn(move || begin(study)));
+            let threads = studies.each_ref().map(|study| scope.spawn(move || begin(study)));
             threads.map(|thread| thread.join().unwrap())
         });
         let (study, _) = ResultFolder::open(&path).unwrap();

@@ -53,11 +53,7 @@ samples_per_chunk = 4
 fn folder_with(plan: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("study.toml"), plan).unwrap();
-    fs::write(
-        folder.path().join("nominal.toml"),
-        riffel_case::NOMINAL_CASE,
-    )
-    .unwrap();
+    fs::write(folder.path().join("nominal.toml"), riffel_case::NOMINAL_CASE).unwrap();
     folder
 }
 

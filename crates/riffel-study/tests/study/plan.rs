@@ -53,9 +53,7 @@ fn a_bad_plan_is_refused_with_a_sentence() {
         "[results] => [[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 um\"\nspeed = 30\nquantities = [\"amplitude_m\"]\n[results] => `outputs.wave[0].quantities`: asks for amplitude_m, but no passages are given",
         "[results] => [[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 m\"\nspeed = 30\nquantities = [\"mean_creepage\"]\n[results] => `outputs.wave[0].amplitude` is 60 m, but must be between",
     ] {
-        let [good, bad, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}")
-        };
+        let [good, bad, expected] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
         assert!(PLAN.contains(good), "{good}");
         if expected.contains("373.7 GB") {
             // Large, and still within bounds.
@@ -69,14 +67,9 @@ fn a_bad_plan_is_refused_with_a_sentence() {
 
 #[test]
 fn a_terabyte_is_too_much() {
-    let large = PLAN
-        .replace("samples = 23", "samples = 90000000")
-        .replace("points = 31", "points = 241");
+    let large = PLAN.replace("samples = 23", "samples = 90000000").replace("points = 31", "points = 241");
     let sentence = sentence(&large);
-    assert!(
-        sentence.contains("TB, more than the terabyte of the largest study"),
-        "{sentence}"
-    );
+    assert!(sentence.contains("TB, more than the terabyte of the largest study"), "{sentence}");
 }
 
 #[test]
@@ -108,15 +101,8 @@ fn a_bad_correlation_is_refused() {
         "between = [\"contact.friction\", \"contact.friction\"] => `correlation[0].between`: names the same key twice",
     ] {
         let (line, expected) = row.split_once(" => ").unwrap();
-        let good = [
-            "between = [\"contact.friction\", \"wheel.mass\"]",
-            "coefficient = 0.5",
-        ];
-        let other = if line.starts_with("between") {
-            good[1]
-        } else {
-            good[0]
-        };
+        let good = ["between = [\"contact.friction\", \"wheel.mass\"]", "coefficient = 0.5"];
+        let other = if line.starts_with("between") { good[1] } else { good[0] };
         let plan = format!("{PLAN}\n[[correlation]]\n{other}\n{line}\n");
         assert_eq!(sentence(&plan), expected);
     }
@@ -124,8 +110,7 @@ fn a_bad_correlation_is_refused() {
 
 #[test]
 fn correlations_are_not_for_grids_and_saltelli() {
-    let correlation =
-        "\n[[correlation]]\nbetween = [\"contact.friction\", \"wheel.mass\"]\ncoefficient = 0.5\n";
+    let correlation = "\n[[correlation]]\nbetween = [\"contact.friction\", \"wheel.mass\"]\ncoefficient = 0.5\n";
     let plan = PLAN.replace("latin-hypercube", "saltelli") + correlation;
     assert!(sentence(&plan).contains("Sobol indices are those of independent parameters"));
 }
@@ -147,20 +132,14 @@ between = ["contact.tractive_ratio", "contact.friction"]
 coefficient = -0.9
 "#;
     let sentence = sentence(&plan);
-    assert!(
-        sentence.contains("the matrix of the coefficients is not positive definite"),
-        "{sentence}"
-    );
+    assert!(sentence.contains("the matrix of the coefficients is not positive definite"), "{sentence}");
 }
 
 #[test]
 fn a_tail_that_the_case_refuses_is_a_remark() {
-    let plan = PLAN
-        .replace("min = \"200 kg\"", "max = \"900 kg\"")
-        .replace("\"40 kg\"", "\"150 kg\"");
+    let plan = PLAN.replace("min = \"200 kg\"", "max = \"900 kg\"").replace("\"40 kg\"", "\"150 kg\"");
     let remarks = study_of(&plan).plan.remarks;
-    let about =
-        |remark: &String| remark.starts_with("one value of wheel.mass in a thousand is beyond -");
+    let about = |remark: &String| remark.starts_with("one value of wheel.mass in a thousand is beyond -");
     assert!(remarks.iter().any(about), "{remarks:?}");
 }
 
@@ -168,17 +147,10 @@ fn a_tail_that_the_case_refuses_is_a_remark() {
 #[test]
 fn fingerprints_tell_plans_apart() {
     let plain = study_of(PLAN).fingerprint;
-    assert_eq!(
-        plain,
-        study_of(&format!("title = \"x\" # and a comment\n{PLAN}")).fingerprint
-    );
-    assert_ne!(
-        plain,
-        study_of(&PLAN.replace("seed = 4", "seed = 5")).fingerprint
-    );
+    assert_eq!(plain, study_of(&format!("title = \"x\" # and a comment\n{PLAN}")).fingerprint);
+    assert_ne!(plain, study_of(&PLAN.replace("seed = 4", "seed = 5")).fingerprint);
     let folder = folder_with(PLAN);
-    let case =
-        riffel_case::NOMINAL_CASE.replace("normal_load = \"50 kN\"", "normal_load = \"51 kN\"");
+    let case = riffel_case::NOMINAL_CASE.replace("normal_load = \"50 kN\"", "normal_load = \"51 kN\"");
     std::fs::write(folder.path().join("nominal.toml"), case).unwrap();
     assert_ne!(plain, read(folder.path()).unwrap().fingerprint);
 }

@@ -36,28 +36,15 @@ fn samples_are_what_the_library_computes() {
         let case = study.case.with(&[&overrides]).unwrap();
         let ridge = Ridge::search(&case.feedback, case.wavelength, case.speed);
         let highest = ridge.highest().unwrap();
-        assert_eq!(
-            of(&study, &values, "ridge_frequency")[0],
-            ridge.best_fit_frequency().unwrap()
-        );
-        assert_eq!(
-            of(&study, &values, "highest_growth_rate")[0],
-            highest.growth_rate
-        );
-        assert_eq!(
-            of(&study, &values, "highest_growth_wavelength")[0],
-            highest.wavelength
-        );
+        assert_eq!(of(&study, &values, "ridge_frequency")[0], ridge.best_fit_frequency().unwrap());
+        assert_eq!(of(&study, &values, "highest_growth_rate")[0], highest.growth_rate);
+        assert_eq!(of(&study, &values, "highest_growth_wavelength")[0], highest.wavelength);
         let wavelengths: Vec<f64> = ridge.points.iter().map(|point| point.wavelength).collect();
         assert_eq!(of(&study, &values, "ridge_wavelength"), wavelengths);
 
         let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |_| ());
         let rate = map.growth_rate_per_dissipation();
-        let rates: Vec<f64> = map
-            .rows()
-            .flat_map(|(_, row)| row)
-            .map(|value| rate * value.re)
-            .collect();
+        let rates: Vec<f64> = map.rows().flat_map(|(_, row)| row).map(|value| rate * value.re).collect();
         assert_eq!(of(&study, &values, "growth_rate"), rates);
         let columns = case.wavelength.points();
         for (place, mean) in of(&study, &values, "mean_growth_rate").iter().enumerate() {
@@ -67,20 +54,13 @@ fn samples_are_what_the_library_computes() {
         }
         // 20–30 mm and 30–80 mm of the window, in steps of 2 mm.
         let means = of(&study, &values, "mean_growth_rate");
-        let highest =
-            |range: std::ops::Range<usize>| means[range].iter().copied().fold(f64::MIN, f64::max);
-        assert_eq!(
-            of(&study, &values, "band_growth_rate"),
-            [highest(0..5), highest(5..31)]
-        );
+        let highest = |range: std::ops::Range<usize>| means[range].iter().copied().fold(f64::MIN, f64::max);
+        assert_eq!(of(&study, &values, "band_growth_rate"), [highest(0..5), highest(5..31)]);
 
         let state = case.feedback.at(0.055, 30.0);
         let force = of(&study, &values, "point_1_normal_force_n");
         assert_eq!(force, [state.normal_force().re, state.normal_force().im]);
-        assert_eq!(
-            of(&study, &values, "point_1_growth_rate_per_passage")[0],
-            state.growth_rate
-        );
+        assert_eq!(of(&study, &values, "point_1_growth_rate_per_passage")[0], state.growth_rate);
     }
 }
 
@@ -104,9 +84,7 @@ range = { min = "40 kN", max = "90 kN", points = 3, spacing = "log" }
     for (index, values) in values.iter().enumerate() {
         let model = ["free-beam", "moving-beam"][index / 3];
         assert_eq!(values[0], ParameterValue::Text(model.to_owned()));
-        let ParameterValue::Number(load) = values[1] else {
-            panic!("no number")
-        };
+        let ParameterValue::Number(load) = values[1] else { panic!("no number") };
         assert!((load - [40e3, 60e3, 90e3][index % 3]).abs() < 1e-9 * load);
     }
 }
@@ -114,34 +92,18 @@ range = { min = "40 kN", max = "90 kN", points = 3, spacing = "log" }
 /// Samples that fail have a sentence and no numbers; the others are not touched.
 #[test]
 fn failed_samples_say_why() {
-    let study = study_of(
-        &PLAN
-            .replace("min = \"200 kg\"", "max = \"900 kg\"")
-            .replace("\"40 kg\"", "\"300 kg\""),
-    );
-    let chunk_of_all: Vec<_> = (0..study.samples())
-        .map(|index| study.sample(index))
-        .collect();
-    let failed: Vec<_> = chunk_of_all
-        .iter()
-        .filter_map(|sample| sample.outputs.as_ref().err())
-        .collect();
+    let study = study_of(&PLAN.replace("min = \"200 kg\"", "max = \"900 kg\"").replace("\"40 kg\"", "\"300 kg\""));
+    let chunk_of_all: Vec<_> = (0..study.samples()).map(|index| study.sample(index)).collect();
+    let failed: Vec<_> = chunk_of_all.iter().filter_map(|sample| sample.outputs.as_ref().err()).collect();
     // Φ(−350/300) = 12 %, cut at 900 kg: three of 23 strata, give or take one.
     assert!((2..=4).contains(&failed.len()), "{failed:?}");
-    assert!(
-        failed
-            .iter()
-            .all(|sentence| sentence.starts_with("`wheel.mass` is -")),
-        "{failed:?}"
-    );
+    assert!(failed.iter().all(|sentence| sentence.starts_with("`wheel.mass` is -")), "{failed:?}");
 }
 
 /// Correlated parameters keep their distributions, and their scores have the coefficient.
 #[test]
 fn correlated_parameters_vary_together() {
-    let plan = PLAN
-        .replace("latin-hypercube", "sobol")
-        .replace("samples = 23", "samples = 4096")
+    let plan = PLAN.replace("latin-hypercube", "sobol").replace("samples = 23", "samples = 4096")
         + "\n[[correlation]]\nbetween = [\"contact.friction\", \"wheel.mass\"]\ncoefficient = -0.6\n";
     let study = study_of(&plan);
     let points: Vec<Vec<f64>> = (0..4096).map(|sample| study.plan.point(sample)).collect();
@@ -149,10 +111,7 @@ fn correlated_parameters_vary_together() {
         let mean = points.iter().map(|point| point[parameter]).sum::<f64>() / 4096.0;
         assert!((mean - 0.5).abs() < 2e-3, "{mean}");
     }
-    let product = points
-        .iter()
-        .map(|point| (point[0] - 0.5) * (point[1] - 0.5))
-        .sum::<f64>();
+    let product = points.iter().map(|point| (point[0] - 0.5) * (point[1] - 0.5)).sum::<f64>();
     let rank = 12.0 * product / 4096.0;
     // The rank correlation of a Gaussian copula.
     let expected = 6.0 / std::f64::consts::PI * (-0.3f64).asin();
@@ -242,9 +201,7 @@ quantities = ["contact_loss_fraction", "minimum_normal_force_n"]
         let case = study.case.with(&[&[format!("wheel.mass={mass}")]]).unwrap();
         let linear = case.feedback.at(0.055, 30.0);
         let scale = 0.01e-6 / case.feedback.amplitude();
-        let &[re, im] = of(&study, &values, "small_normal_force_n") else {
-            panic!("no complex number")
-        };
+        let &[re, im] = of(&study, &values, "small_normal_force_n") else { panic!("no complex number") };
         let force = linear.normal_force() * scale;
         assert!((re - force.re).hypot(im - force.im) < 1e-3 * force.norm());
         let grown = (of(&study, &values, "worn_amplitude_m")[0] / 0.01e-6).ln();

@@ -70,10 +70,7 @@ pub(crate) async fn post(
 ) -> Result<Told<Answer>, Refusal> {
     let block = question.block_m;
     if !(1.0..=1e6).contains(&block) {
-        return Err(Refusal(Fault::bad(say!(
-            blocks_are_m_long_but_must,
-            block = block
-        ))));
+        return Err(Refusal(Fault::bad(say!(blocks_are_m_long_but_must, block = block))));
     }
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
@@ -90,13 +87,9 @@ pub(crate) async fn post(
             }));
             let roughness = program.ask(files.path(), "roughness", &asked, wanted)?;
             let table = files.read(Path::new(RESULTS).join("blocks.csv"))?;
-            let (bands_m, rails) = courses(&table)
-                .ok_or_else(|| Fault::defect("the table of blocks cannot be read"))?;
-            Ok(Told(Answer {
-                bands_m,
-                rails,
-                roughness,
-            }))
+            let (bands_m, rails) =
+                courses(&table).ok_or_else(|| Fault::defect("the table of blocks cannot be read"))?;
+            Ok(Told(Answer { bands_m, rails, roughness }))
         })
         .await
 }
@@ -114,10 +107,7 @@ fn courses(table: &str) -> Option<(Vec<[f64; 2]>, Vec<Rail>)> {
             continue;
         };
         let (shortest, longest) = band.strip_suffix("_mm_m")?.split_once("_to_")?;
-        bands_m.push([
-            1e-3 * shortest.parse::<f64>().ok()?,
-            1e-3 * longest.parse::<f64>().ok()?,
-        ]);
+        bands_m.push([1e-3 * shortest.parse::<f64>().ok()?, 1e-3 * longest.parse::<f64>().ok()?]);
         bands.push(index);
     }
     let mut rails: Vec<Rail> = Vec::new();
@@ -144,10 +134,7 @@ fn courses(table: &str) -> Option<(Vec<[f64; 2]>, Vec<Rail>)> {
 }
 
 /// The profile that `riffel roughness --synthesise` makes to the recipe that is built in.
-pub(crate) async fn sample(
-    State(page): State<Page>,
-    asker: Asker,
-) -> Result<impl IntoResponse, Refusal> {
+pub(crate) async fn sample(State(page): State<Page>, asker: Asker) -> Result<impl IntoResponse, Refusal> {
     // No other page can say which one it is.
     asker.owner()?;
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
@@ -155,12 +142,7 @@ pub(crate) async fn sample(
         .long
         .run(asker.subject("sample"), move |wanted| {
             let folder = uploads.folder()?;
-            program.run(
-                folder.path(),
-                &["roughness", "--synthesise"],
-                &Value::Null,
-                wanted,
-            )
+            program.run(folder.path(), &["roughness", "--synthesise"], &Value::Null, wanted)
         })
         .await?;
     Ok(([(header::CONTENT_TYPE, "text/csv; charset=utf-8")], text))
@@ -176,18 +158,10 @@ mod tests {
                      \"low, inner\",0.0,10.0,1e-6,2e-6,\n\"low, inner\",10.0,20.0,1e-6,3e-6,4e-6\nhigh,0.0,10.0,1e-6,5e-6,6e-6\n";
         let (bands_m, rails) = courses(table).unwrap();
         assert_eq!(bands_m, [[0.01, 0.03], [0.03, 0.1]]);
-        let [low, high] = &rails[..] else {
-            panic!("two rails")
-        };
-        assert_eq!(
-            (low.name.as_str(), high.name.as_str()),
-            ("low, inner", "high")
-        );
+        let [low, high] = &rails[..] else { panic!("two rails") };
+        assert_eq!((low.name.as_str(), high.name.as_str()), ("low, inner", "high"));
         assert_eq!(low.to_m, [10.0, 20.0]);
-        assert_eq!(
-            low.moving_rms_max_m,
-            [vec![Some(2e-6), Some(3e-6)], vec![None, Some(4e-6)]]
-        );
+        assert_eq!(low.moving_rms_max_m, [vec![Some(2e-6), Some(3e-6)], vec![None, Some(4e-6)]]);
         assert!(courses("rail,from_m\nlow,0\n").is_none());
     }
 }

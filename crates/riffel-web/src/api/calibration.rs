@@ -67,12 +67,7 @@ pub(crate) struct Question {
 
 impl Question {
     /// Case, traffic, data and plan in a folder of their own; and what the program says of the plan.
-    fn put(
-        &self,
-        own: &Calibration,
-        program: &Program,
-        wanted: &Wanted,
-    ) -> Result<(Workspace, Value), Fault> {
+    fn put(&self, own: &Calibration, program: &Program, wanted: &Wanted) -> Result<(Workspace, Value), Fault> {
         // They are checked here, and open no file.
         self.case.read()?;
         self.traffic.read()?;

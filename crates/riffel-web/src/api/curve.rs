@@ -66,10 +66,9 @@ enum InCurve {
 impl Question {
     /// `Ok` if the numbers are those of a curve.
     pub(super) fn check(&self) -> Result<(), Fault> {
-        for (what, value, unit, most) in [
-            ("the radius", self.radius_m.abs(), "m", 1e6),
-            ("the speed", self.speed_m_per_s, "m/s", 150.0),
-        ] {
+        for (what, value, unit, most) in
+            [("the radius", self.radius_m.abs(), "m", 1e6), ("the speed", self.speed_m_per_s, "m/s", 150.0)]
+        {
             if !(value > 0.0 && value <= most) {
                 return Err(Fault::bad(format!(
                     "{what} is {value} {unit}, but must be above zero and at most {most} {unit}"
@@ -77,9 +76,7 @@ impl Question {
             }
         }
         // No other name may reach a reader: it would be a file of this machine.
-        let is_known = |profile: &ProfileText| {
-            profile.text.is_some() || NominalProfile::named(&profile.name).is_some()
-        };
+        let is_known = |profile: &ProfileText| profile.text.is_some() || NominalProfile::named(&profile.name).is_some();
         match [&self.wheel, &self.rail].into_iter().all(is_known) {
             true => Ok(()),
             false => Err(Fault::bad("there is no such nominal profile")),
@@ -93,11 +90,7 @@ pub(crate) async fn post(
     Asked(question): Asked<Question>,
 ) -> Result<Told<Answer>, Refusal> {
     question.check()?;
-    page.queue
-        .run(asker.subject("curve"), move |_| {
-            with_texts(question.texts(), || question.answer())
-        })
-        .await
+    page.queue.run(asker.subject("curve"), move |_| with_texts(question.texts(), || question.answer())).await
 }
 
 impl Question {
@@ -105,28 +98,17 @@ impl Question {
         let names = self.names();
         let profiles = [&self.wheel, &self.rail].into_iter().zip(&names);
         let outlines = OutlineAnswer::new(profiles.map(|(profile, name)| {
-            let reading = ProfileReading {
-                orientation: profile.orientation,
-                ..ProfileReading::default()
-            };
+            let reading = ProfileReading { orientation: profile.orientation, ..ProfileReading::default() };
             (name.into(), reading)
         }))?;
         // Short of an equilibrium the profiles are still worth seeing.
-        let vehicle = self
-            .curving()
-            .and_then(|case| Ok((case.vehicle_in_curve()?, case)));
+        let vehicle = self.curving().and_then(|case| Ok((case.vehicle_in_curve()?, case)));
         let curve = vehicle.and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle));
         let curve = match curve {
             Ok(answer) => InCurve::Found(Box::new(answer.document(None))),
-            Err(error) => InCurve::Refused {
-                fault: error.into(),
-            },
+            Err(error) => InCurve::Refused { fault: error.into() },
         };
-        Ok(Told(Answer {
-            outlines: outlines.document(),
-            curve,
-            remarks: outlines.remarks,
-        }))
+        Ok(Told(Answer { outlines: outlines.document(), curve, remarks: outlines.remarks }))
     }
 
     /// What the readers are given for each profile: the nominal name, or that of the text, which is no other's.
@@ -142,9 +124,7 @@ impl Question {
     pub(super) fn texts(&self) -> Vec<(String, String)> {
         let texts = [&self.wheel.text, &self.rail.text].into_iter();
         let named = self.names().into_iter().zip(texts);
-        named
-            .filter_map(|(name, text)| Some((name, text.clone()?)))
-            .collect()
+        named.filter_map(|(name, text)| Some((name, text.clone()?))).collect()
     }
 
     /// The case of `riffel curve`.
@@ -159,24 +139,12 @@ impl Question {
             format!("profiles.gauge={}", self.gauge_m),
             format!("bogie.wheelbase={}", self.wheelbase_m),
             format!("bogie.mass_per_axle={}", self.mass_per_axle_kg),
-            format!(
-                "bogie.primary_longitudinal_stiffness={}",
-                self.longitudinal_stiffness_n_per_m
-            ),
-            format!(
-                "bogie.primary_lateral_stiffness={}",
-                self.lateral_stiffness_n_per_m
-            ),
+            format!("bogie.primary_longitudinal_stiffness={}", self.longitudinal_stiffness_n_per_m),
+            format!("bogie.primary_lateral_stiffness={}", self.lateral_stiffness_n_per_m),
             // The outer rail of a curve to the right is the left one.
             match self.radius_m > 0.0 {
-                true => format!(
-                    "contact.friction={{left={}, right={}}}",
-                    self.friction_high, self.friction_low
-                ),
-                false => format!(
-                    "contact.friction={{left={}, right={}}}",
-                    self.friction_low, self.friction_high
-                ),
+                true => format!("contact.friction={{left={}, right={}}}", self.friction_high, self.friction_low),
+                false => format!("contact.friction={{left={}, right={}}}", self.friction_low, self.friction_high),
             },
         ];
         let oriented = [("wheel", &self.wheel), ("rail", &self.rail)].into_iter();

@@ -31,25 +31,17 @@ impl Question {
     /// The plan with what this asks, and the files of changes that it names.
     fn plan(self, plan: &str) -> Result<(String, Vec<(String, String)>), Fault> {
         if self.action.len().max(self.measurement.len()) > MOST {
-            return Err(Fault::bad(say!(
-                there_are_more_than_actions_or,
-                most = MOST
-            )));
+            return Err(Fault::bad(say!(there_are_more_than_actions_or, most = MOST)));
         }
         let unwritten = |_| Fault::bad(say!(the_actions_cannot_be_written));
         let mut files = Vec::new();
-        let mut plan: Table =
-            toml::from_str(plan).map_err(|_| Fault::defect(say!(the_plan_cannot_be_read)))?;
+        let mut plan: Table = toml::from_str(plan).map_err(|_| Fault::defect(say!(the_plan_cannot_be_read)))?;
         let mut actions = Vec::new();
         for (number, mut action) in self.action.into_iter().enumerate() {
             // Nothing that a page sends names a file.
             if let Some(changes) = action.remove("changes") {
                 let name = format!("action-{}.toml", number + 1);
-                let changes = changes
-                    .as_table()
-                    .map(toml::to_string)
-                    .transpose()
-                    .map_err(unwritten)?;
+                let changes = changes.as_table().map(toml::to_string).transpose().map_err(unwritten)?;
                 files.push((name.clone(), changes.unwrap_or_default()));
                 action.insert("changes".to_owned(), name.into());
             }

@@ -66,9 +66,7 @@ pub(crate) async fn read(
             let files = Workspace::within(upload.folder())?;
             let file = files.put(&upload.folder().join(file), &question.name)?;
             let question = question.reading.add_to(json!({ "file": file }));
-            program
-                .ask(files.path(), "roughness", &question, wanted)
-                .map(Told)
+            program.ask(files.path(), "roughness", &question, wanted).map(Told)
         })
         .await
 }
@@ -94,11 +92,7 @@ pub(super) struct Earlier {
 }
 
 impl Earlier {
-    pub(super) fn new(
-        records: &[EarlierRecord],
-        date: Option<&str>,
-        upload: &Upload,
-    ) -> Result<Self, Fault> {
+    pub(super) fn new(records: &[EarlierRecord], date: Option<&str>, upload: &Upload) -> Result<Self, Fault> {
         let files = records
             .iter()
             .map(|record| {
@@ -127,22 +121,14 @@ impl Earlier {
                 earlier = earlier.to_string()
             )));
         }
-        let dated = before
-            .iter()
-            .enumerate()
-            .filter_map(|(place, date)| Some(((*date)?, place)))
-            .max();
+        let dated = before.iter().enumerate().filter_map(|(place, date)| Some(((*date)?, place))).max();
         let dated = dated.zip(own).and_then(|((before, place), own)| {
             let days = own.since(before).ok()?.get_days();
             Some((place, f64::from(days)))
         });
         let dates = all.filter(|_| !files.is_empty()).unwrap_or_default();
         let dates = dates.iter().map(ToString::to_string).collect();
-        Ok(Self {
-            files,
-            dates,
-            dated,
-        })
+        Ok(Self { files, dates, dated })
     }
 
     /// Put the records into the folder of a question; their names there.
@@ -184,11 +170,7 @@ mod tests {
     fn records(dates: &[Option<&str>]) -> Vec<EarlierRecord> {
         let numbered = (1..).zip(dates);
         numbered
-            .map(|(number, date)| EarlierRecord {
-                number,
-                name: format!("{number}"),
-                date: date.map(str::to_owned),
-            })
+            .map(|(number, date)| EarlierRecord { number, name: format!("{number}"), date: date.map(str::to_owned) })
             .collect()
     }
 
@@ -201,8 +183,7 @@ mod tests {
         let upload = upload.unwrap();
         for _ in 0..2 {
             let files = (upload.folder(), &upload.earlier);
-            let received =
-                uploads.receive_numbered(files.0, files.1, "earlier", "csv", (None, body()));
+            let received = uploads.receive_numbered(files.0, files.1, "earlier", "csv", (None, body()));
             received.await.unwrap();
         }
         let asked = |dates: &[Option<&str>], own| Earlier::new(&records(dates), own, &upload);
@@ -217,39 +198,19 @@ mod tests {
         };
         let undated = json!({ "earlier": ["1", "2"] });
         let year = |name| json!({ "earlier": name, "passages_between": 365_000.0 });
-        assert_eq!(
-            told(&[], Some("2026-05-01")),
-            json!([{ "earlier": [] }, {}])
-        );
+        assert_eq!(told(&[], Some("2026-05-01")), json!([{ "earlier": [] }, {}]));
         assert_eq!(told(&[None, None], None), json!([undated, {}]));
         // Dates where all records have one; a forecast has 365 days of 1000 passages where they have not.
         let dates = "2024-05-01,2025-05-01,2026-05-01";
         assert_eq!(
-            told(
-                &[Some("2024-05-01"), Some("2025-05-01")],
-                Some("2026-05-01")
-            ),
+            told(&[Some("2024-05-01"), Some("2025-05-01")], Some("2026-05-01")),
             json!([{ "earlier": ["1", "2"], "dates": dates }, { "earlier": ["1", "2"], "dates": dates }])
         );
-        assert_eq!(
-            told(&[Some("2025-05-01"), None], Some("2026-05-01")),
-            json!([undated, year("1")])
-        );
-        assert_eq!(
-            told(&[Some("2025-05-01"), None], None),
-            json!([undated, {}])
-        );
+        assert_eq!(told(&[Some("2025-05-01"), None], Some("2026-05-01")), json!([undated, year("1")]));
+        assert_eq!(told(&[Some("2025-05-01"), None], None), json!([undated, {}]));
         for (dates, own, words) in [
-            (
-                [Some("2025-05-01"), Some("2024-05-01")],
-                Some("2026-05-01"),
-                "do not rise",
-            ),
-            (
-                [Some("2026-05-01"), None],
-                Some("2026-05-01"),
-                "do not rise",
-            ),
+            ([Some("2025-05-01"), Some("2024-05-01")], Some("2026-05-01"), "do not rise"),
+            ([Some("2026-05-01"), None], Some("2026-05-01"), "do not rise"),
             ([Some("--output=/tmp"), None], None, "the date of a record"),
         ] {
             let fault = asked(&dates, own).err().unwrap();

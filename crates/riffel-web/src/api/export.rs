@@ -54,20 +54,12 @@ pub(crate) async fn post(
             let figure = map_figure(&case, &map, &ridge, Vec::new());
             let unable = |error| Fault::bad(format!("the figure cannot be drawn: {error}"));
             match kind {
-                Kind::Png => figure
-                    .picture()
-                    .and_then(|picture| picture.png(DEFAULT_PNG_SCALE)),
+                Kind::Png => figure.picture().and_then(|picture| picture.png(DEFAULT_PNG_SCALE)),
                 Kind::Svg => figure.picture().map(|picture| picture.svg().into_bytes()),
                 Kind::Html => figure.html().map(String::into_bytes),
             }
             .map_err(unable)
         })
         .await?;
-    Ok((
-        [
-            (header::CONTENT_TYPE, kind.content_type()),
-            (header::CONTENT_DISPOSITION, "attachment"),
-        ],
-        bytes,
-    ))
+    Ok(([(header::CONTENT_TYPE, kind.content_type()), (header::CONTENT_DISPOSITION, "attachment")], bytes))
 }

@@ -46,9 +46,7 @@ pub(crate) async fn post(
             own.folder.path().join(own.data.file(number)?)
         }
     };
-    let about = tokio::fs::metadata(&path)
-        .await
-        .map_err(|_| file_is_gone())?;
+    let about = tokio::fs::metadata(&path).await.map_err(|_| file_is_gone())?;
     if about.len() > LARGEST {
         return Err(Refusal(Fault::refused(
             StatusCode::PAYLOAD_TOO_LARGE,

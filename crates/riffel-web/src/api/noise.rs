@@ -56,10 +56,7 @@ pub(crate) async fn post(
     question.rail.check()?;
     let limit = question.limit_dba;
     if limit.is_some_and(|limit| !(0.0..=LOUDEST).contains(&limit)) {
-        return Err(Refusal(Fault::bad(say!(
-            the_limit_of_the_level_must,
-            loudest = LOUDEST
-        ))));
+        return Err(Refusal(Fault::bad(say!(the_limit_of_the_level_must, loudest = LOUDEST))));
     }
     let upload = page.uploads.of(&asker.owner()?)?;
     let earlier = question.rail.earlier(&upload)?;

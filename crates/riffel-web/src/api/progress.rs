@@ -21,7 +21,6 @@ pub(crate) async fn post(
     Asked(question): Asked<Question>,
 ) -> Result<Told<Progress>, Refusal> {
     let subject = asker.subject(&question.subject);
-    let progress =
-        subject.and_then(|subject| page.queues().find_map(|queue| queue.progress(&subject)));
+    let progress = subject.and_then(|subject| page.queues().find_map(|queue| queue.progress(&subject)));
     Ok(Told(progress.unwrap_or_default()))
 }

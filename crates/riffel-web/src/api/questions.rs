@@ -52,8 +52,5 @@ fn sent(reply: Reply) -> Response {
 }
 
 pub(crate) async fn vocabulary() -> impl IntoResponse {
-    (
-        [(header::CONTENT_TYPE, "application/json")],
-        VOCABULARY.as_str(),
-    )
+    ([(header::CONTENT_TYPE, "application/json")], VOCABULARY.as_str())
 }

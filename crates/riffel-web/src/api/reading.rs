@@ -36,10 +36,7 @@ mod tests {
     fn the_program_is_told_of_a_part_in_metres() {
         let reading: Reading = serde_json::from_str(r#"{"from_m": -2.5, "to_m": 1200}"#).unwrap();
         let question = reading.add_to(json!({ "file": "a.csv" }));
-        assert_eq!(
-            (&question["from"], &question["to"]),
-            (&json!("-2.5 m"), &json!("1200 m"))
-        );
+        assert_eq!((&question["from"], &question["to"]), (&json!("-2.5 m"), &json!("1200 m")));
         let whole = Reading::default().add_to(json!({}));
         assert_eq!(whole["from"], Value::Null);
     }

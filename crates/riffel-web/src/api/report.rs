@@ -31,10 +31,7 @@ pub(crate) struct OfRail {
 pub(crate) async fn of_rail(
     State(page): State<Page>,
     asker: Asker,
-    Asked(OfRail {
-        rail: question,
-        language,
-    }): Asked<OfRail>,
+    Asked(OfRail { rail: question, language }): Asked<OfRail>,
 ) -> Result<impl IntoResponse, Refusal> {
     question.check()?;
     let upload = page.uploads.of(&asker.owner()?)?;
@@ -113,11 +110,5 @@ fn write(
 
 /// A page for the disk of the user, not for this origin to show.
 fn attached(html: String) -> impl IntoResponse {
-    (
-        [
-            (header::CONTENT_TYPE, "application/octet-stream"),
-            (header::CONTENT_DISPOSITION, "attachment"),
-        ],
-        html,
-    )
+    ([(header::CONTENT_TYPE, "application/octet-stream"), (header::CONTENT_DISPOSITION, "attachment")], html)
 }

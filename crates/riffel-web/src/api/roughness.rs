@@ -61,9 +61,7 @@ impl Question {
         self.traffic.read()?;
         let months = self.months;
         if !(months > 0.0 && months <= MOST_MONTHS) {
-            return Err(Fault::bad(format!(
-                "months: {months}, but must be above zero and at most {MOST_MONTHS}"
-            )));
+            return Err(Fault::bad(format!("months: {months}, but must be above zero and at most {MOST_MONTHS}")));
         }
         Ok(())
     }
@@ -132,10 +130,7 @@ pub(crate) async fn measure(
 }
 
 /// The answer, or the fault in its place; none where nobody waits any more.
-pub(super) fn fault_as_answer(
-    answer: Result<Value, Fault>,
-    wanted: &Wanted,
-) -> Result<Value, Fault> {
+pub(super) fn fault_as_answer(answer: Result<Value, Fault>, wanted: &Wanted) -> Result<Value, Fault> {
     match answer {
         Err(fault) if wanted.still() => Ok(json!({ "fault": fault })),
         outcome => outcome,

@@ -30,9 +30,7 @@ pub(crate) async fn post(
     Asked(question): Asked<Question>,
 ) -> Result<Told<Value>, Refusal> {
     question.curve.check()?;
-    page.queue
-        .run(asker.subject("wheels"), move |_| question.answer())
-        .await
+    page.queue.run(asker.subject("wheels"), move |_| question.answer()).await
 }
 
 impl Question {
@@ -49,14 +47,8 @@ impl Question {
         let answer = WheelsAnswer::new(&case, |_| ())?;
         let mut document = json!(answer);
         // The case with its wheel is the question.
-        document
-            .as_object_mut()
-            .map(|document| document.remove("inputs"));
-        for (wheel, told) in answer
-            .wheels
-            .iter()
-            .zip(document["wheels"].as_array_mut().into_iter().flatten())
-        {
+        document.as_object_mut().map(|document| document.remove("inputs"));
+        for (wheel, told) in answer.wheels.iter().zip(document["wheels"].as_array_mut().into_iter().flatten()) {
             let Some(in_loop) = &wheel.in_loop else {
                 continue;
             };

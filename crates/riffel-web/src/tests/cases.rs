@@ -14,26 +14,18 @@ async fn a_map_is_that_of_the_program() {
     let points = (case.wavelength.points(), case.speed.points());
     assert_eq!(values.len(), points.0 * points.1);
     for (column, row) in [(0, 0), (100, 110), (240, 220)] {
-        let state = case
-            .feedback
-            .at(case.wavelength.value(column), case.speed.value(row));
+        let state = case.feedback.at(case.wavelength.value(column), case.speed.value(row));
         let expected = state.normalized_dissipation.re as f32;
         // The map agrees with the loop to rounding, then both are rounded to 32 bits.
         let got = values[row * points.0 + column];
-        assert!(
-            (got - expected).abs() <= 2.0 * f32::EPSILON * expected.abs(),
-            "{got} {expected}"
-        );
+        assert!((got - expected).abs() <= 2.0 * f32::EPSILON * expected.abs(), "{got} {expected}");
     }
     assert!((530.0..545.0).contains(&head["best_fit_frequency_hz"].as_f64().unwrap()));
     let branches = head["branches"].as_array().unwrap();
     assert_eq!(branches.len(), 1);
     assert_eq!(branches[0]["frequency_hz"], head["best_fit_frequency_hz"]);
     let columns = &branches[0]["points"];
-    assert_eq!(
-        columns["speed_m_per_s"].as_array().unwrap().len(),
-        columns["wavelength_m"].as_array().unwrap().len()
-    );
+    assert_eq!(columns["speed_m_per_s"].as_array().unwrap().len(), columns["wavelength_m"].as_array().unwrap().len());
     let english = head["branches_in_words"].as_str().unwrap();
     let german = head["german"][english].as_str().unwrap();
     assert!(german.contains("bei 537 Hz"), "{german}");
@@ -51,10 +43,7 @@ async fn a_point_is_that_of_the_loop() {
     // serde_json reads numbers back to within a unit in the last place.
     let same = |got: &Value, expected: f64| {
         let got = got.as_f64().unwrap();
-        assert!(
-            (got - expected).abs() <= 1e-15 * expected.abs(),
-            "{got} {expected}"
-        );
+        assert!((got - expected).abs() <= 1e-15 * expected.abs(), "{got} {expected}");
     };
     let got = &answer["state"];
     same(&got["growth_rate_per_passage"], state.growth_rate);
@@ -66,10 +55,7 @@ async fn a_point_is_that_of_the_loop() {
     let frequency = spectrum["frequency_hz"][120].as_f64().unwrap();
     let there = case.feedback.at(30.0 / frequency, 30.0).normal_force() / case.steady.normal_force;
     let curve = spectrum["normal_force_ratio"][120][0].as_f64().unwrap();
-    assert!(
-        (curve - there.re).abs() <= 1e-12 * there.norm(),
-        "{curve} {there}"
-    );
+    assert!((curve - there.re).abs() <= 1e-12 * there.norm(), "{curve} {there}");
     body["wavelength_m"] = json!(0.5);
     let outside = ask("/api/point", &body).await;
     assert_eq!(outside.status, StatusCode::UNPROCESSABLE_ENTITY);
@@ -79,33 +65,20 @@ async fn a_point_is_that_of_the_loop() {
 #[tokio::test]
 async fn keys_and_text_say_the_same() {
     let text = ask("/api/case", &nominal(&[])).await.json();
-    let keys = ask("/api/case", &json!({ "case": { "keys": text["keys"] } }))
-        .await
-        .json();
+    let keys = ask("/api/case", &json!({ "case": { "keys": text["keys"] } })).await.json();
     assert_eq!(keys["complete"], text["complete"]);
     let again = json!({ "case": { "toml": keys["toml"] } });
-    assert_eq!(
-        ask("/api/case", &again).await.json()["complete"],
-        text["complete"]
-    );
+    assert_eq!(ask("/api/case", &again).await.json()["complete"], text["complete"]);
 }
 
 #[tokio::test]
 async fn variants_are_compared_in_the_window_of_the_case() {
-    let narrow = nominal(&[
-        ("\"80 mm\"", "\"60 mm\""),
-        ("friction = 0.4", "friction = 0.2"),
-    ]);
+    let narrow = nominal(&[("\"80 mm\"", "\"60 mm\""), ("friction = 0.4", "friction = 0.2")]);
     let case = nominal(&[])["case"].clone();
     let variants = json!([
         { "name": "A", "case": narrow["case"] }, { "name": "now", "case": case },
     ]);
-    let (head, values) = ask(
-        "/api/compare",
-        &json!({ "variants": variants, "case": case }),
-    )
-    .await
-    .framed();
+    let (head, values) = ask("/api/compare", &json!({ "variants": variants, "case": case })).await.framed();
     assert_eq!(values.len(), 2 * 241 * 221);
     let [one, other] = [&head["variants"][0], &head["variants"][1]];
     assert_eq!(one["window"], other["window"]);
@@ -136,23 +109,14 @@ async fn variants_are_compared_in_the_window_of_the_case() {
 async fn curves_of_variants_are_those_of_a_point() {
     let case = nominal(&[])["case"].clone();
     let curve = json!({ "name": "A", "case": case, "speed_m_per_s": 20.0 });
-    let curves = ask(
-        "/api/growth",
-        &json!({ "for": "variants", "curves": [curve], "case": case }),
-    )
-    .await
-    .json();
+    let curves = ask("/api/growth", &json!({ "for": "variants", "curves": [curve], "case": case })).await.json();
     let mut point = nominal(&[]);
     point["wavelength_m"] = json!(0.04);
     point["speed_m_per_s"] = json!(20.0);
     let point = ask("/api/point", &point).await.json();
     assert_eq!(curves[0], point["growth"]);
     let still = json!({ "name": "A", "case": case, "speed_m_per_s": 0.0 });
-    let fault = ask(
-        "/api/growth",
-        &json!({ "for": "sweep", "curves": [still], "case": case }),
-    )
-    .await;
+    let fault = ask("/api/growth", &json!({ "for": "sweep", "curves": [still], "case": case })).await;
     assert!(fault.message().starts_with("A: the speed is 0 m/s"));
 }
 
@@ -167,28 +131,14 @@ async fn files_and_figures_are_those_of_the_program() {
     assert!(svg.bytes.starts_with(b"<svg"));
     let png = ask("/api/export/png", &nominal(&[])).await;
     assert!(png.bytes.starts_with(b"\x89PNG"));
-    let figure = ask(
-        "/api/figure",
-        &json!({ "number": 7, "contact": "quasi-static" }),
-    )
-    .await
-    .json();
+    let figure = ask("/api/figure", &json!({ "number": 7, "contact": "quasi-static" })).await.json();
     assert_eq!(figure["lines"][0]["series"].as_array().unwrap().len(), 5);
-    let german = ask(
-        "/api/figure",
-        &json!({ "number": 7, "contact": "quasi-static", "language": "de" }),
-    )
-    .await
-    .json();
+    let german = ask("/api/figure", &json!({ "number": 7, "contact": "quasi-static", "language": "de" })).await.json();
     assert!(german["title"].as_str().unwrap().starts_with("Bild 7."));
     assert!(german["caption"].as_str().unwrap().contains("R = 0,46 m"));
     let label = &german["lines"][0]["series"][1]["label"];
     assert_eq!(label, "13,89 kg m²");
-    let none = ask(
-        "/api/figure",
-        &json!({ "number": 1, "contact": "quasi-static" }),
-    )
-    .await;
+    let none = ask("/api/figure", &json!({ "number": 1, "contact": "quasi-static" })).await;
     assert_eq!(none.status, StatusCode::UNPROCESSABLE_ENTITY);
 }
 
@@ -205,10 +155,7 @@ fn sliders_stay_within_what_is_usual() {
         let [low, high] = [(); 2].map(|()| ends.next().unwrap().unwrap());
         let key = key.trim_matches('\'');
         let range = riffel_keys::PhysicalRange::of(key).unwrap();
-        assert!(
-            range.usual[0] <= low && low < high && high <= range.usual[1],
-            "{key}"
-        );
+        assert!(range.usual[0] <= low && low < high && high <= range.usual[1], "{key}");
         seen += 1;
     }
     assert_eq!(seen, 5);

@@ -43,8 +43,7 @@ struct Answer {
 
 impl Answer {
     fn json(&self) -> Value {
-        serde_json::from_slice(&self.bytes)
-            .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&self.bytes)))
+        serde_json::from_slice(&self.bytes).unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&self.bytes)))
     }
 
     fn message(&self) -> String {
@@ -56,10 +55,7 @@ impl Answer {
         let length = u32::from_le_bytes(self.bytes[..4].try_into().unwrap()) as usize;
         let head = serde_json::from_slice(&self.bytes[4..4 + length]).unwrap();
         let values = self.bytes[4 + length..].as_chunks::<4>().0;
-        (
-            head,
-            values.iter().map(|&v| f32::from_le_bytes(v)).collect(),
-        )
+        (head, values.iter().map(|&v| f32::from_le_bytes(v)).collect())
     }
 }
 
@@ -68,10 +64,7 @@ async fn send(page: &Page, request: Request<Body>) -> Answer {
     Answer {
         status: response.status(),
         headers: response.headers().clone(),
-        bytes: to_bytes(response.into_body(), usize::MAX)
-            .await
-            .unwrap()
-            .to_vec(),
+        bytes: to_bytes(response.into_body(), usize::MAX).await.unwrap().to_vec(),
     }
 }
 
@@ -108,9 +101,7 @@ fn nominal(changes: &[(&str, &str)]) -> Value {
 async fn the_page_comes_with_a_policy_and_its_files_for_ever() {
     let page = get("/").await;
     assert_eq!(page.status, StatusCode::OK);
-    let policy = page.headers[header::CONTENT_SECURITY_POLICY]
-        .to_str()
-        .unwrap();
+    let policy = page.headers[header::CONTENT_SECURITY_POLICY].to_str().unwrap();
     for rule in [
         "default-src 'none'",
         "script-src 'self';",
@@ -125,15 +116,9 @@ async fn the_page_comes_with_a_policy_and_its_files_for_ever() {
     assert_eq!(page.headers["referrer-policy"], "no-referrer");
     let html = String::from_utf8(page.bytes).unwrap();
     assert!(!html.contains("{assets}") && !html.contains("{plotly}"));
-    assert!(
-        !html.contains("http://") && !html.contains("https://"),
-        "nothing is loaded"
-    );
+    assert!(!html.contains("http://") && !html.contains("https://"), "nothing is loaded");
     // Every file of the page is there, under an address that changes with its content.
-    let addresses: Vec<&str> = html
-        .split('"')
-        .filter(|word| word.starts_with("/assets/"))
-        .collect();
+    let addresses: Vec<&str> = html.split('"').filter(|word| word.starts_with("/assets/")).collect();
     assert!(addresses.len() >= 4, "{addresses:?}");
     for address in addresses {
         let file = get(address).await;
@@ -146,10 +131,7 @@ async fn the_page_comes_with_a_policy_and_its_files_for_ever() {
 #[tokio::test]
 async fn every_module_that_a_module_imports_is_served() {
     let html = String::from_utf8(get("/").await.bytes).unwrap();
-    let folder = html
-        .split('"')
-        .find(|word| word.ends_with("/main.js"))
-        .unwrap();
+    let folder = html.split('"').find(|word| word.ends_with("/main.js")).unwrap();
     let folder = folder.strip_suffix("main.js").unwrap();
     let mut asked = vec!["main.js".to_owned()];
     let mut next = 0;
@@ -171,9 +153,8 @@ async fn every_module_that_a_module_imports_is_served() {
 #[tokio::test]
 async fn a_page_that_is_known_is_not_sent_again() {
     let first = get("/").await;
-    let request = Request::get("/")
-        .header(header::HOST, HOST)
-        .header(header::IF_NONE_MATCH, &first.headers[header::ETAG]);
+    let request =
+        Request::get("/").header(header::HOST, HOST).header(header::IF_NONE_MATCH, &first.headers[header::ETAG]);
     let again = send(&page(), request.body(Body::empty()).unwrap()).await;
     assert_eq!(again.status, StatusCode::NOT_MODIFIED);
     assert!(again.bytes.is_empty());
@@ -181,20 +162,15 @@ async fn a_page_that_is_known_is_not_sent_again() {
 
 #[tokio::test]
 async fn other_names_other_origins_and_no_origin_are_refused() {
-    for host in [
-        "evil.example",
-        "evil.example:8311",
-        "127.0.0.1.evil.example",
-    ] {
+    for host in ["evil.example", "evil.example:8311", "127.0.0.1.evil.example"] {
         let request = Request::get("/").header(header::HOST, host);
         let answer = send(&page(), request.body(Body::empty()).unwrap()).await;
         assert_eq!(answer.status, StatusCode::MISDIRECTED_REQUEST, "{host}");
     }
     let body = nominal(&[]).to_string();
     let from = |headers: &[(&str, &str)]| {
-        let mut request = Request::post("/api/case")
-            .header(header::HOST, HOST)
-            .header(header::CONTENT_TYPE, "application/json");
+        let mut request =
+            Request::post("/api/case").header(header::HOST, HOST).header(header::CONTENT_TYPE, "application/json");
         for (name, value) in headers {
             request = request.header(*name, *value);
         }
@@ -208,18 +184,12 @@ async fn other_names_other_origins_and_no_origin_are_refused() {
         &[("origin", "https://127.0.0.1:8311")],
         &[("sec-fetch-site", "cross-site")],
         &[("sec-fetch-site", "same-site")],
-        &[
-            ("origin", "http://evil.example"),
-            ("sec-fetch-site", "same-origin"),
-        ],
+        &[("origin", "http://evil.example"), ("sec-fetch-site", "same-origin")],
     ] {
         let answer = send(&page(), from(headers)).await;
         assert_eq!(answer.status, StatusCode::FORBIDDEN, "{headers:?}");
     }
-    for headers in [
-        &[("origin", ORIGIN)][..],
-        &[("sec-fetch-site", "same-origin")],
-    ] {
+    for headers in [&[("origin", ORIGIN)][..], &[("sec-fetch-site", "same-origin")]] {
         assert_eq!(send(&page(), from(headers)).await.status, StatusCode::OK);
     }
 }
@@ -246,14 +216,8 @@ async fn other_origins_get_the_page_and_no_answer() {
         let own = from(path, "sec-fetch-site", "same-origin").await;
         assert_ne!(own, StatusCode::FORBIDDEN, "{path}");
     }
-    assert_eq!(
-        from("/", "sec-fetch-site", "cross-site").await,
-        StatusCode::OK
-    );
+    assert_eq!(from("/", "sec-fetch-site", "cross-site").await, StatusCode::OK);
     // A browser that tells no site, as over a network, says which page asks; another page cannot.
     assert_eq!(get("/api/vocabulary").await.status, StatusCode::OK);
-    assert_eq!(
-        get("/api/sample").await.status,
-        StatusCode::UNPROCESSABLE_ENTITY
-    );
+    assert_eq!(get("/api/sample").await.status, StatusCode::UNPROCESSABLE_ENTITY);
 }

@@ -10,41 +10,20 @@ use crate::queue::Queue;
 
 #[tokio::test]
 async fn errors_are_those_of_the_program_with_key_line_and_help() {
-    let answer = ask(
-        "/api/case",
-        &nominal(&[("friction = 0.4", "frction = 0.4")]),
-    )
-    .await;
+    let answer = ask("/api/case", &nominal(&[("friction = 0.4", "frction = 0.4")])).await;
     assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);
     let fault = answer.json();
     assert_eq!(fault["key"], "contact.frction");
-    assert_eq!(
-        fault["message"],
-        "`contact.frction` is not a key Riffel knows"
-    );
-    assert!(
-        fault["help"]
-            .as_str()
-            .unwrap()
-            .starts_with("did you mean friction?")
-    );
+    assert_eq!(fault["message"], "`contact.frction` is not a key Riffel knows");
+    assert!(fault["help"].as_str().unwrap().starts_with("did you mean friction?"));
     let lines: Vec<&str> = riffel_case::NOMINAL_CASE.lines().collect();
     let line = fault["line"].as_u64().unwrap() as usize;
     assert!(lines[line - 1].starts_with("friction"), "{line}");
 
-    let syntax = ask("/api/case", &json!({ "case": { "toml": "a = = b" } }))
-        .await
-        .json();
-    assert!(
-        syntax["message"]
-            .as_str()
-            .unwrap()
-            .starts_with("not valid TOML")
-    );
+    let syntax = ask("/api/case", &json!({ "case": { "toml": "a = = b" } })).await.json();
+    assert!(syntax["message"].as_str().unwrap().starts_with("not valid TOML"));
     assert_eq!(syntax["line"], 1);
-    let unit = ask("/api/map", &nominal(&[("\"50 kN\"", "\"50 kg\"")]))
-        .await
-        .json();
+    let unit = ask("/api/map", &nominal(&[("\"50 kN\"", "\"50 kg\"")])).await.json();
     assert_eq!(unit["key"], "contact.normal_load");
 }
 
@@ -54,44 +33,27 @@ async fn a_case_of_the_page_names_no_files() {
     for changes in [
         &[("model = \"free-beam\"", measured)][..],
         // Even where the model would not read it.
-        &[(
-            "model = \"free-beam\"",
-            "model = \"free-beam\"\nmeasurement = { file = \"/etc/passwd\" }",
-        )],
+        &[("model = \"free-beam\"", "model = \"free-beam\"\nmeasurement = { file = \"/etc/passwd\" }")],
     ] {
         for path in ["/api/case", "/api/map", "/api/export/svg"] {
             let answer = ask(path, &nominal(changes)).await;
             assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{path}");
             assert_eq!(answer.json()["key"], "track.measurement.file");
-            assert!(
-                answer.message().contains("may not name any"),
-                "{}",
-                answer.message()
-            );
+            assert!(answer.message().contains("may not name any"), "{}", answer.message());
         }
     }
 }
 
 #[tokio::test]
 async fn limits_of_size_are_told_in_sentences() {
-    let map = nominal(&[
-        ("points = 241", "points = 5000"),
-        ("points = 221", "points = 5000"),
-    ]);
+    let map = nominal(&[("points = 241", "points = 5000"), ("points = 221", "points = 5000")]);
     let answer = ask("/api/map", &map).await;
     assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);
     assert_eq!(answer.json()["key"], "map.wavelength.points");
-    let fine = nominal(&[(
-        "friction = 0.4",
-        "response = \"non-steady\"\ngrid = 200\nfriction = 0.4",
-    )]);
+    let fine = nominal(&[("friction = 0.4", "response = \"non-steady\"\ngrid = 200\nfriction = 0.4")]);
     assert_eq!(ask("/api/map", &fine).await.json()["key"], "contact.grid");
 
-    let long = format!(
-        "title = \"{}\"\n{}",
-        "a".repeat(65 * 1024),
-        riffel_case::NOMINAL_CASE
-    );
+    let long = format!("title = \"{}\"\n{}", "a".repeat(65 * 1024), riffel_case::NOMINAL_CASE);
     let answer = ask("/api/case", &json!({ "case": { "toml": long } })).await;
     assert_eq!(answer.status, StatusCode::PAYLOAD_TOO_LARGE);
     let huge = question("/api/map", vec![b' '; 1 << 20]);
@@ -102,13 +64,7 @@ async fn limits_of_size_are_told_in_sentences() {
 
 #[tokio::test]
 async fn what_is_no_question_is_told_so() {
-    for body in [
-        "",
-        "{",
-        "[]",
-        "{\"case\":1}",
-        "{\"case\":{\"keys\":{\"a\":null}}}",
-    ] {
+    for body in ["", "{", "[]", "{\"case\":1}", "{\"case\":{\"keys\":{\"a\":null}}}"] {
         let answer = send(&page(), question("/api/map", body)).await;
         assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{body}");
         assert!(!answer.message().is_empty());
@@ -116,22 +72,11 @@ async fn what_is_no_question_is_told_so() {
     let mut request = question("/api/map", nominal(&[]).to_string());
     let kind = request.headers_mut();
     kind.insert(header::CONTENT_TYPE, "text/plain".parse().unwrap());
-    assert_eq!(
-        send(&page(), request).await.status,
-        StatusCode::UNSUPPORTED_MEDIA_TYPE
-    );
-    for path in [
-        "/assets/../src/lib.rs",
-        "/assets/x/main.js",
-        "/etc/passwd",
-        "/api/secret",
-    ] {
+    assert_eq!(send(&page(), request).await.status, StatusCode::UNSUPPORTED_MEDIA_TYPE);
+    for path in ["/assets/../src/lib.rs", "/assets/x/main.js", "/etc/passwd", "/api/secret"] {
         assert_eq!(get(path).await.status, StatusCode::NOT_FOUND, "{path}");
     }
-    assert_eq!(
-        ask("/api/export/exe", &nominal(&[])).await.status,
-        StatusCode::BAD_REQUEST
-    );
+    assert_eq!(ask("/api/export/exe", &nominal(&[])).await.status, StatusCode::BAD_REQUEST);
 }
 
 #[tokio::test]
@@ -154,11 +99,7 @@ async fn a_measured_rail_needs_its_file() {
     let page = page();
     let gone = send(&page, question("/api/measure", body.to_string())).await;
     assert_eq!(gone.status, StatusCode::GONE);
-    let sent = send(
-        &page,
-        question("/api/roughness", "position_m,left_um\n0,1\n"),
-    )
-    .await;
+    let sent = send(&page, question("/api/roughness", "position_m,left_um\n0,1\n")).await;
     assert_eq!(sent.json()["bytes"], 23);
     // Without the program the page says so; it does not break off.
     let answer = send(&page, question("/api/measure", body.to_string())).await;
@@ -189,11 +130,7 @@ async fn windows_beyond_physics_are_refused_at_once() {
             let answer = tokio::time::timeout(Duration::from_secs(300), ask(path, &body));
             let answer = answer.await.unwrap();
             assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{path}");
-            assert!(
-                answer.message().contains("but must be between"),
-                "{}",
-                answer.message()
-            );
+            assert!(answer.message().contains("but must be between"), "{}", answer.message());
             assert_eq!(answer.json()["key"], key, "{path}");
         }
     }
@@ -205,8 +142,5 @@ async fn a_request_of_another_form_keeps_its_insides_for_developers() {
     assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);
     let fault = answer.json();
     let inside = |key: &str| fault[key].as_str().unwrap().contains("invalid type");
-    assert!(
-        inside("detail") && !inside("message") && !inside("help"),
-        "{fault}"
-    );
+    assert!(inside("detail") && !inside("message") && !inside("help"), "{fault}");
 }

@@ -17,11 +17,7 @@ pub(super) struct CountedSteps {
 
 impl CountedSteps {
     pub(super) fn new(most: usize) -> Self {
-        Self {
-            most,
-            held: Vec::new(),
-            slope: 0.0,
-        }
+        Self { most, held: Vec::new(), slope: 0.0 }
     }
 
     /// The next sample; those whose positions are known by now go into `known`.
@@ -44,10 +40,9 @@ impl CountedSteps {
 
     fn hand_on(&mut self, known: &mut Vec<Sample>) {
         let held = self.held.drain(..).enumerate();
-        known.extend(held.map(|(index, sample)| Sample {
-            position: sample.position + index as f64 * self.slope,
-            ..sample
-        }));
+        known.extend(
+            held.map(|(index, sample)| Sample { position: sample.position + index as f64 * self.slope, ..sample }),
+        );
     }
 }
 
@@ -59,13 +54,7 @@ mod tests {
         let (mut steps, mut known) = (CountedSteps::new(most), Vec::new());
         for position in read {
             let acceleration = 0.0;
-            steps.push(
-                Sample {
-                    acceleration,
-                    position,
-                },
-                &mut known,
-            );
+            steps.push(Sample { acceleration, position }, &mut known);
         }
         steps.end(&mut known);
         known.iter().map(|sample| sample.position).collect()
@@ -80,10 +69,7 @@ mod tests {
         for found in [seldom, steps] {
             assert_eq!(found.len(), 5000);
             for (index, position) in found.iter().enumerate() {
-                assert!(
-                    (position - exact(index)).abs() < 1e-9,
-                    "{index}: {position}"
-                );
+                assert!((position - exact(index)).abs() < 1e-9, "{index}: {position}");
             }
         }
     }
@@ -91,9 +77,7 @@ mod tests {
     /// A position for each sample stays as it is; one that is held for longer than a step can last is a train that stands.
     #[test]
     fn what_is_exact_and_what_stands_stays() {
-        let runs: Vec<f64> = (0..100)
-            .map(|index| (f64::from(index) * 0.1).sin() + f64::from(index))
-            .collect();
+        let runs: Vec<f64> = (0..100).map(|index| (f64::from(index) * 0.1).sin() + f64::from(index)).collect();
         assert_eq!(positions(runs.iter().copied(), 50), runs);
         let stands = positions(std::iter::repeat_n(7.0, 500).chain([8.0]), 50);
         assert!(stands[..450].iter().all(|position| *position == 7.0));

@@ -31,12 +31,7 @@ pub struct Inverse {
 
 impl Inverse {
     /// The inverse from one frequency \[Hz\] to another, at a speed \[m/s\].
-    pub fn new(
-        transfer: &AxleBoxTransfer,
-        filter: Option<ContactFilter>,
-        speed: f64,
-        (low, high): (f64, f64),
-    ) -> Self {
+    pub fn new(transfer: &AxleBoxTransfer, filter: Option<ContactFilter>, speed: f64, (low, high): (f64, f64)) -> Self {
         let half_octave = (0.5 * std::f64::consts::LN_2 / STEP).round() as usize;
         let steps = ((high / low).ln() / STEP).ceil().max(1.0) as usize;
         let (lowest, highest) = transfer.known();
@@ -50,15 +45,11 @@ impl Inverse {
             .collect();
         let squares: Vec<f64> = transfers.iter().map(Complex64::norm_sqr).collect();
         let gains = transfers.iter().enumerate().map(|(place, transfer)| {
-            let octave =
-                place.saturating_sub(half_octave)..(place + half_octave + 1).min(steps + 1);
+            let octave = place.saturating_sub(half_octave)..(place + half_octave + 1).min(steps + 1);
             let mean = squares[octave.clone()].iter().sum::<f64>() / octave.len() as f64;
             transfer.conj() / (squares[place] + REGULARISATION.powi(2) * mean)
         });
-        Self {
-            first: low.ln(),
-            gains: gains.collect(),
-        }
+        Self { first: low.ln(), gains: gains.collect() }
     }
 
     /// G \[s²\] at a frequency \[Hz\]; that of the nearest end outside the table.

@@ -38,13 +38,7 @@ pub struct RunSettings {
 impl RunSettings {
     /// Wavelengths of 10 to 400 mm above 20 km/h, as the patch lets them through, at a sampling rate \[Hz\].
     pub fn at_rate(sampling_rate: f64) -> Self {
-        Self {
-            sampling_rate,
-            shortest: 0.010,
-            longest: 0.400,
-            slowest: 20.0 / 3.6,
-            contact_filter: None,
-        }
+        Self { sampling_rate, shortest: 0.010, longest: 0.400, slowest: 20.0 / 3.6, contact_filter: None }
     }
 
     /// Step between heights \[m\].
@@ -163,17 +157,10 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// As [`push`](Self::push).
-    pub fn push_each(
-        runs: &mut [Self],
-        accelerations: &[f64],
-        position: f64,
-    ) -> Result<bool, Error> {
+    pub fn push_each(runs: &mut [Self], accelerations: &[f64], position: f64) -> Result<bool, Error> {
         let mut is_whole = false;
         for (run, &acceleration) in runs.iter_mut().zip(accelerations) {
-            run.push(Sample {
-                acceleration,
-                position,
-            })?;
+            run.push(Sample { acceleration, position })?;
             is_whole |= !run.finished.is_empty();
         }
         Ok(is_whole)
@@ -205,10 +192,7 @@ impl<'a> Run<'a> {
         let origin = raw[0].position;
         let window = (2 * half + 1) as f64;
         let time = 2.0 * half as f64 / self.settings.sampling_rate;
-        let mut sum: f64 = raw[..2 * half]
-            .iter()
-            .map(|sample| sample.position - origin)
-            .sum();
+        let mut sum: f64 = raw[..2 * half].iter().map(|sample| sample.position - origin).sum();
         for middle in half..raw.len() - half {
             let (first, last) = (raw[middle - half].position, raw[middle + half].position);
             sum += last - origin;
@@ -258,8 +242,7 @@ impl<'a> Run<'a> {
             speeds: &self.stretch.speeds[..end],
             edge: self.edge,
         };
-        self.finished
-            .extend(segment.felt(self.transfer, &self.settings)?);
+        self.finished.extend(segment.felt(self.transfer, &self.settings)?);
         self.stretch.forget(own);
         Ok(())
     }

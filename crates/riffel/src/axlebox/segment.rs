@@ -44,9 +44,7 @@ impl Segment<'_> {
         let rate = settings.sampling_rate;
         let (lowest, highest) = transfer.known();
         let longest = settings.longest.min(fastest / lowest);
-        let shortest = settings
-            .shortest
-            .max(fastest / (PASSED.0 * rate).min(highest));
+        let shortest = settings.shortest.max(fastest / (PASSED.0 * rate).min(highest));
         if 2.0 * shortest > longest {
             return Err(Error::OutOfRange {
                 quantity: "sampling rate",
@@ -75,13 +73,7 @@ impl Segment<'_> {
     }
 
     /// Roughness \[m\] in time, `FINER` times as many as there are accelerations.
-    fn divided(
-        &self,
-        inverse: &Inverse,
-        rate: f64,
-        stops: (f64, f64),
-        passed: (f64, f64),
-    ) -> Vec<f64> {
+    fn divided(&self, inverse: &Inverse, rate: f64, stops: (f64, f64), passed: (f64, f64)) -> Vec<f64> {
         let samples = self.accelerations.len();
         let size = length(samples);
         let mut input = vec![0.0; size];

@@ -13,9 +13,7 @@ thread_local! {
 pub(super) fn length(least: usize) -> usize {
     let sixteenth = least.next_power_of_two() / 16;
     let lengths = [9, 10, 12, 15].map(|count| count * sixteenth);
-    let enough = lengths
-        .into_iter()
-        .find(|length| *length >= least && length % 4 == 0);
+    let enough = lengths.into_iter().find(|length| *length >= least && length % 4 == 0);
     enough.unwrap_or_else(|| least.next_power_of_two())
 }
 

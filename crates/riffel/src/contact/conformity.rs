@@ -88,13 +88,7 @@ impl Conformity {
 
     /// Longitudinal creepage \[-\] of a wheel of the rolling radius \[m\] under a contact angle γ \[rad\] on the right rail,
     /// by a roll \[rad\] and a lateral displacement \[m\]; on the left rail it has the other sign.
-    pub fn longitudinal_creepage(
-        &self,
-        contact_angle: f64,
-        rolling_radius: f64,
-        roll: f64,
-        lateral: f64,
-    ) -> f64 {
+    pub fn longitudinal_creepage(&self, contact_angle: f64, rolling_radius: f64, roll: f64, lateral: f64) -> f64 {
         contact_angle.sin() / rolling_radius * self.shift_on_wheel(roll, lateral)
     }
 }
@@ -122,12 +116,7 @@ mod tests {
     /// Shift per milliradian: 0.3 mm under a cone, 0.75, 2.1 and 4.8 mm under wheels of 0.5, 0.35 and 0.32 m.
     #[test]
     fn close_radii_move_the_contact_far() {
-        for (wheel, shift) in [
-            (None, 0.3),
-            (Some(0.5), 0.75),
-            (Some(0.35), 2.1),
-            (Some(0.32), 4.8),
-        ] {
+        for (wheel, shift) in [(None, 0.3), (Some(0.5), 0.75), (Some(0.35), 2.1), (Some(0.32), 4.8)] {
             let conformity = Conformity::new(0.3, wheel).unwrap();
             assert!((1e3 * conformity.shift_on_rail(1e-3, 0.0) - shift).abs() < 1e-12);
         }

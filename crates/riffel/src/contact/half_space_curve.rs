@@ -2,8 +2,7 @@
 
 use super::half_space::REMEDY;
 use super::{
-    CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, HalfSpace, HalfSpaceRolling,
-    OscillatingCreepages,
+    CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, HalfSpace, HalfSpaceRolling, OscillatingCreepages,
 };
 use crate::Error;
 
@@ -39,8 +38,8 @@ impl HalfSpaceCurve {
     pub fn new(contact: &HalfSpace, state: &HalfSpaceRolling) -> Result<Self, Error> {
         /// Places in creepages at which the cubic of Johnson and Vermeulen slips fully.
         const PLACES: [f64; 20] = [
-            0.0, 0.04, 0.08, 0.13, 0.18, 0.24, 0.3, 0.36, 0.42, 0.48, 0.54, 0.6, 0.66, 0.72, 0.78,
-            0.84, 0.9, 0.96, 1.02, 1.1,
+            0.0, 0.04, 0.08, 0.13, 0.18, 0.24, 0.3, 0.36, 0.42, 0.48, 0.54, 0.6, 0.66, 0.72, 0.78, 0.84, 0.9, 0.96,
+            1.02, 1.1,
         ];
         /// Beyond, each farther by a fifth, full slip must come.
         const FARTHER: f64 = 1.2;
@@ -59,11 +58,7 @@ impl HalfSpaceCurve {
                 }
                 false => f64::NAN,
             };
-            Ok(Place {
-                creepage: state.creepage(),
-                ratio,
-                slope,
-            })
+            Ok(Place { creepage: state.creepage(), ratio, slope })
         };
         // Full slip of the cubic through the state.
         let scale = state.creepage() / (1.0 - (1.0 - steady.tractive_ratio()).cbrt());
@@ -90,24 +85,14 @@ impl HalfSpaceCurve {
         }
         // Neighbours so close to the state that a cubic through both would only follow the roundings give way to it.
         let own = at(state)?;
-        places.retain(|place| {
-            place.creepage == 0.0 || (place.creepage - own.creepage).abs() > 0.01 * scale
-        });
+        places.retain(|place| place.creepage == 0.0 || (place.creepage - own.creepage).abs() > 0.01 * scale);
         places.push(own);
         places.sort_by(|one, other| one.creepage.total_cmp(&other.creepage));
         if let Some(last) = places.last_mut() {
-            *last = Place {
-                ratio: 1.0,
-                slope: 0.0,
-                ..*last
-            };
+            *last = Place { ratio: 1.0, slope: 0.0, ..*last };
         }
         complete(&mut places)?;
-        Ok(Self {
-            friction,
-            normal_force,
-            places,
-        })
+        Ok(Self { friction, normal_force, places })
     }
 
     /// f and its slope at a creepage under P₀, of either sign.
@@ -130,24 +115,14 @@ fn between(one: &Place, other: &Place, creepage: f64) -> [f64; 2] {
     // ratio + t (s₀ + t (c₂ + t c₃))
     let (first, last) = (one.slope * width, other.slope * width);
     let (second, third) = (3.0 * chord - 2.0 * first - last, first + last - 2.0 * chord);
-    [
-        one.ratio + t * (first + t * (second + t * third)),
-        (first + t * (2.0 * second + 3.0 * t * third)) / width,
-    ]
+    [one.ratio + t * (first + t * (second + t * third)), (first + t * (2.0 * second + 3.0 * t * third)) / width]
 }
 
 /// Slopes that are not known, from the chords on both sides, so that the force does not fall (Fritsch & Carlson 1980).
 fn complete(places: &mut [Place]) -> Result<(), Error> {
-    let chords: Vec<f64> = places
-        .windows(2)
-        .map(|pair| (pair[1].ratio - pair[0].ratio) / (pair[1].creepage - pair[0].creepage))
-        .collect();
-    if let Some(worst) = chords
-        .iter()
-        .copied()
-        .reduce(f64::min)
-        .filter(|worst| *worst < 0.0)
-    {
+    let chords: Vec<f64> =
+        places.windows(2).map(|pair| (pair[1].ratio - pair[0].ratio) / (pair[1].creepage - pair[0].creepage)).collect();
+    if let Some(worst) = chords.iter().copied().reduce(f64::min).filter(|worst| *worst < 0.0) {
         return Err(Error::NotConverged {
             problem: "growth of the creep force with creepage",
             residual: -worst,
@@ -179,9 +154,7 @@ impl CreepLaw for HalfSpaceCurve {
     fn forces(&self, normal_force: f64, creepages: Creepages) -> CreepForces {
         let growth = (self.normal_force / normal_force).cbrt();
         CreepForces {
-            longitudinal: self.friction
-                * normal_force
-                * self.at(creepages.longitudinal * growth)[0],
+            longitudinal: self.friction * normal_force * self.at(creepages.longitudinal * growth)[0],
             lateral: 0.0,
         }
     }
@@ -190,10 +163,7 @@ impl CreepLaw for HalfSpaceCurve {
         let growth = (self.normal_force / normal_force).cbrt();
         let [ratio, slope] = self.at(creepages.longitudinal * growth);
         let limit = self.friction * normal_force;
-        let along = |longitudinal: f64| CreepForces {
-            longitudinal,
-            lateral: 0.0,
-        };
+        let along = |longitudinal: f64| CreepForces { longitudinal, lateral: 0.0 };
         CreepDerivatives::of_ellipse(
             normal_force,
             Creepages::longitudinal(creepages.longitudinal),
@@ -232,10 +202,7 @@ mod tests {
         assert!((by_load / exact.by_load.force[0].re - 1.0).abs() < 1e-2);
         for ratio in [0.1, 0.25, 0.55, 0.8, 0.95] {
             let creepage = contact.roll_at_tractive_ratio(ratio)?.creepage();
-            let got = curve
-                .forces(50e3, Creepages::longitudinal(creepage))
-                .longitudinal
-                / limit;
+            let got = curve.forces(50e3, Creepages::longitudinal(creepage)).longitudinal / limit;
             assert!((got - ratio).abs() < 2e-4, "{ratio}: {got}");
         }
         // Another load on the same bodies.

@@ -38,13 +38,8 @@ impl RollingContact for LoadWear {
     }
 
     fn response(&self, wavelength: f64) -> ContactResponse {
-        let ContactResponse {
-            by_load,
-            by_longitudinal,
-            by_lateral,
-            by_spin,
-            by_curvature,
-        } = self.contact.response(wavelength);
+        let ContactResponse { by_load, by_longitudinal, by_lateral, by_spin, by_curvature } =
+            self.contact.response(wavelength);
         let steady = self.steady();
         let wearing = |by: ContactDerivative, energy: f64| {
             let energy = Complex64::from(energy);

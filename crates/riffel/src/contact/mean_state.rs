@@ -57,8 +57,7 @@ impl MeanRolling {
     /// Energy dissipated per metre of rail, e₀ = ξ₀·Q₀ \[J/m\], without the work of a spin moment; the power is
     /// W₀ = V e₀, equation (8).
     pub fn energy_per_metre(&self) -> f64 {
-        self.creepages.longitudinal * self.forces.longitudinal
-            + self.creepages.lateral * self.forces.lateral
+        self.creepages.longitudinal * self.forces.longitudinal + self.creepages.lateral * self.forces.lateral
     }
 
     /// The energy per metre μP₀|ξ₀| \[J/m\] that makes Ŵ₁ of equation (20) dimensionless.

@@ -51,17 +51,7 @@ pub struct ShiftEffects {
 
 impl ShiftEffects {
     /// All of them.
-    pub const ALL: Self = Self {
-        rolling_radius: true,
-        contact_angle: true,
-        spin: true,
-        rail_roll: true,
-    };
+    pub const ALL: Self = Self { rolling_radius: true, contact_angle: true, spin: true, rail_roll: true };
     /// Creepage by the rolling radius alone.
-    pub const ROLLING_RADIUS: Self = Self {
-        rolling_radius: true,
-        contact_angle: false,
-        spin: false,
-        rail_roll: false,
-    };
+    pub const ROLLING_RADIUS: Self = Self { rolling_radius: true, contact_angle: false, spin: false, rail_roll: false };
 }

@@ -6,8 +6,8 @@ use num_complex::Complex64;
 
 use super::half_space::{FoundResponses, REMEDY, ResponseSweep};
 use super::{
-    ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling,
-    Oscillating, OscillatingCreepages, RollingContact,
+    ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling, Oscillating,
+    OscillatingCreepages, RollingContact,
 };
 use crate::Error;
 
@@ -50,13 +50,8 @@ const DERIVATIVES: usize = INPUTS * OUTPUTS;
 
 impl Node {
     fn new(response: ContactResponse) -> Self {
-        let mut node = Self {
-            values: [Complex64::ZERO; DERIVATIVES],
-            errors: [GridError {
-                force: 0.0,
-                energy: 0.0,
-            }; INPUTS],
-        };
+        let mut node =
+            Self { values: [Complex64::ZERO; DERIVATIVES], errors: [GridError { force: 0.0, energy: 0.0 }; INPUTS] };
         let inputs = [
             Some(response.by_load),
             Some(response.by_longitudinal),
@@ -88,9 +83,8 @@ impl Node {
             };
             let energy = energy.max(creepage * force).max(error.energy);
             let sizes = [force, force, energy, energy];
-            let missed = move |output: usize| {
-                (got[output] - exact[output]).norm() / sizes[output].max(f64::MIN_POSITIVE)
-            };
+            let missed =
+                move |output: usize| (got[output] - exact[output]).norm() / sizes[output].max(f64::MIN_POSITIVE);
             (0..OUTPUTS).map(missed)
         });
         misses.fold(0.0, f64::max)
@@ -142,10 +136,7 @@ impl NonSteady {
                     let response = sweep.at(wavelength(begin + 0.5 * (1.0 + t)));
                     response.map(Node::new)
                 };
-                Ok((
-                    Octave::new([last.0, end.0], node, creepage, tolerance)?,
-                    end,
-                ))
+                Ok((Octave::new([last.0, end.0], node, creepage, tolerance)?, end))
             });
             match octave {
                 Ok((octave, end)) => {
@@ -158,13 +149,7 @@ impl NonSteady {
             }
         }
         octaves.reverse();
-        Ok(Self {
-            steady,
-            oscillating,
-            resolved,
-            first,
-            octaves,
-        })
+        Ok(Self { steady, oscillating, resolved, first, octaves })
     }
 }
 
@@ -226,21 +211,14 @@ impl Octave {
                 after = index + 1;
             }
             let sign = if index % 2 == 0 { 1.0 } else { -1.0 };
-            let share = if index == 0 || index == intervals {
-                0.5
-            } else {
-                1.0
-            };
+            let share = if index == 0 || index == intervals { 0.5 } else { 1.0 };
             let weight = sign * share / distance;
             below += weight;
             for (above, value) in above.iter_mut().zip(&node.values) {
                 *above += weight * value;
             }
         }
-        let (before, after) = (
-            self.0[after - 1].errors,
-            self.0[after.min(intervals)].errors,
-        );
+        let (before, after) = (self.0[after - 1].errors, self.0[after.min(intervals)].errors);
         Node {
             values: above.map(|above| above / below),
             errors: std::array::from_fn(|input| GridError {
@@ -265,10 +243,7 @@ impl RollingContact for NonSteady {
         const ROUNDING: f64 = 1e-9;
         const OUTSIDE: Node = Node {
             values: [Complex64::new(f64::NAN, f64::NAN); DERIVATIVES],
-            errors: [GridError {
-                force: f64::NAN,
-                energy: f64::NAN,
-            }; INPUTS],
+            errors: [GridError { force: f64::NAN, energy: f64::NAN }; INPUTS],
         };
         // Counted from the same wavelength by every table: equal roundings.
         let place = (wavelength / self.resolved).log2();

@@ -3,8 +3,8 @@
 use num_complex::Complex64;
 
 use super::{
-    ContactDerivative, ContactResponse, CreepForces, CreepLaw, Creepages, ForceLimit, MeanRolling,
-    MeanState, RollingContact, WaveGeometry,
+    ContactDerivative, ContactResponse, CreepForces, CreepLaw, Creepages, ForceLimit, MeanRolling, MeanState,
+    RollingContact, WaveGeometry,
 };
 use crate::Error;
 
@@ -39,9 +39,7 @@ impl<L: CreepLaw> QuasiStatic<L> {
     pub fn new(law: L, normal_force: f64, mean: MeanState) -> Result<Self, Error> {
         Error::unless_positive("normal force", normal_force, "N")?;
         let creepages = match mean {
-            MeanState::TractiveRatio(ratio) => {
-                Creepages::longitudinal(creepage_at(&law, normal_force, ratio)?)
-            }
+            MeanState::TractiveRatio(ratio) => Creepages::longitudinal(creepage_at(&law, normal_force, ratio)?),
             MeanState::Creepages(creepages) => {
                 check(&law, normal_force, creepages)?;
                 creepages
@@ -58,25 +56,17 @@ impl<L: CreepLaw> QuasiStatic<L> {
             let spin = creepages.spin + change;
             law.forces(normal_force, Creepages { spin, ..creepages })
         };
-        let by_spin =
-            with_spin(SPIN_STEP).combine(0.5 / SPIN_STEP, with_spin(-SPIN_STEP), -0.5 / SPIN_STEP);
+        let by_spin = with_spin(SPIN_STEP).combine(0.5 / SPIN_STEP, with_spin(-SPIN_STEP), -0.5 / SPIN_STEP);
         let derivative = |force: CreepForces, energy: f64| ContactDerivative {
             force: [force.longitudinal.into(), force.lateral.into()],
             energy: Complex64::from(
-                energy
-                    + creepages.longitudinal * force.longitudinal
-                    + creepages.lateral * force.lateral,
+                energy + creepages.longitudinal * force.longitudinal + creepages.lateral * force.lateral,
             ),
             energy_at_rail: None,
             error: None,
         };
         Self {
-            steady: MeanRolling {
-                normal_force,
-                friction: law.friction(),
-                creepages,
-                forces,
-            },
+            steady: MeanRolling { normal_force, friction: law.friction(), creepages, forces },
             response: ContactResponse {
                 by_load: derivative(slopes.by_normal_force, 0.0),
                 by_longitudinal: derivative(slopes.by_longitudinal, forces.longitudinal),
@@ -102,14 +92,8 @@ impl<L: CreepLaw> QuasiStatic<L> {
             let forces = law(curvature)?.forces(steady.normal_force, steady.creepages);
             Ok([forces.longitudinal, forces.lateral])
         })?;
-        let by_radius = CreepForces {
-            longitudinal,
-            lateral,
-        };
-        Ok(Self {
-            response: self.response.with_curvature(by_radius, &steady),
-            ..self
-        })
+        let by_radius = CreepForces { longitudinal, lateral };
+        Ok(Self { response: self.response.with_curvature(by_radius, &steady), ..self })
     }
 
     /// The creep law.
@@ -128,10 +112,7 @@ fn creepage_at(law: &impl CreepLaw, normal_force: f64, ratio: f64) -> Result<f64
             ForceLimit::AdhesionMaximum(creepage) => Error::BeyondAdhesion {
                 quantity: "tractive ratio",
                 value: ratio,
-                maximum: law
-                    .forces(normal_force, Creepages::longitudinal(creepage))
-                    .longitudinal
-                    / most,
+                maximum: law.forces(normal_force, Creepages::longitudinal(creepage)).longitudinal / most,
             },
             ForceLimit::FullSlip(0.0) => Error::OutOfRange {
                 quantity: "tractive ratio",
@@ -163,15 +144,10 @@ fn check(law: &impl CreepLaw, normal_force: f64, creepages: Creepages) -> Result
         return Ok(());
     }
     Err(match limit {
-        ForceLimit::FullSlip(saturation_creepage) => Error::FullSlip {
-            creepage,
-            saturation_creepage,
-        },
-        ForceLimit::AdhesionMaximum(maximum) => Error::BeyondAdhesion {
-            quantity: "creepage",
-            value: creepage,
-            maximum,
-        },
+        ForceLimit::FullSlip(saturation_creepage) => Error::FullSlip { creepage, saturation_creepage },
+        ForceLimit::AdhesionMaximum(maximum) => {
+            Error::BeyondAdhesion { quantity: "creepage", value: creepage, maximum }
+        }
         ForceLimit::None => Error::OutOfRange {
             quantity: "creepage",
             value: creepage,
@@ -198,19 +174,15 @@ mod tests {
 
     use super::super::law::checks::ELLIPSE;
     use super::super::{
-        Carter2d, CreepDerivatives, FallingFriction, Fastsim, JohnsonVermeulen, Polach,
-        ShenHedrickElkins, SlopeReduction, TractionBound,
+        Carter2d, CreepDerivatives, FallingFriction, Fastsim, JohnsonVermeulen, Polach, ShenHedrickElkins,
+        SlopeReduction, TractionBound,
     };
     use super::*;
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 
     fn falling() -> Polach {
-        let friction = FallingFriction {
-            static_friction: 0.4,
-            limit_ratio: 0.4,
-            decay: 0.6,
-        };
+        let friction = FallingFriction { static_friction: 0.4, limit_ratio: 0.4, decay: 0.6 };
         Polach::new(ELLIPSE, friction, SlopeReduction::NONE, 20.0).unwrap()
     }
 
@@ -287,14 +259,9 @@ mod tests {
 
     #[test]
     fn the_law_is_linearised_once() {
-        let law = Counted {
-            law: JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap(),
-            linearised: AtomicUsize::new(0),
-        };
+        let law = Counted { law: JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap(), linearised: AtomicUsize::new(0) };
         let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.1)).unwrap();
-        let responses: Vec<_> = (1..100)
-            .map(|mm| contact.response(1e-3 * f64::from(mm)))
-            .collect();
+        let responses: Vec<_> = (1..100).map(|mm| contact.response(1e-3 * f64::from(mm))).collect();
         assert!(responses.iter().all(|response| *response == responses[0]));
         assert_eq!(contact.law().linearised.load(Ordering::Relaxed), 1);
     }
@@ -305,15 +272,11 @@ mod tests {
         let refusal = |error: Error| error.to_string();
         let slip = refusal(QuasiStatic::new(law, 50e3, MeanState::creepage(0.02)).unwrap_err());
         assert!(slip.contains("full slip begins at"), "{slip}");
-        let beyond =
-            refusal(QuasiStatic::new(falling(), 50e3, MeanState::creepage(0.1)).unwrap_err());
+        let beyond = refusal(QuasiStatic::new(falling(), 50e3, MeanState::creepage(0.1)).unwrap_err());
         assert!(beyond.contains("below the maximum of adhesion"), "{beyond}");
-        let high = refusal(
-            QuasiStatic::new(falling(), 50e3, MeanState::TractiveRatio(0.999)).unwrap_err(),
-        );
+        let high = refusal(QuasiStatic::new(falling(), 50e3, MeanState::TractiveRatio(0.999)).unwrap_err());
         assert!(high.contains("below the maximum of adhesion"), "{high}");
-        let negative =
-            refusal(QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(-0.1)).unwrap_err());
+        let negative = refusal(QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(-0.1)).unwrap_err());
         assert!(negative.contains("between 0 and 1"), "{negative}");
     }
 }

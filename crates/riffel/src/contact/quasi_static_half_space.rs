@@ -1,8 +1,7 @@
 //! Rolling contact that answers at once, with the slopes of the exact creep curve.
 
 use super::{
-    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, Oscillating,
-    RollingContact,
+    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, Oscillating, RollingContact,
 };
 use crate::Error;
 
@@ -23,10 +22,7 @@ impl QuasiStaticHalfSpace {
         oscillating: impl Into<Oscillating>,
     ) -> Result<Self, Error> {
         // Where the energy goes is the place of wear's to say.
-        let at_once = |by: ContactDerivative| ContactDerivative {
-            energy_at_rail: None,
-            ..by
-        };
+        let at_once = |by: ContactDerivative| ContactDerivative { energy_at_rail: None, ..by };
         let response = contact.sweep(state, oscillating.into()).at(f64::INFINITY)?;
         Ok(Self {
             steady: contact.steady(state),

@@ -47,19 +47,13 @@ pub struct Oscillating {
 impl OscillatingCreepages {
     /// These, and the curvature of a wave.
     pub fn on_waves(self) -> Oscillating {
-        Oscillating {
-            creepages: self,
-            profile: true,
-        }
+        Oscillating { creepages: self, profile: true }
     }
 }
 
 impl From<OscillatingCreepages> for Oscillating {
     fn from(creepages: OscillatingCreepages) -> Self {
-        Self {
-            creepages,
-            profile: false,
-        }
+        Self { creepages, profile: false }
     }
 }
 
@@ -98,14 +92,8 @@ impl ContactResponse {
         let (mean, forces) = (steady.creepages, steady.forces);
         let [along, across] = self.force_by_creepages(mean);
         let force = [by_radius.longitudinal + along, by_radius.lateral + across];
-        let energy = mean.longitudinal * (force[0] + forces.longitudinal)
-            + mean.lateral * (force[1] + forces.lateral);
-        self.by_curvature = Some(ContactDerivative {
-            force,
-            energy,
-            energy_at_rail: None,
-            error: None,
-        });
+        let energy = mean.longitudinal * (force[0] + forces.longitudinal) + mean.lateral * (force[1] + forces.lateral);
+        self.by_curvature = Some(ContactDerivative { force, energy, energy_at_rail: None, error: None });
         self
     }
 }
@@ -118,12 +106,8 @@ impl ContactResponse {
             (self.by_lateral, creepages.lateral),
             (self.by_spin, creepages.spin),
         ];
-        let told = inputs
-            .into_iter()
-            .filter_map(|(by, creepage)| Some((by?, creepage)));
-        told.fold([Complex64::ZERO; 2], |sum, (by, creepage)| {
-            [0, 1].map(|axis| sum[axis] + by.force[axis] * creepage)
-        })
+        let told = inputs.into_iter().filter_map(|(by, creepage)| Some((by?, creepage)));
+        told.fold([Complex64::ZERO; 2], |sum, (by, creepage)| [0, 1].map(|axis| sum[axis] + by.force[axis] * creepage))
     }
 }
 
@@ -131,7 +115,6 @@ impl ContactDerivative {
     /// The energy that a point of the rail receives: as the contact resolves it, or that at the wheel
     /// centre later by an angle \[rad\].
     pub fn at_rail(&self, lag: f64) -> Complex64 {
-        self.energy_at_rail
-            .unwrap_or_else(|| self.energy * Complex64::cis(-lag))
+        self.energy_at_rail.unwrap_or_else(|| self.energy * Complex64::cis(-lag))
     }
 }

@@ -69,12 +69,7 @@ impl<C: RollingContact> RollingContact for SpringDashpot<C> {
                 let (mean_creepage, mean_force) = mean[axis];
                 mean_creepage * force[axis] + mean_force * (creepage[axis] - stretch * force[axis])
             });
-            ContactDerivative {
-                force,
-                energy: energies.sum(),
-                energy_at_rail: None,
-                error: None,
-            }
+            ContactDerivative { force, energy: energies.sum(), energy_at_rail: None, error: None }
         };
         ContactResponse {
             by_load: delayed(slow.by_load, [0.0, 0.0]),
@@ -126,18 +121,11 @@ mod tests {
         let hertz = HertzContact::new(steel, 0.46, 0.46, 50e3).unwrap();
         let law = Carter3d::new(hertz, 0.4).unwrap();
         let about = |longitudinal: f64, lateral: f64| {
-            let mean = MeanState::Creepages(Creepages {
-                longitudinal,
-                lateral,
-                spin: 0.0,
-            });
+            let mean = MeanState::Creepages(Creepages { longitudinal, lateral, spin: 0.0 });
             let law = QuasiStatic::new(law, 50e3, mean).unwrap();
             SpringDashpot::new(law, hertz).response(0.03)
         };
-        let (along, oblique) = (
-            about(1e-3, 0.0),
-            about(0.5f64.sqrt() * 1e-3, 0.5f64.sqrt() * 1e-3),
-        );
+        let (along, oblique) = (about(1e-3, 0.0), about(0.5f64.sqrt() * 1e-3, 0.5f64.sqrt() * 1e-3));
         let lateral = oblique.by_lateral.unwrap();
         // By a creepage along the mean one: the sum of both columns over √2, seen along the mean one.
         let turned = (0..2).map(|row| oblique.by_longitudinal.force[row] + lateral.force[row]);

@@ -83,18 +83,10 @@ impl VirtualPenetration {
             });
         }
         for strip in &strips {
-            Error::unless_positive(
-                "curvature of the gap along the track",
-                strip.curvature,
-                "1/m",
-            )?;
+            Error::unless_positive("curvature of the gap along the track", strip.curvature, "1/m")?;
         }
         let least = strips.iter().min_by(|a, b| a.gap.total_cmp(&b.gap));
-        Ok(Self {
-            contact_modulus: contact_modulus(materials),
-            touch: least.map_or(0.0, |strip| strip.y),
-            strips,
-        })
+        Ok(Self { contact_modulus: contact_modulus(materials), touch: least.map_or(0.0, |strip| strip.y), strips })
     }
 
     /// The contact at an approach δ \[m\].
@@ -105,10 +97,7 @@ impl VirtualPenetration {
         Error::unless_positive("approach", approach, "m")?;
         let depth = Self::PENETRATION * approach;
         let inside = |strip: &&GapStrip| strip.gap < depth;
-        let ends = [
-            self.strips.iter().find(inside),
-            self.strips.iter().rfind(inside),
-        ];
+        let ends = [self.strips.iter().find(inside), self.strips.iter().rfind(inside)];
         let [Some(first), Some(last)] = ends else {
             return Err(Error::OutOfRange {
                 quantity: "approach",
@@ -148,20 +137,14 @@ impl VirtualPenetration {
         for [y, _, half, width] in &strips {
             let distance = y - self.touch;
             let hypotenuse = half.hypot(distance);
-            let integrals =
-                EllipticIntegrals::of_complementary_modulus(distance.abs() / hypotenuse)?;
+            let integrals = EllipticIntegrals::of_complementary_modulus(distance.abs() / hypotenuse)?;
             let modulus = half / hypotenuse;
             // K − E = k² D.
             displacement += 2.0 * hypotenuse * modulus * modulus * integrals.d() * width;
             volume += 0.5 * PI * half * half * width;
         }
         let slope = PI * self.contact_modulus * approach / displacement;
-        Ok(PenetrationState {
-            approach,
-            load: slope * volume,
-            slope,
-            strips,
-        })
+        Ok(PenetrationState { approach, load: slope * volume, slope, strips })
     }
 
     /// The contact under a normal load P \[N\]. Method: secants on P^{2/3}, which is nearly proportional to δ.
@@ -174,8 +157,7 @@ impl VirtualPenetration {
         let wanted = power(load);
         // As a sphere of the length of the strip at the touch.
         let radius = self.strip_at(self.touch).curvature.recip();
-        let mut approach =
-            (9.0 * load * load / (16.0 * self.contact_modulus.powi(2) * radius)).cbrt();
+        let mut approach = (9.0 * load * load / (16.0 * self.contact_modulus.powi(2) * radius)).cbrt();
         let mut before = (0.0, 0.0);
         let mut residual = f64::NAN;
         for _ in 0..MOST_STEPS {
@@ -200,10 +182,7 @@ impl VirtualPenetration {
 
     /// Linear between the strips.
     fn strip_at(&self, y: f64) -> GapStrip {
-        let after = self
-            .strips
-            .partition_point(|strip| strip.y < y)
-            .clamp(1, self.strips.len() - 1);
+        let after = self.strips.partition_point(|strip| strip.y < y).clamp(1, self.strips.len() - 1);
         let (one, other) = (self.strips[after - 1], self.strips[after]);
         let share = (y - one.y) / (other.y - one.y);
         let between = |a: f64, b: f64| a + share * (b - a);
@@ -224,17 +203,12 @@ impl PenetrationState {
 
     /// Area of the patch \[m²\].
     pub fn contact_area(&self) -> f64 {
-        self.strips
-            .iter()
-            .map(|[.., half, width]| 2.0 * half * width)
-            .sum()
+        self.strips.iter().map(|[.., half, width]| 2.0 * half * width).sum()
     }
 
     /// Largest half length of a strip \[m\].
     pub fn half_length(&self) -> f64 {
-        self.strips
-            .iter()
-            .fold(0.0, |most, strip| most.max(strip[2]))
+        self.strips.iter().fold(0.0, |most, strip| most.max(strip[2]))
     }
 
     /// First and last y of the patch \[m\].
@@ -247,25 +221,19 @@ impl PenetrationState {
     pub fn centre_of_pressure(&self) -> f64 {
         let moment = |power: i32| -> f64 {
             let strips = self.strips.iter();
-            strips
-                .map(|[y, _, half, width]| y.powi(power) * half * half * width)
-                .sum()
+            strips.map(|[y, _, half, width]| y.powi(power) * half * half * width).sum()
         };
         moment(1) / moment(0)
     }
 
     /// Outline of the patch: y, rearmost and foremost x of each strip \[m\], by increasing y.
     pub fn outline(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
-        self.strips
-            .iter()
-            .map(|[y, x, half, _]| [*y, x - half, x + half])
+        self.strips.iter().map(|[y, x, half, _]| [*y, x - half, x + half])
     }
 
     /// Largest pressure of each strip: y \[m\], p \[Pa\].
     pub fn pressures(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
-        self.strips
-            .iter()
-            .map(|[y, _, half, _]| [*y, self.slope * half])
+        self.strips.iter().map(|[y, _, half, _]| [*y, self.slope * half])
     }
 }
 
@@ -277,12 +245,7 @@ mod tests {
     fn strips(rolling_radius: f64, transverse_radius: f64) -> Vec<GapStrip> {
         let strip = |index: i32| {
             let y = 1e-4 * f64::from(index);
-            GapStrip {
-                y,
-                x: 0.0,
-                gap: 0.5 * y * y / transverse_radius,
-                curvature: rolling_radius.recip(),
-            }
+            GapStrip { y, x: 0.0, gap: 0.5 * y * y / transverse_radius, curvature: rolling_radius.recip() }
         };
         (-200..=200).map(strip).collect()
     }
@@ -296,16 +259,9 @@ mod tests {
         let contact = VirtualPenetration::new([steel; 2], strips(0.46, 0.46)).unwrap();
         let (approach, modulus) = (60e-6, 207e9 / (2.0 * 0.91));
         let state = contact.at_approach(approach).unwrap();
-        let closed = 4.0 / 3.0
-            * (2.0 * VirtualPenetration::PENETRATION).sqrt()
-            * modulus
-            * 0.46_f64.sqrt()
-            * approach.powf(1.5);
-        assert!(
-            (state.load / closed - 1.0).abs() < 5e-4,
-            "{}",
-            state.load / closed
-        );
+        let closed =
+            4.0 / 3.0 * (2.0 * VirtualPenetration::PENETRATION).sqrt() * modulus * 0.46_f64.sqrt() * approach.powf(1.5);
+        assert!((state.load / closed - 1.0).abs() < 5e-4, "{}", state.load / closed);
         let radius = (2.0 * VirtualPenetration::PENETRATION * approach * 0.46).sqrt();
         assert!((state.half_length() / radius - 1.0).abs() < 1e-3);
         assert!((state.contact_area() / (PI * radius * radius) - 1.0).abs() < 1e-3);
@@ -318,20 +274,12 @@ mod tests {
     #[test]
     fn ellipses_are_near_those_of_hertz() {
         let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-        for (transverse, approach, peak) in
-            [(0.23, 0.04, 0.08), (0.46, 0.05, 0.1), (1.2, 0.05, 0.1)]
-        {
+        for (transverse, approach, peak) in [(0.23, 0.04, 0.08), (0.46, 0.05, 0.1), (1.2, 0.05, 0.1)] {
             let exact = HertzContact::exact(steel, 0.46, transverse, 50e3).unwrap();
             let contact = VirtualPenetration::new([steel; 2], strips(0.46, transverse)).unwrap();
             let state = contact.under_load(50e3).unwrap();
-            let errors = [
-                state.approach / exact.approach() - 1.0,
-                state.peak_pressure() / exact.peak_pressure() - 1.0,
-            ];
-            assert!(
-                errors[0].abs() < approach && errors[1].abs() < peak,
-                "{transverse}: {errors:?}"
-            );
+            let errors = [state.approach / exact.approach() - 1.0, state.peak_pressure() / exact.peak_pressure() - 1.0];
+            assert!(errors[0].abs() < approach && errors[1].abs() < peak, "{transverse}: {errors:?}");
         }
     }
 }

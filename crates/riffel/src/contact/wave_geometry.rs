@@ -48,11 +48,7 @@ impl WaveGeometry {
     /// [`Error::OutOfRange`] unless it is positive.
     pub fn new(radius: f64, patch: WavePatch) -> Result<Self, Error> {
         Error::unless_positive("radius along the rail", radius, "m")?;
-        Ok(Self {
-            radius,
-            patch,
-            sliding: None,
-        })
+        Ok(Self { radius, patch, sliding: None })
     }
 
     /// The same for a contact that slides everywhere.
@@ -103,8 +99,7 @@ impl WaveGeometry {
 
     /// F \[-\], the share of a displacement that a contact presses by and wears of; one unless it slides everywhere as a patch.
     pub fn pressed(&self, wavenumber: f64) -> f64 {
-        self.filter()
-            .map_or(1.0, |filter| filter.amplitude(wavenumber, 0.0))
+        self.filter().map_or(1.0, |filter| filter.amplitude(wavenumber, 0.0))
     }
 
     /// Derivatives by κ at κ = 0 of what a contact has under constant load and creepages on a wheel of the radius R/(1 + κ).
@@ -113,14 +108,9 @@ impl WaveGeometry {
     ///
     /// # Errors
     /// Those of `of`.
-    pub fn derivative<const N: usize, E>(
-        step: f64,
-        of: impl Fn(f64) -> Result<[f64; N], E>,
-    ) -> Result<[f64; N], E> {
+    pub fn derivative<const N: usize, E>(step: f64, of: impl Fn(f64) -> Result<[f64; N], E>) -> Result<[f64; N], E> {
         let [near, far] = [1.0, 2.0].map(|steps| Ok([of(steps * step)?, of(-steps * step)?]));
         let ([up, down], [far_up, far_down]) = (near?, far?);
-        Ok(std::array::from_fn(|i| {
-            (8.0 * (up[i] - down[i]) - (far_up[i] - far_down[i])) / (12.0 * step)
-        }))
+        Ok(std::array::from_fn(|i| (8.0 * (up[i] - down[i]) - (far_up[i] - far_down[i])) / (12.0 * step)))
     }
 }

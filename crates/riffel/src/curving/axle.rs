@@ -41,22 +41,14 @@ impl Axle {
             self.primary_longitudinal_stiffness,
             "N/m",
         )?;
-        Error::unless_positive(
-            "lateral stiffness of the primary suspension",
-            self.primary_lateral_stiffness,
-            "N/m",
-        )?;
+        Error::unless_positive("lateral stiffness of the primary suspension", self.primary_lateral_stiffness, "N/m")?;
         Error::unless_positive("mass per axle", self.mass_per_axle, "kg")?;
         Error::unless_not_negative("mass of the wheelset", self.wheelset_mass, "kg")?;
         for radius in self.rolling_radii {
             Error::unless_positive("rolling radius", radius, "m")?;
         }
         Error::unless_positive("spacing of the contacts", self.contact_spacing, "m")?;
-        Error::unless_not_negative(
-            "height of the centre of mass",
-            self.centre_of_mass_height,
-            "m",
-        )?;
+        Error::unless_not_negative("height of the centre of mass", self.centre_of_mass_height, "m")?;
         if self.wheelset_mass > self.mass_per_axle {
             return Err(Error::OutOfRange {
                 quantity: "mass of the wheelset",

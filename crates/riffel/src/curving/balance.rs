@@ -64,12 +64,7 @@ impl Places {
         let wheelsets = running_gear.wheelsets().min(2);
         let frame = 3 * wheelsets;
         let normal = frame + 2 * running_gear.frames().min(1);
-        Self {
-            wheelsets,
-            frame,
-            normal,
-            unknowns: normal + 2 * wheelsets,
-        }
+        Self { wheelsets, frame, normal, unknowns: normal + 2 * wheelsets }
     }
 
     /// The frame of a wheelset, its number in that frame, and where the unknowns of both begin.
@@ -92,12 +87,7 @@ impl Places {
 
 impl<'a> Balance<'a> {
     pub(super) fn at(vehicle: &'a VehicleInCurve, fraction: f64) -> Self {
-        Self {
-            vehicle,
-            fraction,
-            failure: RefCell::new(None),
-            known: Default::default(),
-        }
+        Self { vehicle, fraction, failure: RefCell::new(None), known: Default::default() }
     }
 
     /// The failure that was met, if any.
@@ -141,19 +131,13 @@ impl<'a> Balance<'a> {
                 &place,
                 normal_force,
                 &vehicle.kinematics,
-                CreepOnRail {
-                    creep: &vehicle.creep[side],
-                    known: &self.known[side],
-                },
+                CreepOnRail { creep: &vehicle.creep[side], known: &self.known[side] },
             )
         };
         let Some(left) = wheel(0)? else {
             return Ok(None);
         };
-        Ok(wheel(1)?.map(|right| Rolling {
-            lateral_shift,
-            wheels: [left, right],
-        }))
+        Ok(wheel(1)?.map(|right| Rolling { lateral_shift, wheels: [left, right] }))
     }
 
     fn rolling_or_failure(&self, wheelset: usize, unknowns: &[f64]) -> Option<Rolling> {
@@ -176,8 +160,7 @@ impl<'a> Balance<'a> {
 
         let (mut frames, body) = self.frames(unknowns, outward, curvature);
         // What a frame's own forces, and below its wheelsets, leave of it.
-        let mut on_frames: Vec<[f64; 2]> =
-            frames.iter().map(|frame| self.own_forces(frame)).collect();
+        let mut on_frames: Vec<[f64; 2]> = frames.iter().map(|frame| self.own_forces(frame)).collect();
         let mut residuals = vec![0.0; unknowns.len()];
         let mut wheels = Vec::with_capacity(2 * rolling.len());
         let mut wheelsets = Vec::with_capacity(rolling.len());
@@ -189,11 +172,7 @@ impl<'a> Balance<'a> {
             let inertial = axle.wheelset_mass * outward;
             let flange = vehicle.kinematics.flange_force(lateral_shift);
             let link = self.suspension(own, lateral_shift, yaw, &mut frames[of_frame]);
-            let Suspension {
-                lateral_force: suspension,
-                yaw_moment: suspension_moment,
-                ..
-            } = link;
+            let Suspension { lateral_force: suspension, yaw_moment: suspension_moment, .. } = link;
             on_frames[of_frame][0] -= link.on_frame[0];
             on_frames[of_frame][1] -= link.on_frame[1];
             let mut lateral = suspension + flange + inertial;
@@ -206,8 +185,7 @@ impl<'a> Balance<'a> {
                 lateral -= state.whole_track_lateral_force();
                 moment += wheel.yaw_moment;
                 torque += wheel.torque;
-                residuals[first + places.normal + 2 * own + side] =
-                    (wheel.carried - loads[side]) / load;
+                residuals[first + places.normal + 2 * own + side] = (wheel.carried - loads[side]) / load;
                 wheels.push(state);
             }
             residuals[row] = lateral / load;
@@ -227,19 +205,12 @@ impl<'a> Balance<'a> {
         }
         // A lone wheelset's frame has no equations.
         let frames_of_equations = vehicle.running_gear.frames();
-        for (index, [force, moment]) in on_frames.into_iter().take(frames_of_equations).enumerate()
-        {
+        for (index, [force, moment]) in on_frames.into_iter().take(frames_of_equations).enumerate() {
             let row = index * places.unknowns + places.frame;
             residuals[row] = force / load;
             residuals[row + 1] = moment / (load * half_spacing);
         }
-        Balanced {
-            residuals,
-            wheelsets,
-            wheels,
-            frames,
-            body,
-        }
+        Balanced { residuals, wheelsets, wheels, frames, body }
     }
 
     /// Lateral force and yaw moment on a frame without its wheelsets.
@@ -253,13 +224,7 @@ impl<'a> Balance<'a> {
     }
 
     /// What the suspension does to the wheelset of this number in its frame; the frame of a lone wheelset that is held nowhere follows.
-    fn suspension(
-        &self,
-        own: usize,
-        lateral_shift: f64,
-        yaw: f64,
-        frame: &mut FrameState,
-    ) -> Suspension {
+    fn suspension(&self, own: usize, lateral_shift: f64, yaw: f64, frame: &mut FrameState) -> Suspension {
         let axle = &self.vehicle.axle;
         let (lateral_stiffness, yaw_stiffness) = (axle.lateral_stiffness(), axle.yaw_stiffness());
         match &self.vehicle.running_gear {
@@ -272,35 +237,21 @@ impl<'a> Balance<'a> {
                         force
                     }
                 };
-                Suspension {
-                    lateral_force: force,
-                    yaw_moment: -yaw_stiffness * (yaw - frame.yaw),
-                    on_frame: [0.0; 2],
-                }
+                Suspension { lateral_force: force, yaw_moment: -yaw_stiffness * (yaw - frame.yaw), on_frame: [0.0; 2] }
             }
             RunningGear::Bogie(bogie) | RunningGear::Vehicle { bogies: bogie, .. } => {
                 let curvature = self.fraction / self.vehicle.curve.radius;
                 // Ahead of the middle of the bogie.
                 let ahead = [0.5, -0.5][own] * bogie.wheelbase;
-                let force =
-                    -lateral_stiffness * (lateral_shift - frame.lateral_shift - ahead * frame.yaw);
+                let force = -lateral_stiffness * (lateral_shift - frame.lateral_shift - ahead * frame.yaw);
                 let moment = -yaw_stiffness * (yaw + ahead * curvature - frame.yaw);
-                Suspension {
-                    lateral_force: force,
-                    yaw_moment: moment,
-                    on_frame: [force, moment + ahead * force],
-                }
+                Suspension { lateral_force: force, yaw_moment: moment, on_frame: [force, moment + ahead * force] }
             }
         }
     }
 
     /// The frames with their own forces and those of the body, under an outward acceleration \[m/s²\] that is signed as y is.
-    fn frames(
-        &self,
-        unknowns: &[f64],
-        outward: f64,
-        curvature: f64,
-    ) -> (Vec<FrameState>, Option<BodyState>) {
+    fn frames(&self, unknowns: &[f64], outward: f64, curvature: f64) -> (Vec<FrameState>, Option<BodyState>) {
         let vehicle = self.vehicle;
         let places = vehicle.places();
         let sprung = vehicle.axle.mass_per_axle - vehicle.axle.wheelset_mass;
@@ -324,10 +275,7 @@ impl<'a> Balance<'a> {
             }
             RunningGear::Bogie(_) => {
                 let (shift, yaw) = of(0);
-                (
-                    vec![frame(shift, yaw, 2.0 * sprung, Secondary::default())],
-                    None,
-                )
+                (vec![frame(shift, yaw, 2.0 * sprung, Secondary::default())], None)
             }
             RunningGear::Vehicle { body, .. } => {
                 let inertial = body.mass * outward;
@@ -337,11 +285,7 @@ impl<'a> Balance<'a> {
                     let (shift, yaw) = of(index);
                     frame(shift, yaw, own, secondary[index])
                 });
-                let body = BodyState {
-                    lateral_shift: shift,
-                    yaw,
-                    inertial_lateral_force: inertial,
-                };
+                let body = BodyState { lateral_shift: shift, yaw, inertial_lateral_force: inertial };
                 (frames.collect(), Some(body))
             }
         }
@@ -352,9 +296,7 @@ impl Equations for Balance<'_> {
     type Evaluated = Vec<Rolling>;
 
     fn evaluate(&self, unknowns: &[f64]) -> Option<Vec<Rolling>> {
-        (0..self.vehicle.running_gear.wheelsets())
-            .map(|wheelset| self.rolling_or_failure(wheelset, unknowns))
-            .collect()
+        (0..self.vehicle.running_gear.wheelsets()).map(|wheelset| self.rolling_or_failure(wheelset, unknowns)).collect()
     }
 
     fn residuals(&self, unknowns: &[f64], rolling: &Vec<Rolling>) -> Vec<f64> {
@@ -384,18 +326,13 @@ impl VehicleInCurve {
         let axle = &self.axle;
         let spacing = axle.contact_spacing;
         let mean = 0.5 * axle.mass_per_axle * self.curve.normal_acceleration(spacing);
-        let transfer =
-            axle.mass_per_axle * self.outward_acceleration(fraction) * axle.centre_of_mass_height
-                / spacing;
+        let transfer = axle.mass_per_axle * self.outward_acceleration(fraction) * axle.centre_of_mass_height / spacing;
         let to_the_left = self.curve.side() * transfer;
         [mean + to_the_left, mean - to_the_left]
     }
 
     fn outward_acceleration(&self, fraction: f64) -> f64 {
-        fraction
-            * self
-                .curve
-                .uncompensated_acceleration(self.axle.contact_spacing)
+        fraction * self.curve.uncompensated_acceleration(self.axle.contact_spacing)
     }
 
     /// Load by which residuals are measured \[N\].

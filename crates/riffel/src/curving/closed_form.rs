@@ -4,12 +4,7 @@
 ///
 /// `rolling_radius` r₀ \[m\], `contact_spacing` 2s \[m\], `conicity` λ \[-\], `radius` R \[m\] of the curve, above zero to
 /// the right. Source: Redtenbacher (1855); Wickens (2003), *Fundamentals of Rail Vehicle Dynamics*, chapter 1.
-pub fn free_curving_shift(
-    rolling_radius: f64,
-    contact_spacing: f64,
-    conicity: f64,
-    radius: f64,
-) -> f64 {
+pub fn free_curving_shift(rolling_radius: f64, contact_spacing: f64, conicity: f64, radius: f64) -> f64 {
     -rolling_radius * 0.5 * contact_spacing / (conicity * radius)
 }
 
@@ -63,19 +58,13 @@ impl LinearWheelset {
     /// ΣQ_y = −2f₂₂ψ + 2f₂₃/R, in which the spin of the cones cancels.
     pub fn equilibrium(&self) -> LinearWheelsetState {
         let s = 0.5 * self.contact_spacing;
-        let [f11, f22] = [
-            self.longitudinal_creep_coefficient,
-            self.lateral_creep_coefficient,
-        ];
+        let [f11, f22] = [self.longitudinal_creep_coefficient, self.lateral_creep_coefficient];
         let spin_force = 2.0 * self.spin_creep_coefficient / self.radius;
         // Yaw: ψ = c − d y; lateral: 2 f₂₂ ψ − K_y y = spin force − F.
         let turning = 2.0 * s * f11 / self.yaw_stiffness;
-        let (c, d) = (
-            self.frame_yaw - turning * s / self.radius,
-            turning * self.conicity / self.rolling_radius,
-        );
-        let lateral_shift = (self.lateral_force - spin_force + 2.0 * f22 * c)
-            / (self.lateral_stiffness + 2.0 * f22 * d);
+        let (c, d) = (self.frame_yaw - turning * s / self.radius, turning * self.conicity / self.rolling_radius);
+        let lateral_shift =
+            (self.lateral_force - spin_force + 2.0 * f22 * c) / (self.lateral_stiffness + 2.0 * f22 * d);
         let yaw = c - d * lateral_shift;
         let creepage = -(s / self.radius + self.conicity * lateral_shift / self.rolling_radius);
         LinearWheelsetState {

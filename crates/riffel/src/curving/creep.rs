@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use super::RollingPosition;
 use crate::contact::{
-    CreepEllipse, CreepForces, CreepLaw, Creepages, EllipticContact, Fastsim, KalkerCoefficients,
-    ShenHedrickElkins, TractionBound,
+    CreepEllipse, CreepForces, CreepLaw, Creepages, EllipticContact, Fastsim, KalkerCoefficients, ShenHedrickElkins,
+    TractionBound,
 };
 use crate::{ElasticMaterial, Error};
 
@@ -71,12 +71,7 @@ impl Creep {
 
     /// Curvatures of wheel and rail together along and across the rail \[1/m\] at a place.
     fn curvatures(&self, position: &RollingPosition) -> [f64; 2] {
-        let Self::Local {
-            rolling_radius,
-            lateral_curvature,
-            ..
-        } = self
-        else {
+        let Self::Local { rolling_radius, lateral_curvature, .. } = self else {
             unreachable!("only a local creep has an ellipse of its own")
         };
         let across = position.lateral_curvature.unwrap_or(*lateral_curvature);
@@ -87,9 +82,7 @@ impl Creep {
 
     /// The Hertz ellipse of curvatures along and across the rail \[1/m\] under 1 N, with Kalker's coefficients.
     fn unit_ellipse(&self, curvatures: [f64; 2]) -> Result<CreepEllipse, Error> {
-        let Self::Local { material, .. } = self else {
-            unreachable!("only a local creep has an ellipse of its own")
-        };
+        let Self::Local { material, .. } = self else { unreachable!("only a local creep has an ellipse of its own") };
         let normal_force = 1.0;
         let hertz = EllipticContact::of_wheel_on_rail(*material, curvatures, normal_force)?;
         let kalker = KalkerCoefficients::new(material.poisson_ratio(), hertz.axis_ratio())?;
@@ -157,10 +150,8 @@ impl CreepOnRail<'_> {
                         ShenHedrickElkins::new(ellipse, *friction)?.forces(normal_force, creepages)
                     }
                     LawOnEllipse::Fastsim => {
-                        let (bound, divisions) =
-                            (TractionBound::default(), Fastsim::DEFAULT_DIVISIONS);
-                        Fastsim::new(ellipse, *friction, bound, divisions)?
-                            .forces(normal_force, creepages)
+                        let (bound, divisions) = (TractionBound::default(), Fastsim::DEFAULT_DIVISIONS);
+                        Fastsim::new(ellipse, *friction, bound, divisions)?.forces(normal_force, creepages)
                     }
                 }
             }

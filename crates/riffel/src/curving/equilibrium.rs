@@ -103,10 +103,7 @@ impl VehicleInCurve {
         closed.iter().any(Option::is_some).then(|| {
             let [of_left, of_right] = closed;
             Self {
-                creep: [
-                    of_left.unwrap_or_else(|| left.clone()),
-                    of_right.unwrap_or_else(|| right.clone()),
-                ],
+                creep: [of_left.unwrap_or_else(|| left.clone()), of_right.unwrap_or_else(|| right.clone())],
                 ..self.clone()
             }
         })
@@ -197,11 +194,8 @@ impl VehicleInCurve {
 
     /// Roots at the curve from starts of shifted wheelsets, in the order of the starts, and the first failure.
     fn by_other_starts(&self) -> (Vec<Vec<f64>>, Option<Error>) {
-        let pairs = STARTS
-            .iter()
-            .flat_map(|first| STARTS.map(|second| [*first, second]));
-        let mut starts: Vec<Vec<[f64; 2]>> =
-            pairs.map(|shifts| vec![shifts; self.frames()]).collect();
+        let pairs = STARTS.iter().flat_map(|first| STARTS.map(|second| [*first, second]));
+        let mut starts: Vec<Vec<[f64; 2]>> = pairs.map(|shifts| vec![shifts; self.frames()]).collect();
         if self.frames() == 2 {
             // Bogies that stand at different places.
             let apart = STARTS.iter().flat_map(|leading| {
@@ -210,10 +204,8 @@ impl VehicleInCurve {
             });
             starts.extend(apart);
         }
-        let solved: Vec<Result<Root, Option<Error>>> = starts
-            .par_iter()
-            .map(|shifts| self.solve(1.0, self.start(1.0, shifts)))
-            .collect();
+        let solved: Vec<Result<Root, Option<Error>>> =
+            starts.par_iter().map(|shifts| self.solve(1.0, self.start(1.0, shifts))).collect();
         let mut found = Vec::new();
         let mut failure = None;
         for solved in solved {
@@ -231,24 +223,12 @@ impl VehicleInCurve {
         let largest = |most: f64, residual: &f64| most.max(residual.abs());
         let spacing = self.axle.contact_spacing;
         let speed = self.curve.speed;
-        let turn = |index: usize| {
-            balance.wheelsets[index].rotation_ratio * speed / self.axle.rolling_radii[1]
-        };
+        let turn = |index: usize| balance.wheelsets[index].rotation_ratio * speed / self.axle.rolling_radii[1];
         VehicleState {
             uncompensated_acceleration: self.curve.uncompensated_acceleration(spacing),
             normal_acceleration: self.curve.normal_acceleration(spacing),
-            frictional_power: speed
-                * balance
-                    .wheels
-                    .iter()
-                    .map(WheelState::whole_t_gamma)
-                    .sum::<f64>(),
-            drive_power: self
-                .drive_torque
-                .iter()
-                .enumerate()
-                .map(|(index, torque)| turn(index) * torque)
-                .sum(),
+            frictional_power: speed * balance.wheels.iter().map(WheelState::whole_t_gamma).sum::<f64>(),
+            drive_power: self.drive_torque.iter().enumerate().map(|(index, torque)| turn(index) * torque).sum(),
             residual: balance.residuals.iter().fold(0.0, largest),
             wheelsets: balance.wheelsets,
             wheels: balance.wheels,
@@ -260,11 +240,7 @@ impl VehicleInCurve {
 }
 
 fn step(fraction: f64, found: &Root) -> ContinuationStep {
-    ContinuationStep {
-        fraction,
-        residual: found.residual,
-        iterations: found.iterations,
-    }
+    ContinuationStep { fraction, residual: found.residual, iterations: found.iterations }
 }
 
 fn differ(one: &VehicleState, other: &VehicleState) -> bool {

@@ -66,10 +66,7 @@ impl Kinematics {
     /// Lateral force \[N\] of a flange that is a spring at a lateral shift \[m\].
     pub(super) fn flange_force(&self, lateral_shift: f64) -> f64 {
         match self {
-            Self::Nonlinear {
-                flange: Some(spring),
-                ..
-            } => {
+            Self::Nonlinear { flange: Some(spring), .. } => {
                 let beyond = (lateral_shift.abs() - spring.clearance).max(0.0);
                 -spring.stiffness * beyond * lateral_shift.signum()
             }

@@ -14,11 +14,7 @@ impl VehicleState {
         for (index, wheelset) in self.wheelsets.iter().enumerate() {
             let (lateral_shift, yaw) = (wheelset.lateral_shift, wheelset.yaw);
             if lateral_shift.abs() >= FARTHEST_SHIFT || yaw.abs() >= LARGEST_YAW {
-                return Err(Error::OffTheRails {
-                    wheelset: index + 1,
-                    lateral_shift,
-                    yaw,
-                });
+                return Err(Error::OffTheRails { wheelset: index + 1, lateral_shift, yaw });
             }
         }
         Ok(self)

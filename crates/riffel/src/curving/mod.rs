@@ -76,12 +76,8 @@ pub use curve::{Curve, GRAVITY};
 pub use kinematics::{ContactPlane, FlangeSpring, Kinematics};
 pub use limits::{FARTHEST_SHIFT, LARGEST_YAW};
 pub use running_gear::{Body, BogieFrame, FollowingFrame, RunningGear};
-pub use running_surfaces::{
-    Cone, ConeWithFlangePlane, RollingPosition, RunningSurfaces, TwoPoints,
-};
-pub use state::{
-    BodyState, ContinuationStep, FrameState, SecondContact, VehicleState, WheelState, WheelsetState,
-};
+pub use running_surfaces::{Cone, ConeWithFlangePlane, RollingPosition, RunningSurfaces, TwoPoints};
+pub use state::{BodyState, ContinuationStep, FrameState, SecondContact, VehicleState, WheelState, WheelsetState};
 pub use vehicle::VehicleInCurve;
 
 #[cfg(test)]

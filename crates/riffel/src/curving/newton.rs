@@ -13,12 +13,7 @@ pub(super) trait Equations {
     fn residuals(&self, unknowns: &[f64], evaluated: &Self::Evaluated) -> Vec<f64>;
 
     /// Residuals where one unknown differs from those at which `evaluated` was found.
-    fn moved(
-        &self,
-        unknowns: &[f64],
-        evaluated: &Self::Evaluated,
-        unknown: usize,
-    ) -> Option<Vec<f64>>;
+    fn moved(&self, unknowns: &[f64], evaluated: &Self::Evaluated, unknown: usize) -> Option<Vec<f64>>;
 }
 
 /// A root as far as rounding lets it be found.
@@ -42,12 +37,7 @@ const DIFFERENCE: f64 = 1e-5;
 /// Method: Jacobian by central differences, Gaussian elimination with partial pivoting, steps halved until the sum of
 /// squares falls; ends where rounding keeps it from falling. Cost: some evaluations a step and 2N of the part that an
 /// unknown moves.
-pub(super) fn root<E: Equations>(
-    equations: &E,
-    start: Vec<f64>,
-    scales: &[f64],
-    tolerance: f64,
-) -> Option<Root> {
+pub(super) fn root<E: Equations>(equations: &E, start: Vec<f64>, scales: &[f64], tolerance: f64) -> Option<Root> {
     let square = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
     let mut unknowns = start;
     let mut evaluated = equations.evaluate(&unknowns)?;
@@ -60,11 +50,7 @@ pub(super) fn root<E: Equations>(
         };
         let mut share = 1.0;
         let next = (0..MOST_HALVINGS).find_map(|_| {
-            let trial: Vec<f64> = unknowns
-                .iter()
-                .zip(&step)
-                .map(|(unknown, step)| unknown - share * step)
-                .collect();
+            let trial: Vec<f64> = unknowns.iter().zip(&step).map(|(unknown, step)| unknown - share * step).collect();
             share *= 0.5;
             let there = equations.evaluate(&trial)?;
             let values_there = equations.residuals(&trial, &there);
@@ -76,14 +62,8 @@ pub(super) fn root<E: Equations>(
         iterations += 1;
         (unknowns, evaluated, values) = next;
     }
-    let residual = values
-        .iter()
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
-    (residual <= tolerance).then_some(Root {
-        unknowns,
-        residual,
-        iterations,
-    })
+    let residual = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    (residual <= tolerance).then_some(Root { unknowns, residual, iterations })
 }
 
 fn newton_step<E: Equations>(
@@ -133,9 +113,7 @@ fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
         }
     }
     for row in (0..count).rev() {
-        let known: f64 = (row + 1..count)
-            .map(|entry| matrix[row][entry] * right[entry])
-            .sum();
+        let known: f64 = (row + 1..count).map(|entry| matrix[row][entry] * right[entry]).sum();
         right[row] = (right[row] - known) / matrix[row][row];
     }
     right.iter().all(|value| value.is_finite()).then_some(right)

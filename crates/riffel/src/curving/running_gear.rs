@@ -140,10 +140,7 @@ impl Body {
         curvature: f64,
     ) -> (f64, f64, [Secondary; 2]) {
         let half = 0.5 * self.bogie_spacing;
-        let (lateral, turning) = (
-            self.secondary_lateral_stiffness,
-            self.secondary_yaw_stiffness,
-        );
+        let (lateral, turning) = (self.secondary_lateral_stiffness, self.secondary_yaw_stiffness);
         let [(shift_1, yaw_1), (shift_2, yaw_2)] = frames;
         let yaw = (turning * (yaw_1 + yaw_2) + half * lateral * (shift_1 - shift_2))
             / (2.0 * turning + 2.0 * half * half * lateral);

@@ -97,17 +97,12 @@ impl WheelState {
 
     /// Which part of the normal forces of the wheel its second contact carries \[-\]; zero where it stands on one.
     pub fn share_of_second_contact(&self) -> f64 {
-        self.second_contact.map_or(0.0, |second| {
-            second.normal_force / (self.normal_force + second.normal_force)
-        })
+        self.second_contact.map_or(0.0, |second| second.normal_force / (self.normal_force + second.normal_force))
     }
 
     /// Lateral force of all contacts of the wheel on the rail, in the plane of the track \[N\].
     pub fn whole_track_lateral_force(&self) -> f64 {
-        self.track_lateral_force
-            + self
-                .second_contact
-                .map_or(0.0, |second| second.track_lateral_force)
+        self.track_lateral_force + self.second_contact.map_or(0.0, |second| second.track_lateral_force)
     }
 
     /// The same wheel told from its other contact, with the one told before as the second; none on one point.
@@ -149,10 +144,7 @@ impl WheelState {
             true => (self, other),
             false => (other, self),
         };
-        Self {
-            second_contact: Some(second.contact()),
-            ..first
-        }
+        Self { second_contact: Some(second.contact()), ..first }
     }
 }
 

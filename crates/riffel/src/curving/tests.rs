@@ -14,9 +14,7 @@ fn ellipse() -> CreepEllipse {
 }
 
 pub(super) fn creep(friction: f64) -> Creep {
-    Creep::Law(Arc::new(
-        ShenHedrickElkins::new(ellipse(), friction).unwrap(),
-    ))
+    Creep::Law(Arc::new(ShenHedrickElkins::new(ellipse(), friction).unwrap()))
 }
 
 pub(super) fn axle() -> Axle {
@@ -33,20 +31,12 @@ pub(super) fn axle() -> Axle {
 }
 
 pub(super) fn bogie(yaw_moment: f64) -> RunningGear {
-    RunningGear::Bogie(BogieFrame {
-        wheelbase: 2.5,
-        yaw_moment,
-    })
+    RunningGear::Bogie(BogieFrame { wheelbase: 2.5, yaw_moment })
 }
 
 pub(super) fn tilted(shift_moment: bool) -> Kinematics {
     Kinematics::Nonlinear {
-        surfaces: Arc::new(ConeWithFlangePlane {
-            conicity: 0.05,
-            slope: 2.5,
-            shift: 7e-3,
-            width: 0.4e-3,
-        }),
+        surfaces: Arc::new(ConeWithFlangePlane { conicity: 0.05, slope: 2.5, shift: 7e-3, width: 0.4e-3 }),
         contact_plane: ContactPlane::Tilted { shift_moment },
         flange: None,
     }
@@ -66,38 +56,22 @@ impl ConeAndFlange {
 
     fn new() -> Self {
         let at = |rail: Rail| {
-            let outward = [
-                Self::side(Self::SHIFT, false),
-                Self::side(Self::SHIFT, true),
-            ];
+            let outward = [Self::side(Self::SHIFT, false), Self::side(Self::SHIFT, true)];
             let [below, above] = match rail {
                 Rail::Right => outward,
                 Rail::Left => [outward[1], outward[0]],
             };
-            TwoPoints {
-                rail,
-                shift: rail.sign() * Self::SHIFT,
-                positions: [below, above],
-            }
+            TwoPoints { rail, shift: rail.sign() * Self::SHIFT, positions: [below, above] }
         };
-        Self {
-            two_points: vec![at(Rail::Left), at(Rail::Right)],
-        }
+        Self { two_points: vec![at(Rail::Left), at(Rail::Right)] }
     }
 
     fn side(toward: f64, on_flange: bool) -> RollingPosition {
         let (slope, depth) = match on_flange {
-            true => (
-                Self::SLOPE,
-                Self::CONICITY * Self::SHIFT + Self::DEPTH + Self::SLOPE * (toward - Self::SHIFT),
-            ),
+            true => (Self::SLOPE, Self::CONICITY * Self::SHIFT + Self::DEPTH + Self::SLOPE * (toward - Self::SHIFT)),
             false => (Self::CONICITY, Self::CONICITY * toward),
         };
-        RollingPosition {
-            radius_change: depth,
-            contact_angle: slope.atan(),
-            lateral_curvature: None,
-        }
+        RollingPosition { radius_change: depth, contact_angle: slope.atan(), lateral_curvature: None }
     }
 }
 
@@ -114,19 +88,13 @@ impl RunningSurfaces for ConeAndFlange {
 
 fn on_two_points(radius: f64) -> VehicleInCurve {
     VehicleInCurve {
-        curve: Curve {
-            radius,
-            cant: 0.05,
-            speed: (0.6 * radius.abs()).sqrt(),
-        },
+        curve: Curve { radius, cant: 0.05, speed: (0.6 * radius.abs()).sqrt() },
         axle: axle(),
         running_gear: bogie(0.0),
         drive_torque: vec![0.0; 2],
         kinematics: Kinematics::Nonlinear {
             surfaces: Arc::new(ConeAndFlange::new()),
-            contact_plane: ContactPlane::Tilted {
-                shift_moment: false,
-            },
+            contact_plane: ContactPlane::Tilted { shift_moment: false },
             flange: None,
         },
         creep: [creep(0.4), creep(0.25)],
@@ -146,58 +114,38 @@ fn a_wheel_goes_onto_its_flange_without_a_jump() {
         let state = tight.equilibrium().unwrap();
         assert!(state.residual < 1e-10);
         let wheel = &state.wheels[0];
-        let flange = wheel
-            .second_contact
-            .map_or(0.0, |second| second.normal_force);
+        let flange = wheel.second_contact.map_or(0.0, |second| second.normal_force);
         let shift = state.wheelsets[0].lateral_shift;
         assert!(wheel.normal_force > 0.0 && flange >= 0.0);
-        assert_eq!(
-            wheel.on_two_points(),
-            shift == -ConeAndFlange::SHIFT,
-            "{radius} {shift}"
-        );
+        assert_eq!(wheel.on_two_points(), shift == -ConeAndFlange::SHIFT, "{radius} {shift}");
         if let Some((before, force)) = last {
             // Steps of the radius are of 8 %: neither shift nor force leaps by more than a share of its range.
-            assert!(
-                (shift - before).abs() < 1.5e-3,
-                "{radius}: {before} {shift}"
-            );
+            assert!((shift - before).abs() < 1.5e-3, "{radius}: {before} {shift}");
             assert!((flange - force).abs() < 1.2e4, "{radius}: {force} {flange}");
         }
         last = Some((shift, flange));
         shares.push(flange / (flange + wheel.normal_force));
 
         let mirror = VehicleInCurve {
-            curve: Curve {
-                radius: -radius,
-                ..tight.curve
-            },
+            curve: Curve { radius: -radius, ..tight.curve },
             creep: [creep(0.25), creep(0.4)],
             ..tight.clone()
         };
         let mirror = mirror.equilibrium().unwrap();
         assert!((mirror.wheelsets[0].lateral_shift + shift).abs() < 1e-10);
-        let mirrored = mirror.wheels[1]
-            .second_contact
-            .map_or(0.0, |second| second.normal_force);
+        let mirrored = mirror.wheels[1].second_contact.map_or(0.0, |second| second.normal_force);
         assert!((mirrored - flange).abs() < 1e-3);
         for (index, wheelset) in state.wheelsets.iter().enumerate() {
             let [left, right] = [&state.wheels[2 * index], &state.wheels[2 * index + 1]];
             let along = |wheel: &WheelState| {
-                let second = wheel
-                    .second_contact
-                    .map_or(0.0, |second| second.creep_forces.longitudinal);
+                let second = wheel.second_contact.map_or(0.0, |second| second.creep_forces.longitudinal);
                 wheel.creep_forces.longitudinal + second
             };
             let turning = 0.75 * (along(right) - along(left));
             let given = along(left) + along(right) - turning / radius;
             let taken = left.whole_t_gamma() + right.whole_t_gamma();
             let scale = 0.5 * axle().mass_per_axle * GRAVITY;
-            assert!(
-                (given - taken).abs() < 1e-9 * scale,
-                "{given} {taken} {}",
-                wheelset.yaw
-            );
+            assert!((given - taken).abs() < 1e-9 * scale, "{given} {taken} {}", wheelset.yaw);
         }
     }
     assert_eq!(shares[0], 0.0);
@@ -211,21 +159,10 @@ fn soft_springs_leave_the_wheelsets_free() {
     let (spacing, radius, speed) = (1.5_f64, 700.0, 20.0_f64);
     // tan θ = V²/gR balances the curve.
     let cant = spacing * (speed * speed / (GRAVITY * radius)).atan().sin();
-    let linear = Creep::Linear {
-        ellipse: CreepEllipse::of_coefficients(10e6, 9e6, 0.0, 54e3).unwrap(),
-        friction: 0.4,
-    };
+    let linear = Creep::Linear { ellipse: CreepEllipse::of_coefficients(10e6, 9e6, 0.0, 54e3).unwrap(), friction: 0.4 };
     let free = VehicleInCurve {
-        curve: Curve {
-            radius,
-            cant,
-            speed,
-        },
-        axle: Axle {
-            primary_longitudinal_stiffness: 0.01,
-            primary_lateral_stiffness: 0.01,
-            ..axle()
-        },
+        curve: Curve { radius, cant, speed },
+        axle: Axle { primary_longitudinal_stiffness: 0.01, primary_lateral_stiffness: 0.01, ..axle() },
         running_gear: bogie(0.0),
         drive_torque: vec![0.0; 2],
         kinematics: Kinematics::Linear { conicity: 0.1 },
@@ -243,36 +180,20 @@ fn soft_springs_leave_the_wheelsets_free() {
 #[test]
 fn tight_curves_slide() {
     let tight = VehicleInCurve {
-        curve: Curve {
-            radius: 100.0,
-            cant: 0.0,
-            speed: 3.0,
-        },
+        curve: Curve { radius: 100.0, cant: 0.0, speed: 3.0 },
         axle: axle(),
         running_gear: bogie(0.0),
         drive_torque: vec![0.0; 2],
         kinematics: Kinematics::Nonlinear {
             surfaces: Arc::new(Cone { conicity: 0.05 }),
             contact_plane: ContactPlane::Horizontal,
-            flange: Some(FlangeSpring {
-                clearance: 7e-3,
-                stiffness: 50e6,
-            }),
+            flange: Some(FlangeSpring { clearance: 7e-3, stiffness: 50e6 }),
         },
         creep: [creep(0.3), creep(0.3)],
     };
     let state = tight.equilibrium().unwrap();
-    assert!(
-        state.wheels[..2]
-            .iter()
-            .all(|wheel| (wheel.tractive_ratio - 1.0).abs() < 1e-12)
-    );
-    assert!(
-        state
-            .wheels
-            .iter()
-            .all(|wheel| wheel.tractive_ratio < 1.0 + 1e-12)
-    );
+    assert!(state.wheels[..2].iter().all(|wheel| (wheel.tractive_ratio - 1.0).abs() < 1e-12));
+    assert!(state.wheels.iter().all(|wheel| wheel.tractive_ratio < 1.0 + 1e-12));
     assert!(state.wheelsets[0].flange_force > 0.0 && state.wheelsets[0].angle_of_attack > 0.0);
 }
 
@@ -289,11 +210,7 @@ fn fastsim_finds_its_equilibrium_from_a_closed_law() {
         friction,
     };
     let vehicle = |law: LawOnEllipse, radius: f64, friction: [f64; 2]| VehicleInCurve {
-        curve: Curve {
-            radius,
-            cant: 0.05,
-            speed: 15.0,
-        },
+        curve: Curve { radius, cant: 0.05, speed: 15.0 },
         axle: axle(),
         running_gear: bogie(0.0),
         drive_torque: vec![0.0; 2],
@@ -304,19 +221,14 @@ fn fastsim_finds_its_equilibrium_from_a_closed_law() {
         .map(|law| vehicle(law, 20e3, [0.6; 2]).equilibrium().unwrap());
     for (closed, fastsim) in closed.wheels.iter().zip(&fastsim.wheels) {
         let (closed, fastsim) = (closed.creep_forces, fastsim.creep_forces);
-        let off = [
-            closed.longitudinal - fastsim.longitudinal,
-            closed.lateral - fastsim.lateral,
-        ];
+        let off = [closed.longitudinal - fastsim.longitudinal, closed.lateral - fastsim.lateral];
         // 3 % of the largest force, 8 kN.
         assert!(off.iter().all(|off| off.abs() < 250.0), "{off:?}");
     }
     let tight = vehicle(LawOnEllipse::Fastsim, 300.0, [0.4, 0.2]);
     let states = tight.equilibria().unwrap();
     assert!(states.iter().all(|state| state.residual < 1e-10));
-    let mirrored = vehicle(LawOnEllipse::Fastsim, -300.0, [0.2, 0.4])
-        .equilibrium()
-        .unwrap();
+    let mirrored = vehicle(LawOnEllipse::Fastsim, -300.0, [0.2, 0.4]).equilibrium().unwrap();
     for (one, other) in states[0].wheelsets.iter().zip(&mirrored.wheelsets) {
         assert!((one.lateral_shift + other.lateral_shift).abs() < 1e-9);
         assert!((one.yaw + other.yaw).abs() < 1e-9);

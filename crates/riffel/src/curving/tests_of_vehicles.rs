@@ -5,28 +5,16 @@ use super::*;
 use crate::contact::CreepEllipse;
 
 fn frame(yaw_moment: f64) -> BogieFrame {
-    BogieFrame {
-        wheelbase: 2.5,
-        yaw_moment,
-    }
+    BogieFrame { wheelbase: 2.5, yaw_moment }
 }
 
 fn vehicle(radius: f64, secondary_yaw_stiffness: f64, yaw_moment: f64) -> VehicleInCurve {
     VehicleInCurve {
-        curve: Curve {
-            radius,
-            cant: 0.05,
-            speed: (0.7 * radius.abs()).sqrt(),
-        },
+        curve: Curve { radius, cant: 0.05, speed: (0.7 * radius.abs()).sqrt() },
         axle: axle(),
         running_gear: RunningGear::Vehicle {
             bogies: frame(yaw_moment),
-            body: Body {
-                bogie_spacing: 15.0,
-                mass: 30e3,
-                secondary_lateral_stiffness: 0.4e6,
-                secondary_yaw_stiffness,
-            },
+            body: Body { bogie_spacing: 15.0, mass: 30e3, secondary_lateral_stiffness: 0.4e6, secondary_yaw_stiffness },
         },
         drive_torque: vec![0.0; 4],
         kinematics: tilted(false),
@@ -44,11 +32,7 @@ fn linear(spin_creep_coefficient: f64) -> Creep {
 /// The linear wheelset of the closed form, all its mass in the wheelset so that frames carry no force.
 fn lone(frame: FollowingFrame, longitudinal_stiffness: f64) -> VehicleInCurve {
     VehicleInCurve {
-        curve: Curve {
-            radius: -700.0,
-            cant: 0.02,
-            speed: 25.0,
-        },
+        curve: Curve { radius: -700.0, cant: 0.02, speed: 25.0 },
         axle: Axle {
             primary_longitudinal_stiffness: longitudinal_stiffness,
             wheelset_mass: axle().mass_per_axle,
@@ -65,10 +49,7 @@ fn lone(frame: FollowingFrame, longitudinal_stiffness: f64) -> VehicleInCurve {
 #[test]
 fn a_lone_wheelset_is_that_of_the_closed_form() {
     for held_at in [None, Some(0.0)] {
-        let frame = FollowingFrame {
-            yaw: -2e-3,
-            held_at,
-        };
+        let frame = FollowingFrame { yaw: -2e-3, held_at };
         let wheelset = lone(frame, 2e6);
         let state = wheelset.equilibrium().unwrap();
         let expected = LinearWheelset {
@@ -81,8 +62,7 @@ fn a_lone_wheelset_is_that_of_the_closed_form() {
             spin_creep_coefficient: 22e3,
             lateral_stiffness: held_at.map_or(0.0, |_| wheelset.axle.lateral_stiffness()),
             yaw_stiffness: wheelset.axle.yaw_stiffness(),
-            lateral_force: wheelset.axle.mass_per_axle
-                * wheelset.curve.uncompensated_acceleration(1.5),
+            lateral_force: wheelset.axle.mass_per_axle * wheelset.curve.uncompensated_acceleration(1.5),
             frame_yaw: -2e-3,
         }
         .equilibrium();
@@ -115,16 +95,10 @@ fn a_held_frame_takes_what_it_carries() {
         let mut wheelset = lone(FollowingFrame { yaw: 0.0, held_at }, 2e6);
         wheelset.axle.wheelset_mass = 1400.0;
         let state = wheelset.equilibrium().unwrap();
-        let to_rails: f64 = state
-            .wheels
-            .iter()
-            .map(WheelState::whole_track_lateral_force)
-            .sum();
+        let to_rails: f64 = state.wheels.iter().map(WheelState::whole_track_lateral_force).sum();
         (state, to_rails)
     };
-    let acceleration = lone(FollowingFrame::default(), 2e6)
-        .curve
-        .uncompensated_acceleration(1.5);
+    let acceleration = lone(FollowingFrame::default(), 2e6).curve.uncompensated_acceleration(1.5);
     let (state, to_rails) = force(None);
     // To the left the outside is to the right.
     assert!((to_rails - 11_000.0 * acceleration).abs() < 1e-6);
@@ -142,15 +116,9 @@ fn a_held_frame_takes_what_it_carries() {
 fn a_body_that_turns_freely_leaves_two_lone_bogies() {
     for (lateral_stiffness, mass) in [(1.0, 30e3), (0.4e6, 30e3), (1e9, 1.0)] {
         let mut both = vehicle(250.0, 0.0, 1.5e3);
-        let RunningGear::Vehicle { body, .. } = &mut both.running_gear else {
-            unreachable!()
-        };
+        let RunningGear::Vehicle { body, .. } = &mut both.running_gear else { unreachable!() };
         (body.secondary_lateral_stiffness, body.mass) = (lateral_stiffness, mass);
-        let alone = VehicleInCurve {
-            running_gear: bogie(1.5e3),
-            drive_torque: vec![0.0; 2],
-            ..both.clone()
-        };
+        let alone = VehicleInCurve { running_gear: bogie(1.5e3), drive_torque: vec![0.0; 2], ..both.clone() };
         let (both, alone) = (both.equilibrium().unwrap(), alone.equilibrium().unwrap());
         for (index, wheel) in both.wheels.iter().enumerate() {
             let lone = &alone.wheels[index % 4];
@@ -173,24 +141,17 @@ fn a_body_that_turns_freely_leaves_two_lone_bogies() {
 #[test]
 fn stiffness_against_yaw_turns_the_bogies() {
     let radius = 300.0;
-    let (soft, stiff) = (
-        vehicle(radius, 0.0, 0.0).equilibrium().unwrap(),
-        vehicle(radius, 0.3e6, 0.0).equilibrium().unwrap(),
-    );
+    let (soft, stiff) =
+        (vehicle(radius, 0.0, 0.0).equilibrium().unwrap(), vehicle(radius, 0.3e6, 0.0).equilibrium().unwrap());
     let attack = |state: &VehicleState, wheelset: usize| state.wheelsets[wheelset].angle_of_attack;
     assert!(attack(&stiff, 0) > attack(&soft, 0));
     assert!(attack(&stiff, 2) < attack(&soft, 2));
-    let guiding = |state: &VehicleState, wheelset: usize| {
-        -state.wheels[2 * wheelset].whole_track_lateral_force()
-    };
+    let guiding = |state: &VehicleState, wheelset: usize| -state.wheels[2 * wheelset].whole_track_lateral_force();
     assert!(guiding(&stiff, 0) > guiding(&soft, 0) && guiding(&stiff, 2) < guiding(&soft, 2));
     let moments = [0, 1].map(|frame| stiff.frames[frame].secondary_yaw_moment);
     // But for the yaw of the frames, some mrad beside l/R of 25 mrad.
     let rigid = 0.3e6 * 7.5 / radius;
-    assert!(
-        moments[0] < -0.7 * rigid && moments[0] > -1.3 * rigid,
-        "{moments:?}"
-    );
+    assert!(moments[0] < -0.7 * rigid && moments[0] > -1.3 * rigid, "{moments:?}");
     // The body is in equilibrium.
     let forces = [0, 1].map(|frame| stiff.frames[frame].secondary_lateral_force);
     let body = stiff.body.unwrap();

@@ -31,11 +31,8 @@ impl Place<'_> {
 pub(super) fn place(jumps: &[TwoPoints], u: f64) -> Place<'_> {
     let middle = jumps.partition_point(|jump| jump.shift < 0.0);
     let mut passed = 0.0;
-    let outward: &mut dyn Iterator<Item = &TwoPoints> = if u >= 0.0 {
-        &mut jumps[middle..].iter()
-    } else {
-        &mut jumps[..middle].iter().rev()
-    };
+    let outward: &mut dyn Iterator<Item = &TwoPoints> =
+        if u >= 0.0 { &mut jumps[middle..].iter() } else { &mut jumps[..middle].iter().rev() };
     for jump in outward {
         let beyond = u.abs() - passed - jump.shift.abs();
         if beyond < 0.0 {
@@ -43,17 +40,11 @@ pub(super) fn place(jumps: &[TwoPoints], u: f64) -> Place<'_> {
         }
         if beyond <= LENGTH {
             let share = beyond / LENGTH;
-            return Place {
-                shift: jump.shift,
-                between: Some((jump, if u >= 0.0 { share } else { 1.0 - share })),
-            };
+            return Place { shift: jump.shift, between: Some((jump, if u >= 0.0 { share } else { 1.0 - share })) };
         }
         passed += LENGTH;
     }
-    Place {
-        shift: u - passed.copysign(u),
-        between: None,
-    }
+    Place { shift: u - passed.copysign(u), between: None }
 }
 
 /// The coordinate u \[m\] of a shift \[m\] beside all jumps.
@@ -72,11 +63,7 @@ mod tests {
 
     #[test]
     fn the_way_is_continuous_and_turns_back() {
-        let jump = |shift| TwoPoints {
-            rail: Rail::Right,
-            shift,
-            positions: [RollingPosition::default(); 2],
-        };
+        let jump = |shift| TwoPoints { rail: Rail::Right, shift, positions: [RollingPosition::default(); 2] };
         let jumps = [-0.006, -0.001, 0.002, 0.006].map(jump);
         for shift in [-0.008, -0.003, -0.0005, 0.0, 0.001, 0.004, 0.007] {
             let there = place(&jumps, coordinate(&jumps, shift));

@@ -47,27 +47,14 @@ pub(super) fn wheel_on_rail(
     creep: CreepOnRail<'_>,
 ) -> Result<Option<WheelOnRail>, Error> {
     match kinematics {
-        Kinematics::Linear { conicity } => linear(
-            rail,
-            radius,
-            motion,
-            place.shift,
-            normal_force,
-            *conicity,
-            creep,
-        )
-        .map(Some),
-        Kinematics::Nonlinear {
-            surfaces,
-            contact_plane,
-            ..
-        } => {
-            let at = |position: &RollingPosition, force: f64| match radius + position.radius_change
-            {
+        Kinematics::Linear { conicity } => {
+            linear(rail, radius, motion, place.shift, normal_force, *conicity, creep).map(Some)
+        }
+        Kinematics::Nonlinear { surfaces, contact_plane, .. } => {
+            let at = |position: &RollingPosition, force: f64| match radius + position.radius_change {
                 // The method tries states on its way at which cones without an end have no radius left.
                 rolling_radius if rolling_radius <= 0.0 => Ok(None),
-                _ => nonlinear(rail, radius, motion, force, position, *contact_plane, creep)
-                    .map(Some),
+                _ => nonlinear(rail, radius, motion, force, position, *contact_plane, creep).map(Some),
             };
             let Some((points, share)) = place.two_points(rail) else {
                 let position = surfaces.position(rail, place.shift);
@@ -165,8 +152,7 @@ fn nonlinear(
     let creepages = Creepages {
         longitudinal: -side * half_spacing * curvature - forward,
         lateral: -(1.0 + rolling) * sine / tilt.1,
-        spin: gamma_cosine * curvature
-            - side * (1.0 + motion.rotation) / motion.reference_radius * gamma_sine * cosine,
+        spin: gamma_cosine * curvature - side * (1.0 + motion.rotation) / motion.reference_radius * gamma_sine * cosine,
     };
     let forces = creep.forces(normal_force, creepages, position)?;
     let lateral = forces.lateral * tilt.1 + side * normal_force * tilt.0;

@@ -311,8 +311,7 @@ mod tests {
     fn powers_between_and_narrow_spreads() {
         for (excess, amplitude) in [(-0.2, 0.25), (-0.05, 0.3), (0.0, 0.2), (0.1, 0.3)] {
             for exponent in [1.0, 2.0] {
-                let [law, near] =
-                    [exponent, exponent + 1e-9].map(|exponent| ClippedPower::new(exponent, 0.0));
+                let [law, near] = [exponent, exponent + 1e-9].map(|exponent| ClippedPower::new(exponent, 0.0));
                 let mean = law.mean(excess, amplitude) - near.mean(excess, amplitude);
                 let first = law.first(excess, amplitude) - near.first(excess, amplitude);
                 assert!(mean.abs() < 1e-9 && first.abs() < 1e-9, "{mean} {first}");

@@ -88,11 +88,7 @@ impl Demand {
     ///
     /// # Errors
     /// Those of [`HertzContact::curved`].
-    pub fn on_waves(
-        self,
-        hertz: HertzContact,
-        limit: impl Fn(HertzContact) -> ShakedownLimit,
-    ) -> Result<Self, Error> {
+    pub fn on_waves(self, hertz: HertzContact, limit: impl Fn(HertzContact) -> ShakedownLimit) -> Result<Self, Error> {
         /// A search for the largest stress leaves 10⁻⁹ of it.
         const STEP: f64 = 1e-2;
         let by_pressure = hertz.pressure_by_curvature()?;
@@ -129,11 +125,7 @@ impl Demand {
     }
 
     /// FI₁ of these forces and of a curvature κ.
-    pub fn fatigue_index_oscillation(
-        &self,
-        force: [Complex64; 3],
-        curvature: Complex64,
-    ) -> Complex64 {
+    pub fn fatigue_index_oscillation(&self, force: [Complex64; 3], curvature: Complex64) -> Complex64 {
         curvature * self.fatigue_index_by_curvature
             + force[2] * self.fatigue_index_by_load
             + force[0] * self.fatigue_index_by_force[0]

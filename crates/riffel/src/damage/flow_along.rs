@@ -16,13 +16,7 @@ pub struct FlowAlong {
 
 impl FlowAlong {
     /// ik J₁ \[m\] of the demand u₁ of a wave of the wavenumber k \[rad/m\], which is multiplied by a rate: growth is k Im J₁/Δ.
-    pub(super) fn depth_1(
-        &self,
-        demand: &Demand,
-        oscillation: Complex64,
-        wavenumber: f64,
-        rate: f64,
-    ) -> Complex64 {
+    pub(super) fn depth_1(&self, demand: &Demand, oscillation: Complex64, wavenumber: f64, rate: f64) -> Complex64 {
         Complex64::I * oscillation * (wavenumber * self.area * rate * demand.along())
     }
 }

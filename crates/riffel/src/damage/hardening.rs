@@ -69,18 +69,15 @@ impl Hardening {
         let count = values.len();
         let turn = std::f64::consts::TAU * order as f64 / count as f64;
         let places = values.iter().enumerate();
-        let sum: Complex64 = places
-            .map(|(index, value)| value * Complex64::cis(-turn * index as f64))
-            .sum();
+        let sum: Complex64 = places.map(|(index, value)| value * Complex64::cis(-turn * index as f64)).sum();
         sum * (2.0 / count as f64)
     }
 
     fn slope(&self, profile: &[f64], outflow: &[f64]) -> Vec<f64> {
         let count = profile.len();
         let now: Vec<f64> = profile.iter().zip(outflow).map(|(r, d)| r - d).collect();
-        let demands: Vec<Complex64> = (self.gains.iter().enumerate())
-            .map(|(index, gain)| gain * Self::harmonic(&now, index + 1))
-            .collect();
+        let demands: Vec<Complex64> =
+            (self.gains.iter().enumerate()).map(|(index, gain)| gain * Self::harmonic(&now, index + 1)).collect();
         let turn = std::f64::consts::TAU / count as f64;
         (outflow.iter().enumerate())
             .map(|(place, out)| {
@@ -102,52 +99,23 @@ impl Hardening {
             &[1.0 / 5.0],
             &[3.0 / 40.0, 9.0 / 40.0],
             &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
-            &[
-                19372.0 / 6561.0,
-                -25360.0 / 2187.0,
-                64448.0 / 6561.0,
-                -212.0 / 729.0,
-            ],
-            &[
-                9017.0 / 3168.0,
-                -355.0 / 33.0,
-                46732.0 / 5247.0,
-                49.0 / 176.0,
-                -5103.0 / 18656.0,
-            ],
-            &[
-                35.0 / 384.0,
-                0.0,
-                500.0 / 1113.0,
-                125.0 / 192.0,
-                -2187.0 / 6784.0,
-                11.0 / 84.0,
-            ],
+            &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+            &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
+            &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
         ];
-        const ERROR: [f64; 7] = [
-            71.0 / 57600.0,
-            0.0,
-            -71.0 / 16695.0,
-            71.0 / 1920.0,
-            -17253.0 / 339_200.0,
-            22.0 / 525.0,
-            -1.0 / 40.0,
-        ];
+        const ERROR: [f64; 7] =
+            [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
         let mut slopes: Vec<Vec<f64>> = Vec::with_capacity(7);
         let mut at = from.to_vec();
         for weights in STAGES {
             for (place, value) in at.iter_mut().enumerate() {
-                let sum: f64 = (weights.iter().zip(&slopes))
-                    .map(|(weight, slope)| weight * slope[place])
-                    .sum();
+                let sum: f64 = (weights.iter().zip(&slopes)).map(|(weight, slope)| weight * slope[place]).sum();
                 *value = from[place] + length * sum;
             }
             slopes.push(self.slope(profile, &at));
         }
         let error = (0..at.len()).map(|place| {
-            let sum: f64 = (ERROR.iter().zip(&slopes))
-                .map(|(weight, slope)| weight * slope[place])
-                .sum();
+            let sum: f64 = (ERROR.iter().zip(&slopes)).map(|(weight, slope)| weight * slope[place]).sum();
             (length * sum).abs()
         });
         let error = error.fold(0.0, f64::max);

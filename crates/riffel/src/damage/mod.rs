@@ -114,11 +114,7 @@ pub(crate) struct Mean {
 impl Damage {
     /// Laws under a contact, each once, with how near its mean state is to flow.
     pub fn new(demand: Demand, laws: Vec<DamageLaw>) -> Self {
-        Self {
-            demand,
-            laws,
-            tables: OnceLock::new(),
-        }
+        Self { demand, laws, tables: OnceLock::new() }
     }
 
     /// Whether any of its rates depends on the amplitude of the wave.
@@ -221,13 +217,7 @@ impl Damage {
     }
 
     /// h₁ \[m\] of a law, with the table of its rates where there is one.
-    fn depth_1(
-        &self,
-        law: &DamageLaw,
-        mean: Mean,
-        at: &Oscillation,
-        table: Option<&RateTable>,
-    ) -> Complex64 {
+    fn depth_1(&self, law: &DamageLaw, mean: Mean, at: &Oscillation, table: Option<&RateTable>) -> Complex64 {
         // Far from where squares overflow: no hypotenuse.
         let size = |wave: Complex64| wave.norm_sqr().sqrt();
         let rate = |law: &ClippedPower, excess: f64, amplitude: f64| match table {
@@ -245,9 +235,7 @@ impl Damage {
                 let rate = rate(&flow.law, self.demand.excess(), size(at.demand));
                 flow.depth_1(&self.demand, at.demand, at.wavenumber, rate)
             }
-            DamageLaw::Bending(bending) if !bending.may_yield(at.load, at.receptance) => {
-                Complex64::ZERO
-            }
+            DamageLaw::Bending(bending) if !bending.may_yield(at.load, at.receptance) => Complex64::ZERO,
             DamageLaw::Bending(bending) => {
                 let swing = at.load * (bending.moment_per_force(at.receptance) / bending.limit);
                 let rate = rate(&bending.law, bending.excess(), size(swing));
@@ -261,8 +249,7 @@ impl Damage {
     pub(crate) fn clipped(&self, mean: Mean, at: &Oscillation) -> Complex64 {
         let laws = self.laws.iter().zip(self.tables());
         let laws = laws.filter(|(law, _)| law.depends_on_amplitude());
-        laws.map(|(law, table)| self.depth_1(law, mean, at, table.as_ref()))
-            .sum()
+        laws.map(|(law, table)| self.depth_1(law, mean, at, table.as_ref())).sum()
     }
 
     fn tables(&self) -> &[Option<RateTable>] {
@@ -314,9 +301,7 @@ impl Damage {
             demand: at.demand / profile,
             fatigue_index: self.demand.fatigue_index_oscillation(force, curvature) / profile,
             laws,
-            moment: bending
-                .map(|law| [law.mean_moment, law.limit])
-                .map(|[mean, limit]| (mean / limit, mean)),
+            moment: bending.map(|law| [law.mean_moment, law.limit]).map(|[mean, limit]| (mean / limit, mean)),
             moment_1: bending.map(|law| at.load * law.moment_per_force(at.receptance) / profile),
             crack: self.fatigue().map(|law| {
                 let (growth, oscillation) = law.crack(mean.energy, at.energy, mean.wear);
@@ -328,9 +313,7 @@ impl Damage {
                     growth_1: oscillation / profile,
                 }
             }),
-            hardened: self
-                .flow_that_hardens()
-                .and_then(|flow| flow.hardened(at.demand / profile)),
+            hardened: self.flow_that_hardens().and_then(|flow| flow.hardened(at.demand / profile)),
         }
     }
 }

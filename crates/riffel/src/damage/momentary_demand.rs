@@ -77,10 +77,7 @@ mod tests {
             normal_force: load,
             friction: 0.4,
             creepages: Creepages::default(),
-            forces: CreepForces {
-                longitudinal: force,
-                lateral: 0.0,
-            },
+            forces: CreepForces { longitudinal: force, lateral: 0.0 },
         };
         Demand::new(&steady, 1e9, 300e6, limit).unwrap()
     }
@@ -89,11 +86,7 @@ mod tests {
     #[test]
     fn about_the_mean_state_it_is_linear() {
         let ratio = 1.2;
-        for limit in [
-            ShakedownLimit::Line,
-            ShakedownLimit::Surface,
-            ShakedownLimit::Subsurface { ratio },
-        ] {
+        for limit in [ShakedownLimit::Line, ShakedownLimit::Surface, ShakedownLimit::Subsurface { ratio }] {
             let (load, force) = (60e3, 0.21 * 60e3);
             let mut linear = demand(limit, load, force);
             linear.by_curvature = 0.4 * linear.value;

@@ -41,11 +41,7 @@ impl Ramps {
 
     /// What a wave is multiplied by: the slope where no corner lies within it, else the first harmonic over U.
     pub fn rate(&self, x: f64, amplitude: f64) -> f64 {
-        match self
-            .0
-            .iter()
-            .all(|(corner, _)| (x - corner).abs() >= amplitude)
-        {
+        match self.0.iter().all(|(corner, _)| (x - corner).abs() >= amplitude) {
             true => self.slope(x),
             false => self.first(x, amplitude) / amplitude,
         }
@@ -74,10 +70,7 @@ impl Ramps {
     }
 
     fn sum(&self, of: impl Fn(f64) -> f64) -> f64 {
-        self.0
-            .iter()
-            .map(|&(corner, change)| change * of(corner))
-            .sum()
+        self.0.iter().map(|&(corner, change)| change * of(corner)).sum()
     }
 }
 

@@ -45,13 +45,7 @@ impl RateTable {
         let scale = excess.abs() + law.spread();
         let short = !law.is_spread() && (law.exponent() == 1.0 || law.exponent() == 2.0);
         (!short && scale > 0.0).then(|| {
-            let mut table = Self {
-                law,
-                excess,
-                scale,
-                cells: Vec::new(),
-                parts: Vec::new(),
-            };
+            let mut table = Self { law, excess, scale, cells: Vec::new(), parts: Vec::new() };
             let at_limit = excess.abs() / (excess.abs() + scale);
             for [from, to] in [[0.0, at_limit], [at_limit, 1.0]] {
                 let end = |cell: usize| from + (to - from) * cell as f64 / FIRST_CELLS as f64;
@@ -127,15 +121,8 @@ mod tests {
     /// The table is the law to 1e-9 of its slope, from no amplitude to a thousand times the limit; without a spread too.
     #[test]
     fn is_the_law() {
-        for (exponent, spread) in [
-            (1.0, 0.02),
-            (1.5, 0.1),
-            (2.0, 0.1),
-            (3.0, 0.05),
-            (1.5, 0.0),
-            (3.0, 0.0),
-            (4.2, 0.0),
-        ] {
+        for (exponent, spread) in [(1.0, 0.02), (1.5, 0.1), (2.0, 0.1), (3.0, 0.05), (1.5, 0.0), (3.0, 0.0), (4.2, 0.0)]
+        {
             for excess in [-0.5, -0.08, 0.0, 0.03, 0.4] {
                 let law = ClippedPower::new(exponent, spread);
                 let Some(table) = RateTable::new(law, excess) else {
@@ -146,10 +133,7 @@ mod tests {
                     let amplitude = (excess.abs() + 0.02) * (f64::from(step) * 0.036).exp_m1();
                     let size = law.slope(excess.abs() + spread + amplitude);
                     let off = (table.rate(amplitude) - law.rate(excess, amplitude)) / size;
-                    assert!(
-                        off.abs() < 1e-9,
-                        "{exponent} {excess} {spread} {amplitude}: {off:e}"
-                    );
+                    assert!(off.abs() < 1e-9, "{exponent} {excess} {spread} {amplitude}: {off:e}");
                 }
             }
         }

@@ -29,10 +29,7 @@ impl ShakedownLimit {
     pub fn at(&self, friction: f64) -> [f64; 2] {
         check();
         match *self {
-            Self::Elastic {
-                ratio,
-                poisson_ratio,
-            } => super::stress::elastic_limit(ratio, poisson_ratio, friction),
+            Self::Elastic { ratio, poisson_ratio } => super::stress::elastic_limit(ratio, poisson_ratio, friction),
             Self::Line => {
                 let [shear, by_friction] = line_shear(friction);
                 [shear.recip(), -by_friction / shear]
@@ -102,10 +99,7 @@ fn line_stress(x: f64, z: f64) -> [f64; 2] {
         return [0.0, 0.0];
     }
     let n = n.copysign(x);
-    [
-        -(m * (1.0 + (z * z + n2) / modulus) - 2.0 * z),
-        -n * (m2 - z * z) / modulus,
-    ]
+    [-(m * (1.0 + (z * z + n2) / modulus) - 2.0 * z), -n * (m2 - z * z) / modulus]
 }
 
 #[cfg(test)]
@@ -115,13 +109,7 @@ mod tests {
     /// 4 without friction, 1/f from 0.367 on; printed values of the page in between.
     #[test]
     fn line_contact() {
-        for (friction, limit) in [
-            (0.0, 4.0),
-            (0.1, 3.564),
-            (0.2, 3.202),
-            (0.3, 2.900),
-            (0.36, 2.741),
-        ] {
+        for (friction, limit) in [(0.0, 4.0), (0.1, 3.564), (0.2, 3.202), (0.3, 2.900), (0.36, 2.741)] {
             let [value, _] = ShakedownLimit::Line.at(friction);
             assert!((value - limit).abs() < 6e-4, "{friction}: {value}");
         }
@@ -146,13 +134,7 @@ mod tests {
     /// 4.675 under a circle, 4 of a long ellipse across, and the depth 0.35 of a circle.
     #[test]
     fn without_friction_under_an_ellipse() {
-        for (ratio, limit) in [
-            (0.5, 4.216),
-            (1.0, 4.675),
-            (1.587, 5.31),
-            (2.0, 5.78),
-            (1e-6, 4.0),
-        ] {
+        for (ratio, limit) in [(0.5, 4.216), (1.0, 4.675), (1.587, 5.31), (2.0, 5.78), (1e-6, 4.0)] {
             let [value, slope] = ShakedownLimit::Subsurface { ratio }.at(0.3);
             assert!((value - limit).abs() < 6e-3, "{ratio}: {value}");
             assert_eq!(slope, 0.0);

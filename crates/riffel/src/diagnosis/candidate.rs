@@ -1,8 +1,6 @@
 //! Candidates for a dominant wavelength, in the order of what speaks for them.
 
-use super::{
-    Course, DominantWavelength, Expectation, Mechanism, MechanismKind, Prediction, TrafficSpeeds,
-};
+use super::{Course, DominantWavelength, Expectation, Mechanism, MechanismKind, Prediction, TrafficSpeeds};
 use crate::contact::ContactFilter;
 use crate::roughness::mean_square;
 
@@ -148,10 +146,7 @@ impl Candidate {
 
 /// The mechanisms and one that is not among them, the likeliest first.
 pub fn rank(evidence: &Evidence, mechanisms: &[Mechanism]) -> Vec<Candidate> {
-    let mut weighed: Vec<(f64, Candidate)> = mechanisms
-        .iter()
-        .map(|mechanism| weigh(evidence, mechanism))
-        .collect();
+    let mut weighed: Vec<(f64, Candidate)> = mechanisms.iter().map(|mechanism| weigh(evidence, mechanism)).collect();
     weighed.push((
         1.0,
         Candidate {
@@ -166,13 +161,7 @@ pub fn rank(evidence: &Evidence, mechanisms: &[Mechanism]) -> Vec<Candidate> {
     ));
     let sum: f64 = weighed.iter().map(|candidate| candidate.0).sum();
     weighed.sort_by(|a, b| b.0.total_cmp(&a.0));
-    weighed
-        .into_iter()
-        .map(|(weight, candidate)| Candidate {
-            share: weight / sum,
-            ..candidate
-        })
-        .collect()
+    weighed.into_iter().map(|(weight, candidate)| Candidate { share: weight / sum, ..candidate }).collect()
 }
 
 /// Reasons being collected, with the product of what they weigh.
@@ -195,40 +184,23 @@ impl Scales {
 }
 
 fn weigh(evidence: &Evidence, mechanism: &Mechanism) -> (f64, Candidate) {
-    let mut scales = Scales {
-        weight: 1.0,
-        reasons_for: Vec::new(),
-        reasons_against: Vec::new(),
-    };
+    let mut scales = Scales { weight: 1.0, reasons_for: Vec::new(), reasons_against: Vec::new() };
     weigh_wavelength(evidence, mechanism, &mut scales);
     weigh_course(evidence, mechanism.kind, &mut scales);
     let wavelength = evidence.peak.wavelength;
     if mechanism.kind.expectation() == Expectation::Grows {
-        let left = evidence
-            .filter
-            .amplitude(std::f64::consts::TAU / wavelength, 0.0)
-            .abs();
+        let left = evidence.filter.amplitude(std::f64::consts::TAU / wavelength, 0.0).abs();
         if left < 0.7 {
-            scales.put(
-                left,
-                Reason::AverageOverPatch {
-                    wavelength,
-                    passes: left,
-                },
-            );
+            scales.put(left, Reason::AverageOverPatch { wavelength, passes: left });
         }
     }
-    if mechanism.kind == MechanismKind::WheelCircumference
-        && evidence.instrument == Instrument::Trolley
-    {
+    if mechanism.kind == MechanismKind::WheelCircumference && evidence.instrument == Instrument::Trolley {
         scales.put(0.1, Reason::WithoutWheels);
     }
     if mechanism.kind == MechanismKind::GrindingMark {
         let rms = mean_square(evidence.peak.level).sqrt();
         let accepted = ACCEPTED.iter().find(|(longest, _)| wavelength <= *longest);
-        if let Some(&(_, accepted)) =
-            accepted.filter(|(_, accepted)| rms > NEVER_ACCEPTED * accepted)
-        {
+        if let Some(&(_, accepted)) = accepted.filter(|(_, accepted)| rms > NEVER_ACCEPTED * accepted) {
             scales.put(0.1, Reason::HigherThanGround { rms, accepted });
         }
     }
@@ -252,11 +224,7 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
     let factor = (1.0 - SURPRISE) * density / even + SURPRISE;
     let measured = peak.wavelength;
     let reason = match &mechanism.prediction {
-        Prediction::Frequency {
-            frequency,
-            spread,
-            damping_ratio,
-        } => Reason::Frequency {
+        Prediction::Frequency { frequency, spread, damping_ratio } => Reason::Frequency {
             frequency: *frequency,
             spread: *spread,
             damping_ratio: *damping_ratio,
@@ -264,27 +232,15 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
             measured,
         },
         Prediction::Growth(density) => match (density.rate_at(measured), density.peak()) {
-            (Some(rate), Some(highest)) => Reason::Growth {
-                highest,
-                measured,
-                rate,
-            },
+            (Some(rate), Some(highest)) => Reason::Growth { highest, measured, rate },
             (Some(_), None) => Reason::NothingGrows { measured },
             (None, _) => Reason::OutsideGrowth { measured },
         },
-        Prediction::Range { from, to } => Reason::Range {
-            wavelengths: (*from, *to),
-            measured,
-        },
+        Prediction::Range { from, to } => Reason::Range { wavelengths: (*from, *to), measured },
         Prediction::Orders { length, .. } => {
             let nearest = mechanism.nearest_order(measured);
             let (order, nearest) = nearest.unwrap_or((1, *length));
-            Reason::Order {
-                length: *length,
-                order,
-                nearest,
-                measured,
-            }
+            Reason::Order { length: *length, order, nearest, measured }
         }
     };
     // What a prediction does not cover does not speak for it, however wide it is.
@@ -336,13 +292,8 @@ mod tests {
         let speeds = TrafficSpeeds::new([(30.0, 1.0)]).unwrap();
         let filter = ContactFilter::new(5e-3, 5e-3).unwrap();
         let peak = peak(wavelength);
-        let evidence = Evidence {
-            peak: &peak,
-            course,
-            speeds: &speeds,
-            filter: &filter,
-            instrument: Instrument::Trolley,
-        };
+        let evidence =
+            Evidence { peak: &peak, course, speeds: &speeds, filter: &filter, instrument: Instrument::Trolley };
         let mechanisms = [
             Mechanism::of_frequency(MechanismKind::PinnedPinned, 1000.0),
             Mechanism::of_frequency(MechanismKind::P2, 60.0),
@@ -356,40 +307,23 @@ mod tests {
     fn shares_add_up_and_follow_the_evidence() {
         let growing = course(&[0.0, 3.0, 5.0]);
         let fading = course(&[5.0, 3.0, 0.0]);
-        let at = |candidates: &[Candidate], kind| {
-            candidates
-                .iter()
-                .find(|candidate| candidate.kind == kind)
-                .unwrap()
-                .share
-        };
+        let at =
+            |candidates: &[Candidate], kind| candidates.iter().find(|candidate| candidate.kind == kind).unwrap().share;
         for course in [None, Some(&growing), Some(&fading)] {
             let candidates = ranked(0.030, course);
             let sum: f64 = candidates.iter().map(|candidate| candidate.share).sum();
             assert!((sum - 1.0).abs() < 1e-12);
-            assert!(
-                candidates
-                    .windows(2)
-                    .all(|pair| pair[0].share >= pair[1].share)
-            );
+            assert!(candidates.windows(2).all(|pair| pair[0].share >= pair[1].share));
         }
         // 1000 Hz at 30 m/s is 30 mm; without a course the narrow prediction leads, with a growing one more so.
         assert_eq!(ranked(0.030, None)[0].kind, MechanismKind::PinnedPinned);
-        assert_eq!(
-            ranked(0.030, Some(&growing))[0].kind,
-            MechanismKind::PinnedPinned
-        );
-        assert_eq!(
-            ranked(0.030, Some(&fading))[0].kind,
-            MechanismKind::GrindingMark
-        );
+        assert_eq!(ranked(0.030, Some(&growing))[0].kind, MechanismKind::PinnedPinned);
+        assert_eq!(ranked(0.030, Some(&fading))[0].kind, MechanismKind::GrindingMark);
         assert_eq!(ranked(0.5, None)[0].kind, MechanismKind::P2);
         // Nothing in the list makes 8 mm.
         assert_eq!(ranked(0.008, None)[0].kind, MechanismKind::Unlisted);
         let grinding = |course| at(&ranked(0.030, course), MechanismKind::GrindingMark);
-        assert!(
-            grinding(Some(&fading)) > grinding(None) && grinding(None) > grinding(Some(&growing))
-        );
+        assert!(grinding(Some(&fading)) > grinding(None) && grinding(None) > grinding(Some(&growing)));
     }
 
     /// The same wave at 5 µm RMS and at 50 µm: no accepted grinding leaves ten times as much.
@@ -398,10 +332,7 @@ mod tests {
         let speeds = TrafficSpeeds::new([(30.0, 1.0)]).unwrap();
         let filter = ContactFilter::new(5e-3, 5e-3).unwrap();
         let share = |rms_um: f64| {
-            let peak = DominantWavelength {
-                level: 20.0 * rms_um.log10(),
-                ..peak(0.06)
-            };
+            let peak = DominantWavelength { level: 20.0 * rms_um.log10(), ..peak(0.06) };
             let evidence = Evidence {
                 peak: &peak,
                 course: None,
@@ -410,9 +341,7 @@ mod tests {
                 instrument: Instrument::Trolley,
             };
             let ranked = rank(&evidence, &[Mechanism::grinding_mark()]);
-            let mark = ranked
-                .into_iter()
-                .find(|it| it.kind == MechanismKind::GrindingMark);
+            let mark = ranked.into_iter().find(|it| it.kind == MechanismKind::GrindingMark);
             let mark = mark.unwrap();
             (mark.share, mark.reasons_against)
         };
@@ -430,10 +359,7 @@ mod tests {
     fn reasons_have_numbers() {
         let fading = course(&[5.0, 3.0, 0.0]);
         let candidates = ranked(0.030, Some(&fading));
-        let pinned = candidates
-            .iter()
-            .find(|candidate| candidate.kind == MechanismKind::PinnedPinned)
-            .unwrap();
+        let pinned = candidates.iter().find(|candidate| candidate.kind == MechanismKind::PinnedPinned).unwrap();
         let expected = Reason::Frequency {
             frequency: 1000.0,
             spread: 0.05,

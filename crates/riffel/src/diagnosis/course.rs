@@ -23,11 +23,7 @@ pub fn fall_of_bands(falls: impl IntoIterator<Item = f64>) -> f64 {
     const MOVED: f64 = 1.0;
     const LEAST: usize = 3;
     let all: Vec<f64> = falls.into_iter().collect();
-    let mut moved: Vec<f64> = all
-        .iter()
-        .copied()
-        .filter(|fall| fall.abs() > MOVED)
-        .collect();
+    let mut moved: Vec<f64> = all.iter().copied().filter(|fall| fall.abs() > MOVED).collect();
     moved.sort_by(f64::total_cmp);
     let count = moved.len();
     match moved[..] {
@@ -117,12 +113,7 @@ impl Course {
                 index: points.len().saturating_sub(1),
                 rule: "a course must have records of two times",
             }),
-            false => Ok(Self {
-                points,
-                since,
-                unit,
-                slope,
-            }),
+            false => Ok(Self { points, since, unit, slope }),
         }
     }
 
@@ -195,32 +186,22 @@ impl Slope {
     /// The line of least squares; none through less than two times.
     fn of(points: &[CoursePoint]) -> Option<Self> {
         let count = points.len() as f64;
-        let mean =
-            |value: &dyn Fn(&CoursePoint) -> f64| points.iter().map(value).sum::<f64>() / count;
+        let mean = |value: &dyn Fn(&CoursePoint) -> f64| points.iter().map(value).sum::<f64>() / count;
         let (time, level) = (mean(&|point| point.time), mean(&|point| point.level));
         let squares: f64 = points.iter().map(|point| (point.time - time).powi(2)).sum();
         if points.len() < 2 || squares <= 0.0 {
             return None;
         }
-        let products = points
-            .iter()
-            .map(|point| (point.time - time) * (point.level - level));
+        let products = points.iter().map(|point| (point.time - time) * (point.level - level));
         let slope = products.sum::<f64>() / squares;
-        let known = points
-            .iter()
-            .map(|point| ((point.time - time) * point.known_scatter()).powi(2));
+        let known = points.iter().map(|point| ((point.time - time) * point.known_scatter()).powi(2));
         let known = known.sum::<f64>().sqrt() / squares;
-        let residuals = points
-            .iter()
-            .map(|point| (point.level - level - slope * (point.time - time)).powi(2));
+        let residuals = points.iter().map(|point| (point.level - level - slope * (point.time - time)).powi(2));
         let left = match points.len() {
             2 => 0.0,
             _ => (residuals.sum::<f64>() / (count - 2.0) / squares).sqrt(),
         };
-        Some(Self {
-            mean: slope,
-            scatter: known.max(left),
-        })
+        Some(Self { mean: slope, scatter: known.max(left) })
     }
 }
 
@@ -234,15 +215,12 @@ pub(super) mod tests {
 
     /// Levels of one record after the other.
     pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> Course {
-        let points = levels
-            .iter()
-            .enumerate()
-            .map(|(index, &level)| CoursePoint {
-                label: index.to_string(),
-                time: index as f64,
-                level,
-                scatter,
-            });
+        let points = levels.iter().enumerate().map(|(index, &level)| CoursePoint {
+            label: index.to_string(),
+            time: index as f64,
+            level,
+            scatter,
+        });
         Course::new(points.collect(), TimeUnit::Record).unwrap()
     }
 
@@ -340,26 +318,15 @@ pub(super) mod tests {
             seen += usize::from(fall(&ground) > FALL_BY_GRINDING);
             wrong += usize::from(fall(&grown) > FALL_BY_GRINDING);
         }
-        assert!(
-            seen > RAILS * 95 / 100 && wrong < RAILS * 5 / 100,
-            "{seen} {wrong}"
-        );
+        assert!(seen > RAILS * 95 / 100 && wrong < RAILS * 5 / 100, "{seen} {wrong}");
         assert_eq!(fall_of_bands([7.0; 7].into_iter().chain([0.2])), 7.0);
-        assert_eq!(
-            [fall_of_bands([9.0, 0.0, 0.0]), fall_of_bands([])],
-            [0.0; 2]
-        );
+        assert_eq!([fall_of_bands([9.0, 0.0, 0.0]), fall_of_bands([])], [0.0; 2]);
         assert_eq!(fall_of_bands([8.0, 6.0]), 7.0);
     }
 
     #[test]
     fn one_time_is_no_course() {
-        let point = CoursePoint {
-            label: String::new(),
-            time: 1.0,
-            level: 0.0,
-            scatter: None,
-        };
+        let point = CoursePoint { label: String::new(), time: 1.0, level: 0.0, scatter: None };
         assert!(Course::new(vec![point.clone()], TimeUnit::Year).is_err());
         assert!(Course::new(vec![point.clone(), point], TimeUnit::Year).is_err());
     }

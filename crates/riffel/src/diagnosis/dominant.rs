@@ -156,11 +156,9 @@ impl FineSpectrum {
             let chances = (spectra * self.bands.len()) as f64;
             normal::above(normal::of_mean_square(ratio, band.freedom)) * chances
         };
-        let stands_out =
-            |index: usize| excess(index) >= PROMINENT && false_peaks(index) < FALSE_ALARMS;
-        let mut order: Vec<usize> = (2..self.bands.len().saturating_sub(2))
-            .filter(|&index| stands_out(index))
-            .collect();
+        let stands_out = |index: usize| excess(index) >= PROMINENT && false_peaks(index) < FALSE_ALARMS;
+        let mut order: Vec<usize> =
+            (2..self.bands.len().saturating_sub(2)).filter(|&index| stands_out(index)).collect();
         order.sort_by(|&a, &b| excess(b).total_cmp(&excess(a)));
         let mut taken = vec![false; self.bands.len()];
         let mut found: Vec<DominantWavelength> = Vec::new();
@@ -207,10 +205,7 @@ impl FineSpectrum {
         let edge = |side: isize| {
             let mut inner = &self.bands[peak];
             let mut index = peak;
-            while let Some(outer) = index
-                .checked_add_signed(side)
-                .and_then(|next| self.bands.get(next))
-            {
+            while let Some(outer) = index.checked_add_signed(side).and_then(|next| self.bands.get(next)) {
                 if outer.level < half {
                     let share = (inner.level - half) / (inner.level - outer.level);
                     let ratio = outer.wavelength / inner.wavelength;
@@ -227,13 +222,10 @@ impl FineSpectrum {
         let (low, high) = self.bands[peak].edges;
         let inside = inside.start().min(low)..=inside.end().max(high);
         let lines = self.power.lines().filter(|(k, _)| inside.contains(k));
-        let (sum, moment) = lines.fold((0.0, 0.0), |(sum, moment), (k, line)| {
-            (sum + line, moment + k * line)
-        });
+        let (sum, moment) = lines.fold((0.0, 0.0), |(sum, moment), (k, line)| (sum + line, moment + k * line));
         if from.recip() - to.recip() < high - low {
             let middle = moment / sum;
-            let half_width =
-                (0.5 * (from.recip() - to.recip())).max(self.power.segment_length().recip());
+            let half_width = (0.5 * (from.recip() - to.recip())).max(self.power.segment_length().recip());
             from = (middle + half_width).recip();
             to = (middle - half_width).recip();
         }
@@ -251,18 +243,13 @@ impl FineSpectrum {
 }
 
 /// The longer wavelength of which this is a harmonic, to a fiftieth, if it stands out as much.
-pub(super) fn harmonic(
-    short: &DominantWavelength,
-    all: &[DominantWavelength],
-) -> Option<(u32, f64)> {
+pub(super) fn harmonic(short: &DominantWavelength, all: &[DominantWavelength]) -> Option<(u32, f64)> {
     const NEAR: f64 = 0.02;
-    all.iter()
-        .filter(|long| long.level > short.level)
-        .find_map(|long| {
-            let ratio = long.wavelength / short.wavelength;
-            let near = (2..=4).find(|n| (ratio / f64::from(*n) - 1.0).abs() < NEAR)?;
-            Some((near, long.wavelength))
-        })
+    all.iter().filter(|long| long.level > short.level).find_map(|long| {
+        let ratio = long.wavelength / short.wavelength;
+        let near = (2..=4).find(|n| (ratio / f64::from(*n) - 1.0).abs() < NEAR)?;
+        Some((near, long.wavelength))
+    })
 }
 
 /// Degrees of freedom of the mean of some neighbouring lines over half-overlapping segments, both with the
@@ -287,10 +274,7 @@ fn fine_bands(power: &PowerSpectrum, shortest: f64) -> Vec<FineBand> {
             return bands;
         }
         // A line stands for half a step to either side.
-        let (first, last) = (
-            (low / step).round() as usize,
-            (high / step).round() as usize,
-        );
+        let (first, last) = ((low / step).round() as usize, (high / step).round() as usize);
         let sum: f64 = (first..=last)
             .map(|line| {
                 let from = (line as f64 - 0.5).max(low / step);
@@ -313,21 +297,15 @@ fn fine_bands(power: &PowerSpectrum, shortest: f64) -> Vec<FineBand> {
 
 /// The line through the neighbours of each band.
 fn set_trend(bands: &mut [FineBand]) {
-    let points: Vec<(f64, f64)> = bands
-        .iter()
-        .map(|band| ((band.edges.0 * band.edges.1).sqrt().ln(), band.level))
-        .collect();
+    let points: Vec<(f64, f64)> =
+        bands.iter().map(|band| ((band.edges.0 * band.edges.1).sqrt().ln(), band.level)).collect();
     let count = points.len();
     for index in 0..count {
         // As many neighbours at the ends of the spectrum as in its middle.
-        let first = index
-            .saturating_sub(TREND)
-            .min(count.saturating_sub(2 * TREND + 1));
+        let first = index.saturating_sub(TREND).min(count.saturating_sub(2 * TREND + 1));
         let last = (first + 2 * TREND).min(count.saturating_sub(1));
-        let neighbours: Vec<(f64, f64)> = (first..=last)
-            .filter(|other| other.abs_diff(index) > LEFT_OUT)
-            .map(|other| points[other])
-            .collect();
+        let neighbours: Vec<(f64, f64)> =
+            (first..=last).filter(|other| other.abs_diff(index) > LEFT_OUT).map(|other| points[other]).collect();
         // A single narrow spectrum has too few.
         if let Some(trend) = median_line(&neighbours, points[index].0) {
             let band = &mut bands[index];
@@ -350,20 +328,9 @@ mod tests {
             seed,
             sinusoids: waves
                 .iter()
-                .map(|&(wavelength, amplitude)| Sinusoid {
-                    wavelength,
-                    amplitude,
-                    phase: 0.3,
-                    from: 0.0,
-                    to: length,
-                })
+                .map(|&(wavelength, amplitude)| Sinusoid { wavelength, amplitude, phase: 0.3, from: 0.0, to: length })
                 .collect(),
-            noise: Some(ColouredNoise {
-                level: 0.0,
-                wavelength: 0.1,
-                slope,
-                longest: 3.0,
-            }),
+            noise: Some(ColouredNoise { level: 0.0, wavelength: 0.1, slope, longest: 3.0 }),
             ..Recipe::default()
         };
         let profile = Profile::new(0.0, 1e-3, recipe.heights().unwrap()).unwrap();
@@ -391,14 +358,8 @@ mod tests {
             let wavelength = 0.034 * 1.005f64.powi(wave);
             let found = made(100.0, 5, 15.0, &[(wavelength, 40e-6)]).dominant();
             let peak = &found[0];
-            assert!(
-                peak.from < wavelength && wavelength < peak.to,
-                "{wavelength} {peak:?}"
-            );
-            assert!(
-                (peak.wavelength / wavelength - 1.0).abs() < 0.002,
-                "{wavelength} {peak:?}"
-            );
+            assert!(peak.from < wavelength && wavelength < peak.to, "{wavelength} {peak:?}");
+            assert!((peak.wavelength / wavelength - 1.0).abs() < 0.002, "{wavelength} {peak:?}");
             let expected = level(0.5 * 40e-6 * 40e-6);
             assert!((peak.level - expected).abs() < 0.3, "{wavelength} {peak:?}");
         }
@@ -413,10 +374,7 @@ mod tests {
             let wavenumber = (108.0 + 0.1 * f64::from(tenth)) / 6.0;
             let found = made(30.0, 5, 0.0, &[(wavenumber.recip(), 8e-6)]).dominant();
             let expected = level(0.5 * 8e-6 * 8e-6);
-            assert!(
-                (found[0].level - expected).abs() < 0.6,
-                "{tenth}: {found:?}"
-            );
+            assert!((found[0].level - expected).abs() < 0.6, "{tenth}: {found:?}");
         }
     }
 
@@ -428,15 +386,11 @@ mod tests {
         let found = made(100.0, 3, 15.0, &waves).dominant();
         assert_eq!(found.len(), 2, "{found:?}");
         for (wavelength, amplitude) in waves {
-            let near =
-                |peak: &&DominantWavelength| (peak.wavelength / wavelength - 1.0).abs() < 0.01;
+            let near = |peak: &&DominantWavelength| (peak.wavelength / wavelength - 1.0).abs() < 0.01;
             let peak = found.iter().find(near).unwrap();
             assert!(peak.from < wavelength && wavelength < peak.to, "{peak:?}");
             assert!(peak.to / peak.from < 1.06, "{peak:?}");
-            assert!(
-                (peak.level - level(0.5 * amplitude * amplitude)).abs() < 0.3,
-                "{peak:?}"
-            );
+            assert!((peak.level - level(0.5 * amplitude * amplitude)).abs() < 0.3, "{peak:?}");
             assert!(peak.false_peaks.unwrap() < 1e-6);
         }
     }

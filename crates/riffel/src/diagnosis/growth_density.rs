@@ -37,18 +37,15 @@ impl GrowthDensity {
     pub fn new(feedback: impl Into<Loop>, from: f64, to: f64, speeds: &TrafficSpeeds) -> Self {
         const A_DECADE: f64 = 200.0;
         let steps = (A_DECADE * (to / from).log10()).ceil().max(2.0);
-        let wavelengths: Vec<f64> = (0..=steps as usize)
-            .map(|step| from * (to / from).powf(step as f64 / steps))
-            .collect();
+        let wavelengths: Vec<f64> =
+            (0..=steps as usize).map(|step| from * (to / from).powf(step as f64 / steps)).collect();
         let feedback = feedback.into();
         if speeds.of_growth().len() <= FEW
             && let Ok(window) = Axis::new(from, to, 2)
         {
             let course = GrowthCourse::of(window, |wavelength| {
                 let shares = speeds.of_growth().iter();
-                let rates = shares.map(|&(speed, share)| {
-                    share * feedback.complex_growth_rate(wavelength, speed).re
-                });
+                let rates = shares.map(|&(speed, share)| share * feedback.complex_growth_rate(wavelength, speed).re);
                 rates.filter(|rate| rate.is_finite()).sum()
             });
             return Self::of_course(course, wavelengths, speeds);
@@ -66,13 +63,7 @@ impl GrowthDensity {
                 }
             }
         }
-        Self {
-            integral: integral(&wavelengths, &rates),
-            wavelengths,
-            rates,
-            course: None,
-            mean_speed: speeds.mean(),
-        }
+        Self { integral: integral(&wavelengths, &rates), wavelengths, rates, course: None, mean_speed: speeds.mean() }
     }
 
     /// At each wavelength the mean over ln λ of what is nearest to it.
@@ -97,18 +88,12 @@ impl GrowthDensity {
 
     /// Wavelength \[m\] and mean growth rate per passage \[-\] of each place.
     pub fn rates(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.wavelengths
-            .iter()
-            .copied()
-            .zip(self.rates.iter().copied())
+        self.wavelengths.iter().copied().zip(self.rates.iter().copied())
     }
 
     /// Mean growth rate per passage \[-\] at a wavelength \[m\]; None outside the wavelengths asked for.
     pub fn rate_at(&self, wavelength: f64) -> Option<f64> {
-        let above = self
-            .wavelengths
-            .iter()
-            .position(|&other| other >= wavelength)?;
+        let above = self.wavelengths.iter().position(|&other| other >= wavelength)?;
         if above == 0 {
             return (self.wavelengths[0] == wavelength).then(|| self.rates[0]);
         }
@@ -130,8 +115,7 @@ impl GrowthDensity {
 
     /// Frequency \[Hz\] of the highest growth at the mean speed.
     pub fn peak_frequency(&self) -> Option<f64> {
-        self.peak()
-            .map(|(wavelength, _)| self.mean_speed / wavelength)
+        self.peak().map(|(wavelength, _)| self.mean_speed / wavelength)
     }
 
     /// Wavelengths \[m\] about the peak that grow at least half as fast.
@@ -162,9 +146,7 @@ impl GrowthDensity {
         };
         let mut places = wavelengths.iter().zip(rates);
         places.any(|(place, rate)| (from..=to).contains(place) && *rate >= 0.5 * highest)
-            || self
-                .rate_at(wavelength)
-                .is_some_and(|rate| rate >= 0.5 * highest)
+            || self.rate_at(wavelength).is_some_and(|rate| rate >= 0.5 * highest)
     }
 
     /// Density of ln λ at a wavelength \[m\] known to ±`uncertainty` of ln λ; zero where nothing grows.
@@ -177,9 +159,7 @@ impl GrowthDensity {
         let spread = uncertainty.max(step);
         let sum: f64 = self
             .rates()
-            .map(|(place, rate)| {
-                rate.max(0.0) * step * normal::density((place / wavelength).ln(), spread)
-            })
+            .map(|(place, rate)| rate.max(0.0) * step * normal::density((place / wavelength).ln(), spread))
             .sum();
         sum / self.integral
     }

@@ -54,10 +54,7 @@ pub fn dominant_levels(spectra: &[Spectrum]) -> Vec<DominantWavelength> {
             if above < PROMINENT || !higher(-1) || !higher(1) {
                 return None;
             }
-            let each: Vec<f64> = spectra
-                .iter()
-                .filter_map(|spectrum| prominence(spectrum, own.band))
-                .collect();
+            let each: Vec<f64> = spectra.iter().filter_map(|spectrum| prominence(spectrum, own.band)).collect();
             let scatter = standard_error(&each);
             let false_peaks = scatter.map(|scatter| {
                 let freedom = each.len() as f64 - 1.0;

@@ -27,9 +27,8 @@ pub fn tell_apart(candidates: &[Candidate], course: Option<&Course>) -> Vec<Meas
     let mut measurements = Vec::new();
     let fixed = worth.iter().any(|candidate| candidate.frequency.is_none());
     // What is not listed may be either.
-    let moves = worth.iter().any(|candidate| {
-        candidate.frequency.is_some() || candidate.kind == MechanismKind::Unlisted
-    });
+    let moves =
+        worth.iter().any(|candidate| candidate.frequency.is_some() || candidate.kind == MechanismKind::Unlisted);
     if fixed && moves {
         measurements.push(Measurement::OtherSpeed);
     }
@@ -38,11 +37,7 @@ pub fn tell_apart(candidates: &[Candidate], course: Option<&Course>) -> Vec<Meas
         let visible = course.and_then(|course| Some((course.unit, course.until_visible()?)));
         measurements.push(Measurement::Again(visible));
     }
-    measurements.extend(
-        worth
-            .iter()
-            .map(|candidate| Measurement::Of(candidate.kind)),
-    );
+    measurements.extend(worth.iter().map(|candidate| Measurement::Of(candidate.kind)));
     measurements
 }
 

@@ -17,17 +17,10 @@ pub(super) fn median_line(points: &[(f64, f64)], x: f64) -> Option<f64> {
     let mut slopes: Vec<f64> = points
         .iter()
         .enumerate()
-        .flat_map(|(index, a)| {
-            points[index + 1..]
-                .iter()
-                .map(move |b| (b.1 - a.1) / (b.0 - a.0))
-        })
+        .flat_map(|(index, a)| points[index + 1..].iter().map(move |b| (b.1 - a.1) / (b.0 - a.0)))
         .collect();
     let slope = median(&mut slopes);
-    let mut levels: Vec<f64> = points
-        .iter()
-        .map(|point| point.1 + slope * (x - point.0))
-        .collect();
+    let mut levels: Vec<f64> = points.iter().map(|point| point.1 + slope * (x - point.0)).collect();
     Some(median(&mut levels))
 }
 

@@ -29,9 +29,7 @@ mod prediction;
 mod traffic_speeds;
 
 pub use candidate::{Candidate, Evidence, Instrument, Reason, rank};
-pub use course::{
-    Course, CoursePoint, FALL_BY_GRINDING, Slope, TimeUnit, fall_of_bands, first_since_ground,
-};
+pub use course::{Course, CoursePoint, FALL_BY_GRINDING, Slope, TimeUnit, fall_of_bands, first_since_ground};
 pub use dominant::{DominantWavelength, FineBand, FineSpectrum};
 pub use growth_density::GrowthDensity;
 pub use levels::dominant_levels;

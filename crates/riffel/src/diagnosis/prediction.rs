@@ -59,15 +59,7 @@ impl Mechanism {
             PinnedPinned | LateralPinnedPinned | WheelsetBending | WheelsetTorsion => 0.05,
             _ => 0.15,
         };
-        Self {
-            kind,
-            of: None,
-            prediction: Prediction::Frequency {
-                frequency,
-                spread,
-                damping_ratio: None,
-            },
-        }
+        Self { kind, of: None, prediction: Prediction::Frequency { frequency, spread, damping_ratio: None } }
     }
 
     /// A peak or dip at f \[Hz\] of the receptance of this very track, with its damping ratio ζ \[-\] if that is known and the
@@ -84,37 +76,19 @@ impl Mechanism {
     ) -> Self {
         const ANOTHER_DAY: f64 = 0.05;
         let half_a_line = resolution.map_or(0.0, |resolution| 0.5 * resolution / frequency);
-        let spread = ANOTHER_DAY
-            .hypot(damping_ratio.unwrap_or(0.0))
-            .hypot(half_a_line);
-        Self {
-            kind,
-            of: None,
-            prediction: Prediction::Frequency {
-                frequency,
-                spread,
-                damping_ratio,
-            },
-        }
+        let spread = ANOTHER_DAY.hypot(damping_ratio.unwrap_or(0.0)).hypot(half_a_line);
+        Self { kind, of: None, prediction: Prediction::Frequency { frequency, spread, damping_ratio } }
     }
 
     /// The growth of a case.
     pub fn growth_ridge(density: GrowthDensity) -> Self {
-        Self {
-            kind: MechanismKind::GrowthRidge,
-            of: None,
-            prediction: Prediction::Growth(density),
-        }
+        Self { kind: MechanismKind::GrowthRidge, of: None, prediction: Prediction::Growth(density) }
     }
 
     /// Marks of grinding stones.
     pub fn grinding_mark() -> Self {
         let (from, to) = GRINDING;
-        Self {
-            kind: MechanismKind::GrindingMark,
-            of: None,
-            prediction: Prediction::Range { from, to },
-        }
+        Self { kind: MechanismKind::GrindingMark, of: None, prediction: Prediction::Range { from, to } }
     }
 
     /// Orders of a wheel of the rolling radius R \[m\].
@@ -122,11 +96,7 @@ impl Mechanism {
         Self {
             kind: MechanismKind::WheelCircumference,
             of: None,
-            prediction: Prediction::Orders {
-                length: std::f64::consts::TAU * rolling_radius,
-                orders: 30,
-                spread: 0.03,
-            },
+            prediction: Prediction::Orders { length: std::f64::consts::TAU * rolling_radius, orders: 30, spread: 0.03 },
         }
     }
 
@@ -135,11 +105,7 @@ impl Mechanism {
         Self {
             kind: MechanismKind::SupportSpacing,
             of: None,
-            prediction: Prediction::Orders {
-                length: spacing,
-                orders: 2,
-                spread: 0.02,
-            },
+            prediction: Prediction::Orders { length: spacing, orders: 2, spread: 0.02 },
         }
     }
 
@@ -157,9 +123,7 @@ impl Mechanism {
             from / room <= wavelength && wavelength <= to * room
         };
         match &self.prediction {
-            Prediction::Frequency {
-                frequency, spread, ..
-            } => {
+            Prediction::Frequency { frequency, spread, .. } => {
                 let shares = speeds.shares().windows(2);
                 // Between speeds that are no further apart than the spread there are others.
                 let between = shares.map(|pair| match (pair[1].0 / pair[0].0).ln() < *spread {
@@ -167,15 +131,13 @@ impl Mechanism {
                     false => (pair[0].0, pair[0].0),
                 });
                 let fastest = (speeds.fastest(), speeds.fastest());
-                between
-                    .chain([fastest])
-                    .any(|(slower, faster)| within(slower / frequency, faster / frequency, *spread))
+                between.chain([fastest]).any(|(slower, faster)| within(slower / frequency, faster / frequency, *spread))
             }
             Prediction::Growth(density) => density.covers(wavelength, uncertainty),
             Prediction::Range { from, to } => within(*from, *to, 0.0),
-            Prediction::Orders { spread, .. } => self
-                .nearest_order(wavelength)
-                .is_some_and(|(_, nearest)| within(nearest, nearest, *spread)),
+            Prediction::Orders { spread, .. } => {
+                self.nearest_order(wavelength).is_some_and(|(_, nearest)| within(nearest, nearest, *spread))
+            }
         }
     }
 
@@ -184,9 +146,7 @@ impl Mechanism {
     pub fn density(&self, wavelength: f64, uncertainty: f64, speeds: &TrafficSpeeds) -> f64 {
         let place = wavelength.ln();
         match &self.prediction {
-            Prediction::Frequency {
-                frequency, spread, ..
-            } => {
+            Prediction::Frequency { frequency, spread, .. } => {
                 let spread = spread.hypot(uncertainty);
                 let at = |speed: f64| normal::density(place - (speed / frequency).ln(), spread);
                 let shares = speeds.shares().iter();
@@ -197,11 +157,7 @@ impl Mechanism {
                 let below = |edge: f64| normal::above((place - edge.ln()) / uncertainty);
                 (below(*to) - below(*from)) / (to / from).ln()
             }
-            Prediction::Orders {
-                length,
-                orders,
-                spread,
-            } => {
+            Prediction::Orders { length, orders, spread } => {
                 let spread = spread.hypot(uncertainty);
                 let weight = |n: u32| f64::from(n).recip();
                 let sum: f64 = (1..=*orders).map(weight).sum();
@@ -232,9 +188,7 @@ impl Mechanism {
             }
             Prediction::Growth(density) => density.range(),
             Prediction::Range { from, to } => Some((*from, *to)),
-            Prediction::Orders { length, orders, .. } => {
-                Some((length / f64::from(*orders), *length))
-            }
+            Prediction::Orders { length, orders, .. } => Some((length / f64::from(*orders), *length)),
         }
     }
 
@@ -279,8 +233,7 @@ mod tests {
     #[test]
     fn damping_and_lines_widen_a_measured_peak() {
         let spread = |damping, resolution| {
-            let peak =
-                Mechanism::of_receptance(MechanismKind::MeasuredPeak, 490.0, damping, resolution);
+            let peak = Mechanism::of_receptance(MechanismKind::MeasuredPeak, 490.0, damping, resolution);
             match peak.prediction {
                 Prediction::Frequency { spread, .. } => spread,
                 _ => f64::NAN,

@@ -28,10 +28,7 @@ impl TrafficSpeeds {
         for share in &mut shares {
             share.1 /= sum;
         }
-        Ok(Self {
-            shares,
-            of_growth: None,
-        })
+        Ok(Self { shares, of_growth: None })
     }
 
     /// Speeds from one to another \[m/s\], evenly; one speed where the two are the same.
@@ -63,10 +60,7 @@ impl TrafficSpeeds {
     /// The same speeds, with growth in the mean over those of a traffic: its normal distribution stands for an even range.
     #[must_use]
     pub fn growing_under(self, traffic: Self) -> Self {
-        Self {
-            of_growth: Some(traffic.shares),
-            ..self
-        }
+        Self { of_growth: Some(traffic.shares), ..self }
     }
 
     /// Each speed \[m/s\] over which growth is averaged, with its share.
@@ -97,11 +91,7 @@ impl TrafficSpeeds {
     /// The speeds in words: "136 km/h", "99–141 km/h".
     pub fn words(&self) -> String {
         let (low, high) = (3.6 * self.slowest(), 3.6 * self.fastest());
-        if high - low < 0.5 {
-            format!("{low:.0} km/h")
-        } else {
-            format!("{low:.0}–{high:.0} km/h")
-        }
+        if high - low < 0.5 { format!("{low:.0} km/h") } else { format!("{low:.0}–{high:.0} km/h") }
     }
 }
 

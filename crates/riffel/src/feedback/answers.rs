@@ -134,8 +134,7 @@ impl Answer<Complex64> {
             roll: contact.rail.sign() * cross_slope * profile,
             growth_by_load: by_load,
             growth_by_creepage: by_creepage,
-            growth_by_shift: by_creepage[0] * shift.creepage + by_spin * shift.spin
-                - by_load * shift.normal_force,
+            growth_by_shift: by_creepage[0] * shift.creepage + by_spin * shift.spin - by_load * shift.normal_force,
             force_by_profile: by_profile.force.map(|force| force * profile),
             growth_by_profile: by_profile.growth * growth * profile,
         }

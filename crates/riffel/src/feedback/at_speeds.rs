@@ -59,10 +59,7 @@ impl AtSpeeds {
                 let mean = |(wavelength, places): &(f64, Vec<AtPlace>)| {
                     places.iter().fold([0.0; 2], |mean, place| {
                         let [growth, force] = place.at(*wavelength, speed);
-                        [
-                            mean[0] + place.weight * growth,
-                            mean[1] + place.weight * force,
-                        ]
+                        [mean[0] + place.weight * growth, mean[1] + place.weight * force]
                     })
                 };
                 single.par_iter().map(mean).collect()
@@ -76,8 +73,7 @@ impl AtPlace {
         let (growth, force, amplitude) = match &self.feedback {
             AtWavelength::Closed(at) => {
                 let (closed, derivatives) = &**at;
-                let (dissipation, force) =
-                    closed.dissipation_and_force(derivatives, wavelength, speed);
+                let (dissipation, force) = closed.dissipation_and_force(derivatives, wavelength, speed);
                 (closed.growth_rate(dissipation), force, closed.amplitude)
             }
             AtWavelength::General(feedback) => {

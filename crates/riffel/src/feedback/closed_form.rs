@@ -91,12 +91,8 @@ impl ClosedForm {
     pub(super) fn at(&self, wavelength: f64, speed: f64) -> LoopState {
         let response = self.contact.rolling.response(wavelength);
         let derivatives = self.contact.derivatives_of(&response, wavelength);
-        let Turn {
-            track_receptance,
-            wheel_receptance,
-            normal_force,
-            creep,
-        } = self.turn(&derivatives, wavelength, speed);
+        let Turn { track_receptance, wheel_receptance, normal_force, creep } =
+            self.turn(&derivatives, wavelength, speed);
         let angular_frequency = 2.0 * PI * speed / wavelength;
         let dissipation = creep.energy * speed; // (19)
         let dissipation_at_rail = creep.dissipation_at_rail;
@@ -109,9 +105,7 @@ impl ClosedForm {
         };
         let oscillation = self.oscillation(&creep, normal_force, track_receptance, wavelength);
         let force = [creep.tangential_force, Complex64::ZERO, normal_force];
-        let damage = self
-            .contact
-            .damage_state(&oscillation, force, self.amplitude.into());
+        let damage = self.contact.damage_state(&oscillation, force, self.amplitude.into());
         let growth_rate = match &damage {
             Some(damage) => damage.growth().re,
             None => self.growth_rate(normalized),
@@ -152,16 +146,14 @@ impl ClosedForm {
 
     /// Growth rate per passage of Ŵ₁: the profile loses the depth k_w e₁/(ρ·2b), and |Δ| grows like exp(g · passages).
     pub(crate) fn growth_rate(&self, dissipation: Complex64) -> f64 {
-        let worn = self.contact.wear.depth_per_energy()
-            * (self.steady.full_slip_energy_per_metre() * dissipation.re);
+        let worn = self.contact.wear.depth_per_energy() * (self.steady.full_slip_energy_per_metre() * dissipation.re);
         -worn / self.amplitude
     }
 
     /// Ŵ₁ of [`at`](Self::at) alone.
     pub(crate) fn normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
         let derivatives = self.contact.derivatives(wavelength);
-        self.dissipation_and_force(&derivatives, wavelength, speed)
-            .0
+        self.dissipation_and_force(&derivatives, wavelength, speed).0
     }
 
     /// Ŵ₁ and P₁ \[N\] of [`at`](Self::at) alone, of the derivatives of the contact at the wavelength.
@@ -185,13 +177,7 @@ impl ClosedForm {
     }
 
     /// What laws of damage take.
-    fn oscillation(
-        &self,
-        creep: &Creep,
-        load: Complex64,
-        receptance: Complex64,
-        wavelength: f64,
-    ) -> Oscillation {
+    fn oscillation(&self, creep: &Creep, load: Complex64, receptance: Complex64, wavelength: f64) -> Oscillation {
         Oscillation {
             demand: creep.demand,
             wear: creep.worn,
@@ -215,20 +201,13 @@ impl ClosedForm {
 
     /// Oscillation of the energy per metre left at a rail point \[J/m\] by one newton of the normal force, and by a metre of
     /// the profile under a constant one.
-    pub(crate) fn energy_by_normal_force_and_profile(
-        &self,
-        wavelength: f64,
-        speed: f64,
-    ) -> [Complex64; 2] {
+    pub(crate) fn energy_by_normal_force_and_profile(&self, wavelength: f64, speed: f64) -> [Complex64; 2] {
         let derivatives = self.contact.derivatives(wavelength);
         let force = self.turn(&derivatives, wavelength, speed).normal_force;
         let by_force = self.creep(&derivatives, [force, Complex64::ZERO], wavelength, speed);
         let inputs = [Complex64::ZERO, Complex64::ONE];
         let by_profile = self.creep(&derivatives, inputs, wavelength, speed);
-        [
-            by_force.dissipation_at_rail / (force * speed),
-            by_profile.dissipation_at_rail / speed,
-        ]
+        [by_force.dissipation_at_rail / (force * speed), by_profile.dissipation_at_rail / speed]
     }
 
     fn turn(&self, derivatives: &Derivatives, wavelength: f64, speed: f64) -> Turn {
@@ -265,19 +244,13 @@ impl ClosedForm {
         wavelength: f64,
         speed: f64,
     ) -> Creep {
-        let Derivatives {
-            by_load,
-            by_creepage: [by_creepage, _],
-            by_profile,
-            ..
-        } = derivatives;
+        let Derivatives { by_load, by_creepage: [by_creepage, _], by_profile, .. } = derivatives;
         // (13) and (16) for s₁/V and Q₁, finite in both limits of the inertia: (17), (18)
         let ratio = self.rotation.ratio(2.0 * PI * speed / wavelength, speed);
         let slip = -ratio.speed / speed;
         let of_direction = self.slip_by_direction(wavelength, speed) * profile;
-        let force = by_load.force[0] * normal_force
-            + by_profile.force[0] * profile
-            + by_creepage.force[0] * of_direction;
+        let force =
+            by_load.force[0] * normal_force + by_profile.force[0] * profile + by_creepage.force[0] * of_direction;
         let share = force / (ratio.force - by_creepage.force[0] * slip);
         let slip = share * slip + of_direction;
         let energy = |of: fn(&Derivative) -> Complex64| {

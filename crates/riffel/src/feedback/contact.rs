@@ -44,11 +44,7 @@ pub struct Contact {
 impl Contact {
     /// Its axes as places, along, across and down.
     pub(super) fn places(&self, along: f64) -> [Place; 3] {
-        Direction::ALL.map(|direction| Place {
-            along,
-            rail: self.rail,
-            direction,
-        })
+        Direction::ALL.map(|direction| Place { along, rail: self.rail, direction })
     }
 
     /// The phase of the profile under it, relative to that under the first wheel.
@@ -58,11 +54,7 @@ impl Contact {
 
     /// Its profile over that of the rail under study, or that one where its own rail is smooth.
     pub(super) fn profile_or_one(&self) -> f64 {
-        if self.profile == 0.0 {
-            1.0
-        } else {
-            self.profile
-        }
+        if self.profile == 0.0 { 1.0 } else { self.profile }
     }
 
     /// One where the unknown of an axis is a force, zero where it is a creepage.
@@ -111,10 +103,7 @@ impl Contact {
             Rail::Right => self.angle.sin_cos(),
             Rail::Left => (-self.angle).sin_cos(),
         };
-        (*lateral, *vertical) = (
-            *lateral * cosine - *vertical * sine,
-            *vertical * cosine + *lateral * sine,
-        );
+        (*lateral, *vertical) = (*lateral * cosine - *vertical * sine, *vertical * cosine + *lateral * sine);
     }
 
     /// `Ok` if its numbers are those of a contact, and its creep forces answer to all that moves.
@@ -132,14 +121,10 @@ impl Contact {
         }
         let held = matches!(self.motion[1], Motion::Held);
         if !held && self.rolling.response(WAVELENGTH).by_lateral.is_none() {
-            return Err(Error::NoResponse {
-                creepage: "lateral creepage",
-            });
+            return Err(Error::NoResponse { creepage: "lateral creepage" });
         }
         if self.wave.is_some() && self.rolling.response(WAVELENGTH).by_curvature.is_none() {
-            return Err(Error::NoResponse {
-                creepage: "the curvature of a wave",
-            });
+            return Err(Error::NoResponse { creepage: "the curvature of a wave" });
         }
         Ok(())
     }
@@ -165,11 +150,7 @@ impl Contact {
     }
 
     /// Those of a response that is known.
-    pub(super) fn derivatives_of(
-        &self,
-        response: &ContactResponse,
-        wavelength: f64,
-    ) -> Derivatives {
+    pub(super) fn derivatives_of(&self, response: &ContactResponse, wavelength: f64) -> Derivatives {
         let lag = self.place_of_wear.lag(wavelength);
         let wavenumber = 2.0 * PI / wavelength;
         let (mut pressed, mut later) = (1.0, Complex64::cis(-lag));
@@ -232,9 +213,7 @@ impl Contact {
         let wears = f64::from(damage.wears());
         derivatives.each(|by| {
             by.growth = wears * by.at_rail;
-            by.demand = damage
-                .demand
-                .oscillation([by.force[0], by.force[1], Complex64::ZERO]);
+            by.demand = damage.demand.oscillation([by.force[0], by.force[1], Complex64::ZERO]);
         });
         if let Some(wave) = &self.wave {
             let patch = wave.patch_curvature(wavenumber);
@@ -247,10 +226,7 @@ impl Contact {
 
     /// The mean of what its laws of damage take.
     pub(crate) fn mean_of_damage(&self) -> Mean {
-        Mean {
-            energy: self.rolling.steady().energy_per_metre(),
-            wear: self.wear.depth_per_energy(),
-        }
+        Mean { energy: self.rolling.steady().energy_per_metre(), wear: self.wear.depth_per_energy() }
     }
 
     /// What its laws of damage say of an oscillation.

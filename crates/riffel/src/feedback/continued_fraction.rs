@@ -17,20 +17,14 @@ impl ContinuedFraction {
     pub(super) fn through(samples: &[(f64, Complex64)]) -> Self {
         const MOST: usize = 40;
         const MET: f64 = 1e-12;
-        let mut fraction = Self {
-            nodes: Vec::new(),
-            terms: Vec::new(),
-        };
+        let mut fraction = Self { nodes: Vec::new(), terms: Vec::new() };
         let size = |value: &Complex64| value.norm().max(1e-300);
         for _ in 0..MOST.min(samples.len()) {
             let off = |(x, value): &(f64, Complex64)| match fraction.nodes.contains(x) {
                 true => 0.0,
                 false => (fraction.at((*x).into())[0] - value).norm() / size(value),
             };
-            let far = samples
-                .iter()
-                .map(|sample| (off(sample), sample))
-                .max_by(|one, other| one.0.total_cmp(&other.0));
+            let far = samples.iter().map(|sample| (off(sample), sample)).max_by(|one, other| one.0.total_cmp(&other.0));
             let Some((off, &(x, value))) = far else { break };
             if off < MET {
                 break;

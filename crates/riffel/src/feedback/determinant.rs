@@ -13,10 +13,7 @@ impl Determinant {
     /// One, or minus one.
     pub(super) fn one(negative: bool) -> Self {
         let sign = if negative { -1.0 } else { 1.0 };
-        Self {
-            factor: sign.into(),
-            exponent: 0,
-        }
+        Self { factor: sign.into(), exponent: 0 }
     }
 
     /// The ratio of two.
@@ -28,10 +25,7 @@ impl Determinant {
     pub(super) fn times(self, pivot: Complex64) -> Self {
         let factor = self.factor * pivot;
         let exponent = binary_exponent(factor.norm_sqr()) / 2;
-        Self {
-            factor: factor * 2.0_f64.powi(-exponent),
-            exponent: self.exponent + exponent,
-        }
+        Self { factor: factor * 2.0_f64.powi(-exponent), exponent: self.exponent + exponent }
     }
 }
 

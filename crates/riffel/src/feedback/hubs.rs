@@ -40,15 +40,8 @@ pub enum Hubs {
 impl Hubs {
     /// Displacement of each wheel at its place, a distance along the rail \[m\] and the rail, per force through the hub of each
     /// \[m/N\], by rows.
-    pub(super) fn between(
-        &self,
-        angular_frequency: f64,
-        speed: f64,
-        places: &[(f64, Rail)],
-    ) -> Vec<Complex64> {
-        let pairs = places
-            .iter()
-            .flat_map(|&at| places.iter().map(move |&from| (at, from)));
+    pub(super) fn between(&self, angular_frequency: f64, speed: f64, places: &[(f64, Rail)]) -> Vec<Complex64> {
+        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
         match self {
             Self::Lone(receptance) => {
                 let own = receptance.receptance(angular_frequency, speed);
@@ -57,11 +50,10 @@ impl Hubs {
             }
             Self::OfWheelsets(wheelset) => {
                 let own = wheelset.hubs(angular_frequency).unwrap_or_default();
-                let entry =
-                    |((along, rail), (from, of)): ((f64, Rail), (f64, Rail))| match along == from {
-                        true => own[rail as usize][of as usize],
-                        false => Complex64::ZERO,
-                    };
+                let entry = |((along, rail), (from, of)): ((f64, Rail), (f64, Rail))| match along == from {
+                    true => own[rail as usize][of as usize],
+                    false => Complex64::ZERO,
+                };
                 pairs.map(entry).collect()
             }
         }

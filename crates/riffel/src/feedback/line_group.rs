@@ -33,20 +33,13 @@ impl LineGroup {
             let (first, _) = places.first()?;
             let wheels = Arc::new(Remembered::new(first.wheels.clone()));
             let places = places.iter().map(|(feedback, weight)| {
-                let feedback = Loop {
-                    wheels: wheels.clone(),
-                    ..feedback.clone()
-                };
+                let feedback = Loop { wheels: wheels.clone(), ..feedback.clone() };
                 let system = System::new(&feedback);
                 (feedback, system, *weight)
             });
             let places: Vec<(Loop, System, f64)> = places.collect();
             let (feedback, system, _) = places.first()?;
-            Some(Self {
-                answers: system.answers(feedback, wavelengths),
-                wavelengths: wavelengths.to_vec(),
-                places,
-            })
+            Some(Self { answers: system.answers(feedback, wavelengths), wavelengths: wavelengths.to_vec(), places })
         });
         groups.collect()
     }
@@ -59,8 +52,7 @@ impl LineGroup {
             system.turn(feedback, &self.answers, speed);
             let per_dissipation = feedback.growth_rate_per_dissipation();
             for (lane, (mean, wavelength)) in means.iter_mut().zip(&self.wavelengths).enumerate() {
-                let growth =
-                    per_dissipation * system.equivalent(feedback, *wavelength, speed, lane).re;
+                let growth = per_dissipation * system.equivalent(feedback, *wavelength, speed, lane).re;
                 let force = system.normal_force(feedback, 0, *wavelength, lane);
                 mean[0] += *weight * growth;
                 mean[1] += *weight * force.norm_sqr() / feedback.amplitude().powi(2);
@@ -87,10 +79,7 @@ impl Remembered {
     const MOST: usize = 16;
 
     fn new(of: Arc<dyn Structure>) -> Self {
-        Self {
-            of,
-            last: Mutex::default(),
-        }
+        Self { of, last: Mutex::default() }
     }
 }
 
@@ -104,21 +93,14 @@ impl Structure for Remembered {
         let Ok(mut last) = self.last.lock() else {
             return self.of.receptance_matrix(w, speed, places, matrix);
         };
-        if let Some(known) = last
-            .iter()
-            .find(|known| known.at == asked && known.places == places)
-        {
+        if let Some(known) = last.iter().find(|known| known.at == asked && known.places == places) {
             return matrix.copy_from_slice(&known.matrix);
         }
         self.of.receptance_matrix(w, speed, places, matrix);
         if last.len() == Self::MOST {
             last.remove(0);
         }
-        last.push(Answered {
-            at: asked,
-            places: places.to_vec(),
-            matrix: matrix.to_vec(),
-        });
+        last.push(Answered { at: asked, places: places.to_vec(), matrix: matrix.to_vec() });
     }
 }
 
@@ -137,17 +119,9 @@ mod tests {
         };
         let wheel: Arc<dyn Structure> = Arc::new(wheel);
         let remembered = Remembered::new(wheel.clone());
-        let places = [Place {
-            along: 0.0,
-            rail: crate::Rail::Right,
-            direction: crate::Direction::Vertical,
-        }];
+        let places = [Place { along: 0.0, rail: crate::Rail::Right, direction: crate::Direction::Vertical }];
         let [mut one, mut other] = [[Complex64::ZERO]; 2];
-        for step in [1, 2, 1, 3, 3, 20, 1, 2]
-            .into_iter()
-            .chain(4..30)
-            .chain([5, 29])
-        {
+        for step in [1, 2, 1, 3, 3, 20, 1, 2].into_iter().chain(4..30).chain([5, 29]) {
             let w = 2.0 * PI * 50.0 * f64::from(step);
             remembered.receptance_matrix(w, 20.0, &places, &mut one);
             wheel.receptance_matrix(w, 20.0, &places, &mut other);

@@ -214,9 +214,7 @@ impl Equations {
     /// The determinant of A in a lane, once solved.
     pub(super) fn determinant(&self, lane: usize) -> Determinant {
         let one = Determinant::one(self.odd[lane]);
-        (0..self.size).fold(one, |product, index| {
-            product.times(self.entry(index, index, lane))
-        })
+        (0..self.size).fold(one, |product, index| product.times(self.entry(index, index, lane)))
     }
 }
 
@@ -378,9 +376,7 @@ mod tests {
             equations
         };
         let equations = diagonal(1e-9);
-        assert!(
-            (0..SIZE).all(|index| (equations.unknown_of_lane(index, 0, 0) - 2.0).norm() < 1e-12)
-        );
+        assert!((0..SIZE).all(|index| (equations.unknown_of_lane(index, 0, 0) - 2.0).norm() < 1e-12));
         let twice = diagonal(2e-9).determinant(0);
         let ratio = twice.over(equations.determinant(0)).re / 2.0_f64.powi(SIZE as i32);
         assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");

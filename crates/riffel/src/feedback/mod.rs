@@ -108,32 +108,18 @@ impl Loop {
         contacts: Vec<Contact>,
         amplitude: f64,
     ) -> Result<Self, Error> {
-        let range = |quantity, value, unit, rule| Error::OutOfRange {
-            quantity,
-            value,
-            unit,
-            rule,
-        };
+        let range = |quantity, value, unit, rule| Error::OutOfRange { quantity, value, unit, rule };
         Error::unless_positive("number of contacts", contacts.len() as f64, "")?;
         Error::unless_positive("amplitude", amplitude, "m")?;
         for (index, contact) in contacts.iter().enumerate() {
             contact.check()?;
-            let there =
-                |other: &Contact| (other.along, other.rail) == (contact.along, contact.rail);
+            let there = |other: &Contact| (other.along, other.rail) == (contact.along, contact.rail);
             if contacts[..index].iter().any(there) {
                 let rule = "must differ from that of every other wheel on its rail";
                 return Err(range("place of a wheel", contact.along, "m", rule));
             }
         }
-        Ok(Self {
-            track,
-            wheels,
-            contacts,
-            position: 0.0,
-            comb: Comb::default(),
-            amplitude,
-            hubs: None,
-        })
+        Ok(Self { track, wheels, contacts, position: 0.0, comb: Comb::default(), amplitude, hubs: None })
     }
 
     /// The loop with its first wheel at another place of the track \[m\], counted from a support where there are some.
@@ -225,20 +211,9 @@ impl Loop {
     /// # Errors
     /// As of [`new`](Self::new).
     pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self, Error> {
-        let Self {
-            track,
-            wheels,
-            position,
-            comb,
-            amplitude,
-            hubs,
-            ..
-        } = self;
+        let Self { track, wheels, position, comb, amplitude, hubs, .. } = self;
         let feedback = Self::new(track, wheels, contacts, amplitude)?;
-        Ok(Self {
-            hubs,
-            ..feedback.at_position(position).with_comb(comb)
-        })
+        Ok(Self { hubs, ..feedback.at_position(position).with_comb(comb) })
     }
 
     /// The contacts, that of the first wheel on the rail under study first.
@@ -307,11 +282,7 @@ impl Loop {
 
     /// Receptance matrices of track and wheel at the first contact \[m/N\], in the axes x, y, z of the track; none where a wheel follows
     /// every oscillation of the tangential force, which no receptance tells.
-    pub fn receptances(
-        &self,
-        angular_frequency: f64,
-        speed: f64,
-    ) -> Option<[[[Complex64; 3]; 3]; 2]> {
+    pub fn receptances(&self, angular_frequency: f64, speed: f64) -> Option<[[[Complex64; 3]; 3]; 2]> {
         let motion = &self.contacts[0].motion;
         let free = motion.iter().any(|motion| matches!(motion, Motion::Free));
         (!free).then(|| {
@@ -338,11 +309,7 @@ impl Loop {
     }
 
     /// The same, of track and wheels together and of the wheels alone.
-    pub(crate) fn receptances_with_those_of_wheels(
-        &self,
-        angular_frequency: f64,
-        speed: f64,
-    ) -> [Vec<Complex64>; 2] {
+    pub(crate) fn receptances_with_those_of_wheels(&self, angular_frequency: f64, speed: f64) -> [Vec<Complex64>; 2] {
         let mut system = System::new(self);
         system.receptances(self, angular_frequency, speed);
         system.turn_axes(self);
@@ -361,15 +328,9 @@ impl Loop {
     }
 
     /// Receptances of the hubs along the rail \[m/N\] between all contacts, by rows; none where normal forces stay upright.
-    pub(crate) fn hub_receptances(
-        &self,
-        angular_frequency: f64,
-        speed: f64,
-    ) -> Option<Vec<Complex64>> {
+    pub(crate) fn hub_receptances(&self, angular_frequency: f64, speed: f64) -> Option<Vec<Complex64>> {
         let places = self.contacts.iter();
-        let places: Vec<(f64, Rail)> = places
-            .map(|contact| (contact.along, contact.rail))
-            .collect();
+        let places: Vec<(f64, Rail)> = places.map(|contact| (contact.along, contact.rail)).collect();
         let hubs = self.hubs.as_ref()?;
         Some(hubs.between(angular_frequency, speed, &places))
     }
@@ -377,9 +338,7 @@ impl Loop {
     /// A \[1/kg\] of the hubs, as of [`free_motion`](Self::free_motion).
     pub(crate) fn free_hubs(&self) -> Option<Vec<f64>> {
         self.hubs.as_ref()?;
-        Some(free_of(|w| {
-            self.hub_receptances(w, 1.0).unwrap_or_default()
-        }))
+        Some(free_of(|w| self.hub_receptances(w, 1.0).unwrap_or_default()))
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
@@ -396,10 +355,7 @@ impl Loop {
         if contact.rail != first.rail {
             return 0.0;
         }
-        let wheels = self
-            .contacts
-            .iter()
-            .filter(|other| other.rail == first.rail);
+        let wheels = self.contacts.iter().filter(|other| other.rail == first.rail);
         let energy = first.rolling.steady().full_slip_energy_per_metre();
         let wear = contact.wear.depth_per_energy() / first.wear.depth_per_energy();
         wear / (energy * wheels.count() as f64)

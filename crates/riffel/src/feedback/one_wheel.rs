@@ -52,10 +52,7 @@ impl Loop {
             wear: closed.contact.wear,
             amplitude: closed.amplitude,
         };
-        let turned = Self {
-            hubs: self.hubs,
-            ..turned.close()?
-        };
+        let turned = Self { hubs: self.hubs, ..turned.close()? };
         Ok(turned.with_damage(|_| damage.clone()))
     }
 }
@@ -85,10 +82,7 @@ impl OneWheel {
             wear: self.wear,
             damage: None,
         };
-        let track = Uncoupled {
-            vertical: Some(self.track),
-            ..Uncoupled::default()
-        };
+        let track = Uncoupled { vertical: Some(self.track), ..Uncoupled::default() };
         let wheel = Uncoupled {
             longitudinal: match self.rotation {
                 Motion::Compliant(rotation) => Some(rotation),
@@ -97,11 +91,6 @@ impl OneWheel {
             lateral: None,
             vertical: Some(self.wheel),
         };
-        Loop::new(
-            Arc::new(track),
-            Arc::new(wheel),
-            vec![contact],
-            self.amplitude,
-        )
+        Loop::new(Arc::new(track), Arc::new(wheel), vec![contact], self.amplitude)
     }
 }

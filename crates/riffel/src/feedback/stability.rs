@@ -141,9 +141,7 @@ impl Loop {
         let highest = found.first();
         Ok(Stability {
             unstable_roots: roots as usize,
-            frequency: highest
-                .map(|root| root.frequency)
-                .or(crossings.first().copied()),
+            frequency: highest.map(|root| root.frequency).or(crossings.first().copied()),
             growth_rate: highest.map(|root| root.growth_rate),
             roots: found,
         })
@@ -154,11 +152,7 @@ impl Loop {
 ///
 /// Method: from values on the axis about each frequency it is continued beside the axis, [`ContinuedFraction`], where Newton's method goes on
 /// until it converges, for one root after the other; then once more from values about the root alone, which takes away what is no root.
-fn roots_near(
-    crossings: &[f64],
-    [from, to]: [f64; 2],
-    value: &mut impl FnMut(f64) -> Complex64,
-) -> Vec<UnstableRoot> {
+fn roots_near(crossings: &[f64], [from, to]: [f64; 2], value: &mut impl FnMut(f64) -> Complex64) -> Vec<UnstableRoot> {
     /// Values on the axis.
     const SAMPLES: usize = 96;
     /// Range about a frequency over it, and where it begins to look beside the axis.
@@ -196,9 +190,7 @@ fn roots_near(
             }
             let half = (AROUND * -zero.im / zero.re).clamp(LEAST, FIRST);
             let again = about(zero.re, half).zero_from(zero, &[]);
-            let again = again.filter(|again| {
-                again.im < 0.0 && (again - zero).norm() < AGREED * near.max(zero.re)
-            });
+            let again = again.filter(|again| again.im < 0.0 && (again - zero).norm() < AGREED * near.max(zero.re));
             let is_new = |zero: &Complex64| {
                 let same = |other: &Complex64| (zero - other).norm() < SAME * near;
                 !found.iter().any(same)
@@ -207,11 +199,7 @@ fn roots_near(
         }
     }
     found.sort_by(|one, other| other.re.total_cmp(&one.re));
-    let root = |zero: &Complex64| UnstableRoot {
-        frequency: zero.re,
-        growth_rate: -2.0 * PI * zero.im,
-        counts: true,
-    };
+    let root = |zero: &Complex64| UnstableRoot { frequency: zero.re, growth_rate: -2.0 * PI * zero.im, counts: true };
     found.iter().map(root).collect()
 }
 
@@ -242,11 +230,7 @@ mod tests {
     /// The highest oscillation up to a frequency decides; where none was found, the place where one must be.
     #[test]
     fn an_oscillation_beyond_what_is_known_does_not_decide() {
-        let root = |frequency: f64| UnstableRoot {
-            frequency,
-            growth_rate: 0.1 * frequency,
-            counts: true,
-        };
+        let root = |frequency: f64| UnstableRoot { frequency, growth_rate: 0.1 * frequency, counts: true };
         for (roots, crossing, decides) in [
             (&[][..], None, None),
             (&[], Some(180.0), Some(180.0)),
@@ -279,19 +263,14 @@ mod tests {
         ] {
             let mut value = loop_with(roots);
             let mut found = roots_near(&crossings, [1.0, 1e4], &mut value);
-            let by_growth = |one: &UnstableRoot, other: &UnstableRoot| {
-                one.growth_rate.total_cmp(&other.growth_rate)
-            };
+            let by_growth = |one: &UnstableRoot, other: &UnstableRoot| one.growth_rate.total_cmp(&other.growth_rate);
             found.sort_by(by_growth);
             let mut expected = roots.to_vec();
             expected.sort_by(|one, other| one[0].total_cmp(&other[0]));
             assert_eq!(found.len(), expected.len(), "{found:?}");
             for (found, [growth, frequency]) in found.iter().zip(expected) {
                 let off = [found.growth_rate / growth, found.frequency / frequency];
-                assert!(
-                    off.iter().all(|ratio| (ratio - 1.0).abs() < 1e-6),
-                    "{found:?}"
-                );
+                assert!(off.iter().all(|ratio| (ratio - 1.0).abs() < 1e-6), "{found:?}");
             }
         }
         // Those on the left are none.

@@ -103,16 +103,8 @@ impl Turn<'_> {
                         add(simd, &mut row[own + other], by.negative(simd));
                     }
                 }
-                add(
-                    simd,
-                    &mut row[own + axis],
-                    real(simd, contact.force_share(axis)),
-                );
-                add(
-                    simd,
-                    &mut row[own + NORMAL],
-                    answer.force_by_load[axis].negative(simd),
-                );
+                add(simd, &mut row[own + axis], real(simd, contact.force_share(axis)));
+                add(simd, &mut row[own + NORMAL], answer.force_by_load[axis].negative(simd));
                 if moves {
                     add(simd, &mut row[own + SHIFT], answer.force_by_shift[axis]);
                 }
@@ -128,11 +120,7 @@ impl Turn<'_> {
             }
             let (row, right) = rows[NORMAL * width..][..width].split_at_mut(size);
             row.copy_from_slice(normal);
-            add(
-                simd,
-                &mut row[own + NORMAL],
-                real(simd, contact.stiffness.recip()),
-            );
+            add(simd, &mut row[own + NORMAL], real(simd, contact.stiffness.recip()));
             if shifts {
                 for (entry, &across) in row.iter_mut().zip(across) {
                     let by_shift = answer.approach_by_shift.times(simd, across.into());
@@ -147,9 +135,7 @@ impl Turn<'_> {
             if unknowns > SHIFT {
                 let (row, right) = rows[SHIFT * width..][..width].split_at_mut(size);
                 row.copy_from_slice(shift);
-                let curvature = contact
-                    .moving
-                    .map_or(1.0, |moving| moving.profiles.relative_radius().recip());
+                let curvature = contact.moving.map_or(1.0, |moving| moving.profiles.relative_radius().recip());
                 add(simd, &mut row[own + SHIFT], real(simd, curvature));
                 right.fill(zero.parts());
                 right[excitation] = answer.roll.parts();
@@ -169,18 +155,10 @@ impl Turn<'_> {
         let mut dissipation = Vector::<S>::zero(simd);
         let contacts = self.contacts.iter().zip(self.excitation);
         let answers = self.answers.of_contacts::<S>();
-        for (index, (((contact, &column), answer), (creepages, receptances))) in contacts
-            .zip(answers)
-            .zip(creepages.iter_mut().zip(receptances))
-            .enumerate()
+        for (index, (((contact, &column), answer), (creepages, receptances))) in
+            contacts.zip(answers).zip(creepages.iter_mut().zip(receptances)).enumerate()
         {
-            let Answer {
-                growth_by_load,
-                growth_by_creepage,
-                growth_by_shift,
-                growth_by_profile,
-                ..
-            } = answer;
+            let Answer { growth_by_load, growth_by_creepage, growth_by_shift, growth_by_profile, .. } = answer;
             let mut displacements = [Vector::<S>::zero(simd); 2];
             let (along, rest) = receptances.split_at(size);
             for (from, (&along, &across)) in along.iter().zip(rest).enumerate() {
@@ -205,9 +183,7 @@ impl Turn<'_> {
                 let creepage = match contact.motion[axis] {
                     Motion::Held => Vector::zero(simd),
                     Motion::Free => equations.unknown(unknowns * index + axis, column),
-                    Motion::Compliant(()) => {
-                        times_i(simd, displacements[axis], wavenumbers[0]).negative(simd)
-                    }
+                    Motion::Compliant(()) => times_i(simd, displacements[axis], wavenumbers[0]).negative(simd),
                 };
                 let creepage = match self.direction {
                     Some(direction) if axis == 0 => {
@@ -230,18 +206,12 @@ impl Turn<'_> {
 #[inline(always)]
 fn times_i<S: Simd>(simd: S, number: Vector<S>, factor: S::f64s) -> Vector<S> {
     let Vector { re, im } = number.scaled(simd, factor);
-    Vector {
-        re: simd.neg_f64s(im),
-        im: re,
-    }
+    Vector { re: simd.neg_f64s(im), im: re }
 }
 
 #[inline(always)]
 fn real<S: Simd>(simd: S, value: f64) -> Vector<S> {
-    Vector {
-        re: simd.splat_f64s(value),
-        im: simd.splat_f64s(0.0),
-    }
+    Vector { re: simd.splat_f64s(value), im: simd.splat_f64s(0.0) }
 }
 
 #[inline(always)]

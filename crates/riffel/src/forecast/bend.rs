@@ -28,11 +28,7 @@ impl Bend {
         let amplitude = |passages: f64| (2.0 * sum.mean_square(passages)).sqrt();
         let is_beyond = |passages: f64| sum.rate(passages) * amplitude(passages) >= depth;
         let passages = passages_until(0.0, f64::MAX, is_beyond)?;
-        Some(Self {
-            passages,
-            amplitude: amplitude(passages),
-            depth,
-        })
+        Some(Self { passages, amplitude: amplitude(passages), depth })
     }
 
     /// Mean square \[m²\] after passages beyond it.

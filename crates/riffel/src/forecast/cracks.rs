@@ -31,12 +31,7 @@ impl WavePhase {
     }
 
     fn of(numbers: &[f64]) -> Self {
-        Self {
-            fatigue_index: numbers[0],
-            damage: numbers[1],
-            wear: numbers[2],
-            crack_growth: numbers[3],
-        }
+        Self { fatigue_index: numbers[0], damage: numbers[1], wear: numbers[2], crack_growth: numbers[3] }
     }
 }
 
@@ -80,10 +75,7 @@ impl Cracks {
         let mut loops = states.iter().flat_map(|(_, places)| *places);
         loops.find(|(feedback, _)| damage(feedback).is_some_and(|it| it.fatigue().is_some()))?;
         let lines = band_lines(bands);
-        let middles = lines
-            .iter()
-            .skip(LINES_PER_BAND / 2)
-            .step_by(LINES_PER_BAND);
+        let middles = lines.iter().skip(LINES_PER_BAND / 2).step_by(LINES_PER_BAND);
         let middles: Vec<f64> = middles.copied().collect();
         let means = speeds.means(|speed| {
             let of_band = |&line: &f64| -> Vec<Phases> {
@@ -101,21 +93,14 @@ impl Cracks {
             };
             middles.par_iter().flat_map_iter(of_band).collect()
         });
-        Some(Self {
-            phases: means.values,
-        })
+        Some(Self { phases: means.values })
     }
 
     /// The mean by shares, of which those without cracks have none; none where all are so.
     pub(super) fn mean<'a>(parts: impl Iterator<Item = (f64, Option<&'a Self>)>) -> Option<Self> {
         let parts = parts.filter_map(|(share, it)| Some(it?.clone().covering(share)));
         parts.reduce(|mut sum, other| {
-            for (own, other) in sum
-                .phases
-                .iter_mut()
-                .flatten()
-                .zip(other.phases.iter().flatten())
-            {
+            for (own, other) in sum.phases.iter_mut().flatten().zip(other.phases.iter().flatten()) {
                 *own += other;
             }
             sum
@@ -124,10 +109,7 @@ impl Cracks {
 
     /// In a share of the passages.
     pub(super) fn covering(mut self, share: f64) -> Self {
-        self.phases
-            .iter_mut()
-            .flatten()
-            .for_each(|own| *own *= share);
+        self.phases.iter_mut().flatten().for_each(|own| *own *= share);
         self
     }
 

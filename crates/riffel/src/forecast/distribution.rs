@@ -204,9 +204,7 @@ impl Distribution {
     pub fn share_within(&self, low: f64, high: f64) -> f64 {
         match self {
             Self::Shares(values) => {
-                let inside = values
-                    .iter()
-                    .filter(|(value, _)| (low..=high).contains(value));
+                let inside = values.iter().filter(|(value, _)| (low..=high).contains(value));
                 inside.map(|(_, share)| share).sum()
             }
             Self::Normal { mean, deviation } => {
@@ -216,10 +214,7 @@ impl Distribution {
                 let below = |value: f64| normal_below((value.max(0.0) / median).ln() / deviation);
                 below(high) - below(low)
             }
-            Self::Even {
-                low: from,
-                high: to,
-            } => ((high.min(*to) - low.max(*from)) / (to - from)).max(0.0),
+            Self::Even { low: from, high: to } => ((high.min(*to) - low.max(*from)) / (to - from)).max(0.0),
         }
     }
 }
@@ -232,12 +227,9 @@ fn normal_below(value: f64) -> f64 {
 fn finite(value: f64) -> Result<(), Error> {
     match value.is_finite() {
         true => Ok(()),
-        false => Err(Error::OutOfRange {
-            quantity: "value of a distribution",
-            value,
-            unit: "",
-            rule: "must be finite",
-        }),
+        false => {
+            Err(Error::OutOfRange { quantity: "value of a distribution", value, unit: "", rule: "must be finite" })
+        }
     }
 }
 
@@ -274,24 +266,14 @@ mod tests {
         for rule in 0..Distribution::RULES {
             for half in 0..=2 * rule as i32 + 2 {
                 let moment = |it: &Distribution| -> f64 {
-                    it.nodes(rule)
-                        .iter()
-                        .map(|(at, weight)| weight * at.powi(2 * half))
-                        .sum()
+                    it.nodes(rule).iter().map(|(at, weight)| weight * at.powi(2 * half)).sum()
                 };
                 let double_factorial: f64 = (1..=half).map(|k| f64::from(2 * k - 1)).product();
                 // Nodes have 16 digits.
-                assert!(
-                    (moment(&normal) / double_factorial - 1.0).abs() < 1e-12,
-                    "{rule} {half}"
-                );
+                assert!((moment(&normal) / double_factorial - 1.0).abs() < 1e-12, "{rule} {half}");
                 assert!((moment(&even) * f64::from(2 * half + 1) - 1.0).abs() < 1e-12);
             }
-            let odd: f64 = normal
-                .nodes(rule)
-                .iter()
-                .map(|(at, weight)| weight * at)
-                .sum();
+            let odd: f64 = normal.nodes(rule).iter().map(|(at, weight)| weight * at).sum();
             assert!(odd.abs() < 1e-15);
         }
     }
@@ -305,10 +287,7 @@ mod tests {
         assert_eq!(even.share_within(5.0, 6.0), 0.0);
         let shares = Distribution::shares(&[(0.0, 3.0), (5.0, 1.0)]).unwrap();
         assert_eq!(shares.share_within(-1.0, 1.0), 0.75);
-        assert_eq!(
-            (shares.mean(), shares.lowest(), shares.highest()),
-            (1.25, 0.0, 5.0)
-        );
+        assert_eq!((shares.mean(), shares.lowest(), shares.highest()), (1.25, 0.0, 5.0));
     }
 
     #[test]

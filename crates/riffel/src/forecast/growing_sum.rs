@@ -48,11 +48,7 @@ impl GrowingSum {
     /// ln r² and its derivative by N.
     fn sums(&self, passages: f64) -> (f64, f64) {
         let exponent = |term: &(f64, f64)| term.0 + term.1 * passages;
-        let largest = self
-            .terms
-            .iter()
-            .map(exponent)
-            .fold(f64::NEG_INFINITY, f64::max);
+        let largest = self.terms.iter().map(exponent).fold(f64::NEG_INFINITY, f64::max);
         let (mut sum, mut slope) = (0.0, 0.0);
         for term in &self.terms {
             let part = (exponent(term) - largest).exp();

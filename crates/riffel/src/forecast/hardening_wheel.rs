@@ -34,11 +34,7 @@ pub struct HardeningEnd {
 
 impl HardeningWheel {
     /// That of a wheel whose flow hardens; `states` as in [`MeanGrowth::between`](super::MeanGrowth::between).
-    pub(super) fn of(
-        states: &[(f64, &[(Loop, f64)])],
-        lines: &[f64],
-        speeds: &SpeedDistribution,
-    ) -> Option<Self> {
+    pub(super) fn of(states: &[(f64, &[(Loop, f64)])], lines: &[f64], speeds: &SpeedDistribution) -> Option<Self> {
         let far = |state: &&(f64, &[(Loop, f64)])| (state.0 - speeds.mean()).abs();
         let (_, places) = states.iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
         let damage = places.first()?.0.contacts()[0].damage.as_ref()?;
@@ -67,10 +63,7 @@ impl HardeningWheel {
             share: 1.0,
             flow,
             excess: damage.demand.excess(),
-            gains: means
-                .iter()
-                .map(|[re, im, _]| Complex64::new(*re, *im))
-                .collect(),
+            gains: means.iter().map(|[re, im, _]| Complex64::new(*re, *im)).collect(),
             drifts: means.iter().map(|[_, _, drift]| *drift).collect(),
         })
     }
@@ -98,9 +91,7 @@ impl HardeningEnd {
         let ends = (0..lines).map(|line| Self::of(wheels, line));
         let ends = ends.collect::<Option<Vec<Self>>>()?;
         let numbers = ends.iter().map(|end| end.runaway_number);
-        let squares = ends
-            .iter()
-            .map(|end| end.wave_ratio.map(|ratio| ratio * ratio));
+        let squares = ends.iter().map(|end| end.wave_ratio.map(|ratio| ratio * ratio));
         let square = squares.sum::<Option<f64>>();
         Some(Self {
             runaway_number: numbers.fold(f64::NEG_INFINITY, f64::max),
@@ -120,9 +111,6 @@ impl HardeningEnd {
             hardened += flows * wheel.softening();
         }
         let gain = (hardened > 0.0).then(|| gain / hardened)?;
-        Some(Self {
-            runaway_number: -gain.re,
-            wave_ratio: (gain.re > -1.0).then(|| (1.0 + gain).norm().recip()),
-        })
+        Some(Self { runaway_number: -gain.re, wave_ratio: (gain.re > -1.0).then(|| (1.0 + gain).norm().recip()) })
     }
 }

@@ -30,28 +30,15 @@ impl Variance {
     ///
     /// Method: jackknife (Tukey 1958), n θ − (n − 1) θ₋ᵢ being the share of a record. Records of neighbouring places
     /// scatter together: along a rail, pairs of neighbours become one while those of eight or more correlate.
-    pub(super) fn jackknife(
-        all: f64,
-        without_each: impl Iterator<Item = f64>,
-        along: bool,
-    ) -> Self {
+    pub(super) fn jackknife(all: f64, without_each: impl Iterator<Item = f64>, along: bool) -> Self {
         let without: Vec<f64> = without_each.collect();
         let count = without.len() as f64;
-        let mut values: Vec<f64> = without
-            .iter()
-            .map(|without| count * all - (count - 1.0) * without)
-            .collect();
+        let mut values: Vec<f64> = without.iter().map(|without| count * all - (count - 1.0) * without).collect();
         while along && values.len() >= FEWEST && neighbours_correlate(&values) {
-            values = values
-                .chunks_exact(2)
-                .map(|pair| 0.5 * (pair[0] + pair[1]))
-                .collect();
+            values = values.chunks_exact(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
         }
         let count = values.len() as f64;
-        Self {
-            variance: squares(&values) / (count - 1.0) / count,
-            freedom: count - 1.0,
-        }
+        Self { variance: squares(&values) / (count - 1.0) / count, freedom: count - 1.0 }
     }
 
     /// The variance times a ratio that has its own degrees of freedom: their relative errors add by their squares.
@@ -96,10 +83,7 @@ fn squares(values: &[f64]) -> f64 {
 fn neighbours_correlate(values: &[f64]) -> bool {
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     let products = values.windows(2);
-    products
-        .map(|pair| (pair[0] - mean) * (pair[1] - mean))
-        .sum::<f64>()
-        > 0.0
+    products.map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum::<f64>() > 0.0
 }
 
 /// What lies outside of 95 %, and the standard normal number of half as much.

@@ -52,20 +52,15 @@ impl Marched {
         let sum = |squares: &[f64]| squares.iter().sum::<f64>();
         let rates_of = |squares: &[f64]| -> Vec<f64> {
             let amplitude = (2.0 * sum(squares)).sqrt();
-            (0..squares.len())
-                .map(|line| rates.at(amplitude, line).max(0.0))
-                .collect()
+            (0..squares.len()).map(|line| rates.at(amplitude, line).max(0.0)).collect()
         };
         let grown = |squares: &[f64], rates: &[f64], passages: f64| -> Vec<f64> {
             let grown = squares.iter().zip(rates);
-            grown
-                .map(|(square, rate)| square * (2.0 * rate * passages).exp())
-                .collect()
+            grown.map(|(square, rate)| square * (2.0 * rate * passages).exp()).collect()
         };
         let mut now = 0.0;
         let mut course = vec![(now, sum(&squares).ln())];
-        while sum(&squares) > 0.0 && 2.0 * sum(&squares) < HIGHEST * HIGHEST && now < MOST_PASSAGES
-        {
+        while sum(&squares) > 0.0 && 2.0 * sum(&squares) < HIGHEST * HIGHEST && now < MOST_PASSAGES {
             let begin = rates_of(&squares);
             let fastest = begin.iter().copied().fold(0.0, f64::max);
             if fastest == 0.0 {
@@ -85,20 +80,12 @@ impl Marched {
     /// Every line has an amplitude a and a first harmonic D₁ of what has flowed, the band its mean D₀: the demand of a wheel is X = X₀ −
     /// D₀/D_h in the mean and u₁ − D₁/D_h along the wave, and flow is that of [`ClippedPower`](crate::damage::ClippedPower) over the
     /// wave of the whole band. Method: Runge and Kutta's of fourth order, steps in which nothing changes by more than a tenth.
-    pub(super) fn hardening(
-        lines: &[f64],
-        rates: &RatesByAmplitude,
-        wheels: &[HardeningWheel],
-    ) -> Self {
+    pub(super) fn hardening(lines: &[f64], rates: &RatesByAmplitude, wheels: &[HardeningWheel]) -> Self {
         const STEP: f64 = 0.1;
         const MOST_STEPS: usize = 20_000;
         /// Growth per step of what is at rest.
         const REST: f64 = 1e-6;
-        let band = HardeningBand {
-            rates,
-            wheels,
-            lines: lines.len(),
-        };
+        let band = HardeningBand { rates, wheels, lines: lines.len() };
         let mut state = vec![Complex64::ZERO; 1 + 2 * lines.len()];
         for (own, square) in state[1..].iter_mut().zip(lines) {
             *own = (2.0 * square).sqrt().into();
@@ -109,9 +96,7 @@ impl Marched {
         for _ in 0..MOST_STEPS {
             let square = band.square(&state);
             let (first, fastest) = band.slope(&state);
-            if !(fastest > 0.0 && now < MOST_PASSAGES && square < HIGHEST * HIGHEST)
-                || square < 0.25 * begin
-            {
+            if !(fastest > 0.0 && now < MOST_PASSAGES && square < HIGHEST * HIGHEST) || square < 0.25 * begin {
                 break;
             }
             let step = STEP / fastest;
@@ -122,9 +107,8 @@ impl Marched {
             let (second, _) = band.slope(&moved(&first, 0.5));
             let (third, _) = band.slope(&moved(&second, 0.5));
             let (fourth, _) = band.slope(&moved(&third, 1.0));
-            let mean: Vec<Complex64> = (0..state.len())
-                .map(|i| (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]) / 6.0)
-                .collect();
+            let mean: Vec<Complex64> =
+                (0..state.len()).map(|i| (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]) / 6.0).collect();
             state = moved(&mean, 1.0);
             now += step;
             let after = band.square(&state);
@@ -194,9 +178,8 @@ impl HardeningBand<'_> {
         for wheel in self.wheels {
             let softening = wheel.softening();
             let excess = wheel.excess - state[0].re * softening;
-            let swings: Vec<Complex64> = (0..self.lines)
-                .map(|line| wheel.gains[line] * waves[line] - flowed[line] * softening)
-                .collect();
+            let swings: Vec<Complex64> =
+                (0..self.lines).map(|line| wheel.gains[line] * waves[line] - flowed[line] * softening).collect();
             let size = swings.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
             let per_passage = wheel.share * wheel.flow.depth;
             let rate = per_passage * wheel.flow.law.rate(excess, size);
@@ -204,18 +187,12 @@ impl HardeningBand<'_> {
             for (slope, swing) in slope[1 + self.lines..].iter_mut().zip(&swings) {
                 *slope += rate * swing;
             }
-            let gain = wheel
-                .gains
-                .iter()
-                .map(|gain| gain.norm())
-                .fold(0.0, f64::max);
+            let gain = wheel.gains.iter().map(|gain| gain.norm()).fold(0.0, f64::max);
             fastest += rate * (gain + softening);
         }
         let mut others: f64 = 0.0;
         for line in 0..self.lines {
-            let drift: f64 = (self.wheels.iter())
-                .map(|wheel| wheel.share * wheel.drifts[line])
-                .sum();
+            let drift: f64 = (self.wheels.iter()).map(|wheel| wheel.share * wheel.drifts[line]).sum();
             let rate = Complex64::new(self.rates.at(amplitude, line), drift);
             others = others.max(rate.norm());
             let flows = slope[1 + self.lines + line];
@@ -233,11 +210,7 @@ mod tests {
     fn wheel(gain: Complex64, hardening_depth: f64) -> HardeningWheel {
         HardeningWheel {
             share: 1.0,
-            flow: Flow {
-                depth: 1e-7,
-                law: ClippedPower::new(1.0, 0.0),
-                hardening_depth: Some(hardening_depth),
-            },
+            flow: Flow { depth: 1e-7, law: ClippedPower::new(1.0, 0.0), hardening_depth: Some(hardening_depth) },
             excess: 0.5,
             gains: vec![gain],
             drifts: vec![0.0],
@@ -248,9 +221,7 @@ mod tests {
     /// goes on; half the depth takes twice the passages.
     #[test]
     fn hardening_ends_a_wave() {
-        let none = RatesByAmplitude {
-            rates: vec![(1.0, vec![0.0])],
-        };
+        let none = RatesByAmplitude { rates: vec![(1.0, vec![0.0])] };
         let square = 0.5 * 20e-6_f64.powi(2);
         let gain = Complex64::new(-372.0, 196.0);
         let one = wheel(gain, 0.2e-3);
@@ -289,9 +260,7 @@ mod tests {
     #[test]
     fn a_band_ends_with_all_its_lines() {
         let gains = |ratios: [f64; 2]| HardeningWheel {
-            gains: ratios
-                .map(|ratio| Complex64::from((1.0 / ratio - 1.0) / 1e-3))
-                .to_vec(),
+            gains: ratios.map(|ratio| Complex64::from((1.0 / ratio - 1.0) / 1e-3)).to_vec(),
             drifts: vec![0.0; 2],
             ..wheel(Complex64::ZERO, 1e-3)
         };

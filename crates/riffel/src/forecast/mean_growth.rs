@@ -30,11 +30,7 @@ impl MeanGrowth {
     /// Method: see [`SpeedDistribution`]; wavelengths in parallel on the current rayon pool. Cost: one
     /// turn of the loop for each place, wavelength and speed, 65 speeds for a smooth normal
     /// distribution, 1025 at most; what the wheels answer is asked once for all places.
-    pub fn compute(
-        places: &[(Loop, f64)],
-        wavelengths: &[f64],
-        speeds: &SpeedDistribution,
-    ) -> Self {
+    pub fn compute(places: &[(Loop, f64)], wavelengths: &[f64], speeds: &SpeedDistribution) -> Self {
         Self::between(&[(speeds.mean(), places)], wavelengths, speeds)
     }
 
@@ -42,15 +38,10 @@ impl MeanGrowth {
     /// each counts by its nearness, so that the error is of second order in their distance; beyond the ends the nearest counts.
     ///
     /// Cost: twice that of [`compute`](Self::compute) between speeds.
-    pub fn between(
-        states: &[(f64, &[(Loop, f64)])],
-        wavelengths: &[f64],
-        speeds: &SpeedDistribution,
-    ) -> Self {
+    pub fn between(states: &[(f64, &[(Loop, f64)])], wavelengths: &[f64], speeds: &SpeedDistribution) -> Self {
         let prepared = states.iter();
-        let mut prepared: Vec<(f64, AtSpeeds)> = prepared
-            .map(|(at, places)| (*at, AtSpeeds::new(places, wavelengths)))
-            .collect();
+        let mut prepared: Vec<(f64, AtSpeeds)> =
+            prepared.map(|(at, places)| (*at, AtSpeeds::new(places, wavelengths))).collect();
         let means = speeds.means(|speed| {
             let mut means = vec![[0.0; 2]; wavelengths.len()];
             for (index, share) in near(&prepared, speed) {

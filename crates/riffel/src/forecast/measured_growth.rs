@@ -53,30 +53,22 @@ impl Dated {
         let known = dates.iter().filter_map(|(time, records)| {
             let levels = records.iter().map(|record| record.level(band));
             let squares: Option<Vec<f64>> = levels.map(|own| own.map(mean_square)).collect();
-            squares
-                .filter(|squares| !squares.is_empty())
-                .map(|squares| (*time, squares))
+            squares.filter(|squares| !squares.is_empty()).map(|squares| (*time, squares))
         });
         let (times, squares): (Vec<f64>, Vec<Vec<f64>>) = known.unzip();
         let all = Self { times, squares };
-        let levels: Vec<f64> = (0..all.times.len())
-            .map(|date| all.level(date, None))
-            .collect();
+        let levels: Vec<f64> = (0..all.times.len()).map(|date| all.level(date, None)).collect();
         let since = first_since_ground(levels.windows(2).map(|pair| pair[0] - pair[1]));
         let begins_now = all.times.last().copied() == dates.last().map(|date| date.0);
-        (begins_now && all.times.len() >= since + 2).then(|| Self {
-            times: all.times[since..].to_vec(),
-            squares: all.squares[since..].to_vec(),
-        })
+        (begins_now && all.times.len() >= since + 2)
+            .then(|| Self { times: all.times[since..].to_vec(), squares: all.squares[since..].to_vec() })
     }
 
     /// Level of a date over all records but one.
     fn level(&self, date: usize, without: Option<usize>) -> f64 {
         let squares = self.squares[date].iter().enumerate();
         let kept = squares.filter(|(record, _)| Some(*record) != without);
-        let (count, sum) = kept.fold((0.0, 0.0), |(count, sum), (_, square)| {
-            (count + 1.0, sum + square)
-        });
+        let (count, sum) = kept.fold((0.0, 0.0), |(count, sum), (_, square)| (count + 1.0, sum + square));
         level(sum / count)
     }
 
@@ -110,10 +102,7 @@ impl Dated {
                 dates.reduce(Variance::and)?
             }
         };
-        let squares: f64 = weights(&self.times)
-            .iter()
-            .map(|weight| weight.powi(2))
-            .sum();
+        let squares: f64 = weights(&self.times).iter().map(|weight| weight.powi(2)).sum();
         Some(of_slope.times(squares.recip()))
     }
 
@@ -175,17 +164,13 @@ impl MeasuredGrowth {
             true => scatter.times(off / expected).known_less(freedom),
             false => scatter,
         };
-        let bands = known
-            .into_iter()
-            .map(|(band, scatter, dated)| MeasuredBand {
-                band,
-                slope: dated.slope(None, None),
-                scatter: scatter.map_or(by_dates, widened),
-                times: dated.times,
-            });
-        Ok(Self {
-            bands: bands.collect(),
-        })
+        let bands = known.into_iter().map(|(band, scatter, dated)| MeasuredBand {
+            band,
+            slope: dated.slope(None, None),
+            scatter: scatter.map_or(by_dates, widened),
+            times: dated.times,
+        });
+        Ok(Self { bands: bands.collect() })
     }
 
     /// The growth of a rail with another unit of time, of which the present one has so many.
@@ -250,18 +235,14 @@ impl MeasuredBand {
     /// where it does not.
     pub fn time_80(&self, rise: f64, measured: bool) -> [Option<f64>; 2] {
         [1, 0].map(|end| {
-            passages_until(0.0, MOST_SPANS * self.span(), |ahead| {
-                self.change_80(ahead, measured)[end] >= rise
-            })
+            passages_until(0.0, MOST_SPANS * self.span(), |ahead| self.change_80(ahead, measured)[end] >= rise)
         })
     }
 
     /// Bands of 50 and 80 % about a sum of the levels of the dates, each with a factor of its weight in the slope and its place.
     fn about(&self, sum: f64, factor: impl Fn(f64, usize) -> f64) -> [[f64; 2]; 2] {
         let weights = weights(&self.times).into_iter().enumerate();
-        let squares: f64 = weights
-            .map(|(date, weight)| factor(weight, date).powi(2))
-            .sum();
+        let squares: f64 = weights.map(|(date, weight)| factor(weight, date).powi(2)).sum();
         self.scatter.times(squares).bands(sum)
     }
 }

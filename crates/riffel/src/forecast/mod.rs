@@ -40,7 +40,5 @@ pub use measured_growth::{MeasuredBand, MeasuredGrowth};
 pub use prediction::{Forecast, ForecastBand, LinearRange, Reach};
 pub use speed_distribution::SpeedDistribution;
 pub use traffic::{TrafficGrowth, VehicleGrowth};
-pub use wear_fit::{
-    FittedBand, LARGE_CHANGE, LEAST_PASSAGES, MeasuredChange, WearFit, WearVerdict,
-};
+pub use wear_fit::{FittedBand, LARGE_CHANGE, LEAST_PASSAGES, MeasuredChange, WearFit, WearVerdict};
 pub use wear_spread::WearSpread;

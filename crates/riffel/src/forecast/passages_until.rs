@@ -30,10 +30,7 @@ mod tests {
     fn finds_when_it_begins() {
         for begins in [0.0, 0.3, 1.0, 7.5, 1e9] {
             let got = passages_until(0.0, 1e15, |passages| passages >= begins);
-            assert!(
-                (got.unwrap() - begins).abs() <= 1e-15 * begins,
-                "{begins}: {got:?}"
-            );
+            assert!((got.unwrap() - begins).abs() <= 1e-15 * begins, "{begins}: {got:?}");
         }
         assert_eq!(passages_until(4.0, 1e15, |_| true), Some(4.0));
         assert_eq!(passages_until(0.0, 1e15, |_| false), None);

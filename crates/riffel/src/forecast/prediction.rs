@@ -139,10 +139,7 @@ impl Forecast {
             .iter()
             .enumerate()
             .filter_map(|(place, &band)| {
-                let now = BandLevel {
-                    band,
-                    level: spectrum.level(band)?,
-                };
+                let now = BandLevel { band, level: spectrum.level(band)? };
                 let line = now.mean_square() / LINES_PER_BAND as f64;
                 let rates = traffic.forecast_lines(place);
                 let sum = GrowingSum::new(rates.map(|rate| (line, rate)));
@@ -158,14 +155,7 @@ impl Forecast {
                 let bend = (of_loop && marched.is_none() && traffic.mean_wear().bounds_growth)
                     .then(|| Bend::of(&sum, traffic.mean_wear().depth));
                 let bend = bend.flatten();
-                Some(ForecastBand {
-                    now,
-                    sum,
-                    place,
-                    bend,
-                    marched,
-                    hardening,
-                })
+                Some(ForecastBand { now, sum, place, bend, marched, hardening })
             })
             .collect();
         if bands.is_empty() {
@@ -175,11 +165,7 @@ impl Forecast {
             });
         }
         let linear = force_range(&traffic, bands.iter());
-        Ok(Self {
-            traffic,
-            bands,
-            linear,
-        })
+        Ok(Self { traffic, bands, linear })
     }
 
     /// Axle passages up to which the forecast holds, where the forces of all bands together lift the wheel off
@@ -244,9 +230,7 @@ impl Forecast {
     pub fn grinding_interval(&self, limit: &LevelLimit) -> Reach {
         let reaches = self.reaches(limit);
         let passages = reaches.iter().filter_map(|(_, _, reach)| reach.passages());
-        let beyond = reaches
-            .iter()
-            .any(|(_, _, reach)| *reach == Reach::BeyondLinearRange);
+        let beyond = reaches.iter().any(|(_, _, reach)| *reach == Reach::BeyondLinearRange);
         match passages.min_by(f64::total_cmp) {
             Some(passages) => Reach::After(passages),
             None if beyond => Reach::BeyondLinearRange,
@@ -280,28 +264,17 @@ impl Forecast {
     /// |P₁|² is Σ_j A_j² ⟨|P₁/Δ|²⟩ over the lines, with A_j² twice the mean square of a line and the mean over
     /// the speeds of a vehicle: the amplitude of a sinusoid that has the RMS of the force. A broad
     /// spectrum parts wheel and rail for moments before.
-    pub fn linear_range<'a>(
-        &self,
-        bands: impl IntoIterator<Item = &'a ForecastBand>,
-    ) -> LinearRange {
+    pub fn linear_range<'a>(&self, bands: impl IntoIterator<Item = &'a ForecastBand>) -> LinearRange {
         force_range(&self.traffic, bands)
     }
 }
 
 /// [`Forecast::linear_range`] of bands under a traffic.
-fn force_range<'a>(
-    traffic: &TrafficGrowth,
-    bands: impl IntoIterator<Item = &'a ForecastBand>,
-) -> LinearRange {
+fn force_range<'a>(traffic: &TrafficGrowth, bands: impl IntoIterator<Item = &'a ForecastBand>) -> LinearRange {
     let bands: Vec<&ForecastBand> = bands.into_iter().collect();
     let of_vehicle = |(vehicle, growth): (usize, &VehicleGrowth)| {
-        let force = |bands: &[&ForecastBand]| {
-            GrowingSum::new(
-                bands
-                    .iter()
-                    .flat_map(|band| force_of(traffic, growth, band)),
-            )
-        };
+        let force =
+            |bands: &[&ForecastBand]| GrowingSum::new(bands.iter().flat_map(|band| force_of(traffic, growth, band)));
         let all = force(&bands);
         if bands.iter().any(|band| band.marched.is_some()) {
             let each = bands.iter().map(|band| (*band, force(&[*band])));
@@ -312,10 +285,7 @@ fn force_range<'a>(
             };
         }
         let passages = all.passages_to(1.0).and_then(|passages| {
-            match bands
-                .iter()
-                .any(|band| band.bend.is_some_and(|bend| bend.passages < passages))
-            {
+            match bands.iter().any(|band| band.bend.is_some_and(|bend| bend.passages < passages)) {
                 false => Some(passages),
                 true => {
                     let each = bands.iter().map(|band| (*band, force(&[*band])));
@@ -323,26 +293,16 @@ fn force_range<'a>(
                 }
             }
         });
-        LinearRange {
-            force_ratio: all.mean_square(0.0).sqrt(),
-            passages,
-            vehicle,
-        }
+        LinearRange { force_ratio: all.mean_square(0.0).sqrt(), passages, vehicle }
     };
     let ranges = traffic.vehicles().iter().enumerate().map(of_vehicle);
     ranges
         .min_by(|a, b| {
             let passages = |range: &LinearRange| range.passages.unwrap_or(f64::INFINITY);
-            passages(a)
-                .total_cmp(&passages(b))
-                .then(b.force_ratio.total_cmp(&a.force_ratio))
+            passages(a).total_cmp(&passages(b)).then(b.force_ratio.total_cmp(&a.force_ratio))
         })
         // There is a vehicle in every mix.
-        .unwrap_or(LinearRange {
-            force_ratio: 0.0,
-            passages: None,
-            vehicle: 0,
-        })
+        .unwrap_or(LinearRange { force_ratio: 0.0, passages: None, vehicle: 0 })
 }
 
 /// |P₁|²/P₀² of the lines of a band under a vehicle, each with its growth rate.

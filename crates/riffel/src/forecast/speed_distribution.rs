@@ -65,9 +65,7 @@ impl SpeedDistribution {
         let sum: f64 = speeds.iter().map(|speed| speed.1).sum();
         Error::unless_positive("sum of the shares of speeds", sum, "")?;
         let speeds = speeds.iter().map(|&(speed, share)| (speed, share / sum));
-        Ok(Self {
-            kind: Kind::Shares(speeds.collect()),
-        })
+        Ok(Self { kind: Kind::Shares(speeds.collect()) })
     }
 
     /// A normal distribution of a mean and a standard deviation \[m/s\], cut off at four standard deviations;
@@ -91,9 +89,7 @@ impl SpeedDistribution {
                        standstill",
             });
         }
-        Ok(Self {
-            kind: Kind::Normal { mean, deviation },
-        })
+        Ok(Self { kind: Kind::Normal { mean, deviation } })
     }
 
     /// Mean \[m/s\].
@@ -119,11 +115,9 @@ impl SpeedDistribution {
     /// Lowest and highest speed \[m/s\].
     pub fn range(&self) -> (f64, f64) {
         match &self.kind {
-            Kind::Shares(speeds) => speeds
-                .iter()
-                .fold((f64::INFINITY, 0.0), |(low, high), &(speed, _)| {
-                    (speed.min(low), speed.max(high))
-                }),
+            Kind::Shares(speeds) => {
+                speeds.iter().fold((f64::INFINITY, 0.0), |(low, high), &(speed, _)| (speed.min(low), speed.max(high)))
+            }
             Kind::Normal { mean, deviation } => (mean - TAIL * deviation, mean + TAIL * deviation),
         }
     }
@@ -144,10 +138,7 @@ impl SpeedDistribution {
         Error::unless_positive("factor of the speed", factor, "")?;
         match &self.kind {
             Kind::Shares(speeds) => {
-                let speeds: Vec<_> = speeds
-                    .iter()
-                    .map(|&(v, share)| (factor * v, share))
-                    .collect();
+                let speeds: Vec<_> = speeds.iter().map(|&(v, share)| (factor * v, share)).collect();
                 Self::shares(&speeds)
             }
             Kind::Normal { mean, deviation } => Self::normal(factor * mean, factor * deviation),
@@ -172,10 +163,7 @@ impl SpeedDistribution {
         };
         let nodes: Vec<(f64, f64)> = (-HALVES..=HALVES).map(at).collect();
         let sum: f64 = nodes.iter().map(|(_, weight)| weight).sum();
-        nodes
-            .into_iter()
-            .map(|(speed, weight)| (speed, weight / sum))
-            .collect()
+        nodes.into_iter().map(|(speed, weight)| (speed, weight / sum)).collect()
     }
 
     /// Means of what `at` gives at a speed \[m/s\]: N quantities at each of some places.
@@ -184,10 +172,7 @@ impl SpeedDistribution {
     /// deviations, which converges faster than any power of the step for what is smooth. It begins with a
     /// quarter of a deviation and halves the step until that changes no mean by more than 1e-3 of the
     /// largest mean of its quantity, five times at most; what sharper lines leave is in the error.
-    pub(super) fn means<const N: usize>(
-        &self,
-        mut at: impl FnMut(f64) -> Vec<[f64; N]>,
-    ) -> Means<N> {
+    pub(super) fn means<const N: usize>(&self, mut at: impl FnMut(f64) -> Vec<[f64; N]>) -> Means<N> {
         let mut at = |speed| {
             check();
             at(speed)
@@ -199,11 +184,7 @@ impl SpeedDistribution {
                 for &(speed, share) in speeds {
                     sum.add(&at(speed), share);
                 }
-                return Means {
-                    values: sum.mean(),
-                    error: [0.0; N],
-                    speeds: speeds.len(),
-                };
+                return Means { values: sum.mean(), error: [0.0; N], speeds: speeds.len() };
             }
         };
         let mut sum = WeightedSum::new();
@@ -235,11 +216,7 @@ impl SpeedDistribution {
             }
             values = finer;
             if converged || halvings == MOST_HALVINGS {
-                return Means {
-                    values,
-                    error,
-                    speeds: steps + 1,
-                };
+                return Means { values, error, speeds: steps + 1 };
             }
         }
     }
@@ -253,20 +230,12 @@ struct WeightedSum<const N: usize> {
 
 impl<const N: usize> WeightedSum<N> {
     fn new() -> Self {
-        Self {
-            values: Vec::new(),
-            weight: 0.0,
-        }
+        Self { values: Vec::new(), weight: 0.0 }
     }
 
     fn add(&mut self, values: &[[f64; N]], weight: f64) {
         self.values.resize(values.len(), [0.0; N]);
-        for (sum, value) in self
-            .values
-            .as_flattened_mut()
-            .iter_mut()
-            .zip(values.as_flattened())
-        {
+        for (sum, value) in self.values.as_flattened_mut().iter_mut().zip(values.as_flattened()) {
             *sum += weight * value;
         }
         self.weight += weight;
@@ -274,9 +243,7 @@ impl<const N: usize> WeightedSum<N> {
 
     fn mean(&self) -> Vec<[f64; N]> {
         let values = self.values.iter();
-        values
-            .map(|value| value.map(|sum| sum / self.weight))
-            .collect()
+        values.map(|value| value.map(|sum| sum / self.weight)).collect()
     }
 }
 
@@ -295,14 +262,8 @@ mod tests {
             let [value] = found.values[0];
             let nodes = speeds.nodes();
             let of_nodes: f64 = nodes.iter().map(|(v, share)| share * (k * v).cos()).sum();
-            assert!(
-                (1.0 + of_nodes - expected).abs() < 1.3e-4,
-                "{k}: {of_nodes}"
-            );
-            assert!(
-                (value - expected).abs() < 1.3e-4,
-                "k {k}: {value} {expected}"
-            );
+            assert!((1.0 + of_nodes - expected).abs() < 1.3e-4, "{k}: {of_nodes}");
+            assert!((value - expected).abs() < 1.3e-4, "k {k}: {value} {expected}");
             assert!(found.error[0] <= 1e-3 * expected);
         }
         Ok(())
@@ -346,10 +307,7 @@ mod tests {
             let found = SpeedDistribution::normal(mean, spread * mean)?.means(|v| vec![[line(v)]]);
             let [value] = found.values[0];
             let error = (value - expected).abs();
-            assert!(
-                error < 2e-3 * expected,
-                "{width} {spread}: {value} {expected}"
-            );
+            assert!(error < 2e-3 * expected, "{width} {spread}: {value} {expected}");
             let u = width / (2f64.sqrt() * spread);
             let closed = std::f64::consts::PI.sqrt() * u * (u * u).exp() * libm::erfc(u);
             assert!((closed - expected).abs() < 1e-4, "{closed} {expected}");

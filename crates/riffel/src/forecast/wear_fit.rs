@@ -119,11 +119,7 @@ impl MeasuredChange {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless there are as many of both, one at least, and 10 000 passages or more.
-    pub fn paired(
-        earlier: Vec<Spectrum>,
-        later: Vec<Spectrum>,
-        passages: f64,
-    ) -> Result<Self, Error> {
+    pub fn paired(earlier: Vec<Spectrum>, later: Vec<Spectrum>, passages: f64) -> Result<Self, Error> {
         if earlier.len() != later.len() {
             return Err(Error::OutOfRange {
                 quantity: "number of later records",
@@ -139,20 +135,11 @@ impl MeasuredChange {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless there is one of each at least, and 10 000 passages or more.
-    pub fn groups(
-        earlier: Vec<Spectrum>,
-        later: Vec<Spectrum>,
-        passages: f64,
-    ) -> Result<Self, Error> {
+    pub fn groups(earlier: Vec<Spectrum>, later: Vec<Spectrum>, passages: f64) -> Result<Self, Error> {
         Self::new(earlier, later, passages, false)
     }
 
-    fn new(
-        earlier: Vec<Spectrum>,
-        later: Vec<Spectrum>,
-        passages: f64,
-        paired: bool,
-    ) -> Result<Self, Error> {
+    fn new(earlier: Vec<Spectrum>, later: Vec<Spectrum>, passages: f64, paired: bool) -> Result<Self, Error> {
         if !(passages.is_finite() && passages >= LEAST_PASSAGES) {
             return Err(Error::OutOfRange {
                 quantity: "axle passages between two measurements",
@@ -164,12 +151,7 @@ impl MeasuredChange {
         for count in [earlier.len(), later.len()] {
             Error::unless_positive("number of records", count as f64, "")?;
         }
-        Ok(Self {
-            earlier,
-            later,
-            paired,
-            passages,
-        })
+        Ok(Self { earlier, later, paired, passages })
     }
 
     /// Axle passages between the two.
@@ -178,10 +160,7 @@ impl MeasuredChange {
     }
 
     /// 95 % interval of what `estimate` makes of the records but for one earlier and one later, if there are enough.
-    fn interval(
-        &self,
-        estimate: impl Fn(Option<usize>, Option<usize>) -> f64,
-    ) -> Option<(f64, f64)> {
+    fn interval(&self, estimate: impl Fn(Option<usize>, Option<usize>) -> f64) -> Option<(f64, f64)> {
         let (earlier, later) = (self.earlier.len(), self.later.len());
         if earlier.min(later) < FEWEST {
             return None;
@@ -204,10 +183,7 @@ impl MeasuredChange {
             let levels = spectra.iter().map(|spectrum| spectrum.level(band));
             levels.map(|level| level.map(mean_square)).collect()
         };
-        Some(Measured {
-            earlier: squares(&self.earlier)?,
-            later: squares(&self.later)?,
-        })
+        Some(Measured { earlier: squares(&self.earlier)?, later: squares(&self.later)? })
     }
 }
 
@@ -268,8 +244,7 @@ impl WearFit {
             });
         }
         let passages = change.passages;
-        let growing: Vec<&(ThirdOctave, Measured, Model, bool)> =
-            bands.iter().filter(|band| band.3).collect();
+        let growing: Vec<&(ThirdOctave, Measured, Model, bool)> = bands.iter().filter(|band| band.3).collect();
         let models: Vec<&Model> = growing.iter().map(|band| &band.2).collect();
         let factor_without = |earlier: Option<usize>, later: Option<usize>| {
             let changes = growing.iter().map(|band| band.1.change(earlier, later));
@@ -279,38 +254,26 @@ impl WearFit {
             true => (0.0, None),
             false => (factor_without(None, None), change.interval(factor_without)),
         };
-        let fitted = bands
-            .iter()
-            .map(|(band, measured, model, grows)| FittedBand {
-                band: *band,
-                measured: measured.change(None, None),
-                interval: change.interval(|earlier, later| measured.change(earlier, later)),
-                predicted: model.change(1.0, passages).0,
-                fitted: model.change(factor, passages).0,
-                grows: *grows,
-            });
+        let fitted = bands.iter().map(|(band, measured, model, grows)| FittedBand {
+            band: *band,
+            measured: measured.change(None, None),
+            interval: change.interval(|earlier, later| measured.change(earlier, later)),
+            predicted: model.change(1.0, passages).0,
+            fitted: model.change(factor, passages).0,
+            grows: *grows,
+        });
         let bands: Vec<FittedBand> = fitted.collect();
         let verdict = match interval {
-            _ if fall_of_bands(bands.iter().map(|band| -band.measured)) > FALL_BY_GRINDING => {
-                WearVerdict::Against
-            }
+            _ if fall_of_bands(bands.iter().map(|band| -band.measured)) > FALL_BY_GRINDING => WearVerdict::Against,
             _ if is_unexplained(&bands) => WearVerdict::Unexplained,
             _ if bands.iter().all(|band| !band.grows) => WearVerdict::NothingGrows,
             None if factor > 0.0 => WearVerdict::WithoutInterval,
-            None if bands.iter().any(|band| band.grows && band.has_fallen()) => {
-                WearVerdict::Against
-            }
+            None if bands.iter().any(|band| band.grows && band.has_fallen()) => WearVerdict::Against,
             Some((_, high)) if high < 0.0 => WearVerdict::Against,
             Some((low, _)) if low > 0.0 => WearVerdict::Fitted,
             _ => WearVerdict::Indistinct,
         };
-        Ok(Self {
-            factor,
-            interval,
-            bands,
-            paired: change.paired,
-            verdict,
-        })
+        Ok(Self { factor, interval, bands, paired: change.paired, verdict })
     }
 
     /// RMS of the residuals of the fitted bands \[dB\]; none without such a band.
@@ -337,9 +300,7 @@ struct Model {
 
 impl Model {
     fn new(rates: impl Iterator<Item = f64>) -> Self {
-        Self {
-            sum: GrowingSum::new(rates.map(|rate| (1.0, rate))),
-        }
+        Self { sum: GrowingSum::new(rates.map(|rate| (1.0, rate))) }
     }
 
     /// Change of level with a factor of the wear coefficient \[dB\] and its derivative by the factor: growth

@@ -23,18 +23,14 @@ impl WearSpread {
     /// Of a coefficient of which 80 % lies within a factor either way, one or more.
     #[must_use]
     pub fn of_factor(factor: f64) -> Self {
-        Self {
-            deviation: factor.ln() / HALF_OF_80,
-        }
+        Self { deviation: factor.ln() / HALF_OF_80 }
     }
 
     /// Of a coefficient fitted to two measurements, by its interval of 95 %; none unless all of that lies above zero.
     pub fn of_interval((low, high): (f64, f64)) -> Option<Self> {
         /// Of the normal distribution.
         const HALF_OF_95: f64 = 1.959_963_984_540_054;
-        (low > 0.0 && high >= low).then(|| Self {
-            deviation: (high / low).ln() / (2.0 * HALF_OF_95),
-        })
+        (low > 0.0 && high >= low).then(|| Self { deviation: (high / low).ln() / (2.0 * HALF_OF_95) })
     }
 
     /// Factor of one standard deviation either way \[-\].
@@ -75,19 +71,13 @@ mod tests {
         let mut source = Xoshiro256PlusPlus::seed_from_u64(1);
         let mut uniform = || -> f64 { (source.next_u64() >> 11) as f64 / (1u64 << 53) as f64 };
         let draws = 40_000;
-        let (eighty, fifty) = (
-            WearSpread::UNMEASURED.band_80(1.0),
-            WearSpread::UNMEASURED.band_50(1.0),
-        );
+        let (eighty, fifty) = (WearSpread::UNMEASURED.band_80(1.0), WearSpread::UNMEASURED.band_50(1.0));
         let bands = [(eighty, 0.8), (fifty, 0.5), ([1.0 / 3.0, 3.0], 0.8)];
         let mut found = [0.0; 3];
         for _ in 0..draws {
             // Box & Muller.
             let size = (-2.0 * (1.0 - uniform()).ln()).sqrt();
-            let factor = (WearSpread::UNMEASURED.deviation
-                * size
-                * (std::f64::consts::TAU * uniform()).cos())
-            .exp();
+            let factor = (WearSpread::UNMEASURED.deviation * size * (std::f64::consts::TAU * uniform()).cos()).exp();
             for (found, ([low, high], _)) in found.iter_mut().zip(bands) {
                 *found += f64::from((low..=high).contains(&factor)) / f64::from(draws);
             }

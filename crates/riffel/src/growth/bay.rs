@@ -32,11 +32,7 @@ pub struct Bay {
 impl Bay {
     /// The loop on a track, which is the vertical one of a loop on all axes; none where supports are not discrete.
     pub fn new(feedback: impl Into<Loop>, track: Arc<dyn CrossReceptance>) -> Option<Self> {
-        Some(Self {
-            spacing: track.support_spacing()?,
-            feedback: feedback.into(),
-            track,
-        })
+        Some(Self { spacing: track.support_spacing()?, feedback: feedback.into(), track })
     }
 
     /// Distance of the supports \[m\].
@@ -70,9 +66,7 @@ impl Bay {
 
     /// The loop at each place of the mean over the bay, with its weight; the weights sum to one.
     pub fn places(&self) -> Vec<(Loop, f64)> {
-        self.nodes()
-            .map(|(position, weight)| (self.at(position), weight))
-            .collect()
+        self.nodes().map(|(position, weight)| (self.at(position), weight)).collect()
     }
 
     /// Mean of Ŵ₁ over the bay.
@@ -90,8 +84,7 @@ impl Bay {
     ///
     /// `progress` is called as by [`GrowthMap::compute`], for the rows of all places.
     pub fn maps(&self, wavelength: Axis, speed: Axis, progress: impl Fn(usize) + Sync) -> BayMaps {
-        let map =
-            |position: f64| GrowthMap::compute(self.at(position), wavelength, speed, &progress);
+        let map = |position: f64| GrowthMap::compute(self.at(position), wavelength, speed, &progress);
         let over_support = map(0.0);
         let mid_span = map(0.5 * self.spacing);
         let mut mean = over_support.scaled(0.0);
@@ -102,18 +95,12 @@ impl Bay {
                 _ => mean.add(&map(position), weight),
             }
         }
-        BayMaps {
-            over_support,
-            mid_span,
-            mean,
-        }
+        BayMaps { over_support, mid_span, mean }
     }
 
     /// The ridge of the mean over a window of wavelengths.
     pub fn ridge(&self, mean: &GrowthMap, window: Axis) -> Ridge {
-        Ridge::refined_from(mean, window, |wavelength, speed| {
-            self.mean_normalized_dissipation(wavelength, speed)
-        })
+        Ridge::refined_from(mean, window, |wavelength, speed| self.mean_normalized_dissipation(wavelength, speed))
     }
 
     /// Number of maps behind [`maps`](Self::maps).

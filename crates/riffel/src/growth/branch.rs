@@ -69,21 +69,16 @@ impl RidgeBranch {
     }
 
     fn range(&self, value: impl Fn(&RidgePoint) -> f64) -> (f64, f64) {
-        self.crest().map(value).fold(
-            (f64::INFINITY, f64::NEG_INFINITY),
-            |(least, most), value| (value.min(least), value.max(most)),
-        )
+        self.crest()
+            .map(value)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (value.min(least), value.max(most)))
     }
 
     /// The point of highest growth rate per passage.
     pub fn highest(&self) -> &RidgePoint {
         let higher = |best: usize, index: usize| {
             let rate = |index: usize| self.points[index].growth_rate;
-            if rate(index) > rate(best) {
-                index
-            } else {
-                best
-            }
+            if rate(index) > rate(best) { index } else { best }
         };
         &self.points[(0..self.points.len()).fold(0, higher)]
     }
@@ -120,8 +115,7 @@ pub(super) fn minima(wavelengths: &[f64], values: &[f64]) -> Vec<Minimum> {
                 let before = wavelengths[j] - wavelengths[left];
                 let after = wavelengths[right] - wavelengths[j];
                 let (fall, rise) = (values[left] - values[j], values[right] - values[j]);
-                0.5 * (after * after * fall - before * before * rise)
-                    / (after * fall + before * rise)
+                0.5 * (after * after * fall - before * before * rise) / (after * fall + before * rise)
             };
             Minimum {
                 index: j,
@@ -233,18 +227,11 @@ pub(super) fn chains(rows: &[(f64, &[Minimum])]) -> Vec<Vec<Place>> {
         }
         for (place, (minimum, chain)) in minima.iter().zip(continued).enumerate() {
             let chain = chain.unwrap_or_else(|| {
-                chains.push(Chain {
-                    members: Vec::new(),
-                    course: Vec::new(),
-                });
+                chains.push(Chain { members: Vec::new(), course: Vec::new() });
                 chains.len() - 1
             });
             chains[chain].members.push((row, place));
-            chains[chain].course.push(Step {
-                ln_speed,
-                ln_frequency: ln_frequency(minimum),
-                at_end: minimum.at_end,
-            });
+            chains[chain].course.push(Step { ln_speed, ln_frequency: ln_frequency(minimum), at_end: minimum.at_end });
         }
     }
     chains.into_iter().map(|chain| chain.members).collect()
@@ -270,25 +257,14 @@ mod tests {
             .iter()
             .map(|&speed| {
                 let values = window().values();
-                let row: Vec<f64> = values
-                    .iter()
-                    .map(|&wavelength| field(wavelength, speed))
-                    .collect();
+                let row: Vec<f64> = values.iter().map(|&wavelength| field(wavelength, speed)).collect();
                 (speed, minima(&values, &row))
             })
             .collect();
-        let borrowed: Vec<(f64, &[Minimum])> = rows
-            .iter()
-            .map(|(speed, minima)| (*speed, &minima[..]))
-            .collect();
+        let borrowed: Vec<(f64, &[Minimum])> = rows.iter().map(|(speed, minima)| (*speed, &minima[..])).collect();
         chains(&borrowed)
             .iter()
-            .map(|chain| {
-                chain
-                    .iter()
-                    .map(|&(row, place)| (rows[row].0, rows[row].1[place].wavelength))
-                    .collect()
-            })
+            .map(|chain| chain.iter().map(|&(row, place)| (rows[row].0, rows[row].1[place].wavelength)).collect())
             .collect()
     }
 
@@ -310,10 +286,7 @@ mod tests {
         // Where they run into each other one minimum stands for both: a width of 1 % and a grid step of 0.25 mm.
         const WITHIN: f64 = 6.5e-4;
         for (speed, wavelength) in resonance {
-            assert!(
-                (wavelength - speed / 500.0).abs() < WITHIN,
-                "{speed} {wavelength}"
-            );
+            assert!((wavelength - speed / 500.0).abs() < WITHIN, "{speed} {wavelength}");
         }
         for (_, wavelength) in filter {
             assert!((wavelength - 0.04).abs() < WITHIN, "{wavelength}");
@@ -332,11 +305,7 @@ mod tests {
             let found = courses(&speeds, |wavelength, speed| {
                 // f = 1000 Hz (20 m/s / V)^0.3, inside from 20 to 54 m/s.
                 let crest = speed / (1000.0 * (20.0 / speed).powf(0.3));
-                if speed < 12.0 {
-                    1.0
-                } else {
-                    dip(1.0, wavelength, crest, 0.3)
-                }
+                if speed < 12.0 { 1.0 } else { dip(1.0, wavelength, crest, 0.3) }
             });
             assert_eq!(found.len(), 1, "{points} speeds: {found:?}");
         }
@@ -351,11 +320,7 @@ mod tests {
         let lengths: Vec<usize> = found.iter().map(Vec::len).collect();
         assert!(lengths.contains(&101), "{lengths:?}");
         // Both lie inside the window at all of these speeds.
-        assert_eq!(
-            lengths.iter().filter(|&&length| length > 95).count(),
-            2,
-            "{lengths:?}"
-        );
+        assert_eq!(lengths.iter().filter(|&&length| length > 95).count(), 2, "{lengths:?}");
     }
 
     /// Lines narrower than the grid are seen in some rows; up to three in a row may be missed.
@@ -365,11 +330,7 @@ mod tests {
             courses(&speeds(15.0, 30.0), |wavelength, speed| {
                 let row = ((speed - 15.0) / 0.15).round() as usize;
                 let seen = row.is_multiple_of(every);
-                if seen {
-                    dip(1.0, wavelength, speed / 500.0, 0.02)
-                } else {
-                    1.0
-                }
+                if seen { dip(1.0, wavelength, speed / 500.0, 0.02) } else { 1.0 }
             })
             .len()
         };
@@ -379,9 +340,8 @@ mod tests {
 
     #[test]
     fn one_speed_has_a_chain_for_each_minimum_and_decay_has_none() {
-        let found = courses(&[20.0], |wavelength, _| {
-            dip(1.0, wavelength, 0.03, 0.02) + dip(1.0, wavelength, 0.06, 0.02)
-        });
+        let found =
+            courses(&[20.0], |wavelength, _| dip(1.0, wavelength, 0.03, 0.02) + dip(1.0, wavelength, 0.06, 0.02));
         assert_eq!(found.len(), 2);
         assert!((found[0][0].1 - 0.03).abs() < 1e-5 && (found[1][0].1 - 0.06).abs() < 1e-5);
         assert!(courses(&speeds(15.0, 30.0), |wavelength, speed| wavelength * speed).is_empty());

@@ -33,24 +33,15 @@ impl WithSimd for Closing<'_> {
     /// speed, and the receptance times the same of the wave in the numerator: one division for each wavelength.
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let [track, wheel, speeds, by_force, by_speed, slip] = [
-            self.track,
-            self.wheel,
-            self.speeds,
-            self.by_force,
-            self.by_speed,
-            self.slip,
-        ]
-        .map(|row| Rows::<S>::of(row));
+        let [track, wheel, speeds, by_force, by_speed, slip] =
+            [self.track, self.wheel, self.speeds, self.by_force, self.by_speed, self.slip]
+                .map(|row| Rows::<S>::of(row));
         let wave = self.wave.map(|wave| wave.each_ref().map(Rows::<S>::of));
         let direction = self.direction.map(|rows| rows.map(Rows::<S>::of));
         let contact = simd.splat_f64s(self.contact);
         let per_speed = simd.splat_f64s(self.per_speed);
         let one = simd.splat_f64s(1.0);
-        let force = Vector {
-            re: simd.splat_f64s(self.force),
-            im: simd.splat_f64s(0.0),
-        };
+        let force = Vector { re: simd.splat_f64s(self.force), im: simd.splat_f64s(0.0) };
         let (re, _) = S::as_mut_simd_f64s(&mut self.result.re);
         let (im, _) = S::as_mut_simd_f64s(&mut self.result.im);
         for (j, (re, im)) in re.iter_mut().zip(im).enumerate() {
@@ -90,17 +81,11 @@ struct Rows<'a, S: Simd> {
 impl<'a, S: Simd> Rows<'a, S> {
     #[inline(always)]
     fn of(row: &'a SplitComplex) -> Self {
-        Self {
-            re: S::as_simd_f64s(&row.re).0,
-            im: S::as_simd_f64s(&row.im).0,
-        }
+        Self { re: S::as_simd_f64s(&row.re).0, im: S::as_simd_f64s(&row.im).0 }
     }
 
     #[inline(always)]
     fn at(&self, index: usize) -> Vector<S> {
-        Vector {
-            re: self.re[index],
-            im: self.im[index],
-        }
+        Vector { re: self.re[index], im: self.im[index] }
     }
 }

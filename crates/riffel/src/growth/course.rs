@@ -35,18 +35,12 @@ impl GrowthCourse {
         let maxima: Vec<(usize, f64, f64)> = maxima
             .iter()
             .map(|minimum| {
-                let place =
-                    golden_section(minimum.between, tolerance, |wavelength| -rate(wavelength));
+                let place = golden_section(minimum.between, tolerance, |wavelength| -rate(wavelength));
                 (minimum.index, place, rate(place))
             })
-            .filter(|&(index, place, rate)| {
-                rate > -row.values[index] && place != row.wavelengths[index]
-            })
+            .filter(|&(index, place, rate)| rate > -row.values[index] && place != row.wavelengths[index])
             .collect();
-        let FineRow {
-            mut wavelengths,
-            values,
-        } = row;
+        let FineRow { mut wavelengths, values } = row;
         let mut rates: Vec<f64> = values.iter().map(|value| -value).collect();
         for (index, place, rate) in maxima.into_iter().rev() {
             let after = index + usize::from(place > wavelengths[index]);
@@ -74,9 +68,7 @@ impl GrowthCourse {
 
     /// The growth rate between the values, in a straight line; that of the end beyond an end.
     pub fn at(&self, wavelength: f64) -> f64 {
-        let after = self
-            .wavelengths
-            .partition_point(|&other| other < wavelength);
+        let after = self.wavelengths.partition_point(|&other| other < wavelength);
         let last = self.wavelengths.len() - 1;
         if after == 0 || after > last {
             return self.rates[after.min(last)];

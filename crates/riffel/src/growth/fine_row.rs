@@ -53,11 +53,7 @@ impl FineRow {
     ) -> Self {
         let mut row = vec![Complex64::ZERO; wavelengths.len()];
         evaluator.evaluate(speed, &mut row);
-        Self {
-            wavelengths: wavelengths.to_vec(),
-            values: row.iter().map(|value| value.re).collect(),
-        }
-        .refined(value)
+        Self { wavelengths: wavelengths.to_vec(), values: row.iter().map(|value| value.re).collect() }.refined(value)
     }
 
     /// The row of a function over a window, which is asked from several threads.
@@ -67,11 +63,7 @@ impl FineRow {
             check();
             value(wavelength)
         });
-        Self {
-            values: values.collect(),
-            wavelengths,
-        }
-        .refined(value)
+        Self { values: values.collect(), wavelengths }.refined(value)
     }
 
     /// The row over a window of a map of rising wavelengths, filled up to the same steps and refined on the function that it
@@ -81,16 +73,9 @@ impl FineRow {
         of_map: impl Iterator<Item = (f64, &'a Complex64)>,
         value: impl Fn(f64) -> f64,
     ) -> Self {
-        let mut filled = Self {
-            wavelengths: vec![window.min()],
-            values: vec![value(window.min())],
-        };
-        let inside = |(wavelength, _): &(f64, &Complex64)| {
-            window.min() < *wavelength && *wavelength < window.max()
-        };
-        let known = of_map
-            .filter(inside)
-            .map(|(wavelength, value)| (wavelength, value.re));
+        let mut filled = Self { wavelengths: vec![window.min()], values: vec![value(window.min())] };
+        let inside = |(wavelength, _): &(f64, &Complex64)| window.min() < *wavelength && *wavelength < window.max();
+        let known = of_map.filter(inside).map(|(wavelength, value)| (wavelength, value.re));
         let last = std::iter::once_with(|| (window.max(), value(window.max())));
         let mut before = window.min();
         for (wavelength, at) in known.chain(last) {
@@ -109,15 +94,9 @@ impl FineRow {
 
     fn refined(self, value: impl Fn(f64) -> f64) -> Self {
         let size = self.size();
-        let Self {
-            wavelengths: first,
-            values,
-        } = self;
+        let Self { wavelengths: first, values } = self;
         if size == 0.0 || first.len() < 3 {
-            return Self {
-                wavelengths: first,
-                values,
-            };
+            return Self { wavelengths: first, values };
         }
         let last = first.len() - 1;
         let bends = |at: usize| {
@@ -125,18 +104,11 @@ impl FineRow {
             let bend = values[at - 1] - 2.0 * values[at] + values[at + 1];
             0.125 * bend.abs() > straight(size, &values[at - 1..=at + 1])
         };
-        let mut refined = Self {
-            wavelengths: vec![first[0]],
-            values: vec![values[0]],
-        };
+        let mut refined = Self { wavelengths: vec![first[0]], values: vec![values[0]] };
         for index in 1..=last {
             let mut here = (first[index - 1], values[index - 1]);
             // Ends still ahead, the nearest last; each with how often the step to it is still looked into.
-            let looks = if bends(index - 1) || bends(index) {
-                LOOKS
-            } else {
-                0
-            };
+            let looks = if bends(index - 1) || bends(index) { LOOKS } else { 0 };
             let mut ahead = vec![(first[index], values[index], looks)];
             while let Some(&(wavelength, at_end, looks)) = ahead.last() {
                 let added = refined.wavelengths.len() + ahead.len() - index;
@@ -166,9 +138,7 @@ impl FineRow {
     /// The largest growth, or a thousandth of the largest value.
     fn size(&self) -> f64 {
         let values = self.values.iter().filter(|value| value.is_finite());
-        values.fold(0.0, |size: f64, &value| {
-            size.max(-value).max(LEAST_SIZE * value.abs())
-        })
+        values.fold(0.0, |size: f64, &value| size.max(-value).max(LEAST_SIZE * value.abs()))
     }
 }
 
@@ -216,13 +186,10 @@ mod tests {
     fn a_smooth_row_stays_as_it_is() {
         let first = first_wavelengths(Axis::new(0.02, 0.3, 2).unwrap());
         let of = |value: &dyn Fn(f64) -> f64| {
-            FineRow {
-                values: first.iter().map(|&wavelength| value(wavelength)).collect(),
-                wavelengths: first.clone(),
-            }
-            .refined(value)
-            .values
-            .len()
+            FineRow { values: first.iter().map(|&wavelength| value(wavelength)).collect(), wavelengths: first.clone() }
+                .refined(value)
+                .values
+                .len()
         };
         assert_eq!(of(&|wavelength| -(wavelength / 0.1).sin()), first.len());
         assert_eq!(of(&|_| 0.0), first.len());

@@ -25,12 +25,7 @@ impl GrowthMap {
     /// `progress` is called from any thread with the number of rows just finished, one at a time.
     /// Memory: 16 bytes a point. A point agrees with [`Loop::at`] to rounding, or to 1e-9
     /// where a large map reads the track from a [`Tabulated`](crate::receptance::Tabulated) receptance.
-    pub fn compute(
-        feedback: impl Into<Loop>,
-        wavelength: Axis,
-        speed: Axis,
-        progress: impl Fn(usize) + Sync,
-    ) -> Self {
+    pub fn compute(feedback: impl Into<Loop>, wavelength: Axis, speed: Axis, progress: impl Fn(usize) + Sync) -> Self {
         let feedback = feedback.into();
         let (wavelengths, speeds) = (wavelength.values(), speed.values());
         let growth_rate_per_dissipation = feedback.growth_rate_per_dissipation();
@@ -117,17 +112,8 @@ struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    fn new(
-        wavelengths: &'a [f64],
-        speeds: &'a [f64],
-        progress: &'a (dyn Fn(usize) + Sync),
-    ) -> Self {
-        Self {
-            wavelengths,
-            speeds,
-            tiles_a_row: wavelengths.len().div_ceil(TILE),
-            progress,
-        }
+    fn new(wavelengths: &'a [f64], speeds: &'a [f64], progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        Self { wavelengths, speeds, tiles_a_row: wavelengths.len().div_ceil(TILE), progress }
     }
 
     fn tiles(&self) -> usize {
@@ -140,10 +126,9 @@ impl<'a> Grid<'a> {
         (0..self.tiles())
             .into_par_iter()
             .with_min_len(self.tiles_a_row)
-            .map_with(
-                RowEvaluator::for_map(feedback, self.wavelengths, self.speeds),
-                |evaluator, index| self.evaluate(evaluator, index),
-            )
+            .map_with(RowEvaluator::for_map(feedback, self.wavelengths, self.speeds), |evaluator, index| {
+                self.evaluate(evaluator, index)
+            })
             .collect_into_vec(&mut tiles);
         tiles
     }
@@ -151,14 +136,10 @@ impl<'a> Grid<'a> {
     /// The same into tiles that are there.
     fn evaluate_into(&self, feedback: Loop, tiles: &mut [[Complex64; TILE]]) {
         assert_eq!(tiles.len(), self.tiles(), "tiles of a map");
-        tiles
-            .par_iter_mut()
-            .enumerate()
-            .with_min_len(self.tiles_a_row)
-            .for_each_with(
-                RowEvaluator::for_map(feedback, self.wavelengths, self.speeds),
-                |evaluator, (index, tile)| *tile = self.evaluate(evaluator, index),
-            );
+        tiles.par_iter_mut().enumerate().with_min_len(self.tiles_a_row).for_each_with(
+            RowEvaluator::for_map(feedback, self.wavelengths, self.speeds),
+            |evaluator, (index, tile)| *tile = self.evaluate(evaluator, index),
+        );
     }
 
     /// One tile.

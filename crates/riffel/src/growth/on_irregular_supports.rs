@@ -35,12 +35,7 @@ impl GrowthOnIrregularSupports {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for fewer than 8 supports and for a wavelength or speed that is not positive.
-    pub fn new(
-        feedback: &Loop,
-        track: &IrregularTrack,
-        wavelength: f64,
-        speed: f64,
-    ) -> Result<Self, Error> {
+    pub fn new(feedback: &Loop, track: &IrregularTrack, wavelength: f64, speed: f64) -> Result<Self, Error> {
         const TO_A_BAY: usize = 24;
         const LEFT_OUT: usize = 2;
         Error::unless_positive("wavelength", wavelength, "m")?;
@@ -56,10 +51,7 @@ impl GrowthOnIrregularSupports {
         }
         let angular_frequency = std::f64::consts::TAU * speed / wavelength;
         let growth = |receptance: Complex64| {
-            let track = Uncoupled {
-                vertical: Some(Arc::new(Known(receptance))),
-                ..Uncoupled::default()
-            };
+            let track = Uncoupled { vertical: Some(Arc::new(Known(receptance))), ..Uncoupled::default() };
             let feedback = feedback.clone().with_track(Arc::new(track));
             feedback.at(wavelength, speed).growth_rate
         };
@@ -69,14 +61,9 @@ impl GrowthOnIrregularSupports {
         let (from, to) = (supports[LEFT_OUT], supports[supports.len() - 1 - LEFT_OUT]);
         let step = (to - from) / (bays * TO_A_BAY) as f64;
         // In the middle of each step, so that none counts twice.
-        let places: Vec<f64> = (0..bays * TO_A_BAY)
-            .map(|index| from + step * (index as f64 + 0.5))
-            .collect();
+        let places: Vec<f64> = (0..bays * TO_A_BAY).map(|index| from + step * (index as f64 + 0.5)).collect();
         Ok(Self {
-            growth_rates: places
-                .iter()
-                .map(|&place| growth(waves.receptance(place, place)))
-                .collect(),
+            growth_rates: places.iter().map(|&place| growth(waves.receptance(place, place))).collect(),
             even: (0..TO_A_BAY)
                 .map(|index| {
                     let place = track.even().spacing() * index as f64 / TO_A_BAY as f64;

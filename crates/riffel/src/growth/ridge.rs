@@ -63,12 +63,7 @@ impl RidgeSearch {
     pub fn new(feedback: impl Into<Loop>, window: Axis, speeds: &[f64]) -> Self {
         let feedback = feedback.into();
         let first = first_wavelengths(window);
-        Self {
-            evaluator: RowEvaluator::for_map(&feedback, &first, speeds),
-            first: first.into(),
-            feedback,
-            window,
-        }
+        Self { evaluator: RowEvaluator::for_map(&feedback, &first, speeds), first: first.into(), feedback, window }
     }
 
     /// The row at a speed \[m/s\].
@@ -115,10 +110,8 @@ impl Ridge {
     /// [`search`](Self::search) at any speeds \[m/s\], in their order.
     pub fn search_at(feedback: impl Into<Loop>, wavelength: Axis, speeds: &[f64]) -> Self {
         let search = RidgeSearch::new(feedback, wavelength, speeds);
-        let rows: Vec<RidgeRow> = speeds
-            .par_iter()
-            .map_with(search.clone(), |search, &speed| search.row(speed))
-            .collect();
+        let rows: Vec<RidgeRow> =
+            speeds.par_iter().map_with(search.clone(), |search, &speed| search.row(speed)).collect();
         search.ridge(&rows, usize::MAX)
     }
 
@@ -129,10 +122,7 @@ impl Ridge {
 
     /// That of no wavelengths.
     pub fn nothing() -> Self {
-        Self {
-            points: Vec::new(),
-            branches: Vec::new(),
-        }
+        Self { points: Vec::new(), branches: Vec::new() }
     }
 
     /// The ridge of a map over a part of its wavelengths, refined between its points on the function Ŵ₁ of wavelength and
@@ -168,10 +158,7 @@ impl Ridge {
         let mut search = RidgeSearch::new(feedback, wavelength, &[speed]);
         let row = search.row(speed);
         let surface = Surface::of(&search.feedback);
-        row.minima
-            .iter()
-            .map(|minimum| surface.refined(wavelength, speed, minimum.between))
-            .collect()
+        row.minima.iter().map(|minimum| surface.refined(wavelength, speed, minimum.between)).collect()
     }
 
     /// Frequency \[Hz\] that the strongest branch follows, see [`RidgeBranch::frequency`]; `None` where nothing
@@ -182,9 +169,7 @@ impl Ridge {
 
     /// The point of highest growth rate per passage.
     pub fn highest(&self) -> Option<&RidgePoint> {
-        self.points
-            .iter()
-            .max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate))
+        self.points.iter().max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate))
     }
 }
 
@@ -214,11 +199,7 @@ impl<F: Fn(f64, f64) -> f64> Surface<F> {
         let last = values.len() - 1;
         let between = [lowest.saturating_sub(1), (lowest + 1).min(last)];
         let between = between.map(|index| row.wavelengths[index]);
-        RidgeRow {
-            highest: self.refined(window, speed, between),
-            lowest,
-            minima,
-        }
+        RidgeRow { highest: self.refined(window, speed, between), lowest, minima }
     }
 
     /// The minimum between two wavelengths.
@@ -227,9 +208,7 @@ impl<F: Fn(f64, f64) -> f64> Surface<F> {
         let tolerance = 1e-7 * (window.max() - window.min());
         let minimum = golden_section(between, tolerance, normalized);
         // At an end of the window the search walks to that end.
-        let end = [window.min(), window.max()]
-            .into_iter()
-            .find(|end| (minimum - end).abs() < 2.0 * tolerance);
+        let end = [window.min(), window.max()].into_iter().find(|end| (minimum - end).abs() < 2.0 * tolerance);
         let place = end.unwrap_or(minimum);
         let normalized_dissipation = normalized(place);
         RidgePoint {
@@ -276,20 +255,15 @@ impl<F: Fn(f64, f64) -> f64 + Sync> Surface<F> {
         }
         let rate = |branch: &RidgeBranch| branch.highest().growth_rate;
         branches.sort_by(|(_, a), (_, b)| rate(b).total_cmp(&rate(a)));
-        Ridge {
-            points,
-            branches: branches.into_iter().map(|(_, branch)| branch).collect(),
-        }
+        Ridge { points, branches: branches.into_iter().map(|(_, branch)| branch).collect() }
     }
 }
 
 /// The chains of minima in rows that are taken in an order of rising speed, the strongest first; without those that
 /// are noise: weaker than [`WEAKEST`] of the strongest, or shorter than [`FEWEST`] points on a map of many speeds.
 fn strongest(rows: &[RidgeRow], order: &[usize]) -> Vec<Vec<Place>> {
-    let in_order: Vec<(f64, &[Minimum])> = order
-        .iter()
-        .map(|&row| (rows[row].highest.speed, &rows[row].minima[..]))
-        .collect();
+    let in_order: Vec<(f64, &[Minimum])> =
+        order.iter().map(|&row| (rows[row].highest.speed, &rows[row].minima[..])).collect();
     let value = |&(row, place): &Place| {
         let row: &RidgeRow = &rows[row];
         let minimum = row.minima[place];
@@ -301,10 +275,7 @@ fn strongest(rows: &[RidgeRow], order: &[usize]) -> Vec<Vec<Place>> {
     let mut chains: Vec<(f64, Vec<Place>)> = chains(&in_order)
         .into_iter()
         .map(|chain| {
-            let chain: Vec<Place> = chain
-                .into_iter()
-                .map(|(row, place)| (order[row], place))
-                .collect();
+            let chain: Vec<Place> = chain.into_iter().map(|(row, place)| (order[row], place)).collect();
             let least = chain.iter().map(value).fold(0.0, f64::min);
             (least, chain)
         })
@@ -312,9 +283,8 @@ fn strongest(rows: &[RidgeRow], order: &[usize]) -> Vec<Vec<Place>> {
     chains.sort_by(|a, b| a.0.total_cmp(&b.0));
     let least = chains.first().map_or(0.0, |(least, _)| *least);
     let fewest = (rows.len() / SPEEDS_A_POINT).clamp(1, FEWEST);
-    let kept = |(value, chain): &(f64, Vec<Place>)| {
-        *value == least || (*value <= WEAKEST * least && chain.len() >= fewest)
-    };
+    let kept =
+        |(value, chain): &(f64, Vec<Place>)| *value == least || (*value <= WEAKEST * least && chain.len() >= fewest);
     chains.retain(kept);
     chains.into_iter().map(|(_, chain)| chain).collect()
 }

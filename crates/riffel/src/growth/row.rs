@@ -123,13 +123,11 @@ impl Columns {
                 let demand = || Output::new(&at, parts, amplitude, |by| by.demand);
                 let energy = || Output::new(&at, parts, amplitude, |by| by.dissipated);
                 let (aside, along, small_to) = damage.small_demand();
-                let depth =
-                    contact.mean_of_damage().wear * feedback.steady.full_slip_energy_per_metre();
+                let depth = contact.mean_of_damage().wear * feedback.steady.full_slip_energy_per_metre();
                 Box::new(Clipped {
                     demand: damage.takes_demand().then(demand),
                     energy: damage.takes_energy().then(energy),
-                    pressed: (damage.takes_load())
-                        .then(|| std::array::from_fn(|j| amplitude * at[j].pressed)),
+                    pressed: (damage.takes_load()).then(|| std::array::from_fn(|j| amplitude * at[j].pressed)),
                     small: SplitComplex::from_fn(|j| {
                         let wavenumber = 2.0 * PI / wavelengths[j];
                         Complex64::new(aside, wavenumber * along) / depth
@@ -142,14 +140,8 @@ impl Columns {
 }
 
 impl Output {
-    fn new(
-        at: &[Derivatives; TILE],
-        [waves, turns]: [bool; 2],
-        scale: f64,
-        of: fn(&Derivative) -> Complex64,
-    ) -> Self {
-        let column =
-            |value: &dyn Fn(&Derivatives) -> Complex64| SplitComplex::from_fn(|j| value(&at[j]));
+    fn new(at: &[Derivatives; TILE], [waves, turns]: [bool; 2], scale: f64, of: fn(&Derivative) -> Complex64) -> Self {
+        let column = |value: &dyn Fn(&Derivatives) -> Complex64| SplitComplex::from_fn(|j| value(&at[j]));
         // [..] of two inputs: what the second makes in the place of the first.
         let cross = |first: &Derivative, at: &Derivatives| {
             let by_creepage = at.by_creepage[0];
@@ -159,12 +151,8 @@ impl Output {
             by_force: column(&|at| of(&at.by_load) * scale * at.pressed),
             by_speed: column(&|at| cross(&at.by_load, at) * scale * at.pressed),
             by_creepage: turns.then(|| column(&|at| of(&at.by_creepage[0]) * scale)),
-            wave: waves.then(|| {
-                [
-                    column(&|at| of(&at.by_profile) * scale),
-                    column(&|at| cross(&at.by_profile, at) * scale),
-                ]
-            }),
+            wave: waves
+                .then(|| [column(&|at| of(&at.by_profile) * scale), column(&|at| cross(&at.by_profile, at) * scale)]),
         }
     }
 }
@@ -223,16 +211,10 @@ impl RowEvaluator {
 impl Tiles {
     fn new(feedback: ClosedForm, wavelengths: &[f64]) -> Self {
         Self {
-            columns: wavelengths
-                .chunks(TILE)
-                .map(|wavelengths| Columns::new(&feedback, wavelengths))
-                .collect(),
+            columns: wavelengths.chunks(TILE).map(|wavelengths| Columns::new(&feedback, wavelengths)).collect(),
             feedback,
             scratch: Box::new(Scratch {
-                frequencies: Frequencies {
-                    angular: [0.0; TILE],
-                    reciprocal: [0.0; TILE],
-                },
+                frequencies: Frequencies { angular: [0.0; TILE], reciprocal: [0.0; TILE] },
                 track: SplitComplex::ZERO,
                 wheel: SplitComplex::ZERO,
                 speeds: SplitComplex::ZERO,
@@ -252,15 +234,9 @@ impl Tiles {
         let frequencies = &mut scratch.frequencies;
         frequencies.angular = columns.wavenumber.map(|wavenumber| wavenumber * speed);
         frequencies.reciprocal = columns.per_wavenumber.map(|length| length * per_speed);
-        joints
-            .track
-            .receptances(frequencies, speed, &mut scratch.track);
-        joints
-            .wheel
-            .receptances(frequencies, speed, &mut scratch.wheel);
-        joints
-            .rotation
-            .speeds(frequencies, speed, &mut scratch.speeds);
+        joints.track.receptances(frequencies, speed, &mut scratch.track);
+        joints.wheel.receptances(frequencies, speed, &mut scratch.wheel);
+        joints.rotation.speeds(frequencies, speed, &mut scratch.speeds);
         if let Some(hub) = &joints.hub {
             let slips = &mut scratch.direction;
             hub.receptances(frequencies, speed, slips);
@@ -280,8 +256,7 @@ impl Tiles {
                 by_speed: &output.by_speed,
                 slip: &columns.slip,
                 wave: output.wave.as_ref(),
-                direction: (output.by_creepage.as_ref())
-                    .map(|by_creepage| [by_creepage, &scratch.direction]),
+                direction: (output.by_creepage.as_ref()).map(|by_creepage| [by_creepage, &scratch.direction]),
                 force: joints.rotation.force(),
                 contact: joints.contact.stiffness.recip(),
                 per_speed,
@@ -292,9 +267,7 @@ impl Tiles {
         let mut growth = close(&columns.growth);
         if let Some(clipped) = &columns.clipped {
             let demand = clipped.demand.as_ref().map(&mut close);
-            let is_small = |demand: &[Complex64; TILE]| {
-                demand.iter().all(|u| u.norm_sqr() <= clipped.small_to)
-            };
+            let is_small = |demand: &[Complex64; TILE]| demand.iter().all(|u| u.norm_sqr() <= clipped.small_to);
             // A tile of small waves, and of nothing else, takes no case distinctions.
             if let (Some(demand), None, None) = (&demand, &clipped.energy, &clipped.pressed)
                 && is_small(demand)
@@ -326,11 +299,7 @@ impl Tiles {
 }
 
 /// Add the damage whose rate depends on the amplitude to Ŵ₁.
-fn add_clipped(
-    growth: &mut [Complex64; TILE],
-    joints: &ClosedForm,
-    at: impl Fn(usize) -> Oscillation,
-) {
+fn add_clipped(growth: &mut [Complex64; TILE], joints: &ClosedForm, at: impl Fn(usize) -> Oscillation) {
     let Some(damage) = joints.contact.clipped_damage() else {
         return;
     };
@@ -344,14 +313,8 @@ fn add_clipped(
 impl AllAxes {
     fn new(feedback: Loop, wavelengths: &[f64]) -> Self {
         let system = Box::new(System::new(&feedback));
-        let groups = wavelengths
-            .chunks(system.lanes())
-            .map(|wavelengths| system.answers(&feedback, wavelengths));
-        Self {
-            groups: groups.collect(),
-            system,
-            feedback,
-        }
+        let groups = wavelengths.chunks(system.lanes()).map(|wavelengths| system.answers(&feedback, wavelengths));
+        Self { groups: groups.collect(), system, feedback }
     }
 
     fn evaluate(&mut self, speed: f64, index: usize) -> [Complex64; TILE] {
@@ -364,9 +327,7 @@ impl AllAxes {
             let last = wavelengths.len() - 1;
             for (lane, value) in values.iter_mut().enumerate() {
                 let wavelength = wavelengths[lane.min(last)];
-                *value = self
-                    .system
-                    .equivalent(&self.feedback, wavelength, speed, lane);
+                *value = self.system.equivalent(&self.feedback, wavelength, speed, lane);
             }
         }
         tile
@@ -375,9 +336,5 @@ impl AllAxes {
 
 /// Smallest and largest value.
 fn ends(values: &[f64]) -> (f64, f64) {
-    values
-        .iter()
-        .fold((f64::INFINITY, 0.0), |(least, most), &value| {
-            (value.min(least), value.max(most))
-        })
+    values.iter().fold((f64::INFINITY, 0.0), |(least, most), &value| (value.min(least), value.max(most)))
 }

@@ -107,21 +107,14 @@ impl GrowthWithNeighbours {
         let pressed: Vec<f64> = wavenumbers.iter().map(|&k| feedback.pressed(k)).collect();
         for (n, (row, k)) in operator.iter_mut().zip(&wavenumbers).enumerate() {
             let wavelength = std::f64::consts::TAU / k;
-            let [by_force, by_profile] =
-                feedback.energy_by_normal_force_and_profile(wavelength, speed);
+            let [by_force, by_profile] = feedback.energy_by_normal_force_and_profile(wavelength, speed);
             for (entry, pressed) in row.iter_mut().zip(&pressed) {
                 *entry *= -per_energy * by_force * pressed;
             }
             row[n] -= per_energy * by_profile;
         }
         let (leading, pattern) = leading(&operator);
-        Ok(Self {
-            wavenumbers,
-            operator,
-            leading,
-            pattern,
-            spacing,
-        })
+        Ok(Self { wavenumbers, operator, leading, pattern, spacing })
     }
 
     /// Growth of the wave alone, G₀₀: that of a long profile of one wavelength.
@@ -134,9 +127,7 @@ impl GrowthWithNeighbours {
     pub fn amplitude_at(&self, place: f64) -> f64 {
         let terms = self.pattern.iter().enumerate();
         let turn = std::f64::consts::TAU * place / self.spacing;
-        let sum: Complex64 = terms
-            .map(|(n, value)| value * Complex64::from_polar(1.0, turn * n as f64))
-            .sum();
+        let sum: Complex64 = terms.map(|(n, value)| value * Complex64::from_polar(1.0, turn * n as f64)).sum();
         sum.norm()
     }
 }
@@ -149,10 +140,8 @@ fn leading(operator: &[Vec<Complex64>]) -> (Complex64, Vec<Complex64>) {
     let size = operator.iter().flatten().map(|entry| entry.norm_sqr());
     let size = size.sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
     // exp(G/64|G|) to rounding.
-    let scaled: Vec<Vec<Complex64>> = operator
-        .iter()
-        .map(|row| row.iter().map(|entry| entry / (64.0 * size)).collect())
-        .collect();
+    let scaled: Vec<Vec<Complex64>> =
+        operator.iter().map(|row| row.iter().map(|entry| entry / (64.0 * size)).collect()).collect();
     let mut power = identity(count);
     for order in (1..=8).rev() {
         power = product(&scaled, &power);
@@ -173,25 +162,13 @@ fn leading(operator: &[Vec<Complex64>]) -> (Complex64, Vec<Complex64>) {
     let column = (0..count).max_by(|&one, &other| norm(one).total_cmp(&norm(other)));
     let column = column.unwrap_or(0);
     let mut vector: Vec<Complex64> = power.iter().map(|row| row[column]).collect();
-    let largest =
-        (0..count).max_by(|&one, &other| vector[one].norm().total_cmp(&vector[other].norm()));
+    let largest = (0..count).max_by(|&one, &other| vector[one].norm().total_cmp(&vector[other].norm()));
     let unit = vector[largest.unwrap_or(0)];
     vector.iter_mut().for_each(|entry| *entry /= unit);
-    let image: Vec<Complex64> = operator
-        .iter()
-        .map(|row| {
-            row.iter()
-                .zip(&vector)
-                .map(|(entry, part)| entry * part)
-                .sum()
-        })
-        .collect();
+    let image: Vec<Complex64> =
+        operator.iter().map(|row| row.iter().zip(&vector).map(|(entry, part)| entry * part).sum()).collect();
     let square: f64 = vector.iter().map(|part| part.norm_sqr()).sum();
-    let along: Complex64 = vector
-        .iter()
-        .zip(&image)
-        .map(|(part, image)| part.conj() * image)
-        .sum();
+    let along: Complex64 = vector.iter().zip(&image).map(|(part, image)| part.conj() * image).sum();
     (along / square, vector)
 }
 
@@ -214,17 +191,9 @@ mod tests {
     /// lower; and an inverse is one.
     #[test]
     fn the_largest_real_part_leads() {
-        let values = [
-            Complex64::from(-3.0),
-            Complex64::from(1.0),
-            Complex64::new(1.001, 5.0),
-        ];
+        let values = [Complex64::from(-3.0), Complex64::from(1.0), Complex64::new(1.001, 5.0)];
         let basis: Vec<Vec<Complex64>> = (0..3)
-            .map(|i| {
-                (0..3)
-                    .map(|j| Complex64::new(1.0 / f64::from(1 + i + j), f64::from(i * j)))
-                    .collect()
-            })
+            .map(|i| (0..3).map(|j| Complex64::new(1.0 / f64::from(1 + i + j), f64::from(i * j))).collect())
             .collect();
         let back = inverse(basis.clone());
         let unit = product(&basis, &back);

@@ -26,15 +26,7 @@ mod tests {
     /// IEC 61672-1:2013, table 3, printed to 0.1 dB at the exact base-ten frequencies.
     #[test]
     fn the_printed_table_comes_back() {
-        let table = [
-            (20, -19.1),
-            (23, -10.9),
-            (27, -3.2),
-            (30, 0.0),
-            (34, 1.3),
-            (37, 0.5),
-            (40, -2.5),
-        ];
+        let table = [(20, -19.1), (23, -10.9), (27, -3.2), (30, 0.0), (34, 1.3), (37, 0.5), (40, -2.5)];
         for (index, printed) in table {
             let found = a_weighting(FrequencyBand::new(index).centre());
             assert!((found - printed).abs() < 0.051, "{index}: {found}");

@@ -14,10 +14,7 @@ pub struct Air {
 impl Default for Air {
     /// Dry air at 20 °C and 101.325 kPa: 1.204 kg/m³, 343.2 m/s (ISO 9613-1:1993, equation of c; ideal gas).
     fn default() -> Self {
-        Self {
-            density: 1.204,
-            sound_speed: 343.2,
-        }
+        Self { density: 1.204, sound_speed: 343.2 }
     }
 }
 

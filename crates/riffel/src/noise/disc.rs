@@ -38,14 +38,8 @@ impl VibratingDisc {
     /// # Errors
     /// [`Error::OutOfRange`] unless radii increase from above zero, with as many displacements, all finite.
     pub fn new(nodal_diameters: u32, radii: &[f64], shape: &[f64]) -> Result<Self, Error> {
-        let wrong = |value: f64, rule| {
-            Err(Error::OutOfRange {
-                quantity: "radii of a vibrating disc",
-                value,
-                unit: "m",
-                rule,
-            })
-        };
+        let wrong =
+            |value: f64, rule| Err(Error::OutOfRange { quantity: "radii of a vibrating disc", value, unit: "m", rule });
         if radii.len() != shape.len() || shape.iter().any(|value| !value.is_finite()) {
             return wrong(radii.len() as f64, "must each have a finite displacement");
         }
@@ -63,11 +57,7 @@ impl VibratingDisc {
         let mut places = vec![(0.0, 0.0)];
         let scaled = radii.iter().map(|place| place / radius);
         places.extend(scaled.zip(shape.iter().copied()));
-        Ok(Self {
-            radius,
-            nodal_diameters,
-            shape: places,
-        })
+        Ok(Self { radius, nodal_diameters, shape: places })
     }
 
     /// Sound power per mean square velocity of the motion s(r) cos nθ \[W per (m/s)²\], where s is 1.
@@ -234,9 +224,7 @@ mod tests {
     use super::*;
 
     fn disc(nodal_diameters: u32, shape: impl Fn(f64) -> f64) -> Result<VibratingDisc, Error> {
-        let radii: Vec<f64> = (1..=400)
-            .map(|step| 0.46 * f64::from(step) / 400.0)
-            .collect();
+        let radii: Vec<f64> = (1..=400).map(|step| 0.46 * f64::from(step) / 400.0).collect();
         let shape: Vec<f64> = radii.iter().map(|r| shape(r / 0.46)).collect();
         VibratingDisc::new(nodal_diameters, &radii, &shape)
     }
@@ -253,10 +241,7 @@ mod tests {
             let expected = [sin / x, sin / (x * x) - cos / x];
             let product = values[0] * values[1];
             assert!((product - expected[0] * expected[1]).abs() < 1e-12, "{x}");
-            assert!(
-                (values[0].powi(2) - expected[0].powi(2)).abs() < 1e-12,
-                "{x}"
-            );
+            assert!((values[0].powi(2) - expected[0].powi(2)).abs() < 1e-12, "{x}");
         }
     }
 
@@ -283,8 +268,7 @@ mod tests {
             let [low, high] = [0.05, 0.1].map(|ka| disc.power(&air, frequency(ka)));
             let slope = (high / low).log2();
             assert!((slope - f64::from(2 * n + 4)).abs() < 0.02, "{n}: {slope}");
-            let plane =
-                2.0 * air.impedance() * disc.around() * 0.46f64.powi(2) / f64::from(2 * n + 2);
+            let plane = 2.0 * air.impedance() * disc.around() * 0.46f64.powi(2) / f64::from(2 * n + 2);
             let efficiency = disc.power(&air, frequency(50.0)) / plane;
             assert!((efficiency - 1.0).abs() < 0.02, "{n}: {efficiency}");
         }

@@ -79,8 +79,7 @@ impl Energies {
 
     /// A-weighted level of a part over all bands \[dB(A)\]; none where it radiates nothing.
     pub fn a_weighted(&self, part: Part) -> Option<f64> {
-        let weighted =
-            |band: &BandEnergies| band.of(part) * 10f64.powf(0.1 * a_weighting(band.band.centre()));
+        let weighted = |band: &BandEnergies| band.of(part) * 10f64.powf(0.1 * a_weighting(band.band.centre()));
         self.level(self.bands.iter().map(weighted).sum())
     }
 
@@ -88,10 +87,7 @@ impl Energies {
     pub fn within(&self, others: &Self) -> Self {
         let has = |band: FrequencyBand| others.bands.iter().any(|other| other.band == band);
         let bands = self.bands.iter().copied();
-        Self {
-            bands: bands.filter(|band| has(band.band)).collect(),
-            ..*self
-        }
+        Self { bands: bands.filter(|band| has(band.band)).collect(), ..*self }
     }
 
     /// The same with rail and sleepers at some share of their energy.
@@ -101,9 +97,6 @@ impl Energies {
             sleepers: share * band.sleepers,
             ..*band
         });
-        Self {
-            bands: bands.collect(),
-            ..*self
-        }
+        Self { bands: bands.collect(), ..*self }
     }
 }

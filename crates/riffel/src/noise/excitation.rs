@@ -24,12 +24,7 @@ impl Excitation {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless V > 0; [`Error::Measurement`] where rail and wheel share no band.
-    pub fn new(
-        rail: &Spectrum,
-        wheel: Option<&Spectrum>,
-        filter: ContactFilter,
-        speed: f64,
-    ) -> Result<Self, Error> {
+    pub fn new(rail: &Spectrum, wheel: Option<&Spectrum>, filter: ContactFilter, speed: f64) -> Result<Self, Error> {
         Error::unless_positive("speed", speed, "m/s")?;
         let spectrum = match wheel {
             None => rail.clone(),
@@ -39,11 +34,7 @@ impl Excitation {
                 Some((level.band, crate::roughness::level(sum)))
             }))?,
         };
-        Ok(Self {
-            spectrum,
-            filter,
-            speed,
-        })
+        Ok(Self { spectrum, filter, speed })
     }
 
     /// Speed V \[m/s\].
@@ -55,13 +46,11 @@ impl Excitation {
     pub fn covers(&self, band: FrequencyBand) -> bool {
         let (low, high) = band.range();
         // Edges that meet within rounding do.
-        let ends = [
-            self.speed / high * (1.0 + 1e-9),
-            self.speed / low * (1.0 - 1e-9),
-        ];
+        let ends = [self.speed / high * (1.0 + 1e-9), self.speed / low * (1.0 - 1e-9)];
         match ends.map(ThirdOctave::containing) {
-            [Ok(shortest), Ok(longest)] => ThirdOctave::between(shortest, longest)
-                .all(|band| self.spectrum.level(band).is_some()),
+            [Ok(shortest), Ok(longest)] => {
+                ThirdOctave::between(shortest, longest).all(|band| self.spectrum.level(band).is_some())
+            }
             _ => false,
         }
     }
@@ -84,12 +73,7 @@ mod tests {
     /// Energy is neither lost nor made where bands of wavelength become bands of frequency.
     #[test]
     fn energy_is_kept() -> Result<(), Error> {
-        let one = (-40..=0).map(|index| {
-            (
-                ThirdOctave::new(index),
-                if index == -17 { 10.0 } else { -200.0 },
-            )
-        });
+        let one = (-40..=0).map(|index| (ThirdOctave::new(index), if index == -17 { 10.0 } else { -200.0 }));
         // A patch of 1 nm filters nothing.
         let filter = ContactFilter::new(1e-9, 1e-9)?;
         let excitation = Excitation::new(&Spectrum::new(one)?, None, filter, 37.3)?;
@@ -104,15 +88,7 @@ mod tests {
             .sum();
         assert!((sum / 1e-11 - 1.0).abs() < 1e-9, "{sum}");
         assert_eq!(bands, 2);
-        assert!(
-            Excitation::new(
-                &Spectrum::new([(ThirdOctave::new(-17), 0.0)])?,
-                None,
-                filter,
-                0.0
-            )
-            .is_err()
-        );
+        assert!(Excitation::new(&Spectrum::new([(ThirdOctave::new(-17), 0.0)])?, None, filter, 0.0).is_err());
         Ok(())
     }
 
@@ -122,10 +98,8 @@ mod tests {
         let spectrum = Spectrum::new((-18..=-16).map(|index| (ThirdOctave::new(index), 0.0)))?;
         // At 10^1.5 m/s the bands meet: 10^-1.7 m is 10^3.2 Hz.
         let excitation = Excitation::new(&spectrum, None, filter, 10f64.powf(1.5))?;
-        let covered: Vec<i32> = FrequencyBand::all()
-            .filter(|band| excitation.covers(*band))
-            .map(FrequencyBand::index)
-            .collect();
+        let covered: Vec<i32> =
+            FrequencyBand::all().filter(|band| excitation.covers(*band)).map(FrequencyBand::index).collect();
         assert_eq!(covered, [31, 32, 33]);
         let faster = Excitation::new(&spectrum, None, filter, 10f64.powf(1.52))?;
         assert!(!faster.covers(FrequencyBand::new(31)));

@@ -26,8 +26,7 @@ impl FrequencyBand {
 
     /// The band in which a frequency \[Hz\] lies; none unless it is finite and above zero.
     pub fn containing(frequency: f64) -> Option<Self> {
-        (frequency > 0.0 && frequency.is_finite())
-            .then(|| Self::new((10.0 * frequency.log10()).round() as i32))
+        (frequency > 0.0 && frequency.is_finite()).then(|| Self::new((10.0 * frequency.log10()).round() as i32))
     }
 
     /// The n of the centre 10^(n/10) Hz.
@@ -60,10 +59,7 @@ mod tests {
     #[test]
     fn nominal_frequencies_lie_in_their_bands() {
         let nominal: Vec<f64> = FrequencyBand::all().map(FrequencyBand::nominal).collect();
-        assert_eq!(
-            nominal,
-            crate::receptance::DecayRate::NOMINAL_FREQUENCIES.to_vec()
-        );
+        assert_eq!(nominal, crate::receptance::DecayRate::NOMINAL_FREQUENCIES.to_vec());
         for band in FrequencyBand::all() {
             assert_eq!(FrequencyBand::containing(band.nominal()), Some(band));
             let (low, high) = band.range();

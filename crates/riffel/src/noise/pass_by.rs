@@ -82,22 +82,14 @@ impl PassBy {
         Error::unless_not_negative("height of the receiver", height, "m")?;
         Error::unless_positive("number of wheelsets", wheelsets, "")?;
         Error::unless_positive("length of the train", train_length, "m")?;
-        Ok(Self {
-            distance,
-            height,
-            wheelsets_per_metre: wheelsets / train_length,
-            surroundings,
-        })
+        Ok(Self { distance, height, wheelsets_per_metre: wheelsets / train_length, surroundings })
     }
 
     /// Mean square pressure \[Pa²\] over the time the train takes to pass, where each wheel with the rail under it has a
     /// sound power \[W\].
     pub fn of_wheels(&self, air: &Air, power: f64) -> f64 {
         let rails = [self.distance - Self::NEAREST, self.distance + Self::NEAREST];
-        let sum: f64 = rails
-            .iter()
-            .map(|across| across.hypot(self.height).recip())
-            .sum();
+        let sum: f64 = rails.iter().map(|across| across.hypot(self.height).recip()).sum();
         self.mean_square(air, power) * sum
     }
 

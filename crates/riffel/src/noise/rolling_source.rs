@@ -2,9 +2,7 @@
 
 use std::f64::consts::{LN_10, TAU};
 
-use super::{
-    Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, WheelModes,
-};
+use super::{Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, WheelModes};
 use crate::feedback::Loop;
 use crate::receptance::{CrossReceptance, Support, one_sided_places};
 use crate::{Complex64, Error};
@@ -78,14 +76,7 @@ impl SoundPower {
     }
 
     fn none(band: FrequencyBand) -> Self {
-        Self {
-            band,
-            rail: 0.0,
-            sleepers: 0.0,
-            wheel: 0.0,
-            force: 0.0,
-            into_rail: 0.0,
-        }
+        Self { band, rail: 0.0, sleepers: 0.0, wheel: 0.0, force: 0.0, into_rail: 0.0 }
     }
 }
 
@@ -166,11 +157,7 @@ impl RollingSource<'_> {
     ///
     /// # Errors
     /// [`Error`] of the roughness.
-    pub fn power(
-        &self,
-        excitation: &Excitation,
-        band: FrequencyBand,
-    ) -> Result<Option<SoundPower>, Error> {
+    pub fn power(&self, excitation: &Excitation, band: FrequencyBand) -> Result<Option<SoundPower>, Error> {
         if !excitation.covers(band) {
             return Ok(None);
         }
@@ -196,21 +183,12 @@ impl RollingSource<'_> {
             let ends = [from, from * step];
             (ends, self.line(band, ends, speed, rate))
         });
-        Some(BandRadiation {
-            band,
-            lines: lines.collect(),
-        })
+        Some(BandRadiation { band, lines: lines.collect() })
     }
 
     /// What roughness does of a mean square of 1 m² that is spread evenly between two frequencies \[Hz\], over which the rail is
     /// taken to be the same.
-    fn line(
-        &self,
-        band: FrequencyBand,
-        ends: [f64; 2],
-        speed: f64,
-        rate: Option<f64>,
-    ) -> SoundPower {
+    fn line(&self, band: FrequencyBand, ends: [f64; 2], speed: f64, rate: Option<f64>) -> SoundPower {
         let mut power = SoundPower::none(band);
         let middle = (ends[0] * ends[1]).sqrt();
         let [under_wheel, wheel] = self.feedback.normal_receptances(TAU * middle, speed);

@@ -62,8 +62,7 @@ mod tests {
         let w = 2.0 * PI * frequency;
         let strength = 1.5 * air.density * 4.0 / 3.0 * PI * 0.05f64.powi(3);
         // A force F = iω·1.5ρVv on the air radiates ω²F²/(12πρc³).
-        let dipole =
-            (w * w * strength).powi(2) / (12.0 * PI * air.density * air.sound_speed.powi(3));
+        let dipole = (w * w * strength).powi(2) / (12.0 * PI * air.density * air.sound_speed.powi(3));
         assert!((sphere.power(&air, frequency) / dipole - 1.0).abs() < 1e-6);
         assert!((sphere.efficiency(&air, 1e5) - 1.0).abs() < 1e-3);
         Ok(())

@@ -66,13 +66,7 @@ impl WheelModes {
     /// # Errors
     /// [`Error::OutOfRange`] for lengths and frequencies that are not positive, damping ratios outside 0–1, radii that do not
     /// increase, or displacements that are not finite, as many as radii.
-    pub fn new(
-        rolling_radius: f64,
-        width: f64,
-        radii: &[f64],
-        modes: &[WheelMode],
-        air: &Air,
-    ) -> Result<Self, Error> {
+    pub fn new(rolling_radius: f64, width: f64, radii: &[f64], modes: &[WheelMode], air: &Air) -> Result<Self, Error> {
         Error::unless_positive("rolling radius", rolling_radius, "m")?;
         Error::unless_positive("width of the wheel", width, "m")?;
         let ringing = modes.par_iter().map(|mode| {
@@ -90,20 +84,12 @@ impl WheelModes {
                 ("radial displacement of the tread", mode.radial_of_tread),
             ] {
                 if !value.is_finite() {
-                    return Err(Error::OutOfRange {
-                        quantity,
-                        value,
-                        unit: "1/√kg",
-                        rule: "must be finite",
-                    });
+                    return Err(Error::OutOfRange { quantity, value, unit: "1/√kg", rule: "must be finite" });
                 }
             }
             let disc = VibratingDisc::new(mode.nodal_diameters, radii, &mode.axial)?;
             let around = if mode.nodal_diameters == 0 { 1.0 } else { 0.5 };
-            let tread = air.impedance()
-                * (2.0 * TAU * rolling_radius * width)
-                * around
-                * mode.radial_of_tread.powi(2);
+            let tread = air.impedance() * (2.0 * TAU * rolling_radius * width) * around * mode.radial_of_tread.powi(2);
             let power = |frequency: f64| {
                 let around = air.wavenumber(frequency) * rolling_radius;
                 disc.power(air, frequency) + tread * efficiency(mode.nodal_diameters, around)
@@ -115,21 +101,14 @@ impl WheelModes {
                 power: Radiated::about(mode.frequency, power),
             })
         });
-        Ok(Self {
-            modes: ringing.collect::<Result<Vec<Ringing>, Error>>()?,
-        })
+        Ok(Self { modes: ringing.collect::<Result<Vec<Ringing>, Error>>()? })
     }
 
     /// The same with dampers on the wheel, by which no mode has less than a damping ratio.
     #[must_use]
     pub fn damped(&self, damping_ratio: f64) -> Self {
-        let damped = |mode: &Ringing| Ringing {
-            damping_ratio: mode.damping_ratio.max(damping_ratio),
-            ..mode.clone()
-        };
-        Self {
-            modes: self.modes.iter().map(damped).collect(),
-        }
+        let damped = |mode: &Ringing| Ringing { damping_ratio: mode.damping_ratio.max(damping_ratio), ..mode.clone() };
+        Self { modes: self.modes.iter().map(damped).collect() }
     }
 
     /// Radial receptance of the contact by the modes alone \[m/N\], Σφ²/(ω_n² − ω² + 2iζω_nω).
@@ -141,9 +120,7 @@ impl WheelModes {
     /// Sound power per mean square of the force at the contact \[W/N²\].
     pub fn power(&self, angular_frequency: f64) -> f64 {
         let w = angular_frequency;
-        let of_mode = |mode: &Ringing| {
-            mode.power.at(w) * (w * mode.contact).powi(2) * mode.response(w).norm_sqr()
-        };
+        let of_mode = |mode: &Ringing| mode.power.at(w) * (w * mode.contact).powi(2) * mode.response(w).norm_sqr();
         self.modes.iter().map(of_mode).sum()
     }
 
@@ -180,9 +157,7 @@ impl WheelModes {
         edges.sort_by(f64::total_cmp);
         edges.dedup();
         let whole = (to / from).ln();
-        panels(&edges)
-            .map(|(frequency, weight)| (frequency, weight / frequency / whole))
-            .collect()
+        panels(&edges).map(|(frequency, weight)| (frequency, weight / frequency / whole)).collect()
     }
 }
 
@@ -205,9 +180,7 @@ impl Radiated {
             let power = power(frequency).max(f64::MIN_POSITIVE);
             ((TAU * frequency).ln(), power.ln())
         };
-        Self {
-            nodes: places.into_iter().map(node).collect(),
-        }
+        Self { nodes: places.into_iter().map(node).collect() }
     }
 
     /// At an angular frequency \[rad/s\]; beyond the nodes it goes on as between the last of them.
@@ -265,14 +238,9 @@ mod tests {
             let found: f64 = lines.iter().map(|(f, share)| force(*f) * share).sum();
             let steps = 1_000_000;
             let step = (ends[1] / ends[0]).powf(f64::from(steps).recip());
-            let expected: f64 = (0..steps)
-                .map(|index| force(ends[0] * step.powf(f64::from(index) + 0.5)))
-                .sum::<f64>()
+            let expected: f64 = (0..steps).map(|index| force(ends[0] * step.powf(f64::from(index) + 0.5))).sum::<f64>()
                 / f64::from(steps);
-            assert!(
-                (found / expected - 1.0).abs() < 1e-4,
-                "{ends:?}: {found} {expected}"
-            );
+            assert!((found / expected - 1.0).abs() < 1e-4, "{ends:?}: {found} {expected}");
             let shares: f64 = lines.iter().map(|(_, share)| share).sum();
             assert!((shares - 1.0).abs() < 1e-9);
         }
@@ -285,10 +253,7 @@ mod tests {
         let ringing = wheel(&[mode(2000.0, 0.06)])?.modes[0].clone();
         let power = ringing.power.at(ringing.natural);
         let lost = 2.0 * ringing.damping_ratio * ringing.natural;
-        assert!(
-            power > 0.1 * lost && power < 2.0 * lost,
-            "{ringing:?} {lost}"
-        );
+        assert!(power > 0.1 * lost && power < 2.0 * lost, "{ringing:?} {lost}");
         Ok(())
     }
 
@@ -314,10 +279,7 @@ mod tests {
             assert!(off.abs() < 1.0, "{frequency}: {off} dB");
         }
         // Six waves around are short-circuited at 200 Hz, where two still radiate half of what they do above.
-        let six = WheelMode {
-            nodal_diameters: 6,
-            ..mode
-        };
+        let six = WheelMode { nodal_diameters: 6, ..mode };
         let ringing = wheel(&[six])?.modes[0].clone();
         let below = ringing.power.at(TAU * 200.0) / ringing.power.at(TAU * natural);
         assert!(below < 1e-3, "{below}");
@@ -339,26 +301,11 @@ mod tests {
     #[test]
     fn impossible_modes_are_refused() {
         for wrong in [
-            WheelMode {
-                damping_ratio: 0.0,
-                ..mode(2000.0, 0.06)
-            },
-            WheelMode {
-                damping_ratio: 1.0,
-                ..mode(2000.0, 0.06)
-            },
-            WheelMode {
-                frequency: -1.0,
-                ..mode(2000.0, 0.06)
-            },
-            WheelMode {
-                radial_at_contact: f64::NAN,
-                ..mode(2000.0, 0.06)
-            },
-            WheelMode {
-                axial: vec![1.0],
-                ..mode(2000.0, 0.06)
-            },
+            WheelMode { damping_ratio: 0.0, ..mode(2000.0, 0.06) },
+            WheelMode { damping_ratio: 1.0, ..mode(2000.0, 0.06) },
+            WheelMode { frequency: -1.0, ..mode(2000.0, 0.06) },
+            WheelMode { radial_at_contact: f64::NAN, ..mode(2000.0, 0.06) },
+            WheelMode { axial: vec![1.0], ..mode(2000.0, 0.06) },
         ] {
             assert!(wheel(std::slice::from_ref(&wrong)).is_err(), "{wrong:?}");
         }

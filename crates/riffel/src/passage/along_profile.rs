@@ -46,10 +46,7 @@ impl PassageModel {
         let memory = self.memory()?;
         let run_in = (memory / spacing).ceil() as usize;
         if run_in + 1 >= heights.len() {
-            return Err(Error::ProfileTooShort {
-                length: profile.length(),
-                memory,
-            });
+            return Err(Error::ProfileTooShort { length: profile.length(), memory });
         }
         let trend = Line::through(&heights[..=run_in]);
         let rail = |heights: &[f64], index: isize| match usize::try_from(index) {
@@ -63,9 +60,7 @@ impl PassageModel {
             }
         };
         let contacts = self.contacts.iter();
-        let beside: Vec<Vec<Felt>> = contacts
-            .map(|contact| self.felt_along(contact, profile))
-            .collect();
+        let beside: Vec<Vec<Felt>> = contacts.map(|contact| self.felt_along(contact, profile)).collect();
         let felt = |contact: usize, index: isize| Felt {
             height: rail(&pressed[contact], index),
             ..match usize::try_from(index) {
@@ -75,10 +70,7 @@ impl PassageModel {
                     let share = 1.0 - before as f64 / run_in as f64;
                     let there = beside[contact][before].times(faded(share));
                     // What was mirrored falls where it rose.
-                    Felt {
-                        slope: -there.slope,
-                        ..there
-                    }
+                    Felt { slope: -there.slope, ..there }
                 }
             }
         };
@@ -88,8 +80,7 @@ impl PassageModel {
         roll.along(felt, -(run_in as isize), 0, |_| ());
         roll.begin_to_count();
         let first = roll.march.now();
-        let mut contacts: Vec<Vec<ContactInstant>> =
-            first.iter().map(|&first| vec![first]).collect();
+        let mut contacts: Vec<Vec<ContactInstant>> = first.iter().map(|&first| vec![first]).collect();
         roll.along(felt, 0, heights.len() as isize - 1, |now| {
             for (contacts, now) in contacts.iter_mut().zip(now) {
                 contacts.push(*now);
@@ -152,14 +143,8 @@ impl Line {
         let mean = heights.iter().sum::<f64>() / count;
         let middle = 0.5 * (count - 1.0);
         let numbered = heights.iter().enumerate();
-        let moment: f64 = numbered
-            .map(|(index, height)| (index as f64 - middle) * (height - mean))
-            .sum();
-        Self {
-            mean,
-            middle,
-            slope: moment * 12.0 / (count * (count * count - 1.0)),
-        }
+        let moment: f64 = numbered.map(|(index, height)| (index as f64 - middle) * (height - mean)).sum();
+        Self { mean, middle, slope: moment * 12.0 / (count * (count * count - 1.0)) }
     }
 
     fn at(&self, index: f64) -> f64 {
@@ -192,14 +177,7 @@ pub(super) struct Roll<'a, 'm> {
 
 impl<'a, 'm> Roll<'a, 'm> {
     pub(super) fn new(march: &'a mut March<'m>, substeps: usize, spacing: f64) -> Self {
-        Self {
-            march,
-            substeps,
-            spacing,
-            steps: 0,
-            lost: 0,
-            normal_force: [f64::INFINITY, f64::NEG_INFINITY],
-        }
+        Self { march, substeps, spacing, steps: 0, lost: 0, normal_force: [f64::INFINITY, f64::NEG_INFINITY] }
     }
 
     /// Forget what was counted so far.
@@ -285,10 +263,7 @@ mod tests {
             let filter = (k * semi_axis).sin() / (k * semi_axis);
             for (index, got) in mean.iter().enumerate().take(380).skip(20) {
                 let exact = filter * (k * index as f64 + 0.3).cos();
-                assert!(
-                    (got - exact).abs() < 2e-4,
-                    "{semi_axis} {index}: {got} {exact}"
-                );
+                assert!((got - exact).abs() < 2e-4, "{semi_axis} {index}: {got} {exact}");
             }
             let line = (0..100).map(f64::from).collect();
             let mean = averaged(&Profile::new(0.0, 1.0, line)?, semi_axis);

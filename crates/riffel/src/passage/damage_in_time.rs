@@ -61,8 +61,7 @@ impl DamageInTime {
         let excess = |place: usize| {
             let at = &instants[place];
             let forces = [at.tangential_force, at.lateral_force];
-            self.demand
-                .excess(at.normal_force, forces, there(curvature, place))
+            self.demand.excess(at.normal_force, forces, there(curvature, place))
         };
         let wavenumber = |n: usize| TAU * n as f64 / length;
         let mut sum = vec![Complex64::ZERO; energy.len()];
@@ -94,16 +93,12 @@ impl DamageInTime {
                     });
                     let flows = spectrum(&flows.collect::<Vec<f64>>());
                     let flows = flows.into_iter().enumerate();
-                    flows
-                        .map(|(n, flow)| Complex64::I * wavenumber(n) * flow)
-                        .collect()
+                    flows.map(|(n, flow)| Complex64::I * wavenumber(n) * flow).collect()
                 }
                 DamageLaw::Bending(bending) => self.bent(bending, instants, [length, speed]),
                 DamageLaw::Fatigue(fatigue) => {
                     let energies = series(energy.to_vec(), instants.len());
-                    let lost = energies
-                        .iter()
-                        .map(|&energy| fatigue.loss * fatigue.growing().value(energy));
+                    let lost = energies.iter().map(|&energy| fatigue.loss * fatigue.growing().value(energy));
                     spectrum(&lost.collect::<Vec<f64>>())
                 }
             };
@@ -115,12 +110,7 @@ impl DamageInTime {
     }
 
     /// Of the curvature that a rail keeps what it does not take back on its springs.
-    fn bent(
-        &self,
-        bending: &Bending,
-        instants: &[ContactInstant],
-        [length, speed]: [f64; 2],
-    ) -> Vec<Complex64> {
+    fn bent(&self, bending: &Bending, instants: &[ContactInstant], [length, speed]: [f64; 2]) -> Vec<Complex64> {
         let loads: Vec<f64> = instants.iter().map(|at| at.normal_force).collect();
         let at_rest = bending.mean_moment / self.damage.demand.load;
         let moments = spectrum(&loads).into_iter().enumerate();
@@ -133,12 +123,8 @@ impl DamageInTime {
             }
         });
         let moments = series(moments.collect(), loads.len());
-        let kept = moments
-            .iter()
-            .map(|moment| bending.curvature * bending.law.value(moment / bending.limit - 1.0));
-        let waves = spectrum(&kept.collect::<Vec<f64>>())
-            .into_iter()
-            .enumerate();
+        let kept = moments.iter().map(|moment| bending.curvature * bending.law.value(moment / bending.limit - 1.0));
+        let waves = spectrum(&kept.collect::<Vec<f64>>()).into_iter().enumerate();
         waves
             .map(|(n, curvature)| match n {
                 0 => Complex64::ZERO,

@@ -34,11 +34,7 @@ pub(super) struct DirectionMotion<'a> {
 
 impl<'a> DirectionMotion<'a> {
     /// At rest, for steps of the given time \[s\].
-    pub(super) fn new(
-        of: &'a DirectionInTime,
-        poles: impl Iterator<Item = Complex64>,
-        step: f64,
-    ) -> Self {
+    pub(super) fn new(of: &'a DirectionInTime, poles: impl Iterator<Item = Complex64>, step: f64) -> Self {
         let poles: Vec<Complex64> = poles.collect();
         let (mut decays, mut by_force, mut by_new_force) = (Vec::new(), Vec::new(), Vec::new());
         for pole in &poles {
@@ -67,11 +63,7 @@ impl<'a> DirectionMotion<'a> {
         for ((once, before), now) in self.once.iter_mut().zip(&self.before).zip(forces) {
             *once += 0.5 * self.step * (before + now);
         }
-        for (speed, free) in speeds
-            .iter_mut()
-            .step_by(3)
-            .zip(self.of.free.chunks_exact(count))
-        {
+        for (speed, free) in speeds.iter_mut().step_by(3).zip(self.of.free.chunks_exact(count)) {
             *speed += free.iter().zip(&self.once).map(|(a, b)| a * b).sum::<f64>();
         }
         let states = self.states.chunks_exact_mut(count);

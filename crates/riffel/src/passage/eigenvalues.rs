@@ -77,19 +77,12 @@ fn of_two(matrix: &[Vec<f64>], last: usize) -> [Complex64; 2] {
         return [value, value.conj()];
     }
     let larger = half + square.sqrt().copysign(half);
-    let other = if larger == 0.0 {
-        0.0
-    } else {
-        -product / larger
-    };
+    let other = if larger == 0.0 { 0.0 } else { -product / larger };
     [d + larger, d + other].map(Complex64::from)
 }
 
 /// One double step of rows `first` to `last`, for shifts of the given sum and product.
-#[expect(
-    clippy::needless_range_loop,
-    reason = "an index is that of a column, or of a row and a column"
-)]
+#[expect(clippy::needless_range_loop, reason = "an index is that of a column, or of a row and a column")]
 fn sweep(matrix: &mut [Vec<f64>], first: usize, last: usize, [sum, product]: [f64; 2]) {
     let a = &matrix;
     // The first column of (A − s₁)(A − s₂), over the entry below the diagonal.
@@ -137,10 +130,7 @@ fn sweep(matrix: &mut [Vec<f64>], first: usize, last: usize, [sum, product]: [f6
 }
 
 /// Rows and columns of like size, by powers of two.
-#[expect(
-    clippy::needless_range_loop,
-    reason = "an index is that of a column, or of a row and a column"
-)]
+#[expect(clippy::needless_range_loop, reason = "an index is that of a column, or of a row and a column")]
 fn balance(matrix: &mut [Vec<f64>]) {
     let count = matrix.len();
     for _ in 0..20 {
@@ -169,10 +159,7 @@ fn balance(matrix: &mut [Vec<f64>]) {
 }
 
 /// Zeros below the first diagonal under the main one, by reflections from both sides.
-#[expect(
-    clippy::needless_range_loop,
-    reason = "an index is that of a column, or of a row and a column"
-)]
+#[expect(clippy::needless_range_loop, reason = "an index is that of a column, or of a row and a column")]
 fn to_hessenberg(matrix: &mut [Vec<f64>]) {
     let count = matrix.len();
     for column in 0..count.saturating_sub(2) {
@@ -184,19 +171,13 @@ fn to_hessenberg(matrix: &mut [Vec<f64>]) {
         mirror[0] += length.copysign(mirror[0]);
         let factor = 2.0 / mirror.iter().map(|entry| entry * entry).sum::<f64>();
         for j in column..count {
-            let share: f64 = (column + 1..count)
-                .map(|row| mirror[row - column - 1] * matrix[row][j])
-                .sum();
+            let share: f64 = (column + 1..count).map(|row| mirror[row - column - 1] * matrix[row][j]).sum();
             for row in column + 1..count {
                 matrix[row][j] -= factor * share * mirror[row - column - 1];
             }
         }
         for row in matrix.iter_mut() {
-            let share: f64 = mirror
-                .iter()
-                .zip(&row[column + 1..])
-                .map(|(mirror, entry)| mirror * entry)
-                .sum();
+            let share: f64 = mirror.iter().zip(&row[column + 1..]).map(|(mirror, entry)| mirror * entry).sum();
             for (entry, mirror) in row[column + 1..].iter_mut().zip(&mirror) {
                 *entry -= factor * share * mirror;
             }
@@ -247,10 +228,7 @@ mod tests {
         assert_eq!(found.len(), count);
         let pairs = pairs.map(|(re, im)| Complex64::new(re, im));
         for known in pairs.into_iter().chain(reals.map(Complex64::from)) {
-            let nearest = found
-                .iter()
-                .map(|value| (value - known).norm())
-                .fold(f64::INFINITY, f64::min);
+            let nearest = found.iter().map(|value| (value - known).norm()).fold(f64::INFINITY, f64::min);
             assert!(nearest < 1e-9 * known.norm(), "{known} in {found:?}");
         }
         assert_eq!(found.iter().filter(|value| value.im == 0.0).count(), 3);

@@ -149,9 +149,7 @@ impl Evolution {
         let length = self.heights.len() as f64 * self.spacing;
         let scale = 2.0 / self.heights.len() as f64;
         let waves = spectrum(&self.heights).into_iter().enumerate().skip(1);
-        waves
-            .map(|(n, value)| (length / n as f64, scale * value))
-            .collect()
+        waves.map(|(n, value)| (length / n as f64, scale * value)).collect()
     }
 
     /// On by as many passages as the share of change allows, at most `most`; returns what the first of them was like.
@@ -177,19 +175,14 @@ impl Evolution {
         let contacts = wheels.iter().flat_map(|wheel| &wheel.model.contacts);
         let damages = contacts.filter_map(|contact| contact.damage.as_ref()?.hardening_rate());
         let hardens = step.largest_change / damages.fold(0.0, f64::max);
-        let passages = self
-            .at_once(&before.profile, step.largest_change)
-            .min(hardens.floor())
-            .clamp(1.0, most.max(1) as f64);
+        let passages =
+            self.at_once(&before.profile, step.largest_change).min(hardens.floor()).clamp(1.0, most.max(1) as f64);
         let moved = |from: &[f64], by: &[f64]| -> Vec<f64> {
             let from = from.iter().chain(std::iter::repeat(&0.0));
             let pairs = from.zip(by);
             pairs.map(|(from, rate)| from + passages * rate).collect()
         };
-        let then = [
-            moved(&self.heights, &before.profile),
-            moved(&self.outflow, &before.outflow),
-        ];
+        let then = [moved(&self.heights, &before.profile), moved(&self.outflow, &before.outflow)];
         let after = self.change([&then[0], &then[1]], wheels, step.largest_step)?;
         let mean = |one: &[f64], other: &[f64]| -> Vec<f64> {
             let pairs = one.iter().zip(other);
@@ -217,23 +210,13 @@ impl Evolution {
     }
 
     /// What a passage changes, in the mean of the wheels.
-    fn change(
-        &self,
-        rail: [&[f64]; 2],
-        wheels: &[&PassingWheel],
-        largest_step: f64,
-    ) -> Result<Change, Error> {
-        let changes = wheels
-            .par_iter()
-            .map(|wheel| self.change_by(rail, wheel, largest_step));
+    fn change(&self, rail: [&[f64]; 2], wheels: &[&PassingWheel], largest_step: f64) -> Result<Change, Error> {
+        let changes = wheels.par_iter().map(|wheel| self.change_by(rail, wheel, largest_step));
         let mut mean = Change {
             profile: vec![0.0; rail[0].len()],
             outflow: Vec::new(),
             depth: 0.0,
-            extremes: PassageExtremes {
-                contact_loss: 0.0,
-                normal_force: [f64::INFINITY, f64::NEG_INFINITY],
-            },
+            extremes: PassageExtremes { contact_loss: 0.0, normal_force: [f64::INFINITY, f64::NEG_INFINITY] },
         };
         // One after the other, so that sums do not depend on threads.
         for (wheel, change) in wheels.iter().zip(changes.collect::<Vec<_>>()) {
@@ -268,18 +251,11 @@ impl Evolution {
         let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
         let count = heights.len() as isize;
         let contacts = model.contacts.iter();
-        let under: Vec<Vec<Felt>> = contacts
-            .map(|contact| model.felt_around(contact, heights, self.spacing))
-            .collect();
+        let under: Vec<Vec<Felt>> = contacts.map(|contact| model.felt_around(contact, heights, self.spacing)).collect();
         let felt = |contact: usize, index: isize| under[contact][index.rem_euclid(count) as usize];
         let mut roll = Roll::new(&mut march, substeps as usize, self.spacing);
         let share = |index: isize| faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
-        roll.along(
-            |contact, index| felt(contact, index).times(share(index)),
-            -(run_in as isize),
-            0,
-            |_| (),
-        );
+        roll.along(|contact, index| felt(contact, index).times(share(index)), -(run_in as isize), 0, |_| ());
         roll.begin_to_count();
         let worn = model.on_rail_under_study();
         let mut instants = vec![Vec::with_capacity(heights.len()); worn.len()];
@@ -310,8 +286,7 @@ impl Evolution {
                     true => Vec::new(),
                     false => series(bent, heights.len()),
                 };
-                let [others, hardening] =
-                    damage.waves(instants, &energy, [&under, &bent], [length, model.speed]);
+                let [others, hardening] = damage.waves(instants, &energy, [&under, &bent], [length, model.speed]);
                 for (wave, other) in waves.iter_mut().zip(others) {
                     *wave += other;
                 }
@@ -339,10 +314,7 @@ impl Evolution {
                 false => series(flowed, heights.len()),
             },
             depth,
-            extremes: PassageExtremes {
-                contact_loss: roll.contact_loss(),
-                normal_force: roll.normal_force,
-            },
+            extremes: PassageExtremes { contact_loss: roll.contact_loss(), normal_force: roll.normal_force },
         })
     }
 
@@ -358,16 +330,9 @@ impl Evolution {
             bands.into_iter().map(f64::sqrt).collect::<Vec<f64>>()
         };
         let (of_heights, of_rate) = (bands(&self.heights), bands(rate));
-        let whole = of_heights
-            .iter()
-            .map(|band| band * band)
-            .sum::<f64>()
-            .sqrt();
+        let whole = of_heights.iter().map(|band| band * band).sum::<f64>().sqrt();
         let pairs = of_heights.iter().zip(&of_rate);
-        pairs
-            .map(|(height, rate)| share * height.max(0.01 * whole) / rate)
-            .fold(f64::INFINITY, f64::min)
-            .floor()
+        pairs.map(|(height, rate)| share * height.max(0.01 * whole) / rate).fold(f64::INFINITY, f64::min).floor()
     }
 }
 
@@ -395,9 +360,7 @@ fn energy_at_rail(
     let own: Option<Vec<Complex64>> = at_once.map(|wave| {
         let bent: Vec<f64> = under.iter().map(|felt| felt.curvature).collect();
         let waves = spectrum(&bent).into_iter();
-        waves
-            .map(|bent| wave.energy() * contact.profile * bent)
-            .collect()
+        waves.map(|bent| wave.energy() * contact.profile * bent).collect()
     });
     let waves = spectrum(&energies).into_iter().enumerate();
     waves
@@ -407,9 +370,7 @@ fn energy_at_rail(
             }
             let wavelength = length / n as f64;
             let by_place = Complex64::cis(TAU * contact.along / wavelength);
-            let own = own
-                .as_ref()
-                .map_or(Complex64::ZERO, |own| own[n] * by_place);
+            let own = own.as_ref().map_or(Complex64::ZERO, |own| own[n] * by_place);
             let own_later = match at_once.is_some_and(|wave| wave.is_sliding()) {
                 true => Complex64::ONE,
                 false => later_of_wave(wear.place.lag(wavelength)),
@@ -467,9 +428,7 @@ fn depth_of_wear(
                 _ => later,
             };
             let bent = bent.get(n).copied().unwrap_or(Complex64::ZERO);
-            *wave = *wave * regime.by_energy
-                + load * regime.by_load * later
-                + bent * regime.by_curvature * own_later;
+            *wave = *wave * regime.by_energy + load * regime.by_load * later + bent * regime.by_curvature * own_later;
         }
     }
     let per_energy = wear.wear.depth_per_energy();

@@ -29,23 +29,11 @@ pub(super) struct Felt {
 
 impl Felt {
     fn parts(self) -> [f64; EFFECTS] {
-        [
-            self.height,
-            self.slope,
-            self.curvature,
-            self.force,
-            self.energy,
-        ]
+        [self.height, self.slope, self.curvature, self.force, self.energy]
     }
 
     fn of([height, slope, curvature, force, energy]: [f64; EFFECTS]) -> Self {
-        Self {
-            height,
-            slope,
-            curvature,
-            force,
-            energy,
-        }
+        Self { height, slope, curvature, force, energy }
     }
 
     /// A multiple.
@@ -54,21 +42,13 @@ impl Felt {
     }
 
     /// What lies between four of them at equal distances, each part by itself.
-    pub(super) fn between(
-        four: [Self; 4],
-        by: impl Fn([f64; 4]) -> f64,
-        beside_height: bool,
-    ) -> Self {
+    pub(super) fn between(four: [Self; 4], by: impl Fn([f64; 4]) -> f64, beside_height: bool) -> Self {
         let height = by(four.map(|felt| felt.height));
         if !beside_height {
-            return Self {
-                height,
-                ..Self::default()
-            };
+            return Self { height, ..Self::default() };
         }
         let four = four.map(Self::parts);
-        let mut parts: [f64; EFFECTS] =
-            std::array::from_fn(|part| by(std::array::from_fn(|index| four[index][part])));
+        let mut parts: [f64; EFFECTS] = std::array::from_fn(|part| by(std::array::from_fn(|index| four[index][part])));
         parts[0] = height;
         Self::of(parts)
     }
@@ -107,9 +87,7 @@ impl PassageModel {
         let wavenumber = TAU / wavelength;
         let filter = self.filter_of(contact);
         let mut parts = [Complex64::ZERO; EFFECTS];
-        parts[0] = filter
-            .map_or(1.0, |filter| filter.amplitude(wavenumber, 0.0))
-            .into();
+        parts[0] = filter.map_or(1.0, |filter| filter.amplitude(wavenumber, 0.0)).into();
         if self.structures.direction().is_some() {
             parts[1] = Complex64::new(0.0, wavenumber);
         }
@@ -121,28 +99,15 @@ impl PassageModel {
     }
 
     /// The effects on a contact of equidistant heights around a ring.
-    pub(super) fn felt_around(
-        &self,
-        contact: &ContactInTime,
-        heights: &[f64],
-        spacing: f64,
-    ) -> Vec<Felt> {
+    pub(super) fn felt_around(&self, contact: &ContactInTime, heights: &[f64], spacing: f64) -> Vec<Felt> {
         let plain = self.filter_of(contact).is_none();
-        let mut felt: Vec<Felt> = heights
-            .iter()
-            .map(|&height| Felt {
-                height,
-                ..Felt::default()
-            })
-            .collect();
+        let mut felt: Vec<Felt> = heights.iter().map(|&height| Felt { height, ..Felt::default() }).collect();
         if plain && !self.feels_more_than_height(contact) {
             return felt;
         }
         let length = heights.len() as f64 * spacing;
         let waves = spectrum(heights);
-        let effects: Vec<FeltWave> = (1..waves.len())
-            .map(|n| self.felt_by(contact, length / n as f64))
-            .collect();
+        let effects: Vec<FeltWave> = (1..waves.len()).map(|n| self.felt_by(contact, length / n as f64)).collect();
         for part in usize::from(plain)..EFFECTS {
             let mut waves = waves.clone();
             if part > 0 {

@@ -22,11 +22,7 @@ impl HertzSpring {
         Error::unless_positive("normal force", normal_force, "N")?;
         Error::unless_positive("contact stiffness", stiffness, "N/m")?;
         let approach = 1.5 * normal_force / stiffness;
-        Ok(Self {
-            normal_force,
-            approach,
-            constant: normal_force / (approach * approach.sqrt()),
-        })
+        Ok(Self { normal_force, approach, constant: normal_force / (approach * approach.sqrt()) })
     }
 
     /// P₀ \[N\].
@@ -52,8 +48,7 @@ impl HertzSpring {
         };
         let cubic = give_way * self.constant;
         for _ in 0..60 {
-            let step =
-                ((cubic * root + 1.0) * root * root - gap) / ((3.0 * cubic * root + 2.0) * root);
+            let step = ((cubic * root + 1.0) * root * root - gap) / ((3.0 * cubic * root + 2.0) * root);
             root -= step;
             // What a step of Newton's leaves goes with its square.
             if step.abs() <= 1e-8 * root {
@@ -89,8 +84,7 @@ mod tests {
         let spring = HertzSpring::new(5e4, 1.08e9).unwrap();
         let force = |approach: f64| spring.meet(approach, 0.0, approach).1;
         let step = 1e-4 * spring.approach();
-        let slope =
-            (force(spring.approach() + step) - force(spring.approach() - step)) / (2.0 * step);
+        let slope = (force(spring.approach() + step) - force(spring.approach() - step)) / (2.0 * step);
         // Central differences: truncation 1e-9.
         assert!((slope / 1.08e9 - 1.0).abs() < 1e-8);
         assert!((force(spring.approach()) / 5e4 - 1.0).abs() < 1e-14);

@@ -67,17 +67,10 @@ impl ImpulseResponse {
         }
         let decades = (highest / lowest).log10();
         let count = (decades * TO_A_DECADE).ceil();
-        let frequencies: Vec<f64> = (0..=count as usize)
-            .map(|index| lowest * 10f64.powf(decades * index as f64 / count))
-            .collect();
-        let values: Vec<Complex64> = frequencies
-            .iter()
-            .map(|&w| structure.receptance(w, speed))
-            .collect();
-        if let Some(index) = values
-            .iter()
-            .position(|value| !value.is_finite() || *value == Complex64::ZERO)
-        {
+        let frequencies: Vec<f64> =
+            (0..=count as usize).map(|index| lowest * 10f64.powf(decades * index as f64 / count)).collect();
+        let values: Vec<Complex64> = frequencies.iter().map(|&w| structure.receptance(w, speed)).collect();
+        if let Some(index) = values.iter().position(|value| !value.is_finite() || *value == Complex64::ZERO) {
             return Err(Error::OutOfRange {
                 quantity: "frequency of a receptance that is not finite",
                 value: frequencies[index] / TAU,
@@ -96,12 +89,7 @@ impl ImpulseResponse {
                 fit.share_cut += error / frequencies.len() as f64;
                 fit.largest_error = fit.largest_error.max(error.sqrt());
             }
-            PoleFit {
-                share_cut: fit.share_cut,
-                poles: Vec::new(),
-                errors: Vec::new(),
-                fit,
-            }
+            PoleFit { share_cut: fit.share_cut, poles: Vec::new(), errors: Vec::new(), fit }
         };
         let orders = (LEAST_POLES..=Self::MOST_POLES).step_by(8);
         PoleSearch::among(orders.map(fit), FINE * FINE, Some(GAIN)).found()
@@ -113,12 +101,7 @@ impl ImpulseResponse {
         share_cut: f64,
         largest_error: f64,
     ) -> Self {
-        Self {
-            fractions,
-            bay,
-            share_cut,
-            largest_error,
-        }
+        Self { fractions, bay, share_cut, largest_error }
     }
 
     /// Its receptance \[m/N\] at the angular frequency ω \[rad/s\], on discrete supports the mean over the places of the load.
@@ -129,16 +112,12 @@ impl ImpulseResponse {
 
     /// g \[m/(N s)\] at the time t ≥ 0 \[s\] after the impulse, on discrete supports likewise.
     pub fn at(&self, time: f64) -> f64 {
-        self.terms()
-            .map(|(pole, residue)| (residue * (pole * time).exp()).re)
-            .sum()
+        self.terms().map(|(pole, residue)| (residue * (pole * time).exp()).re).sum()
     }
 
     /// Poles p and residues r of g = Σ Re(r e^{pt}), one for each pair.
     pub(super) fn terms(&self) -> impl Iterator<Item = (Complex64, Complex64)> + '_ {
-        self.fractions
-            .iter()
-            .map(|fraction| (fraction.pole, fraction.of_term()))
+        self.fractions.iter().map(|fraction| (fraction.pole, fraction.of_term()))
     }
 
     /// What the place of the load changes; none where the track is even.

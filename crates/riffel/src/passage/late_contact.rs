@@ -59,9 +59,8 @@ impl LateContact {
         let by_load = at_once.by_normal_force.longitudinal;
         let by_creepage = at_once.by_longitudinal.longitudinal;
         let count = ((longest / shortest).log2() * TO_AN_OCTAVE).ceil() as usize;
-        let wavenumbers: Vec<f64> = (0..=count)
-            .map(|index| TAU / longest * (longest / shortest).powf(index as f64 / count as f64))
-            .collect();
+        let wavenumbers: Vec<f64> =
+            (0..=count).map(|index| TAU / longest * (longest / shortest).powf(index as f64 / count as f64)).collect();
         let ratios = |wavenumber: &f64| {
             let response = contact.response(TAU / wavenumber);
             let (load, turn) = (response.by_load, response.by_longitudinal);
@@ -75,39 +74,21 @@ impl LateContact {
             ]
         };
         let rows: Vec<[Complex64; 4]> = wavenumbers.iter().map(ratios).collect();
-        let functions: Vec<Vec<Complex64>> = (0..4)
-            .map(|function| rows.iter().map(|row| row[function]).collect())
-            .collect();
+        let functions: Vec<Vec<Complex64>> =
+            (0..4).map(|function| rows.iter().map(|row| row[function]).collect()).collect();
         let sizes = vec![1.0; wavenumbers.len()];
-        let sampled: Vec<Sampled<'_>> = functions
-            .iter()
-            .map(|values| Sampled {
-                values,
-                sizes: &sizes,
-            })
-            .collect();
+        let sampled: Vec<Sampled<'_>> = functions.iter().map(|values| Sampled { values, sizes: &sizes }).collect();
         let band = [wavenumbers[0], wavenumbers[count]];
         let starting = starting_lines(band, wavenumbers[count], ORDER);
         let poles = shared_poles(&wavenumbers, &sampled, &starting);
         let mut filters = residues(&wavenumbers, &functions, &sizes, &poles)
             .into_iter()
             .map(|fractions| ImpulseResponse::new(fractions, None, 0.0, 0.0));
-        let mut next = || {
-            filters
-                .next()
-                .unwrap_or_else(|| ImpulseResponse::new(Vec::new(), None, 0.0, 1.0))
-        };
-        let late = Self {
-            force: [next(), next()],
-            energy: [next(), next()],
-            behind: semi_axis,
-            largest_error: 0.0,
-        };
+        let mut next = || filters.next().unwrap_or_else(|| ImpulseResponse::new(Vec::new(), None, 0.0, 1.0));
+        let late = Self { force: [next(), next()], energy: [next(), next()], behind: semi_axis, largest_error: 0.0 };
         let missed = wavenumbers.iter().zip(&rows).flat_map(|(k, row)| {
             let got = late.filters().map(|filter| filter.receptance(*k));
-            got.into_iter()
-                .zip(*row)
-                .map(|(got, value)| (got - value).norm())
+            got.into_iter().zip(*row).map(|(got, value)| (got - value).norm())
         });
         // Not a number is no small error.
         let largest_error = missed.fold(0.0, |largest: f64, error| match error <= largest {
@@ -122,15 +103,11 @@ impl LateContact {
                 remedy: "try another grid (contact.grid)",
             });
         }
-        Ok(Self {
-            largest_error,
-            ..late
-        })
+        Ok(Self { largest_error, ..late })
     }
 
     fn filters(&self) -> [&ImpulseResponse; 4] {
-        let ([force_by_load, force_by_creepage], [by_load, by_creepage]) =
-            (&self.force, &self.energy);
+        let ([force_by_load, force_by_creepage], [by_load, by_creepage]) = (&self.force, &self.energy);
         [force_by_load, force_by_creepage, by_load, by_creepage]
     }
 
@@ -159,20 +136,13 @@ impl LateMotion {
     pub(super) fn new(late: &LateContact, step: f64) -> Self {
         Self {
             // The filters are over distance: a speed of one metre a metre.
-            filters: late
-                .filters()
-                .map(|filter| TrackMotion::new(filter, step, 1.0, 0.0)),
+            filters: late.filters().map(|filter| TrackMotion::new(filter, step, 1.0, 0.0)),
             past: [0.0; 4],
         }
     }
 
     /// A step of a contact begins, under which the wave has the curvature κ: it feels the slip speed, over V.
-    pub(super) fn advance(
-        &mut self,
-        contact: &ContactInTime,
-        now: &ContactInstant,
-        curvature: f64,
-    ) {
+    pub(super) fn advance(&mut self, contact: &ContactInTime, now: &ContactInstant, curvature: f64) {
         self.advance_by([
             now.normal_force - contact.spring.normal_force(),
             now.creepage / (1.0 + curvature) - contact.mean.creepages.longitudinal,
@@ -188,38 +158,18 @@ impl LateMotion {
     }
 
     /// Load \[N\] and slip speed over V at which the law is asked for the force, if the step ends with these.
-    pub(super) fn for_force(
-        &self,
-        contact: &ContactInTime,
-        load: f64,
-        creepage: f64,
-    ) -> (f64, f64) {
+    pub(super) fn for_force(&self, contact: &ContactInTime, load: f64, creepage: f64) -> (f64, f64) {
         self.felt([0, 1], contact, load, creepage)
     }
 
     /// Those for the energy.
-    pub(super) fn for_energy(
-        &self,
-        contact: &ContactInTime,
-        load: f64,
-        creepage: f64,
-    ) -> (f64, f64) {
+    pub(super) fn for_energy(&self, contact: &ContactInTime, load: f64, creepage: f64) -> (f64, f64) {
         self.felt([2, 3], contact, load, creepage)
     }
 
-    fn felt(
-        &self,
-        filters: [usize; 2],
-        contact: &ContactInTime,
-        load: f64,
-        creepage: f64,
-    ) -> (f64, f64) {
-        let mean = [
-            contact.spring.normal_force(),
-            contact.mean.creepages.longitudinal,
-        ];
-        let [felt_load, felt_creepage] =
-            self.beside_mean(filters, [load - mean[0], creepage - mean[1]]);
+    fn felt(&self, filters: [usize; 2], contact: &ContactInTime, load: f64, creepage: f64) -> (f64, f64) {
+        let mean = [contact.spring.normal_force(), contact.mean.creepages.longitudinal];
+        let [felt_load, felt_creepage] = self.beside_mean(filters, [load - mean[0], creepage - mean[1]]);
         (mean[0] + felt_load, mean[1] + felt_creepage)
     }
 
@@ -236,8 +186,7 @@ mod tests {
     use super::*;
     use crate::ElasticMaterial;
     use crate::contact::{
-        Creepages, HalfSpace, HalfSpaceCurve, HertzContact, NonSteady, OscillatingCreepages,
-        TransientRolling,
+        Creepages, HalfSpace, HalfSpaceCurve, HertzContact, NonSteady, OscillatingCreepages, TransientRolling,
     };
 
     /// At tractive ratios and a wavelength between those fitted, and for slow changes: their ratio is one but for what grid and
@@ -254,18 +203,12 @@ mod tests {
             let longitudinal = OscillatingCreepages::Longitudinal;
             let table = NonSteady::new(&contact, &state, longitudinal, 1.01 * a, 100.0 * a, 1e-4)?;
             let late = LateContact::new(&table, &curve, a, [1.01 * a, 100.0 * a])?;
-            assert!(
-                late.largest_error() < 6e-5,
-                "{ratio}: {:e}",
-                late.largest_error()
-            );
+            assert!(late.largest_error() < 6e-5, "{ratio}: {:e}", late.largest_error());
             for filter in late.filters() {
                 assert!((filter.receptance(0.0) - 1.0).norm() < 2e-2);
             }
             let wavelength = 2.345 * a;
-            let force = curve
-                .derivatives(50e3, table.steady().creepages)
-                .by_longitudinal;
+            let force = curve.derivatives(50e3, table.steady().creepages).by_longitudinal;
             let expected = table.response(wavelength).by_longitudinal.force[0];
             let got = late.force[1].receptance(TAU / wavelength) * force.longitudinal;
             assert!((got - expected).norm() < 1e-4 * force.longitudinal);
@@ -297,10 +240,7 @@ mod tests {
         let mut motion = LateMotion::new(&late, step);
         let at = |steps: f64| {
             let turn = TAU * steps * step / (5.0 * a);
-            [
-                LOAD * (1.0 + 0.2 * turn.cos()),
-                mean * (1.0 + 0.5 * (turn + 1.0).cos()),
-            ]
+            [LOAD * (1.0 + 0.2 * turn.cos()), mean * (1.0 + 0.5 * (turn + 1.0).cos())]
         };
         let law = |load: f64, creepage: f64| {
             let forces = curve.forces(load, Creepages::longitudinal(creepage));
@@ -314,11 +254,7 @@ mod tests {
             motion.advance_by([before[0] - LOAD, before[1] - mean]);
             let felt = motion.beside_mean([0, 1], [now[0] - LOAD, now[1] - mean]);
             if index > settling {
-                forces.push([
-                    exact.forces.longitudinal,
-                    law(LOAD + felt[0], mean + felt[1]),
-                    law(now[0], now[1]),
-                ]);
+                forces.push([exact.forces.longitudinal, law(LOAD + felt[0], mean + felt[1]), law(now[0], now[1])]);
             }
         }
         let oscillation = |of: &dyn Fn(&[f64; 3]) -> f64| {
@@ -328,10 +264,8 @@ mod tests {
             square.sum::<f64>().sqrt()
         };
         let exact = oscillation(&|row| row[0]);
-        let (by_late, by_steady) = (
-            oscillation(&|row| row[1] - row[0]) / exact,
-            oscillation(&|row| row[2] - row[0]) / exact,
-        );
+        let (by_late, by_steady) =
+            (oscillation(&|row| row[1] - row[0]) / exact, oscillation(&|row| row[2] - row[0]) / exact);
         assert!(by_late < 0.05 && by_steady > 1.0, "{by_late} {by_steady}");
         Ok(())
     }

@@ -12,15 +12,9 @@ pub(super) fn least_squares(columns: &mut [Vec<f64>], right: &[f64]) -> Vec<f64>
 /// column that depends on those before it to rounding takes no part, its unknown is zero.
 ///
 /// Cost: 2n²m operations for n unknowns and m equations, and 4nm for each b.
-pub(super) fn least_squares_of_several(
-    columns: &mut [Vec<f64>],
-    mut rights: Vec<Vec<f64>>,
-) -> Vec<Vec<f64>> {
+pub(super) fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let length = |column: &Vec<f64>| Some(norm(column)).filter(|length| *length > 0.0);
-    let scales: Vec<f64> = columns
-        .iter()
-        .map(|column| length(column).unwrap_or(1.0))
-        .collect();
+    let scales: Vec<f64> = columns.iter().map(|column| length(column).unwrap_or(1.0)).collect();
     for (column, scale) in columns.iter_mut().zip(&scales) {
         column.iter_mut().for_each(|entry| *entry /= scale);
     }
@@ -29,9 +23,7 @@ pub(super) fn least_squares_of_several(
         let mut solution = vec![0.0; columns.len()];
         for &(index, row) in taken.iter().rev() {
             let after = taken.iter().filter(|(_, later)| *later > row);
-            let known: f64 = after
-                .map(|&(other, _)| columns[other][row] * solution[other])
-                .sum();
+            let known: f64 = after.map(|&(other, _)| columns[other][row] * solution[other]).sum();
             solution[index] = (right[row] - known) / columns[index][row];
         }
         for (value, scale) in solution.iter_mut().zip(&scales) {
@@ -48,9 +40,7 @@ pub(super) fn remainder(columns: &mut [Vec<f64>], count: usize) -> Vec<Vec<f64>>
     let taken = triangularise(columns, &mut []);
     let from = taken.iter().filter(|(index, _)| *index < count).count();
     let others = columns[count..].iter();
-    others
-        .map(|column| column[from..taken.len()].to_vec())
-        .collect()
+    others.map(|column| column[from..taken.len()].to_vec()).collect()
 }
 
 /// Householder reflections, of the others too, that leave R in the columns, zeros below it; returns the columns that take
@@ -78,10 +68,7 @@ fn triangularise(columns: &mut [Vec<f64>], others: &mut [Vec<f64>]) -> Vec<(usiz
             let share = factor * dot(&mirror, column);
             take_off(column, share, &mirror);
         };
-        later
-            .iter_mut()
-            .chain(others.iter_mut())
-            .for_each(|column| reflect(&mut column[row..]));
+        later.iter_mut().chain(others.iter_mut()).for_each(|column| reflect(&mut column[row..]));
         pivot[row] = first;
         pivot[row + 1..].fill(0.0);
         taken.push((index, row));
@@ -157,11 +144,7 @@ mod tests {
     /// The unknowns of some columns are those of all of them.
     #[test]
     fn a_remainder_keeps_its_unknowns() {
-        let column = |seed: f64| -> Vec<f64> {
-            (0..12)
-                .map(|i| (seed * f64::from(i * i + 3)).sin())
-                .collect()
-        };
+        let column = |seed: f64| -> Vec<f64> { (0..12).map(|i| (seed * f64::from(i * i + 3)).sin()).collect() };
         let columns: Vec<Vec<f64>> = [0.3, 1.1, 0.7, 2.3].map(column).to_vec();
         let right = column(1.7);
         let all = least_squares(&mut columns.clone(), &right);
@@ -177,11 +160,7 @@ mod tests {
 
     #[test]
     fn a_column_that_depends_on_others_takes_no_part() {
-        let mut columns = [
-            vec![1.0, 2.0, 3.0],
-            vec![-2.0, -4.0, -6.0],
-            vec![0.0, 1.0, 1.0],
-        ];
+        let mut columns = [vec![1.0, 2.0, 3.0], vec![-2.0, -4.0, -6.0], vec![0.0, 1.0, 1.0]];
         let solution = least_squares(&mut columns, &[2.0, 5.0, 7.0]);
         let expected = [2.0, 0.0, 1.0];
         for (value, expected) in solution.iter().zip(expected) {

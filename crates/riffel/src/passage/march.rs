@@ -77,10 +77,7 @@ impl<'a> March<'a> {
     pub(super) fn new(model: &'a PassageModel, step: f64, distance: f64) -> Self {
         let size = model.structures.size();
         let mean_forces = model.contacts.iter().flat_map(|contact| {
-            let CreepForces {
-                longitudinal,
-                lateral,
-            } = contact.mean.forces;
+            let CreepForces { longitudinal, lateral } = contact.mean.forces;
             [longitudinal, lateral, contact.spring.normal_force()]
         });
         let at_rest = |contact: &ContactInTime| {
@@ -112,11 +109,7 @@ impl<'a> March<'a> {
             forces: vec![0.0; size],
             displacement: vec![0.0; size],
             speed: vec![0.0; size],
-            late: model
-                .contacts
-                .iter()
-                .map(|contact| Some(LateMotion::new(contact.late.as_deref()?, step)))
-                .collect(),
+            late: model.contacts.iter().map(|contact| Some(LateMotion::new(contact.late.as_deref()?, step))).collect(),
             slopes: vec![Slopes::default(); model.contacts.len()],
             drift: vec![[0.0; 2]; model.contacts.len()],
             force_drift: vec![0.0; size],
@@ -141,8 +134,7 @@ impl<'a> March<'a> {
         /// Forces of the others come into an equation with the mass of a wheel: a sweep leaves a hundredth of the change.
         const SWEEPS: usize = 40;
         const REST: f64 = 1e-8;
-        self.motion
-            .advance(&self.forces, &mut self.displacement, &mut self.speed);
+        self.motion.advance(&self.forces, &mut self.displacement, &mut self.speed);
         let contacts = self.model.contacts.iter().zip(&self.felt);
         if let Some(direction) = &mut self.direction {
             for (turned, (contact, felt)) in self.turned.iter_mut().zip(contacts) {
@@ -160,8 +152,7 @@ impl<'a> March<'a> {
         self.felt_before.copy_from_slice(&self.felt);
         self.before.clear();
         let creepages = self.now.iter();
-        self.before
-            .extend(creepages.map(|now| [now.creepage, now.lateral_creepage]));
+        self.before.extend(creepages.map(|now| [now.creepage, now.lateral_creepage]));
         for (now, drift) in self.now.iter_mut().zip(&self.drift) {
             now.creepage += drift[0];
             now.lateral_creepage += drift[1];
@@ -173,7 +164,8 @@ impl<'a> March<'a> {
         }
         // Creep forces of a lone wheel do not move it along its normal: nothing comes back.
         let [by_new_force, _] = &self.motion.by_new_force;
-        let alone = matches!(by_new_force[..], [.., along, across, _] if self.now.len() == 1 && along == 0.0 && across == 0.0);
+        let alone =
+            matches!(by_new_force[..], [.., along, across, _] if self.now.len() == 1 && along == 0.0 && across == 0.0);
         let sweeps = if alone { 1 } else { SWEEPS };
         for sweep in 0..sweeps {
             let mut change = 0f64;
@@ -234,8 +226,7 @@ impl<'a> March<'a> {
         let entry = |by: &[f64], row: usize, column: usize| by[row * size + column];
         let normal = own + 2;
         let give_way = entry(displacement_by, normal, normal);
-        let others = self.displacement[normal] + sum(displacement_by, normal)
-            - give_way * self.forces[normal];
+        let others = self.displacement[normal] + sum(displacement_by, normal) - give_way * self.forces[normal];
         let gap = contact.spring.approach() + height - others + give_way * load;
         let before = self.now[index];
         let (approach, normal_force) = contact.spring.meet(gap, give_way, before.approach);
@@ -262,8 +253,7 @@ impl<'a> March<'a> {
         for axis in [0, 1].into_iter().filter(|&axis| !contact.held[axis]) {
             let row = own + axis;
             let by_own = [0, 1].map(|to| entry(speed_by, row, own + to));
-            let by_load =
-                entry(speed_by, row, normal) * (normal_force - load - self.forces[normal]);
+            let by_load = entry(speed_by, row, normal) * (normal_force - load - self.forces[normal]);
             // But for that by its own creep forces.
             let speed = self.speed[row] + sum(speed_by, row) + by_load
                 - (by_own[0] * self.forces[own] + by_own[1] * self.forces[own + 1]);
@@ -276,18 +266,10 @@ impl<'a> March<'a> {
             true => [before.tangential_force, before.lateral_force],
             false => equation.force(near),
         };
-        let (creepage, force) =
-            equation.solve(self.before[index], near, force, &mut self.slopes[index]);
-        let new = [
-            force[0] - mean.forces.longitudinal,
-            force[1] - mean.forces.lateral,
-            normal_force - load,
-        ];
+        let (creepage, force) = equation.solve(self.before[index], near, force, &mut self.slopes[index]);
+        let new = [force[0] - mean.forces.longitudinal, force[1] - mean.forces.lateral, normal_force - load];
         let old = &mut self.forces[own..=normal];
-        let change = old
-            .iter()
-            .zip(new)
-            .fold(0f64, |most, (old, new)| most.max((old - new).abs()));
+        let change = old.iter().zip(new).fold(0f64, |most, (old, new)| most.max((old - new).abs()));
         old.copy_from_slice(&new);
         let energy_at_rail = equation.energy(creepage, force);
         self.now[index] = ContactInstant {

@@ -52,11 +52,7 @@ impl PassageModel {
         let mut march = self.march(STEP * self.speed)?;
         let spacing = self.structures.support_spacing();
         let mut smooth = spacing.map(|_| march.clone());
-        let mut without: Vec<f64> = self
-            .contacts
-            .iter()
-            .map(|contact| contact.spring.normal_force())
-            .collect();
+        let mut without: Vec<f64> = self.contacts.iter().map(|contact| contact.spring.normal_force()).collect();
         let mut heights = vec![0.0; self.contacts.len()];
         let even = heights.clone();
         let steps = (PATIENCE / STEP) as usize;
@@ -68,8 +64,7 @@ impl PassageModel {
                 }
             }
             let now = march.advance(&heights).iter().zip(&without);
-            now.map(|(now, without)| (now.normal_force - without).abs())
-                .fold(0.0, f64::max)
+            now.map(|(now, without)| (now.normal_force - without).abs()).fold(0.0, f64::max)
         };
         Ok((1..=steps).map(change).collect())
     }
@@ -79,22 +74,12 @@ impl PassageModel {
 ///
 /// # Errors
 /// [`Error::NotConverged`] with the problem and its remedy, if that is the last of all.
-fn last_remembered(
-    changes: &[f64],
-    share: f64,
-    problem: &'static str,
-    remedy: &'static str,
-) -> Result<usize, Error> {
+fn last_remembered(changes: &[f64], share: f64, problem: &'static str, remedy: &'static str) -> Result<usize, Error> {
     let largest = changes.iter().copied().fold(0.0, f64::max);
     let remembered = |change: &f64| *change > share * largest;
     let last = changes.iter().rposition(remembered).unwrap_or(0);
     if last + 1 < changes.len() {
         return Ok(last);
     }
-    Err(Error::NotConverged {
-        problem,
-        residual: changes[last] / largest,
-        tolerance: share,
-        remedy,
-    })
+    Err(Error::NotConverged { problem, residual: changes[last] / largest, tolerance: share, remedy })
 }

@@ -83,11 +83,7 @@ impl ContactInTime {
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
-    pub fn of_one_wheel(
-        mean: MeanRolling,
-        stiffness: f64,
-        law: Arc<dyn CreepLaw>,
-    ) -> Result<Self, Error> {
+    pub fn of_one_wheel(mean: MeanRolling, stiffness: f64, law: Arc<dyn CreepLaw>) -> Result<Self, Error> {
         Ok(Self {
             spring: HertzSpring::new(mean.normal_force, stiffness)?,
             law,

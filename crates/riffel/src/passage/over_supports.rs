@@ -96,11 +96,7 @@ impl ImpulseResponse {
     ///
     /// # Errors
     /// [`Error::NotCausal`] likewise.
-    pub(super) fn along_bay(
-        transfer: &AlongBay,
-        at_rest: Vec<Complex64>,
-        spacing: f64,
-    ) -> Result<Self, Error> {
+    pub(super) fn along_bay(transfer: &AlongBay, at_rest: Vec<Complex64>, spacing: f64) -> Result<Self, Error> {
         /// Pairs counted twice.
         const POLES: [usize; 3] = [48, 72, 96];
         /// A share below, 5·10⁻⁴ rms, needs no more poles.
@@ -111,22 +107,13 @@ impl ImpulseResponse {
         let search = PoleSearch::among(first.iter().map(|starting| fit(starting)), FINE, None);
         let mut fit = search.refined(fit).found()?;
         let waves = fit.parts.split_off(1);
-        let residues =
-            |fit: &Vec<PartialFraction>| fit.iter().map(PartialFraction::of_term).collect();
+        let residues = |fit: &Vec<PartialFraction>| fit.iter().map(PartialFraction::of_term).collect();
         let bay = OverSupports {
             spacing,
-            waves: waves
-                .chunks_exact(2)
-                .map(|pair| [residues(&pair[0]), residues(&pair[1])])
-                .collect(),
+            waves: waves.chunks_exact(2).map(|pair| [residues(&pair[0]), residues(&pair[1])]).collect(),
             at_rest,
         };
-        Ok(Self::new(
-            fit.parts.remove(0),
-            Some(bay),
-            fit.share_cut,
-            fit.largest_error,
-        ))
+        Ok(Self::new(fit.parts.remove(0), Some(bay), fit.share_cut, fit.largest_error))
     }
 }
 
@@ -164,12 +151,10 @@ impl AlongBay {
         };
         for (w, parts, size) in samples {
             of_bay.frequencies.push(w);
-            of_bay
-                .sizes
-                .push(match (discrete..even).contains(&(w / TAU)) {
-                    true => size / HINT,
-                    false => size,
-                });
+            of_bay.sizes.push(match (discrete..even).contains(&(w / TAU)) {
+                true => size / HINT,
+                false => size,
+            });
             for (values, value) in of_bay.parts.iter_mut().zip(parts) {
                 values.push(value);
             }
@@ -204,10 +189,7 @@ impl AlongBay {
 
     /// Lowest and highest frequency \[rad/s\].
     fn band(&self) -> [f64; 2] {
-        [
-            self.frequencies[0],
-            self.frequencies[self.frequencies.len() - 1],
-        ]
+        [self.frequencies[0], self.frequencies[self.frequencies.len() - 1]]
     }
 
     fn fit(&self, starting: &[Complex64]) -> PoleFit<Fit> {
@@ -215,15 +197,8 @@ impl AlongBay {
         const STRONGEST: usize = 5;
         /// Up to here errors count \[Hz\].
         const JUDGED: f64 = 3e3;
-        let Self {
-            frequencies,
-            parts,
-            sizes,
-        } = self;
-        let strongest: Vec<Sampled<'_>> = parts[..STRONGEST]
-            .iter()
-            .map(|values| Sampled { values, sizes })
-            .collect();
+        let Self { frequencies, parts, sizes } = self;
+        let strongest: Vec<Sampled<'_>> = parts[..STRONGEST].iter().map(|values| Sampled { values, sizes }).collect();
         let poles = shared_poles(frequencies, &strongest, starting);
         let fits = residues(frequencies, parts, sizes, &poles);
         let judged = frequencies.iter().filter(|&&w| w < TAU * JUDGED).count();
@@ -240,16 +215,7 @@ impl AlongBay {
             largest_error = largest_error.max(error.sqrt());
             errors_there.push((frequencies[index], error.sqrt()));
         }
-        PoleFit {
-            share_cut,
-            poles,
-            errors: errors_there,
-            fit: Fit {
-                parts: fits,
-                share_cut,
-                largest_error,
-            },
-        }
+        PoleFit { share_cut, poles, errors: errors_there, fit: Fit { parts: fits, share_cut, largest_error } }
     }
 }
 

@@ -27,11 +27,7 @@ pub(super) struct PoleSearch<T> {
 impl<T> PoleSearch<T> {
     /// The best of fits, made one after the other until one is fine. With a gain, one that leaves more than that part of the best so far is
     /// the last.
-    pub(super) fn among(
-        fits: impl IntoIterator<Item = PoleFit<T>>,
-        fine: f64,
-        gain: Option<f64>,
-    ) -> Self {
+    pub(super) fn among(fits: impl IntoIterator<Item = PoleFit<T>>, fine: f64, gain: Option<f64>) -> Self {
         let mut search = Self { best: None, fine };
         for fit in fits {
             let better = search.betters(&fit, gain.unwrap_or(1.0));
@@ -87,8 +83,6 @@ impl<T> PoleSearch<T> {
     }
 
     fn is_fine(&self) -> bool {
-        self.best
-            .as_ref()
-            .is_some_and(|best| best.share_cut <= self.fine)
+        self.best.as_ref().is_some_and(|best| best.share_cut <= self.fine)
     }
 }

@@ -39,12 +39,7 @@ impl RailInTime {
     pub(super) fn under_one_wheel(response: ImpulseResponse) -> Self {
         Self {
             spacing: response.support_spacing(),
-            entries: vec![Entry {
-                row: DOWN,
-                column: DOWN,
-                creeps: false,
-                response,
-            }],
+            entries: vec![Entry { row: DOWN, column: DOWN, creeps: false, response }],
             angles: vec![[0.0, 1.0]],
         }
     }
@@ -96,9 +91,7 @@ impl RailInTime {
                 let known = fitted.iter().position(|known| known.is(&transfer));
                 let response = match known {
                     Some(known) => entries[known].response.clone(),
-                    None => {
-                        ImpulseResponse::along_bay(&transfer, ahead.collect(), track.spacing())?
-                    }
+                    None => ImpulseResponse::along_bay(&transfer, ahead.collect(), track.spacing())?,
                 };
                 fitted.push(transfer);
                 entries.push(Entry {
@@ -117,11 +110,7 @@ impl RailInTime {
                 Rail::Left => [-sine, cosine],
             }
         });
-        Ok(Self {
-            spacing: Some(track.spacing()),
-            entries,
-            angles: angles.collect(),
-        })
+        Ok(Self { spacing: Some(track.spacing()), entries, angles: angles.collect() })
     }
 
     /// Spacing of discrete supports \[m\].
@@ -133,12 +122,8 @@ impl RailInTime {
     pub(super) fn errors(&self) -> [f64; 2] {
         let responses = || self.entries.iter().map(|entry| &entry.response);
         [
-            responses()
-                .map(ImpulseResponse::share_cut)
-                .fold(0.0, f64::max),
-            responses()
-                .map(ImpulseResponse::largest_error)
-                .fold(0.0, f64::max),
+            responses().map(ImpulseResponse::share_cut).fold(0.0, f64::max),
+            responses().map(ImpulseResponse::largest_error).fold(0.0, f64::max),
         ]
     }
 
@@ -147,21 +132,14 @@ impl RailInTime {
     pub(super) fn add_mean_receptances(&self, angular_frequency: f64, matrix: &mut [Complex64]) {
         let size = 3 * self.angles.len();
         let mut own = vec![Complex64::ZERO; size * size];
-        for Entry {
-            row,
-            column,
-            response,
-            ..
-        } in &self.entries
-        {
+        for Entry { row, column, response, .. } in &self.entries {
             own[row * size + column] = response.receptance(angular_frequency);
         }
         for row in own.chunks_exact_mut(size) {
             self.turn(row);
         }
         for column in 0..size {
-            let mut values: Vec<Complex64> =
-                own.iter().skip(column).step_by(size).copied().collect();
+            let mut values: Vec<Complex64> = own.iter().skip(column).step_by(size).copied().collect();
             self.turn(&mut values);
             for (entry, value) in matrix.iter_mut().skip(column).step_by(size).zip(values) {
                 *entry += value;
@@ -182,9 +160,8 @@ impl RailInTime {
             }
         };
         let rows = shares(entry.row).into_iter();
-        let cells = rows.flat_map(|(row, at)| {
-            shares(entry.column).map(|(column, from)| (row * size + column, at * from))
-        });
+        let cells =
+            rows.flat_map(|(row, at)| shares(entry.column).map(|(column, from)| (row * size + column, at * from)));
         cells.filter(|(_, share)| *share != 0.0).collect()
     }
 
@@ -197,26 +174,17 @@ impl RailInTime {
     /// u_n = u_z cos γ ± u_y sin γ, upper sign on the right rail.
     fn turn<T>(&self, values: &mut [T])
     where
-        T: Copy
-            + std::ops::Mul<f64, Output = T>
-            + std::ops::Add<Output = T>
-            + std::ops::Sub<Output = T>,
+        T: Copy + std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T> + std::ops::Sub<Output = T>,
     {
         for ([sine, cosine], values) in self.angles.iter().zip(values.chunks_exact_mut(3)) {
-            (values[1], values[2]) = (
-                values[1] * *cosine - values[2] * *sine,
-                values[2] * *cosine + values[1] * *sine,
-            );
+            (values[1], values[2]) = (values[1] * *cosine - values[2] * *sine, values[2] * *cosine + values[1] * *sine);
         }
     }
 
     /// The same back to the axes of the track.
     fn turn_back(&self, values: &mut [f64]) {
         for ([sine, cosine], values) in self.angles.iter().zip(values.chunks_exact_mut(3)) {
-            (values[1], values[2]) = (
-                values[1] * cosine + values[2] * sine,
-                values[2] * cosine - values[1] * sine,
-            );
+            (values[1], values[2]) = (values[1] * cosine + values[2] * sine, values[2] * cosine - values[1] * sine);
         }
     }
 }
@@ -226,11 +194,7 @@ pub(super) fn places(feedback: &Loop) -> Vec<Place> {
     let contacts = feedback.contacts().iter();
     contacts
         .flat_map(|contact| {
-            Direction::ALL.map(|direction| Place {
-                along: contact.along,
-                rail: contact.rail,
-                direction,
-            })
+            Direction::ALL.map(|direction| Place { along: contact.along, rail: contact.rail, direction })
         })
         .collect()
 }
@@ -269,29 +233,15 @@ struct Sag {
 impl<'a> RailMotion<'a> {
     /// At rest under mean forces in the axes of the contacts \[N\], the first wheel a distance before a support \[m\], for steps of the
     /// given time \[s\] at a speed \[m/s\].
-    pub(super) fn new(
-        rail: &'a RailInTime,
-        mut mean: Vec<f64>,
-        step: f64,
-        speed: f64,
-        distance: f64,
-    ) -> Self {
+    pub(super) fn new(rail: &'a RailInTime, mut mean: Vec<f64>, step: f64, speed: f64, distance: f64) -> Self {
         rail.turn_back(&mut mean);
         let size = mean.len();
         let motions = rail.entries.iter();
         Self {
-            motions: motions
-                .map(|entry| TrackMotion::new(&entry.response, step, speed, distance))
-                .collect(),
+            motions: motions.map(|entry| TrackMotion::new(&entry.response, step, speed, distance)).collect(),
             sag: rail.spacing.map(|spacing| {
                 let onset_rate = speed / (ONSET_BAYS * spacing);
-                Sag {
-                    mean,
-                    speed,
-                    onset: 0.0,
-                    onset_step: onset_rate * step,
-                    onset_rate,
-                }
+                Sag { mean, speed, onset: 0.0, onset_step: onset_rate * step, onset_rate }
             }),
             cells: rail.entries.iter().map(|entry| rail.cells(entry)).collect(),
             scratch: [(); 3].map(|()| vec![0.0; size]),
@@ -301,12 +251,7 @@ impl<'a> RailMotion<'a> {
 
     /// A step begins with the forces at its start; what it adds to displacement and speed at its end but for the forces there, in the
     /// axes of the contacts.
-    pub(super) fn advance(
-        &mut self,
-        forces: &[f64],
-        displacement: &mut [f64],
-        velocity: &mut [f64],
-    ) {
+    pub(super) fn advance(&mut self, forces: &[f64], displacement: &mut [f64], velocity: &mut [f64]) {
         if let Some(sag) = &mut self.sag {
             sag.onset += sag.onset_step;
         }

@@ -79,20 +79,14 @@ impl Evolution {
             let power = (1.0 + 2.0 * alike * first * last).max(LEAST_POWER);
             (first * heights[index] + last * heights[count + index]) / power.sqrt()
         });
-        Ok(Self::new(&Profile::new(
-            record.start(),
-            spacing,
-            ring.collect(),
-        )?))
+        Ok(Self::new(&Profile::new(record.start(), spacing, ring.collect())?))
     }
 }
 
 /// How alike the first heights are to as many from another on, from −1 to 1; 0 where either is still.
 fn correlation(heights: &[f64], from: usize, count: usize) -> f64 {
     let (first, last) = (&heights[..count], &heights[from..from + count]);
-    let product = |one: &[f64], other: &[f64]| -> f64 {
-        one.iter().zip(other).map(|(one, other)| one * other).sum()
-    };
+    let product = |one: &[f64], other: &[f64]| -> f64 { one.iter().zip(other).map(|(one, other)| one * other).sum() };
     let scale = (product(first, first) * product(last, last)).sqrt();
     match scale > 0.0 {
         true => product(first, last) / scale,
@@ -133,17 +127,12 @@ fn whole_waves(wavelength: f64, bay: f64) -> (usize, f64) {
     let tried = (4..=32).map(|bays| {
         let length = f64::from(bays) * bay;
         let waves = (length / wavelength).round().max(1.0);
-        (
-            waves as usize,
-            length,
-            (length / waves / wavelength - 1.0).abs(),
-        )
+        (waves as usize, length, (length / waves / wavelength - 1.0).abs())
     });
     let all: Vec<(usize, f64, f64)> = tried.collect();
     let near = all.iter().find(|(_, _, change)| *change <= NEAR);
     let nearest = || all.iter().min_by(|one, other| one.2.total_cmp(&other.2));
-    near.or_else(nearest)
-        .map_or((1, wavelength), |&(waves, length, _)| (waves, length))
+    near.or_else(nearest).map_or((1, wavelength), |&(waves, length, _)| (waves, length))
 }
 
 #[cfg(test)]
@@ -155,19 +144,8 @@ mod tests {
     /// the ends meet.
     #[test]
     fn a_record_becomes_a_ring() -> Result<(), Error> {
-        let noise = ColouredNoise {
-            level: 0.0,
-            wavelength: 0.1,
-            slope: 10.0,
-            longest: 20.0,
-        };
-        let recipe = Recipe {
-            length: 50.0,
-            spacing: 1e-3,
-            seed: 3,
-            noise: Some(noise),
-            ..Recipe::default()
-        };
+        let noise = ColouredNoise { level: 0.0, wavelength: 0.1, slope: 10.0, longest: 20.0 };
+        let recipe = Recipe { length: 50.0, spacing: 1e-3, seed: 3, noise: Some(noise), ..Recipe::default() };
         let heights = recipe.heights()?.into_iter().enumerate();
         let sloping = heights.map(|(index, height)| height + 1e-6 * index as f64);
         let record = Profile::new(7.0, 1e-3, sloping.collect())?;
@@ -189,19 +167,13 @@ mod tests {
                 .map(|(_, amplitude)| 0.5 * amplitude.norm_sqr())
                 .sum();
             let expected = noise.level_at(wavelength);
-            assert!(
-                (level(power) - expected).abs() < 1.0,
-                "{} {expected}",
-                level(power)
-            );
+            assert!((level(power) - expected).abs() < 1.0, "{} {expected}", level(power));
         }
         let heights = ring.heights();
         let steps = heights.windows(2).map(|pair| (pair[1] - pair[0]).abs());
         let largest = steps.fold(0.0, f64::max);
         assert!((heights[0] - heights[heights.len() - 1]).abs() < largest);
-        let short = record
-            .between(7.0, 10.9)
-            .ok_or(Error::Measurement { index: 0, rule: "" })?;
+        let short = record.between(7.0, 10.9).ok_or(Error::Measurement { index: 0, rule: "" })?;
         assert!(Evolution::of_record(&short, 1.0, None).is_err());
         Ok(())
     }
@@ -210,25 +182,14 @@ mod tests {
     /// of thirteen and a third.
     #[test]
     fn a_regular_wave_goes_on_where_it_ends() -> Result<(), Error> {
-        for (wavelength, bay) in [
-            (0.05, None),
-            (0.047, None),
-            (0.05, Some(0.6)),
-            (0.045, Some(0.6)),
-        ] {
+        for (wavelength, bay) in [(0.05, None), (0.047, None), (0.05, Some(0.6)), (0.045, Some(0.6))] {
             for length in [5.0, 5.013, 5.027] {
                 let count = (length / 1e-3) as usize;
                 let height = |index: usize| 1e-5 * (TAU * index as f64 * 1e-3 / wavelength).sin();
                 let record = Profile::new(0.0, 1e-3, (0..count).map(height).collect())?;
                 let ring = Evolution::of_record(&record, 1.0, bay)?;
-                let most = ring
-                    .heights()
-                    .iter()
-                    .fold(0.0, |most: f64, it| most.max(it.abs()));
-                assert!(
-                    (most / 1e-5 - 1.0).abs() < 0.02,
-                    "{wavelength} {bay:?} {length}: {most}"
-                );
+                let most = ring.heights().iter().fold(0.0, |most: f64, it| most.max(it.abs()));
+                assert!((most / 1e-5 - 1.0).abs() < 0.02, "{wavelength} {bay:?} {length}: {most}");
             }
         }
         Ok(())

@@ -177,10 +177,7 @@ impl PassageModel {
             }
             before = Some(now);
         }
-        Err(Error::NotSettled {
-            seconds: PATIENCE,
-            change,
-        })
+        Err(Error::NotSettled { seconds: PATIENCE, change })
     }
 
     /// The same of a sinusoid with what the contacts feel of it, on discrete supports at a spacing \[m\].
@@ -194,10 +191,7 @@ impl PassageModel {
         const WAVES: f64 = 8.0;
         let wavelength = profile.wavelength;
         let waves_of = |length: f64| (length / wavelength).ceil() as usize;
-        let (before, counted) = (
-            waves_of(self.memory()?),
-            waves_of(f64::max(BAYS * spacing, WAVES * wavelength)),
-        );
+        let (before, counted) = (waves_of(self.memory()?), waves_of(f64::max(BAYS * spacing, WAVES * wavelength)));
         let mut march = self.march_before(wavelength / steps as f64, before as f64 * wavelength)?;
         let mut contacts = vec![Vec::with_capacity(counted * steps); self.contacts.len()];
         let onset = 0.25 * (before * steps) as f64;
@@ -233,11 +227,7 @@ fn losses(contacts: &[Vec<ContactInstant>], profile: &Sinusoid) -> Result<Vec<f6
     let losses: Vec<f64> = contacts.iter().map(|wave| contact_loss(wave)).collect();
     let share = losses.iter().copied().fold(0.0, f64::max);
     match share > MOST_LOSS {
-        true => Err(Error::Airborne {
-            share,
-            amplitude: profile.amplitude,
-            wavelength: profile.wavelength,
-        }),
+        true => Err(Error::Airborne { share, amplitude: profile.amplitude, wavelength: profile.wavelength }),
         false => Ok(losses),
     }
 }
@@ -245,10 +235,7 @@ fn losses(contacts: &[Vec<ContactInstant>], profile: &Sinusoid) -> Result<Vec<f6
 /// Least and largest normal force.
 fn range(contacts: &[ContactInstant]) -> [f64; 2] {
     let forces = contacts.iter().map(|instant| instant.normal_force);
-    [
-        forces.clone().fold(f64::INFINITY, f64::min),
-        forces.fold(f64::NEG_INFINITY, f64::max),
-    ]
+    [forces.clone().fold(f64::INFINITY, f64::min), forces.fold(f64::NEG_INFINITY, f64::max)]
 }
 
 /// Those of many waves, under a window whose sidelobes are below 3·10⁻⁵ from four lines on (Harris 1978).
@@ -259,9 +246,7 @@ fn windowed_harmonics(contacts: &[ContactInstant], steps: usize) -> [Harmonic; 6
     let weights = (1..=contacts.len()).map(|index| {
         let angle = TAU * index as f64 / length;
         let terms = WINDOW.iter().zip(0..);
-        let sum: f64 = terms
-            .map(|(part, n)| part * (angle * f64::from(n)).cos())
-            .sum();
+        let sum: f64 = terms.map(|(part, n)| part * (angle * f64::from(n)).cos()).sum();
         sum / WINDOW[0]
     });
     weighted_harmonics(contacts.iter().zip(weights), length, steps)
@@ -317,16 +302,9 @@ pub(super) fn largest_change(before: &[[Harmonic; 6]], now: &[[Harmonic; 6]]) ->
             false => 0.0,
         }
     };
-    let creepage = |harmonic: &Harmonic| {
-        harmonic
-            .creepage
-            .norm()
-            .hypot(harmonic.lateral_creepage.norm())
-    };
-    let normal = largest(
-        |harmonic| harmonic.normal_force.norm(),
-        |before, now| (now.normal_force - before.normal_force).norm(),
-    );
+    let creepage = |harmonic: &Harmonic| harmonic.creepage.norm().hypot(harmonic.lateral_creepage.norm());
+    let normal =
+        largest(|harmonic| harmonic.normal_force.norm(), |before, now| (now.normal_force - before.normal_force).norm());
     let tangential = largest(creepage, |before, now| {
         let along = (now.creepage - before.creepage).norm();
         along.hypot((now.lateral_creepage - before.lateral_creepage).norm())

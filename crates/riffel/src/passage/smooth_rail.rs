@@ -77,11 +77,7 @@ impl PassageModel {
     ///
     /// # Errors
     /// Those of [`march`](Self::march).
-    pub fn on_smooth_rail(
-        &self,
-        largest_step: f64,
-        growth: Option<f64>,
-    ) -> Result<SmoothRail, Error> {
+    pub fn on_smooth_rail(&self, largest_step: f64, growth: Option<f64>) -> Result<SmoothRail, Error> {
         const PATIENCE: f64 = 10.0;
         const MOST_PATIENCE: f64 = 60.0;
         const TO_GROW: f64 = 1e9;
@@ -142,13 +138,8 @@ impl PassageModel {
         let contacts = course.iter().zip(&self.contacts);
         let contacts = contacts.map(|(course, contact)| {
             ContactSwing::of(course, |instant| {
-                let limit = contact.law.limit(
-                    instant
-                        .normal_force
-                        .max(1e-9 * contact.spring.normal_force()),
-                );
-                instant.normal_force > 0.0
-                    && instant.creepage.hypot(instant.lateral_creepage) < limit.creepage()
+                let limit = contact.law.limit(instant.normal_force.max(1e-9 * contact.spring.normal_force()));
+                instant.normal_force > 0.0 && instant.creepage.hypot(instant.lateral_creepage) < limit.creepage()
             })
         });
         let contacts = contacts.collect();
@@ -188,18 +179,12 @@ impl PassageModel {
     fn frequency(&self, course: &[Vec<ContactInstant>], step: f64) -> Option<f64> {
         /// Of the highest peak.
         const HIGH: f64 = 0.95;
-        let forces: [fn(&ContactInstant) -> f64; 3] = [
-            |instant| instant.normal_force,
-            |instant| instant.tangential_force,
-            |instant| instant.lateral_force,
-        ];
+        let forces: [fn(&ContactInstant) -> f64; 3] =
+            [|instant| instant.normal_force, |instant| instant.tangential_force, |instant| instant.lateral_force];
         let count = course.first()?.len();
         // Twice as long, so that the end does not meet the beginning.
         let mut planner = RealFftPlanner::new();
-        let (forward, inverse) = (
-            planner.plan_fft_forward(2 * count),
-            planner.plan_fft_inverse(2 * count),
-        );
+        let (forward, inverse) = (planner.plan_fft_forward(2 * count), planner.plan_fft_inverse(2 * count));
         let mut power = inverse.make_input_vec();
         for course in course {
             for force in forces {
@@ -219,18 +204,12 @@ impl PassageModel {
         let mut correlation = inverse.make_output_vec();
         inverse.process(&mut power, &mut correlation).ok()?;
         // Of what overlaps, up to half of the time.
-        let alike: Vec<f64> = correlation[..count / 2]
-            .iter()
-            .enumerate()
-            .map(|(lag, value)| value / (count - lag) as f64)
-            .collect();
+        let alike: Vec<f64> =
+            correlation[..count / 2].iter().enumerate().map(|(lag, value)| value / (count - lag) as f64).collect();
         let below = alike.iter().position(|value| *value < 0.0)?;
         let highest = alike[below..].iter().copied().fold(0.0, f64::max);
-        let peak = (below..alike.len() - 1).find(|&lag| {
-            alike[lag] > HIGH * highest
-                && alike[lag] >= alike[lag - 1]
-                && alike[lag] >= alike[lag + 1]
-        })?;
+        let peak = (below..alike.len() - 1)
+            .find(|&lag| alike[lag] > HIGH * highest && alike[lag] >= alike[lag - 1] && alike[lag] >= alike[lag + 1])?;
         let [before, at, after] = [alike[peak - 1], alike[peak], alike[peak + 1]];
         let shift = 0.5 * (before - after) / (before - 2.0 * at + after);
         Some(((peak as f64 + shift) * step).recip())
@@ -266,8 +245,8 @@ fn slides(course: &[Vec<ContactInstant>], instants: usize) -> bool {
 
 /// Least and largest of something over a course.
 fn range(course: &[ContactInstant], of: impl Fn(&ContactInstant) -> f64) -> [f64; 2] {
-    course.iter().map(of).fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[least, most], value| [least.min(value), most.max(value)],
-    )
+    course
+        .iter()
+        .map(of)
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
 }

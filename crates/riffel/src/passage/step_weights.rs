@@ -26,11 +26,7 @@ impl Weights {
             return Self { decay, old, new };
         }
         let square = z * z;
-        Self {
-            decay,
-            old: ((z - 1.0) * decay + 1.0) / square,
-            new: (decay - 1.0 - z) / square,
-        }
+        Self { decay, old: ((z - 1.0) * decay + 1.0) / square, new: (decay - 1.0 - z) / square }
     }
 }
 
@@ -45,9 +41,7 @@ mod tests {
             for angle in [1.7, 2.5, std::f64::consts::PI] {
                 let z = Complex64::from_polar(size, angle);
                 let Weights { decay, old, new } = Weights::new(z);
-                let exact = (0..40)
-                    .rev()
-                    .fold(Complex64::ZERO, |sum, k| (sum * z) / f64::from(k + 2) + 1.0);
+                let exact = (0..40).rev().fold(Complex64::ZERO, |sum, k| (sum * z) / f64::from(k + 2) + 1.0);
                 let exact = if size < 2.0 { exact } else { (decay - 1.0) / z };
                 assert!((old + new - exact).norm() < 1e-10 * exact.norm(), "{z}");
             }

@@ -71,9 +71,7 @@ impl StructuresInTime {
                 return [whole.clone(), whole, Vec::new()];
             };
             let [whole, wheels] = feedback.receptances_with_those_of_wheels(w, speed);
-            let rail: Vec<Complex64> = (whole.iter().zip(&wheels))
-                .map(|(whole, wheels)| whole - wheels)
-                .collect();
+            let rail: Vec<Complex64> = (whole.iter().zip(&wheels)).map(|(whole, wheels)| whole - wheels).collect();
             let direction = with_rail_along(hubs, &rail);
             [whole.clone(), whole, direction]
         };
@@ -84,11 +82,7 @@ impl StructuresInTime {
     /// equation (15), or evenly where no rotation is given; its track answers downward alone.
     ///
     /// Range of validity: a wheel without a suspension of its own, so above some 10 Hz.
-    pub fn of_one_wheel(
-        track: ImpulseResponse,
-        wheel: &RigidMass,
-        rotation: Option<&RigidInertia>,
-    ) -> Self {
+    pub fn of_one_wheel(track: ImpulseResponse, wheel: &RigidMass, rotation: Option<&RigidInertia>) -> Self {
         let mut free = vec![0.0; 9];
         free[0] = rotation.map_or(0.0, |rotation| rotation.mass_along().recip());
         free[8] = wheel.mass().recip();
@@ -107,15 +101,8 @@ impl StructuresInTime {
     /// Those of [one wheel](Self::of_one_wheel) whose normal force turns with the wave, and whose hub moves along the rail as a mass.
     #[must_use]
     pub fn with_normal_direction(self, hub: &RigidMass) -> Self {
-        let direction = DirectionInTime {
-            contacts: 1,
-            free: vec![hub.mass().recip()],
-            residues: Vec::new(),
-        };
-        Self {
-            direction: Some(direction),
-            ..self
-        }
+        let direction = DirectionInTime { contacts: 1, free: vec![hub.mass().recip()], residues: Vec::new() };
+        Self { direction: Some(direction), ..self }
     }
 
     /// Those of a loop on discrete supports, under wheels that pass them at the speed of the moving load.
@@ -154,20 +141,12 @@ impl StructuresInTime {
         })
     }
 
-    fn fitted(
-        feedback: &Loop,
-        receptances: &Receptances<'_>,
-        natural_frequencies: &[f64],
-    ) -> Result<Self, Error> {
+    fn fitted(feedback: &Loop, receptances: &Receptances<'_>, natural_frequencies: &[f64]) -> Result<Self, Error> {
         /// Poles beside those of the wheels at first, pairs counted twice.
         const POLES: usize = 40;
         /// An rms below needs no more poles.
         const FINE: f64 = 3e-5;
-        let lines: Vec<f64> = natural_frequencies
-            .iter()
-            .copied()
-            .filter(|&w| w < TAU * Self::KNOWN)
-            .collect();
+        let lines: Vec<f64> = natural_frequencies.iter().copied().filter(|&w| w < TAU * Self::KNOWN).collect();
         let transfer = Transfer::of(feedback, receptances, &lines)?;
         let (lowest, highest) = (ImpulseResponse::BAND.0, TAU * Self::HIGHEST);
         let spread = starting_poles(lowest / highest, POLES).into_iter();
@@ -218,10 +197,7 @@ impl StructuresInTime {
     /// besides what is cut of it.
     #[must_use]
     pub fn with_share_cut(self, share: f64) -> Self {
-        Self {
-            share_cut: self.share_cut + share,
-            ..self
-        }
+        Self { share_cut: self.share_cut + share, ..self }
     }
 
     /// Largest relative error of any entry at any of these frequencies, over √|H_ii H_jj|.
@@ -291,37 +267,25 @@ impl Transfer {
                     .collect();
                 let values: Vec<Complex64> = samples
                     .iter()
-                    .map(|Sample { w, fitted, .. }| {
-                        fitted[row * size + column] + free[row * size + column] / (w * w)
-                    })
+                    .map(|Sample { w, fitted, .. }| fitted[row * size + column] + free[row * size + column] / (w * w))
                     .collect();
-                let counts = values
-                    .iter()
-                    .zip(&sizes)
-                    .any(|(value, size)| value.norm() > NOTHING * size);
+                let counts = values.iter().zip(&sizes).any(|(value, size)| value.norm() > NOTHING * size);
                 if !counts {
                     continue;
                 }
-                let sizes = samples.iter().zip(sizes).map(|(sample, size)| {
-                    match sample.w < TAU * StructuresInTime::KNOWN {
+                let sizes =
+                    samples.iter().zip(sizes).map(|(sample, size)| match sample.w < TAU * StructuresInTime::KNOWN {
                         true => size,
                         false => size / HINT,
-                    }
-                });
-                entries.push(Entry {
-                    row,
-                    column,
-                    values,
-                    sizes: sizes.collect(),
-                });
+                    });
+                entries.push(Entry { row, column, values, sizes: sizes.collect() });
             }
         }
         let direction = feedback.free_hubs().map(|free| {
             let contacts = size / 3;
             let entry = |index: usize| {
                 let (row, column) = (index / contacts, index % contacts);
-                let own =
-                    |sample: &Sample, contact: usize| sample.whole[3 * contact * (size + 1)].norm();
+                let own = |sample: &Sample, contact: usize| sample.whole[3 * contact * (size + 1)].norm();
                 let sizes = samples.iter().map(|sample| {
                     let size = (own(sample, row) * own(sample, column)).sqrt();
                     match sample.w < TAU * StructuresInTime::KNOWN {
@@ -341,29 +305,19 @@ impl Transfer {
             };
             let counts = |entry: &Entry| {
                 let pairs = entry.values.iter().zip(&entry.sizes);
-                pairs
-                    .into_iter()
-                    .any(|(value, size)| value.norm() > NOTHING * size)
+                pairs.into_iter().any(|(value, size)| value.norm() > NOTHING * size)
             };
             let entries = (0..free.len()).map(entry).filter(counts);
             (entries.collect(), free)
         });
-        Ok(Self {
-            direction,
-            size,
-            frequencies: samples.iter().map(|sample| sample.w).collect(),
-            entries,
-            free,
-        })
+        Ok(Self { direction, size, frequencies: samples.iter().map(|sample| sample.w).collect(), entries, free })
     }
 
     /// The fit from poles to start from \[rad/s\].
     fn fit(&self, starting: &[Complex64]) -> PoleFit<StructuresInTime> {
         /// Up to here errors count \[Hz\].
         const JUDGED: f64 = 3e3;
-        let Self {
-            size, frequencies, ..
-        } = self;
+        let Self { size, frequencies, .. } = self;
         // Entries along one axis show all poles.
         let sampled: Vec<Sampled<'_>> = self
             .entries
@@ -393,24 +347,13 @@ impl Transfer {
         let direction = self.direction.as_ref().map(|(entries, free)| {
             let contacts = size / 3;
             let mut matrices = vec![vec![Complex64::ZERO; contacts * contacts]; poles.len()];
-            for Entry {
-                row,
-                column,
-                values,
-                sizes,
-            } in entries
-            {
-                let fit = residues(frequencies, std::slice::from_ref(values), sizes, &poles)
-                    .swap_remove(0);
+            for Entry { row, column, values, sizes } in entries {
+                let fit = residues(frequencies, std::slice::from_ref(values), sizes, &poles).swap_remove(0);
                 for (matrix, fraction) in matrices.iter_mut().zip(&fit) {
                     matrix[row * contacts + column] = fraction.of_term();
                 }
             }
-            DirectionInTime {
-                contacts,
-                free: free.clone(),
-                residues: matrices,
-            }
+            DirectionInTime { contacts, free: free.clone(), residues: matrices }
         });
         let (mut share_cut, mut weights, mut largest_error) = (0.0, 0.0, 0f64);
         let mut errors = Vec::new();
@@ -446,11 +389,6 @@ impl Transfer {
             },
             largest_error,
         };
-        PoleFit {
-            share_cut: fit.share_cut,
-            poles: fit.poles.clone(),
-            errors,
-            fit,
-        }
+        PoleFit { share_cut: fit.share_cut, poles: fit.poles.clone(), errors, fit }
     }
 }

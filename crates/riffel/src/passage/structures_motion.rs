@@ -47,20 +47,14 @@ impl<'a> StructuresMotion<'a> {
             let Weights { decay, old, new } = Weights::new(z);
             // p · new + 1 = (e^{z} − 1)/z
             let constant = old + new;
-            for ((displacement, speed), residue) in
-                displacement.iter_mut().zip(&mut speed).zip(residues)
-            {
+            for ((displacement, speed), residue) in displacement.iter_mut().zip(&mut speed).zip(residues) {
                 *displacement += (residue * new * step).re;
                 *speed += (residue * constant).re;
             }
             by_force.push(step * (decay * new + old));
             decays.push(decay);
         }
-        for ((displacement, speed), free) in displacement
-            .iter_mut()
-            .zip(&mut speed)
-            .zip(structures.free())
-        {
+        for ((displacement, speed), free) in displacement.iter_mut().zip(&mut speed).zip(structures.free()) {
             *displacement += free * step * step / 6.0;
             *speed += free * step / 2.0;
         }
@@ -95,15 +89,12 @@ impl<'a> StructuresMotion<'a> {
         }
         for (row, (displacement, speed)) in displacement.iter_mut().zip(&mut *speed).enumerate() {
             let free = &self.structures.free()[row * size..][..size];
-            let sum =
-                |integrals: &[f64]| -> f64 { free.iter().zip(integrals).map(|(a, b)| a * b).sum() };
+            let sum = |integrals: &[f64]| -> f64 { free.iter().zip(integrals).map(|(a, b)| a * b).sum() };
             (*displacement, *speed) = (sum(&self.twice), sum(&self.once));
         }
         let states = self.states.chunks_exact_mut(size);
         let steps = self.decay.iter().zip(&self.by_force);
-        for ((states, (decay, by_force)), (pole, residues)) in
-            states.zip(steps).zip(self.structures.terms())
-        {
+        for ((states, (decay, by_force)), (pole, residues)) in states.zip(steps).zip(self.structures.terms()) {
             for (state, force) in states.iter_mut().zip(forces) {
                 *state = decay * *state + by_force * force;
             }

@@ -33,11 +33,7 @@ pub(super) fn with_rail_along(mut hubs: Vec<Complex64>, rail: &[Complex64]) -> V
 }
 
 /// Receptances over the band: evenly over the decades, around the lines, and between neighbours that differ much.
-pub(super) fn samples(
-    size: usize,
-    receptances: &Receptances<'_>,
-    lines: &[f64],
-) -> Result<Vec<Sample>, Error> {
+pub(super) fn samples(size: usize, receptances: &Receptances<'_>, lines: &[f64]) -> Result<Vec<Sample>, Error> {
     const TO_A_DECADE: f64 = 60.0;
     /// How far around a line, over its frequency.
     const AROUND: [f64; 7] = [-0.01, -0.003, -0.001, 0.0, 0.001, 0.003, 0.01];
@@ -49,9 +45,8 @@ pub(super) fn samples(
     let (lowest, _) = ImpulseResponse::BAND;
     let highest = TAU * StructuresInTime::HIGHEST;
     let count = ((highest / lowest).log10() * TO_A_DECADE).ceil();
-    let mut frequencies: Vec<f64> = (0..=count as usize)
-        .map(|index| lowest * (highest / lowest).powf(index as f64 / count))
-        .collect();
+    let mut frequencies: Vec<f64> =
+        (0..=count as usize).map(|index| lowest * (highest / lowest).powf(index as f64 / count)).collect();
     for line in lines {
         frequencies.extend(AROUND.map(|by| (1.0 + by) * line));
     }
@@ -64,12 +59,7 @@ pub(super) fn samples(
             .map(|w| {
                 let [whole, fitted, direction] = receptances(w);
                 match whole.iter().all(|value| value.is_finite()) {
-                    true => Ok(Sample {
-                        w,
-                        whole,
-                        fitted,
-                        direction,
-                    }),
+                    true => Ok(Sample { w, whole, fitted, direction }),
                     false => Err(Error::OutOfRange {
                         quantity: "frequency of a receptance that is not finite",
                         value: w / TAU,

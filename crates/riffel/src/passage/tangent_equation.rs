@@ -21,11 +21,7 @@ pub(super) struct TangentEquation<'a> {
 
 impl TangentEquation<'_> {
     fn creepages(&self, [longitudinal, lateral]: [f64; 2]) -> Creepages {
-        Creepages {
-            longitudinal,
-            lateral,
-            spin: (1.0 + self.curvature) * self.contact.mean.creepages.spin,
-        }
+        Creepages { longitudinal, lateral, spin: (1.0 + self.curvature) * self.contact.mean.creepages.spin }
     }
 
     /// Q at the end of the step, if that ends with this creepage.
@@ -52,10 +48,7 @@ impl TangentEquation<'_> {
 
     /// A creep force, no larger than friction.
     fn within_friction(&self, force: [f64; 2]) -> [f64; 2] {
-        let (size, bound) = (
-            force[0].hypot(force[1]),
-            self.contact.law.friction() * self.normal_force,
-        );
+        let (size, bound) = (force[0].hypot(force[1]), self.contact.law.friction() * self.normal_force);
         match size > bound {
             true => force.map(|force| force * bound / size),
             false => force,
@@ -160,10 +153,7 @@ impl TangentEquation<'_> {
             return missed;
         }
         let inverse = determinant.recip();
-        [
-            (d * missed[0] - b * missed[1]) * inverse,
-            (a * missed[1] - c * missed[0]) * inverse,
-        ]
+        [(d * missed[0] - b * missed[1]) * inverse, (a * missed[1] - c * missed[0]) * inverse]
     }
 
     /// dQ/dξ of the steady law.
@@ -185,8 +175,7 @@ pub(super) struct Slopes([[f64; 2]; 2]);
 impl Slopes {
     /// Change of the force by one of the creepage.
     fn change(&self, creepage: [f64; 2]) -> [f64; 2] {
-        self.0
-            .map(|row| row[0] * creepage[0] + row[1] * creepage[1])
+        self.0.map(|row| row[0] * creepage[0] + row[1] * creepage[1])
     }
 
     /// The nearest slopes that make of a change of the creepage the change of the force that was met (Broyden 1965).

@@ -43,10 +43,7 @@ impl TrackMotion {
     /// The track at rest with the force a distance before a support \[m\], for steps of the given time \[s\] at a speed \[m/s\].
     pub(super) fn new(response: &ImpulseResponse, step: f64, speed: f64, distance: f64) -> Self {
         let terms: Vec<(Complex64, Complex64)> = response.terms().collect();
-        let weights: Vec<Weights> = terms
-            .iter()
-            .map(|(pole, _)| Weights::new(pole * step))
-            .collect();
+        let weights: Vec<Weights> = terms.iter().map(|(pole, _)| Weights::new(pole * step)).collect();
         let bay = response.bay();
         let last = if bay.is_some() { Self::PLACES } else { 0 };
         let at_place = |index: usize| {
@@ -58,9 +55,7 @@ impl TrackMotion {
                 slope: 0.0,
             };
             let place = bay.map(|bay| bay.spacing * index as f64 / Self::PLACES as f64);
-            for (term, ((_, mean), Weights { decay, old, new })) in
-                terms.iter().zip(&weights).enumerate()
-            {
+            for (term, ((_, mean), Weights { decay, old, new })) in terms.iter().zip(&weights).enumerate() {
                 let residue = match (bay, place) {
                     (Some(bay), Some(place)) => mean + bay.residue(term, place),
                     _ => *mean,
@@ -82,9 +77,7 @@ impl TrackMotion {
             places: (0..=last).map(at_place).collect(),
             states: vec![Complex64::ZERO; terms.len()],
             stride: bay.map_or(0.0, |bay| speed * step / bay.spacing * Self::PLACES as f64),
-            place: bay.map_or(0.0, |bay| {
-                (-distance / bay.spacing).rem_euclid(1.0) * Self::PLACES as f64
-            }),
+            place: bay.map_or(0.0, |bay| (-distance / bay.spacing).rem_euclid(1.0) * Self::PLACES as f64),
         }
     }
 
@@ -186,10 +179,7 @@ impl<const SPEED: bool> WithSimd for Advance<'_, SPEED> {
             }
         }
         let (mut sum, mut speed) = (simd.reduce_sum_c64s(sum).re, simd.reduce_sum_c64s(speed).re);
-        let steps = last_decay
-            .iter()
-            .zip(last_one.iter().zip(last_other))
-            .zip(last_poles);
+        let steps = last_decay.iter().zip(last_one.iter().zip(last_other)).zip(last_poles);
         for (state, ((decay, (one, other)), pole)) in last_states.iter_mut().zip(steps) {
             *state = decay * *state + one * self.forces[0] + other * self.forces[1];
             sum += state.re;

@@ -163,12 +163,7 @@ impl TransientContact {
     }
 
     /// The contact on elements of a length \[m\], whatever load makes them so long, with room for where the wave takes it.
-    fn with_elements(
-        &self,
-        across: usize,
-        length: f64,
-        profile: Sinusoid,
-    ) -> Result<TransientRolling, Error> {
+    fn with_elements(&self, across: usize, length: f64, profile: Sinusoid) -> Result<TransientRolling, Error> {
         /// In a trough the patch is longer, to first order half as much as κ.
         const LONGER: f64 = 1.0;
         let made = TransientRolling::new(self.hertz, self.friction, across)?;
@@ -177,11 +172,7 @@ impl TransientContact {
         let shift = self.shift(profile);
         let curvature = shift * TAU / profile.wavelength;
         let room = shift / length + LONGER * curvature * 0.5 * across as f64;
-        let room = if shift > 0.0 {
-            1 + room.ceil() as usize
-        } else {
-            0
-        };
+        let room = if shift > 0.0 { 1 + room.ceil() as usize } else { 0 };
         TransientRolling::with_room(self.hertz.under(load), self.friction, across, room)
     }
 }
@@ -232,15 +223,11 @@ impl RollingOverWave {
         let semi_axes = step / largest.semi_axis_longitudinal();
         Self {
             pressed: None,
-            loads: (1..=count)
-                .map(|index| at_share(&settled.wave, index as f64 / count as f64))
-                .collect(),
+            loads: (1..=count).map(|index| at_share(&settled.wave, index as f64 / count as f64)).collect(),
             // a grows with the cube root of the load.
             least: largest.normal_force() * semi_axes.powi(3),
             creepage: settled.harmonics[0].creepage.re,
-            climbing: middles
-                .map(|share| per_height * profile.amplitude * (TAU * share).cos())
-                .collect(),
+            climbing: middles.map(|share| per_height * profile.amplitude * (TAU * share).cos()).collect(),
             creepage_per_force,
             mean_force: wheel.mean.forces.longitudinal,
             wave: Vec::with_capacity(count),
@@ -289,10 +276,7 @@ impl RollingOverWave {
             before = Some(now);
         }
         let length = self.loads.len() as f64 * self.contact.step_length();
-        Err(Error::NotSettled {
-            seconds: MOST_WAVES as f64 * length / speed,
-            change,
-        })
+        Err(Error::NotSettled { seconds: MOST_WAVES as f64 * length / speed, change })
     }
 
     fn roll_a_wave(&mut self) -> Result<(), Error> {
@@ -335,13 +319,7 @@ impl RollingOverWave {
     }
 
     /// To elements of no length, at the places of the coarse ones, which are twice as long.
-    fn extrapolated(
-        self,
-        coarse: &Self,
-        friction: f64,
-        settled: Settled,
-        waves: usize,
-    ) -> TransientSettled {
+    fn extrapolated(self, coarse: &Self, friction: f64, settled: Settled, waves: usize) -> TransientSettled {
         let count = coarse.energy.len();
         let energy: Vec<f64> = (0..count)
             .map(|index| self.energy[2 * index] + self.energy[2 * index + 1] - coarse.energy[index])

@@ -40,11 +40,7 @@ impl PartialFraction {
 /// of Gustavsen (2006, IEEE Trans. Power Delivery 21, 1587–1592): poles move to the zeros of a scaling function found
 /// by linear least squares, unstable ones are mirrored, and residues follow in the end. A transfer function that is not
 /// causal comes out as the nearest causal one. Cost: ten or so systems of twice as many real equations as values.
-pub(super) fn partial_fractions(
-    frequencies: &[f64],
-    values: &[Complex64],
-    order: usize,
-) -> Vec<PartialFraction> {
+pub(super) fn partial_fractions(frequencies: &[f64], values: &[Complex64], order: usize) -> Vec<PartialFraction> {
     let poles = poles(frequencies, values, order);
     let sizes: Vec<f64> = values.iter().map(|value| value.norm()).collect();
     residues(frequencies, &[values.to_vec()], &sizes, &poles).swap_remove(0)
@@ -73,11 +69,7 @@ pub(super) struct Sampled<'a> {
 ///
 /// Method: that of [`partial_fractions`]; the residues of each function are eliminated before the scaling function is found
 /// (Deschrijver, Mrozowski, Dhaene & De Zutter 2008, IEEE Microwave Wireless Comp. Lett. 18, 383–385).
-pub(super) fn shared_poles(
-    frequencies: &[f64],
-    functions: &[Sampled<'_>],
-    starting: &[Complex64],
-) -> Vec<Complex64> {
+pub(super) fn shared_poles(frequencies: &[f64], functions: &[Sampled<'_>], starting: &[Complex64]) -> Vec<Complex64> {
     /// The best of these is taken: further ones go to and fro.
     const MOVES: usize = 3;
     let scale = frequencies[frequencies.len() - 1];
@@ -89,15 +81,11 @@ pub(super) fn shared_poles(
         let unscaled: Vec<Complex64> = poles.iter().map(|pole| scale * pole).collect();
         let missed = functions.par_iter().map(|Sampled { values, sizes }| {
             let fit = residues(frequencies, &[values.to_vec()], sizes, &unscaled).swap_remove(0);
-            let errors = frequencies
-                .iter()
-                .zip(*values)
-                .zip(*sizes)
-                .map(|((w, value), size)| {
-                    let s = Complex64::new(0.0, *w);
-                    let sum: Complex64 = fit.iter().map(|fraction| fraction.at(s)).sum();
-                    ((sum - value) / size).norm_sqr()
-                });
+            let errors = frequencies.iter().zip(*values).zip(*sizes).map(|((w, value), size)| {
+                let s = Complex64::new(0.0, *w);
+                let sum: Complex64 = fit.iter().map(|fraction| fraction.at(s)).sum();
+                ((sum - value) / size).norm_sqr()
+            });
             errors.sum::<f64>()
         });
         let missed = missed.collect::<Vec<f64>>().iter().sum();
@@ -119,17 +107,10 @@ pub(super) fn residues(
     let s = scaled(frequencies, scale);
     let scaled_poles: Vec<Complex64> = poles.iter().map(|pole| pole / scale).collect();
     let over_size = |values: &[Complex64]| {
-        let pairs: Vec<Complex64> = values
-            .iter()
-            .zip(sizes)
-            .map(|(value, size)| value / size)
-            .collect();
+        let pairs: Vec<Complex64> = values.iter().zip(sizes).map(|(value, size)| value / size).collect();
         parts(pairs.into_iter())
     };
-    let mut columns: Vec<Vec<f64>> = basis(&s, &scaled_poles)
-        .iter()
-        .map(|basis| over_size(basis))
-        .collect();
+    let mut columns: Vec<Vec<f64>> = basis(&s, &scaled_poles).iter().map(|basis| over_size(basis)).collect();
     let rights = functions.iter().map(|values| over_size(values)).collect();
     let fractions = |coefficients: Vec<f64>| {
         let mut coefficients = coefficients.into_iter();
@@ -181,21 +162,15 @@ pub(super) fn starting_poles(lowest: f64, order: usize) -> Vec<Complex64> {
 
 /// Poles \[rad/s\] to start from: a dozen real ones over the decades, and pairs of little damping, three quarters evenly up
 /// to `dense`, the others over the decades; where `dense` \[rad/s\] ends, lines may lie as close as a few frequencies.
-pub(super) fn starting_lines(
-    [lowest, highest]: [f64; 2],
-    dense: f64,
-    order: usize,
-) -> Vec<Complex64> {
+pub(super) fn starting_lines([lowest, highest]: [f64; 2], dense: f64, order: usize) -> Vec<Complex64> {
     const REAL: usize = 12;
     let pairs = order.saturating_sub(REAL) / 2;
     let lines = pairs * 3 / 4;
     let others = pairs - lines;
-    let place = |index: usize, count: usize| {
-        highest * (lowest / highest).powf(1.0 - (index as f64 + 0.5) / count as f64)
-    };
+    let place =
+        |index: usize, count: usize| highest * (lowest / highest).powf(1.0 - (index as f64 + 0.5) / count as f64);
     let on_axis = (0..REAL).map(|index| Complex64::from(-place(index, REAL)));
-    let lines = (0..lines)
-        .map(|index| Complex64::new(-0.02, 1.0) * (dense * (index as f64 + 0.5) / lines as f64));
+    let lines = (0..lines).map(|index| Complex64::new(-0.02, 1.0) * (dense * (index as f64 + 0.5) / lines as f64));
     let others = (0..others).map(|index| Complex64::new(-0.05, 1.0) * place(index, others));
     on_axis.chain(lines).chain(others).collect()
 }
@@ -213,22 +188,14 @@ fn basis(s: &[Complex64], poles: &[Complex64]) -> Vec<Vec<Complex64>> {
         let other: Vec<Complex64> = s.iter().map(|s| (s - pole.conj()).inv()).collect();
         let both = || one.iter().zip(&other);
         columns.push(both().map(|(one, other)| one + other).collect());
-        columns.push(
-            both()
-                .map(|(one, other)| Complex64::I * (one - other))
-                .collect(),
-        );
+        columns.push(both().map(|(one, other)| Complex64::I * (one - other)).collect());
     }
     columns
 }
 
 /// Real parts, then imaginary parts.
 fn parts(values: impl Iterator<Item = Complex64> + Clone) -> Vec<f64> {
-    values
-        .clone()
-        .map(|value| value.re)
-        .chain(values.map(|value| value.im))
-        .collect()
+    values.clone().map(|value| value.re).chain(values.map(|value| value.im)).collect()
 }
 
 /// The poles after one move: zeros of σ = d + Σ c_j/(s − p_j), where Σ r_j/(s − p_j) comes nearest to σH and the mean of
@@ -258,11 +225,7 @@ fn moved(s: &[Complex64], values: &[Complex64], poles: &[Complex64]) -> Vec<Comp
 }
 
 /// The same for several functions.
-fn moved_together(
-    s: &[Complex64],
-    functions: &[Sampled<'_>],
-    poles: &[Complex64],
-) -> Vec<Complex64> {
+fn moved_together(s: &[Complex64], functions: &[Sampled<'_>], poles: &[Complex64]) -> Vec<Complex64> {
     let basis = basis(s, poles);
     let count = basis.len();
     let remainders: Vec<Vec<Vec<f64>>> = functions
@@ -287,10 +250,7 @@ fn moved_together(
     let frequencies = (s.len() as f64).sqrt();
     let mut columns: Vec<Vec<f64>> = (0..=count)
         .map(|index| {
-            let mut column: Vec<f64> = remainders
-                .iter()
-                .flat_map(|columns| columns[index].iter().copied())
-                .collect();
+            let mut column: Vec<f64> = remainders.iter().flat_map(|columns| columns[index].iter().copied()).collect();
             // The mean of Re σ is one.
             column.push(match index {
                 0 => frequencies,
@@ -333,9 +293,7 @@ fn zeros_of_scaling(poles: &[Complex64], solution: &[f64]) -> Vec<Complex64> {
     }
     let zeros = eigenvalues(matrix).into_iter();
     let above = zeros.filter(|zero| zero.im >= 0.0);
-    above
-        .map(|zero| Complex64::new(-zero.re.abs(), zero.im))
-        .collect()
+    above.map(|zero| Complex64::new(-zero.re.abs(), zero.im)).collect()
 }
 
 #[cfg(test)]
@@ -353,25 +311,15 @@ mod tests {
             (Complex64::from(-4e3), Complex64::from(-70.0)),
         ]
         .map(|(pole, residue)| PartialFraction { pole, residue });
-        let frequencies: Vec<f64> = (0..200)
-            .map(|index| 10f64.powf(f64::from(index) / 40.0))
-            .collect();
+        let frequencies: Vec<f64> = (0..200).map(|index| 10f64.powf(f64::from(index) / 40.0)).collect();
         let at = |fractions: &[PartialFraction], w: f64| {
-            fractions
-                .iter()
-                .map(|fraction| fraction.at(Complex64::new(0.0, w)))
-                .sum::<Complex64>()
+            fractions.iter().map(|fraction| fraction.at(Complex64::new(0.0, w))).sum::<Complex64>()
         };
         let values: Vec<Complex64> = frequencies.iter().map(|&w| at(&known, w)).collect();
         let found = partial_fractions(&frequencies, &values, 8);
         for fraction in known {
-            let nearest = found
-                .iter()
-                .map(|found| (found.pole - fraction.pole).norm());
-            assert!(
-                nearest.fold(f64::INFINITY, f64::min) < 1e-6 * fraction.pole.norm(),
-                "{found:?}"
-            );
+            let nearest = found.iter().map(|found| (found.pole - fraction.pole).norm());
+            assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-6 * fraction.pole.norm(), "{found:?}");
         }
         for (&w, value) in frequencies.iter().zip(&values) {
             assert!((at(&found, w) - value).norm() < 1e-8 * value.norm());

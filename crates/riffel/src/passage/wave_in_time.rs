@@ -66,16 +66,7 @@ impl WaveInTime {
         late: &LateContact,
         range: [f64; 2],
     ) -> Self {
-        Self {
-            geometry,
-            by_radius: [0.0; 2],
-            energy: 0.0,
-            late: Some(Late {
-                rolling,
-                behind: late.behind(),
-                range,
-            }),
-        }
+        Self { geometry, by_radius: [0.0; 2], energy: 0.0, late: Some(Late { rolling, behind: late.behind(), range }) }
     }
 
     /// κ \[1/m\] over the amplitude of a wave \[m\].
@@ -100,10 +91,7 @@ impl WaveInTime {
         let told = late.rolling.response(wavelength.min(late.range[1]));
         told.by_curvature.map_or([Complex64::ZERO; 2], |by| {
             let behind = Complex64::cis(-TAU * late.behind / wavelength);
-            [
-                by.force[0] * curvature,
-                by.at_rail(0.0) * curvature * behind,
-            ]
+            [by.force[0] * curvature, by.at_rail(0.0) * curvature * behind]
         })
     }
 

@@ -36,10 +36,7 @@ impl EquivalentConicity {
         rolling_radius: f64,
     ) -> Option<Self> {
         let scale = contact_spacing * rolling_radius;
-        let motion = Swing {
-            difference: rolling_radius_difference,
-            amplitude,
-        };
+        let motion = Swing { difference: rolling_radius_difference, amplitude };
         let (low, high) = (leftmost + amplitude, rightmost - amplitude);
         // Ends of a table are steps of a rounded number.
         if high - low < -1e-9 {
@@ -47,12 +44,7 @@ impl EquivalentConicity {
         }
         let is_between = low <= 0.0 && high >= 0.0;
         if is_between && motion.is_without_difference() {
-            return Some(Self {
-                klingel: 0.0,
-                harmonic: 0.0,
-                regression: 0.0,
-                wavelength: f64::INFINITY,
-            });
+            return Some(Self { klingel: 0.0, harmonic: 0.0, regression: 0.0, wavelength: f64::INFINITY });
         }
         let middle = motion.middle([low, high])?;
         let wavelength = motion.wavelength(middle, scale)?;

@@ -141,12 +141,8 @@ impl ContactGap {
     /// coordinate of the wheel's profile.
     pub fn strips(&self, limit: f64) -> Vec<GapStrip> {
         let samples = &self.wheel.samples;
-        let is_near =
-            |point: &ProfilePoint| self.strip(point).is_some_and(|strip| strip.gap < limit);
-        let (Some(first), Some(last)) = (
-            samples.iter().position(is_near),
-            samples.iter().rposition(is_near),
-        ) else {
+        let is_near = |point: &ProfilePoint| self.strip(point).is_some_and(|strip| strip.gap < limit);
+        let (Some(first), Some(last)) = (samples.iter().position(is_near), samples.iter().rposition(is_near)) else {
             return Vec::new();
         };
         let low = samples[first.saturating_sub(1)].x;
@@ -154,12 +150,7 @@ impl ContactGap {
         let mut strips: Vec<GapStrip> = Vec::with_capacity(STRIPS + 1);
         for index in 0..=STRIPS {
             let x = low + (high - low) * index as f64 / STRIPS as f64;
-            let Some(strip) = self
-                .wheel
-                .profile
-                .at(x)
-                .and_then(|point| self.strip(&point))
-            else {
+            let Some(strip) = self.wheel.profile.at(x).and_then(|point| self.strip(&point)) else {
                 continue;
             };
             // What the wheel hangs over is hidden by the strips before it.
@@ -212,18 +203,15 @@ impl ContactGap {
 
     /// Whether the rail goes on at both places y \[m\], and the wheel above them.
     pub fn goes_beyond(&self, ends: [f64; 2]) -> bool {
-        ends.into_iter()
-            .all(|y| self.rail.at(self.side * y).is_some() && self.x_wheel(y).is_some())
+        ends.into_iter().all(|y| self.rail.at(self.side * y).is_some() && self.x_wheel(y).is_some())
     }
 
     /// From distances across the track, outward from its middle without the shift of the wheelset, and below the axle's
     /// middle to y outward and height in the plane.
     fn in_plane(&self, across: f64, down: f64) -> (f64, f64) {
         let (sine, cosine) = self.plane;
-        let (across, up) = (
-            self.stand.lateral_shift + across - self.origin[0],
-            -(self.stand.height + down) - self.origin[1],
-        );
+        let (across, up) =
+            (self.stand.lateral_shift + across - self.origin[0], -(self.stand.height + down) - self.origin[1]);
         (across * cosine + up * sine, up * cosine - across * sine)
     }
 
@@ -241,14 +229,9 @@ impl ContactGap {
         }
         let down = down_square.sqrt();
         let down_slope = (-radius * point.slope - forward * yaw_sine / yaw_cosine) / down;
-        let (across, across_slope) = (
-            forward * yaw_sine + lateral * yaw_cosine,
-            yaw_cosine.recip(),
-        );
-        let (y, height) = self.in_plane(
-            across * roll_cosine - down * roll_sine,
-            across * roll_sine + down * roll_cosine,
-        );
+        let (across, across_slope) = (forward * yaw_sine + lateral * yaw_cosine, yaw_cosine.recip());
+        let (y, height) =
+            self.in_plane(across * roll_cosine - down * roll_sine, across * roll_sine + down * roll_cosine);
         let (sine, cosine) = self.plane;
         Some(OnWheel {
             y,
@@ -261,8 +244,7 @@ impl ContactGap {
     /// Profile coordinate and point of the wheel above y outward.
     fn wheel_above(&self, along: f64, y: f64) -> Option<(f64, OnWheel)> {
         let [low, high] = self.wheel.profile.range();
-        let begin = (self.origin[0] + y * self.plane.1 - self.stand.lateral_shift)
-            - self.stand.half_spacing;
+        let begin = (self.origin[0] + y * self.plane.1 - self.stand.lateral_shift) - self.stand.half_spacing;
         let mut x_wheel = begin.clamp(low, high);
         for _ in 0..MOST_STEPS {
             let point = self.on_wheel(x_wheel, along)?;

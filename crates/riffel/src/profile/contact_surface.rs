@@ -53,11 +53,7 @@ impl PatchSurface {
                 };
                 length += f64::from(sign) * (y - last[0]).hypot(depth - last[1]);
                 last = [y, depth];
-                let place = SurfacePlace {
-                    y,
-                    depth,
-                    inclination,
-                };
+                let place = SurfacePlace { y, depth, inclination };
                 places.push((length, place));
             }
             places
@@ -71,11 +67,7 @@ impl PatchSurface {
 
     /// The place of a length \[m\]; at the ends that of the rail's.
     pub(super) fn at(&self, length: f64) -> SurfacePlace {
-        let flat = SurfacePlace {
-            y: length,
-            depth: 0.0,
-            inclination: 0.0,
-        };
+        let flat = SurfacePlace { y: length, depth: 0.0, inclination: 0.0 };
         let Self::Curved(places) = self else {
             return flat;
         };
@@ -83,10 +75,7 @@ impl PatchSurface {
         if next == 0 || next == places.len() {
             // Nothing is there to touch.
             let end = places.get(next.saturating_sub(1)).or(places.first());
-            return end.map_or(flat, |(begin, place)| SurfacePlace {
-                y: place.y + length - begin,
-                ..*place
-            });
+            return end.map_or(flat, |(begin, place)| SurfacePlace { y: place.y + length - begin, ..*place });
         }
         let ((begin, one), (end, other)) = (places[next - 1], places[next]);
         let share = (length - begin) / (end - begin);

@@ -71,10 +71,7 @@ fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
 
 /// Whether two chords have a point in common, beside the one that neighbours share.
 fn meet(points: &[[f64; 2]], early: usize, late: usize) -> bool {
-    let ([a, b], [c, d]) = (
-        [points[early], points[early + 1]],
-        [points[late], points[late + 1]],
-    );
+    let ([a, b], [c, d]) = ([points[early], points[early + 1]], [points[late], points[late + 1]]);
     if late == early + 1 {
         let back = (b[0] - a[0]) * (d[0] - c[0]) + (b[1] - a[1]) * (d[1] - c[1]) < 0.0;
         return back && turn(a, b, d) == 0.0;
@@ -111,9 +108,7 @@ mod tests {
     fn outlines_that_meet_themselves_are_found() {
         let arc = |from: f64, to: f64, count: usize| -> Vec<[f64; 2]> {
             let angle = |index: usize| from + (to - from) * index as f64 / count as f64;
-            (0..=count)
-                .map(|index| [0.036 * angle(index).sin(), 0.036 * angle(index).cos()])
-                .collect()
+            (0..=count).map(|index| [0.036 * angle(index).sin(), 0.036 * angle(index).cos()]).collect()
         };
         check(&arc(-2.0, 2.0, 40)).unwrap();
         let ring = arc(-3.1, 3.1, 60);

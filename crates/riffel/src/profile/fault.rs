@@ -36,9 +36,7 @@ pub enum PointFault {
     )]
     Closed,
     /// A loop.
-    #[error(
-        "the curve turns back across the track here, as a profile with a loop or in a wrong order of points does"
-    )]
+    #[error("the curve turns back across the track here, as a profile with a loop or in a wrong order of points does")]
     TurnsBack,
     /// A second outline above the first.
     #[error("the outline comes back here above itself, as two passes of a device do")]
@@ -63,14 +61,10 @@ pub enum ShapeFault {
     #[error("the flank of the flange is not on the profile of the wheel")]
     NoFlank,
     /// A wheel with its flange outside.
-    #[error(
-        "its flange lies at x above zero: it is mirrored, for x must be positive to the field side"
-    )]
+    #[error("its flange lies at x above zero: it is mirrored, for x must be positive to the field side")]
     Mirrored,
     /// A wheel with its flange above the tread.
-    #[error(
-        "it has no flange below the tread: it is upside down, for y must be the height, and a flange hangs down"
-    )]
+    #[error("it has no flange below the tread: it is upside down, for y must be the height, and a flange hangs down")]
     UpsideDown,
     /// A wheel without a flange.
     #[error("it has no flange")]
@@ -81,19 +75,13 @@ pub enum ShapeFault {
     )]
     Elsewhere,
     /// A measured wheel that ends at the tip of its flange.
-    #[error(
-        "the measured profile does not reach around the tip of a flange, so that it cannot be laid by it"
-    )]
+    #[error("the measured profile does not reach around the tip of a flange, so that it cannot be laid by it")]
     NoTip,
     /// A nominal wheel that does.
-    #[error(
-        "the nominal profile does not reach around the tip of a flange, so that it cannot be laid by it"
-    )]
+    #[error("the nominal profile does not reach around the tip of a flange, so that it cannot be laid by it")]
     NoNominalTip,
     /// A rail without its field side.
-    #[error(
-        "the field side of the rail, corner and flank, is not measured, so that it cannot be laid by it"
-    )]
+    #[error("the field side of the rail, corner and flank, is not measured, so that it cannot be laid by it")]
     NoFieldSide,
     /// A contact at the end of a profile.
     #[error("under load the {} wheel touches beyond the end of a profile", .0.name())]

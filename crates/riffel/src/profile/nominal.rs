@@ -49,12 +49,7 @@ pub static NOMINAL: [NominalProfile; 7] = [
         name: "60E2",
         source: "Rail of EN 13674-1",
         is_wheel: false,
-        shape: Shape::RailHead(&[
-            (200.0, 11.889),
-            (70.0, 24.4565),
-            (16.0, 35.387),
-            (8.0, f64::NAN),
-        ]),
+        shape: Shape::RailHead(&[(200.0, 11.889), (70.0, 24.4565), (16.0, 35.387), (8.0, f64::NAN)]),
     },
     NominalProfile {
         name: "54E1",
@@ -86,9 +81,7 @@ const STEP: f64 = 0.1;
 impl NominalProfile {
     /// The profile of a name, in either case of letters.
     pub fn named(name: &str) -> Option<&'static Self> {
-        NOMINAL
-            .iter()
-            .find(|profile| profile.name.eq_ignore_ascii_case(name))
+        NOMINAL.iter().find(|profile| profile.name.eq_ignore_ascii_case(name))
     }
 
     /// Its curve.
@@ -103,11 +96,7 @@ impl NominalProfile {
 
 /// A knot from millimetres, its parameter in millimetres.
 fn knot(x: f64, height: f64, by_parameter: [f64; 2]) -> Knot {
-    Knot {
-        x: 1e-3 * x,
-        height: 1e-3 * height,
-        by_parameter: by_parameter.map(|value| 1e-3 * value),
-    }
+    Knot { x: 1e-3 * x, height: 1e-3 * height, by_parameter: by_parameter.map(|value| 1e-3 * value) }
 }
 
 /// Tangent arcs about the crown, then straight flanks; symmetric.
@@ -126,10 +115,7 @@ fn rail_head(arcs: &[(f64, f64)]) -> Profile {
         let count = (radius * (to - angle) / STEP).ceil() as usize;
         let place = |index: usize| {
             let angle = angle + (to - angle) * index as f64 / count as f64;
-            let point = (
-                centre_x + radius * angle.sin(),
-                centre_depth - radius * angle.cos(),
-            );
+            let point = (centre_x + radius * angle.sin(), centre_depth - radius * angle.cos());
             knot(point.0, -point.1, [angle.cos(), -angle.sin()])
         };
         let length = radius * (to - angle) / count as f64;
@@ -140,20 +126,13 @@ fn rail_head(arcs: &[(f64, f64)]) -> Profile {
     }
     let down = FLANK_DEPTH - depth;
     let tangent = [angle.cos(), -angle.sin()];
-    half.push((
-        knot(x, -depth, tangent),
-        knot(x + FLANK * down, -FLANK_DEPTH, tangent),
-        down / angle.sin(),
-    ));
+    half.push((knot(x, -depth, tangent), knot(x + FLANK * down, -FLANK_DEPTH, tangent), down / angle.sin()));
     let turned = |knot: &Knot| Knot {
         x: -knot.x,
         height: knot.height,
         by_parameter: [knot.by_parameter[0], -knot.by_parameter[1]],
     };
-    let left = half
-        .iter()
-        .rev()
-        .map(|(begin, end, length)| (turned(end), turned(begin), *length));
+    let left = half.iter().rev().map(|(begin, end, length)| (turned(end), turned(begin), *length));
     let spans: Vec<(Knot, Knot, f64)> = left.chain(half.iter().copied()).collect();
     Profile::of_knots(&spans)
 }
@@ -186,9 +165,7 @@ fn polynomial(coefficients: &[f64], at: f64) -> (f64, f64) {
     coefficients
         .iter()
         .rev()
-        .fold((0.0, 0.0), |(value, slope), coefficient| {
-            (value * at + coefficient, slope * at + value)
-        })
+        .fold((0.0, 0.0), |(value, slope), coefficient| (value * at + coefficient, slope * at + value))
 }
 
 /// Knots of a wheel, with the length of the parameter between them.
@@ -203,11 +180,7 @@ fn arc(centre: (f64, f64), radius: f64, from: f64, to: f64, crest: f64) -> Spans
     let place = |index: usize| {
         let angle = from + (to - from) * index as f64 / count as f64;
         let depth = centre.1 + crest * radius * angle.cos();
-        knot(
-            centre.0 + radius * angle.sin(),
-            -depth,
-            [angle.cos(), crest * angle.sin()],
-        )
+        knot(centre.0 + radius * angle.sin(), -depth, [angle.cos(), crest * angle.sin()])
     };
     let length = radius * (to - from) / count as f64;
     let pieces = (0..count).map(|index| (place(index), place(index + 1), length));
@@ -236,13 +209,7 @@ const FLANK_BEGIN: f64 = -39.764473993;
 fn flange() -> Spans {
     let mut spans = arc((-49.5, 9.519259302), 20.5, -69.9, -62.764705882, 1.0);
     spans.extend(arc((-55.0, 16.0), 12.0, -62.764705882, -49.662510381, 1.0));
-    spans.extend(arc(
-        (-58.558326413, 8.834924130),
-        20.0,
-        -49.662510381,
-        FLANK_BEGIN,
-        1.0,
-    ));
+    spans.extend(arc((-58.558326413, 8.834924130), 20.0, -49.662510381, FLANK_BEGIN, 1.0));
     spans
 }
 
@@ -256,11 +223,7 @@ fn cone(slope: f64) -> Profile {
     let depth = RADIUS * tread - slope * x;
     let from = x + RADIUS * FLANGE.1 / flank;
     let to = x - RADIUS * slope / tread;
-    spans.extend(over_x(
-        &|x| (FLANGE.0 + FLANGE.1 * x, FLANGE.1),
-        FLANK_BEGIN,
-        from,
-    ));
+    spans.extend(over_x(&|x| (FLANGE.0 + FLANGE.1 * x, FLANGE.1), FLANK_BEGIN, from));
     spans.extend(arc((x, depth), RADIUS, from, to, -1.0));
     spans.extend(over_x(&|x| (-slope * x, -slope), to, 60.0));
     Profile::of_knots(&spans)
@@ -270,18 +233,10 @@ fn cone(slope: f64) -> Profile {
 fn s1002() -> Profile {
     let mut spans = flange();
     let throat_arc = arc((-26.210665, 16.446), 13.0, -38.426669071, -35.0, -1.0);
-    spans.extend(over_x(
-        &|x| (FLANGE.0 + FLANGE.1 * x, FLANGE.1),
-        FLANK_BEGIN,
-        -38.426669071,
-    ));
+    spans.extend(over_x(&|x| (FLANGE.0 + FLANGE.1 * x, FLANGE.1), FLANK_BEGIN, -38.426669071));
     spans.extend(throat_arc);
     spans.extend(over_x(&|x| polynomial(&THROAT, x), -35.0, -26.0));
     spans.extend(over_x(&|x| polynomial(&TREAD, x), -26.0, 32.15796));
-    spans.extend(over_x(
-        &|x| (1.364323640 - 0.066666667 * x, -0.066666667),
-        32.15796,
-        60.0,
-    ));
+    spans.extend(over_x(&|x| (1.364323640 - 0.066666667 * x, -0.066666667), 32.15796, 60.0));
     Profile::of_knots(&spans)
 }

@@ -88,10 +88,7 @@ impl Profile {
     /// itself, and for a curve that turns back across the track between points that do not.
     pub fn through(points: &[[f64; 2]]) -> Result<Self, ProfileError> {
         if points.len() < LEAST {
-            return Err(ProfileError::TooFew {
-                count: points.len(),
-                least: LEAST,
-            });
+            return Err(ProfileError::TooFew { count: points.len(), least: LEAST });
         }
         check_points(points)?;
         let mut points = points.to_vec();
@@ -103,10 +100,7 @@ impl Profile {
         let original = |index: usize| if backward { count - 1 - index } else { index };
         let parameter = chords(&points);
         check_outline(&points, parameter[count - 1]).map_err(|error| match error {
-            ProfileError::Point { index, fault } => ProfileError::Point {
-                index: original(index),
-                fault,
-            },
+            ProfileError::Point { index, fault } => ProfileError::Point { index: original(index), fault },
             error => error,
         })?;
         let coordinate = |axis: usize| points.iter().map(|point| point[axis]).collect::<Vec<f64>>();
@@ -143,10 +137,8 @@ impl Profile {
                 begin = index + 1;
             }
         }
-        let sides = [
-            Side::down(&mut points[..=from].iter().rev().copied()),
-            Side::down(&mut points[to..].iter().copied()),
-        ];
+        let sides =
+            [Side::down(&mut points[..=from].iter().rev().copied()), Side::down(&mut points[to..].iter().copied())];
         let [inner, outer] = sides.each_ref().map(|side| side.points().iter());
         let low = inner.fold(x[from], |low, [x, _]| low.min(*x));
         let high = outer.fold(x[to], |high, [x, _]| high.max(*x));
@@ -154,31 +146,17 @@ impl Profile {
         let is_beyond = |place: &f64| *place < low - OVERHANG || *place > high + OVERHANG;
         if to == 0 || x.iter().any(is_beyond) {
             let turns = rises.iter().position(|outward| !outward).unwrap_or(0);
-            return Err(ProfileError::Point {
-                index: original(turns),
-                fault: PointFault::TurnsBack,
-            });
+            return Err(ProfileError::Point { index: original(turns), fault: PointFault::TurnsBack });
         }
-        let profile = Self {
-            ends: x[from..=to].to_vec(),
-            pieces: pieces[from..to].to_vec(),
-            sides,
-            longest_step,
-        };
+        let profile = Self { ends: x[from..=to].to_vec(), pieces: pieces[from..to].to_vec(), sides, longest_step };
         // What hangs over lies below; another pass over the same surface does not.
         let above = |index: &usize| {
             let place = x[*index];
             let inside = place > x[from] + OVERHANG && place < x[to] - OVERHANG;
-            inside
-                && profile
-                    .at(place)
-                    .is_some_and(|point| height[*index] > point.height)
+            inside && profile.at(place).is_some_and(|point| height[*index] > point.height)
         };
         match (0..from).chain(to + 1..count).find(above) {
-            Some(index) => Err(ProfileError::Point {
-                index: original(index),
-                fault: PointFault::ComesBack,
-            }),
+            Some(index) => Err(ProfileError::Point { index: original(index), fault: PointFault::ComesBack }),
             None => Ok(profile),
         }
     }
@@ -191,10 +169,7 @@ impl Profile {
             ends,
             sides: <[Side; 2]>::default(),
             longest_step: f64::INFINITY,
-            pieces: spans
-                .iter()
-                .map(|(begin, end, length)| Piece::between(begin, end, *length))
-                .collect(),
+            pieces: spans.iter().map(|(begin, end, length)| Piece::between(begin, end, *length)).collect(),
         }
     }
 
@@ -209,11 +184,7 @@ impl Profile {
         if !(low..=high).contains(&x) {
             return None;
         }
-        let index = self
-            .ends
-            .partition_point(|end| *end <= x)
-            .clamp(1, self.pieces.len())
-            - 1;
+        let index = self.ends.partition_point(|end| *end <= x).clamp(1, self.pieces.len()) - 1;
         Some(self.pieces[index].at(x, self.ends[index], self.ends[index + 1]))
     }
 
@@ -221,20 +192,11 @@ impl Profile {
     /// hang over are cut off.
     pub fn turned(&self, angle: f64) -> Self {
         let (sine, cosine) = angle.sin_cos();
-        let pieces: Vec<Piece> = self
-            .pieces
-            .iter()
-            .map(|piece| piece.turned(sine, cosine))
-            .collect();
+        let pieces: Vec<Piece> = self.pieces.iter().map(|piece| piece.turned(sine, cosine)).collect();
         // From the middle outward, as far as x increases.
         let middle = pieces.len() / 2;
-        let from = (0..middle)
-            .rev()
-            .find(|&index| !pieces[index].goes_outward())
-            .map_or(0, |index| index + 1);
-        let to = (middle..pieces.len())
-            .find(|&index| !pieces[index].goes_outward())
-            .unwrap_or(pieces.len());
+        let from = (0..middle).rev().find(|&index| !pieces[index].goes_outward()).map_or(0, |index| index + 1);
+        let to = (middle..pieces.len()).find(|&index| !pieces[index].goes_outward()).unwrap_or(pieces.len());
         let mut ends: Vec<f64> = pieces[from..to].iter().map(|piece| piece.x[0]).collect();
         ends.push(pieces[to - 1].x.iter().sum());
         let side = |end: usize| {
@@ -245,10 +207,7 @@ impl Profile {
         let outer = (to - 1..pieces.len()).map(|index| pieces[index].end());
         Self {
             ends,
-            sides: [
-                Side::down(&mut inner.chain(side(0))),
-                Side::down(&mut outer.chain(side(1))),
-            ],
+            sides: [Side::down(&mut inner.chain(side(0))), Side::down(&mut outer.chain(side(1)))],
             longest_step: self.longest_step,
             pieces: pieces[from..to].to_vec(),
         }
@@ -284,8 +243,7 @@ impl Profile {
         for (piece, ends) in self.pieces.iter().zip(self.ends.windows(2)) {
             let rise = piece.height[1] + piece.height[2] + piece.height[3];
             let count = ((ends[1] - ends[0]).hypot(rise) / step).ceil().max(1.0);
-            points
-                .extend((0..count as usize).map(|index| piece.by_parameter(index as f64 / count)));
+            points.extend((0..count as usize).map(|index| piece.by_parameter(index as f64 / count)));
         }
         points.extend(self.pieces.last().map(|piece| piece.by_parameter(1.0)));
         points
@@ -294,10 +252,7 @@ impl Profile {
     /// The highest point.
     pub fn crown(&self) -> ProfilePoint {
         let coarse = self.sampled(1e-4);
-        let highest = coarse
-            .iter()
-            .enumerate()
-            .max_by(|one, other| one.1.height.total_cmp(&other.1.height));
+        let highest = coarse.iter().enumerate().max_by(|one, other| one.1.height.total_cmp(&other.1.height));
         let place = highest.map_or(0, |(index, _)| index);
         let mut low = coarse[place.saturating_sub(1)].x;
         let mut high = coarse[(place + 1).min(coarse.len() - 1)].x;
@@ -378,25 +333,14 @@ impl Piece {
     fn between(begin: &Knot, end: &Knot, length: f64) -> Self {
         let cubic = |from: f64, to: f64, slope_from: f64, slope_to: f64| {
             let (p, q) = (slope_from * length, slope_to * length);
-            [
-                from,
-                p,
-                3.0 * (to - from) - 2.0 * p - q,
-                2.0 * (from - to) + p + q,
-            ]
+            [from, p, 3.0 * (to - from) - 2.0 * p - q, 2.0 * (from - to) + p + q]
         };
         let ([p, q], [r, s]) = (begin.by_parameter, end.by_parameter);
-        Self {
-            x: cubic(begin.x, end.x, p, r),
-            height: cubic(begin.height, end.height, q, s),
-        }
+        Self { x: cubic(begin.x, end.x, p, r), height: cubic(begin.height, end.height, q, s) }
     }
 
     fn straight(begin: &Knot, end: &Knot) -> Self {
-        Self {
-            x: [begin.x, end.x - begin.x, 0.0, 0.0],
-            height: [begin.height, end.height - begin.height, 0.0, 0.0],
-        }
+        Self { x: [begin.x, end.x - begin.x, 0.0, 0.0], height: [begin.height, end.height - begin.height, 0.0, 0.0] }
     }
 
     /// Whether x increases all along.
@@ -430,18 +374,12 @@ impl Piece {
                 break;
             }
         }
-        ProfilePoint {
-            x,
-            ..self.by_parameter(u)
-        }
+        ProfilePoint { x, ..self.by_parameter(u) }
     }
 
     fn by_parameter(&self, u: f64) -> ProfilePoint {
         let ([a, b, c, d], [e, f, g, h]) = (self.x, self.height);
-        let (along, up) = (
-            b + u * (2.0 * c + 3.0 * d * u),
-            f + u * (2.0 * g + 3.0 * h * u),
-        );
+        let (along, up) = (b + u * (2.0 * c + 3.0 * d * u), f + u * (2.0 * g + 3.0 * h * u));
         let (along_bend, up_bend) = (2.0 * c + 6.0 * d * u, 2.0 * g + 6.0 * h * u);
         ProfilePoint {
             x: a + u * (b + u * (c + u * d)),

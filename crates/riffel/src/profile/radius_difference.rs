@@ -49,18 +49,9 @@ impl RadiusDifference {
         Self::of(rows.collect(), rolling_radius, step)
     }
 
-    fn of(
-        rows: Vec<Result<f64, ProfileError>>,
-        rolling_radius: f64,
-        step: f64,
-    ) -> Result<Self, ProfileError> {
+    fn of(rows: Vec<Result<f64, ProfileError>>, rolling_radius: f64, step: f64) -> Result<Self, ProfileError> {
         let (rows, middle) = around_middle(rows)?;
-        Ok(Self {
-            step,
-            middle,
-            rows,
-            rolling_radius,
-        })
+        Ok(Self { step, middle, rows, rolling_radius })
     }
 
     /// Right less left \[m\], linear between rows; that of the nearest row outside them.
@@ -74,23 +65,10 @@ impl RadiusDifference {
     }
 
     /// Equivalent conicity at an amplitude \[m\]; none where no motion of the table swings so far.
-    pub fn equivalent_conicity(
-        &self,
-        amplitude: f64,
-        contact_spacing: f64,
-    ) -> Option<EquivalentConicity> {
+    pub fn equivalent_conicity(&self, amplitude: f64, contact_spacing: f64) -> Option<EquivalentConicity> {
         let rows_behind = self.rows.len() - 1 - self.middle;
-        let range = [
-            -self.step * self.middle as f64,
-            self.step * rows_behind as f64,
-        ];
-        EquivalentConicity::at(
-            |shift| self.at(shift),
-            range,
-            amplitude,
-            contact_spacing,
-            self.rolling_radius,
-        )
+        let range = [-self.step * self.middle as f64, self.step * rows_behind as f64];
+        EquivalentConicity::at(|shift| self.at(shift), range, amplitude, contact_spacing, self.rolling_radius)
     }
 }
 
@@ -104,17 +82,12 @@ fn shifts(farthest: f64, step: f64) -> impl Iterator<Item = f64> {
 ///
 /// # Errors
 /// That of the row in the middle.
-pub(super) fn around_middle<T>(
-    rows: Vec<Result<T, ProfileError>>,
-) -> Result<(Vec<T>, usize), ProfileError> {
+pub(super) fn around_middle<T>(rows: Vec<Result<T, ProfileError>>) -> Result<(Vec<T>, usize), ProfileError> {
     let centre = rows.len() / 2;
     if let Err(error) = &rows[centre] {
         return Err(error.clone());
     }
-    let from = (0..centre)
-        .rev()
-        .find(|&row| rows[row].is_err())
-        .map_or(0, |row| row + 1);
+    let from = (0..centre).rev().find(|&row| rows[row].is_err()).map_or(0, |row| row + 1);
     let rows = rows.into_iter().skip(from).map_while(Result::ok).collect();
     Ok((rows, centre - from))
 }

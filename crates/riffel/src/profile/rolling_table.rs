@@ -50,20 +50,12 @@ impl RollingTable {
         farthest: f64,
         step: f64,
     ) -> Result<Self, ProfileError> {
-        let surfaces = Surfaces {
-            wheelset,
-            rolling_radii,
-        };
+        let surfaces = Surfaces { wheelset, rolling_radii };
         let count = (farthest / step).round() as i32;
         let places: Vec<i32> = (-count..=count).collect();
-        let rows = places
-            .par_iter()
-            .map(|place| surfaces.row(step * f64::from(*place)));
+        let rows = places.par_iter().map(|place| surfaces.row(step * f64::from(*place)));
         let (rows, _) = around_middle(rows.collect())?;
-        let ways: Vec<Way> = rows
-            .par_windows(2)
-            .map(|pair| surfaces.way(&pair[0], &pair[1]))
-            .collect();
+        let ways: Vec<Way> = rows.par_windows(2).map(|pair| surfaces.way(&pair[0], &pair[1])).collect();
         let mut stretches = Vec::new();
         let mut stretch = vec![surfaces.node(&rows[0])];
         for way in &ways {
@@ -75,10 +67,7 @@ impl RollingTable {
             stretch.extend(last);
         }
         stretches.push(stretch);
-        Ok(Self {
-            stretches,
-            jumps: ways.into_iter().flat_map(|way| way.jumps).collect(),
-        })
+        Ok(Self { stretches, jumps: ways.into_iter().flat_map(|way| way.jumps).collect() })
     }
 
     /// The nodes around a shift and what each of them weighs there: cubic between two nodes, its slopes those of the parabola
@@ -87,10 +76,7 @@ impl RollingTable {
         if self.stretches.first()?.first()?.shift > shift {
             return None;
         }
-        let nodes = self
-            .stretches
-            .iter()
-            .find(|stretch| stretch.last().is_some_and(|end| end.shift >= shift))?;
+        let nodes = self.stretches.iter().find(|stretch| stretch.last().is_some_and(|end| end.shift >= shift))?;
         let above = nodes.partition_point(|node| node.shift < shift);
         if nodes[above].shift == shift || above == 0 {
             let zero = (&nodes[above], 0.0);
@@ -103,10 +89,7 @@ impl RollingTable {
         let far = share * share * (3.0 - 2.0 * share);
         let mut of_ends = [1.0 - far, far];
         let mut weights = [(low, 0.0); 4];
-        let ends = [
-            (above.checked_sub(2).map(|index| &nodes[index]), 0),
-            (nodes.get(above + 1), 1),
-        ];
+        let ends = [(above.checked_sub(2).map(|index| &nodes[index]), 0), (nodes.get(above + 1), 1)];
         for (beyond, end) in ends {
             // What a unit of the slope at this end adds.
             let of_slope = [share * rest * rest, -share * share * rest][end] * width;
@@ -132,28 +115,19 @@ impl RunningSurfaces for RollingTable {
         let weights = self.weights(shift)?;
         let side = side_of(rail);
         let of = |value: fn(&RollingPosition) -> f64| {
-            let terms = weights
-                .iter()
-                .map(|(node, weight)| weight * value(&node.positions[side]));
+            let terms = weights.iter().map(|(node, weight)| weight * value(&node.positions[side]));
             terms.sum::<f64>()
         };
         Some(RollingPosition {
             radius_change: of(|position| position.radius_change),
             contact_angle: of(|position| position.contact_angle),
-            lateral_curvature: Some(of(|position| {
-                position.lateral_curvature.unwrap_or(f64::NAN)
-            })),
+            lateral_curvature: Some(of(|position| position.lateral_curvature.unwrap_or(f64::NAN))),
         })
     }
 
     fn axle_shift(&self, shift: f64) -> Option<f64> {
         let weights = self.weights(shift)?;
-        Some(
-            weights
-                .iter()
-                .map(|(node, weight)| weight * node.axle_shift)
-                .sum(),
-        )
+        Some(weights.iter().map(|(node, weight)| weight * node.axle_shift).sum())
     }
 
     fn two_points(&self) -> &[TwoPoints] {
@@ -199,10 +173,7 @@ impl Surfaces<'_> {
     fn way(&self, low: &Row, high: &Row) -> Way {
         let mut pairs = Vec::new();
         self.find_jumps(low, high, &mut pairs);
-        let mut way = Way {
-            stretches: Vec::new(),
-            jumps: Vec::new(),
-        };
+        let mut way = Way { stretches: Vec::new(), jumps: Vec::new() };
         let mut from = *low;
         for (below, above) in &pairs {
             let mut stretch = self.between(&from, below);
@@ -211,9 +182,7 @@ impl Surfaces<'_> {
             // The stretch after the jump begins at the same shift.
             from = (below.0, above.1);
             let positions = [self.node(below), self.node(&from)];
-            let of_rail = Rail::BOTH
-                .into_iter()
-                .filter(|rail| jumps(*rail, below, above));
+            let of_rail = Rail::BOTH.into_iter().filter(|rail| jumps(*rail, below, above));
             way.jumps.extend(of_rail.map(|rail| TwoPoints {
                 rail,
                 shift: below.0,

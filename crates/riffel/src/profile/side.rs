@@ -50,18 +50,13 @@ impl Side {
     pub(super) fn at(&self, height: f64) -> Option<OnSide> {
         let below = self.0.partition_point(|point| point[1] > height);
         let ([x, from], [to_x, to]) = (*self.0.get(below.checked_sub(1)?)?, *self.0.get(below)?);
-        Some(OnSide {
-            x: x + (height - from) / (to - from) * (to_x - x),
-            step: (to_x - x).hypot(to - from),
-        })
+        Some(OnSide { x: x + (height - from) / (to - from) * (to_x - x), step: (to_x - x).hypot(to - from) })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::profile::{
-        NominalProfile, Profile, ProfileAlignment, ProfilePoint, ProfileWear, RailWear,
-    };
+    use crate::profile::{NominalProfile, Profile, ProfileAlignment, ProfilePoint, ProfileWear, RailWear};
 
     /// Below the crown, where W2 is measured \[m\].
     const GAUGE_HEIGHT: f64 = 0.014;
@@ -104,12 +99,7 @@ mod tests {
         fn new(nominal: Profile, worn: f64, lean: f64) -> Self {
             let height = nominal.crown().height - GAUGE_HEIGHT;
             let face = nominal.inner_face(height).unwrap() + worn;
-            Self {
-                nominal,
-                face,
-                lean,
-                height,
-            }
+            Self { nominal, face, lean, height }
         }
 
         fn at(&self, height: f64) -> f64 {
@@ -119,18 +109,13 @@ mod tests {
         /// Points a step apart from the foot of the gauge face to the field side \[m\].
         fn points(&self, step: f64) -> Vec<[f64; 2]> {
             let outline = self.nominal.along(step);
-            let lost = outline
-                .iter()
-                .rposition(|point| point.x < self.at(point.height));
+            let lost = outline.iter().rposition(|point| point.x < self.at(point.height));
             let kept = outline[lost.map_or(0, |lost| lost + 1)..].iter();
             let kept: Vec<[f64; 2]> = kept.map(|point| [point.x, point.height]).collect();
             let (top, foot) = (kept[0][1], self.height - 0.012);
             let count = ((top - foot) / step) as usize;
             let heights = (0..count).map(|index| foot + (top - foot) * index as f64 / count as f64);
-            heights
-                .map(|height| [self.at(height), height])
-                .chain(kept)
-                .collect()
+            heights.map(|height| [self.at(height), height]).chain(kept).collect()
         }
 
         /// Depth along the normal (across, up) into the metal from a point of the nominal profile \[m\].
@@ -145,14 +130,10 @@ mod tests {
     fn scattered(points: &[[f64; 2]], scatter: f64, drawn: &mut Drawn) -> Vec<[f64; 2]> {
         let last = points.len() - 1;
         let off = |index: usize| {
-            let ([x, height], [to, up]) =
-                (points[index.saturating_sub(1)], points[last.min(index + 1)]);
+            let ([x, height], [to, up]) = (points[index.saturating_sub(1)], points[last.min(index + 1)]);
             let length = (to - x).hypot(up - height);
             let off = scatter * drawn.normal() / length;
-            [
-                points[index][0] - off * (up - height),
-                points[index][1] + off * (to - x),
-            ]
+            [points[index][0] - off * (up - height), points[index][1] + off * (to - x)]
         };
         (0..=last).map(off).collect()
     }
@@ -185,8 +166,7 @@ mod tests {
         for _ in 0..200 {
             let (points, cut, worn) = measured(&mut drawn);
             let profile = Profile::through(&points).unwrap();
-            let wear = ProfileWear::new(&profile, &cut.nominal, false, ProfileAlignment::FieldSide)
-                .unwrap();
+            let wear = ProfileWear::new(&profile, &cut.nominal, false, ProfileAlignment::FieldSide).unwrap();
             let found = RailWear::new(&wear, &cut.nominal, GAUGE_HEIGHT);
             let exact = wear.points.iter().map(|point| match point.depth {
                 Some(_) => cut.depth([point.nominal.x, point.nominal.height], point.nominal.slope),
@@ -194,19 +174,14 @@ mod tests {
             });
             let exact: Vec<f64> = exact.collect();
             let off_corner = |place: &usize| (wear.points[*place].nominal.slope - 1.0).abs();
-            let corner = (0..exact.len())
-                .min_by(|one, other| off_corner(one).total_cmp(&off_corner(other)))
-                .unwrap();
+            let corner = (0..exact.len()).min_by(|one, other| off_corner(one).total_cmp(&off_corner(other))).unwrap();
             let area = |place: usize| {
                 let [from, to] = [place, place + 1].map(|place| wear.points[place].nominal);
-                let of =
-                    |point: ProfilePoint, depth: f64| depth + 0.5 * point.curvature * depth * depth;
+                let of = |point: ProfilePoint, depth: f64| depth + 0.5 * point.curvature * depth * depth;
                 let length = (to.x - from.x).hypot(to.height - from.height);
                 0.5 * length * (of(from, exact[place]) + of(to, exact[place + 1]))
             };
-            let areas = (0..exact.len() - 1)
-                .map(area)
-                .filter(|area| area.is_finite());
+            let areas = (0..exact.len() - 1).map(area).filter(|area| area.is_finite());
             let off = [
                 found.lateral.unwrap() - worn,
                 found.diagonal.unwrap() - exact[corner],
@@ -238,16 +213,8 @@ mod tests {
             let (shift, whole) = measures(&points);
             // The places of W1, W2 and W3 on the measured outline.
             let crown = cut.nominal.crown();
-            let corner = cut
-                .nominal
-                .along(2.5e-4)
-                .into_iter()
-                .filter(|point| point.x < crown.x);
-            let corner = corner.min_by(|one, other| {
-                (one.slope - 1.0)
-                    .abs()
-                    .total_cmp(&(other.slope - 1.0).abs())
-            });
+            let corner = cut.nominal.along(2.5e-4).into_iter().filter(|point| point.x < crown.x);
+            let corner = corner.min_by(|one, other| (one.slope - 1.0).abs().total_cmp(&(other.slope - 1.0).abs()));
             let (corner, deep) = (corner.unwrap(), whole[2].unwrap() * 0.5f64.sqrt());
             let face = cut.nominal.inner_face(cut.height).unwrap() + whole[1].unwrap();
             let places = [
@@ -261,15 +228,10 @@ mod tests {
             };
             let half = drawn.between(3e-3, 4.5e-3);
             let kept = points.iter().copied();
-            let kept: Vec<[f64; 2]> = kept
-                .filter(|point| from(point, places[middle]) > half)
-                .collect();
+            let kept: Vec<[f64; 2]> = kept.filter(|point| from(point, places[middle]) > half).collect();
             let (_, found) = measures(&kept);
             for place in 0..3 {
-                let off = [
-                    places[place][0] - places[middle][0],
-                    places[place][1] - places[middle][1],
-                ];
+                let off = [places[place][0] - places[middle][0], places[place][1] - places[middle][1]];
                 let is_lost = off[0].hypot(off[1]) < half;
                 lost += usize::from(is_lost);
                 match found[place] {

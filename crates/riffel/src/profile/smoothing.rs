@@ -40,27 +40,20 @@ impl SmoothedPoints {
         /// Times that R is taken from the curve.
         const REFINEMENTS: usize = 2;
         if points.len() < LEAST {
-            return Err(ProfileError::TooFew {
-                count: points.len(),
-                least: LEAST,
-            });
+            return Err(ProfileError::TooFew { count: points.len(), least: LEAST });
         }
         if !(scatter > 0.0 && scatter.is_finite()) {
             return Err(ProfileError::Shape(ShapeFault::Scatter(scatter)));
         }
         check_points(points)?;
         let mut kept: Vec<usize> = (0..points.len()).collect();
-        let place =
-            |kept: &[usize]| -> Vec<[f64; 2]> { kept.iter().map(|&index| points[index]).collect() };
+        let place = |kept: &[usize]| -> Vec<[f64; 2]> { kept.iter().map(|&index| points[index]).collect() };
         let mut dropped = Vec::new();
         loop {
             let off = off_neighbours(&place(&kept));
             let near = |index: usize| index.saturating_sub(2)..(index + 3).min(off.len());
             let worst: Vec<usize> = (0..off.len())
-                .filter(|&index| {
-                    off[index] > OUTLIER * scatter
-                        && near(index).all(|other| off[other] <= off[index])
-                })
+                .filter(|&index| off[index] > OUTLIER * scatter && near(index).all(|other| off[other] <= off[index]))
                 .collect();
             if worst.is_empty() || kept.len() - worst.len() < LEAST {
                 break;
@@ -83,10 +76,7 @@ impl SmoothedPoints {
         Ok(Self {
             points,
             dropped,
-            curvature_errors: lengths
-                .iter()
-                .map(|a| scatter * (0.0884 * step / a.powi(5)).sqrt())
-                .collect(),
+            curvature_errors: lengths.iter().map(|a| scatter * (0.0884 * step / a.powi(5)).sqrt()).collect(),
         })
     }
 
@@ -114,22 +104,14 @@ fn off_neighbours(points: &[[f64; 2]]) -> Vec<f64> {
         let weights = beside.map(|one| {
             let others = beside.iter().filter(|&&other| other != one);
             others
-                .map(|&other| {
-                    (parameter[index] - parameter[other]) / (parameter[one] - parameter[other])
-                })
+                .map(|&other| (parameter[index] - parameter[other]) / (parameter[one] - parameter[other]))
                 .product::<f64>()
         });
         let at = |axis: usize| -> f64 {
             let terms = weights.iter().zip(beside);
-            points[index][axis]
-                - terms
-                    .map(|(weight, one)| weight * points[one][axis])
-                    .sum::<f64>()
+            points[index][axis] - terms.map(|(weight, one)| weight * points[one][axis]).sum::<f64>()
         };
-        let (along, up) = (
-            points[index + 1][0] - points[index - 1][0],
-            points[index + 1][1] - points[index - 1][1],
-        );
+        let (along, up) = (points[index + 1][0] - points[index - 1][0], points[index + 1][1] - points[index - 1][1]);
         let across = (along * at(1) - up * at(0)) / along.hypot(up);
         let variance = 1.0 + weights.iter().map(|weight| weight * weight).sum::<f64>();
         off[index] = across.abs() / variance.sqrt();
@@ -148,9 +130,7 @@ fn relative_lengths(points: &[[f64; 2]]) -> Vec<f64> {
     /// Of the flattest part \[m\]: a rail head.
     const FLATTEST: f64 = 0.3;
     let parameter = chords(points);
-    let angle = |from: usize, to: usize| {
-        (points[to][1] - points[from][1]).atan2(points[to][0] - points[from][0])
-    };
+    let angle = |from: usize, to: usize| (points[to][1] - points[from][1]).atan2(points[to][0] - points[from][0]);
     (0..points.len())
         .map(|index| {
             let beside = |place: f64| {
@@ -171,12 +151,7 @@ fn relative_lengths(points: &[[f64; 2]]) -> Vec<f64> {
 }
 
 /// The smooth points of the size of a, as these relative lengths, that has the least risk; with a at each point \[m\].
-fn least_risk(
-    points: &[[f64; 2]],
-    parameter: &[f64],
-    relative: &[f64],
-    scatter: f64,
-) -> (Vec<[f64; 2]>, Vec<f64>) {
+fn least_risk(points: &[[f64; 2]], parameter: &[f64], relative: &[f64], scatter: f64) -> (Vec<[f64; 2]>, Vec<f64>) {
     /// The mean of a over the mean step and over the whole length, between which it is sought, and steps to a factor of ten.
     const SHORTEST: f64 = 0.5;
     const LONGEST: f64 = 0.1;
@@ -198,17 +173,10 @@ fn least_risk(
             .map(|(point, curve)| (point[0] - curve[0]).powi(2) + (point[1] - curve[1]).powi(2))
             .sum();
         let freedom: f64 = lengths.iter().map(|a| step / (8f64.sqrt() * a)).sum();
-        (
-            rest + 2.0 * COSTLIER * scatter * scatter * freedom,
-            smooth,
-            lengths,
-        )
+        (rest + 2.0 * COSTLIER * scatter * scatter * freedom, smooth, lengths)
     });
     let best = tried.min_by(|one, other| one.0.total_cmp(&other.0));
-    best.map_or(
-        (points.to_vec(), relative.to_vec()),
-        |(_, smooth, lengths)| (smooth, lengths),
-    )
+    best.map_or((points.to_vec(), relative.to_vec()), |(_, smooth, lengths)| (smooth, lengths))
 }
 
 /// Both coordinates of the curve with the least Σ(y − f)² + Σ p_j r_j f″_j², p = a⁴/Δ, over the knots.
@@ -219,15 +187,8 @@ fn smooth(parameter: &[f64], points: &[[f64; 2]], lengths: &[f64], step: f64) ->
     // diagonal, next, next but one
     let mut rows = vec![[1.0, 0.0, 0.0]; count];
     for j in 0..count - 2 {
-        let (before, after) = (
-            parameter[j + 1] - parameter[j],
-            parameter[j + 2] - parameter[j + 1],
-        );
-        let q = [
-            before.recip(),
-            -before.recip() - after.recip(),
-            after.recip(),
-        ];
+        let (before, after) = (parameter[j + 1] - parameter[j], parameter[j + 2] - parameter[j + 1]);
+        let q = [before.recip(), -before.recip() - after.recip(), after.recip()];
         let weight = lengths[j + 1].powi(4) / step / (0.5 * (before + after));
         for one in 0..3 {
             for other in one..3 {
@@ -249,9 +210,7 @@ fn smooth(parameter: &[f64], points: &[[f64; 2]], lengths: &[f64], step: f64) ->
         rows[j] = [pivot, one / pivot, two / pivot];
     }
     let mut smooth = points.to_vec();
-    let less = |one: [f64; 2], factor: f64, other: [f64; 2]| {
-        [0, 1].map(|axis| one[axis] - factor * other[axis])
-    };
+    let less = |one: [f64; 2], factor: f64, other: [f64; 2]| [0, 1].map(|axis| one[axis] - factor * other[axis]);
     for j in 1..count {
         smooth[j] = less(smooth[j], rows[j - 1][1], smooth[j - 1]);
         if j >= 2 {
@@ -299,9 +258,7 @@ mod tests {
     fn error(points: &[[f64; 2]], expected: impl Fn(f64) -> f64, farthest: f64) -> f64 {
         let profile = Profile::through(points).unwrap();
         let places = (-200..=200).map(|index| farthest * f64::from(index) / 200.0);
-        let square: f64 = places
-            .map(|x| (profile.at(x).unwrap().curvature - expected(x)).powi(2))
-            .sum();
+        let square: f64 = places.map(|x| (profile.at(x).unwrap().curvature - expected(x)).powi(2)).sum();
         (square / 401.0).sqrt()
     }
 
@@ -357,10 +314,7 @@ mod tests {
                 }
                 let corner = Profile::through(&smooth.points).unwrap();
                 let corner = corner.at(30e-3).unwrap().curvature / expected(30e-3);
-                assert!(
-                    (corner - 1.0).abs() < 0.45,
-                    "{step:e} {scatter:e}: {corner}"
-                );
+                assert!((corner - 1.0).abs() < 0.45, "{step:e} {scatter:e}: {corner}");
             }
         }
     }

@@ -49,21 +49,13 @@ fn a_spline_through_an_arc_is_the_arc() {
 
 #[test]
 fn loops_and_wrong_orders_are_refused_with_their_point() {
-    let mut points: Vec<[f64; 2]> = (0..40)
-        .map(|index| [1e-3 * f64::from(index), 0.0])
-        .collect();
+    let mut points: Vec<[f64; 2]> = (0..40).map(|index| [1e-3 * f64::from(index), 0.0]).collect();
     points.swap(17, 23);
     let error = Profile::through(&points).unwrap_err();
-    assert!(
-        matches!(error, ProfileError::Point { index: 15..=24, .. }),
-        "{error:?}"
-    );
+    assert!(matches!(error, ProfileError::Point { index: 15..=24, .. }), "{error:?}");
     points[5] = points[4];
     let error = Profile::through(&points).unwrap_err();
-    assert!(
-        matches!(error, ProfileError::Point { index: 5, .. }),
-        "{error:?}"
-    );
+    assert!(matches!(error, ProfileError::Point { index: 5, .. }), "{error:?}");
     assert!(Profile::through(&points[..4]).is_err());
 }
 
@@ -77,15 +69,10 @@ fn only_what_hangs_over_is_cut() {
             [x, height - 2.0 * (x - 0.02) * (x - 0.02)]
         })
     };
-    let both = |height: f64| {
-        pass(0.0, false)
-            .chain(pass(height, true))
-            .collect::<Vec<_>>()
-    };
+    let both = |height: f64| pass(0.0, false).chain(pass(height, true)).collect::<Vec<_>>();
     let error = Profile::through(&both(5e-5)).unwrap_err();
     assert!(error.to_string().contains("closes"), "{error}");
-    let with_underside: Vec<[f64; 2]> =
-        pass(0.0, false).chain(pass(-0.03, true).take(20)).collect();
+    let with_underside: Vec<[f64; 2]> = pass(0.0, false).chain(pass(-0.03, true).take(20)).collect();
     let head = Profile::through(&with_underside).unwrap();
     assert!(head.range()[1] > 0.0399 && head.at(0.02).unwrap().height.abs() < 1e-9);
     let above: Vec<[f64; 2]> = pass(0.0, false).chain(pass(0.03, true).take(20)).collect();
@@ -96,21 +83,14 @@ fn only_what_hangs_over_is_cut() {
 /// Half widths at the gauge point as EN 13674-1 prints them, and crowns in the origin.
 #[test]
 fn nominal_rails_have_their_widths() {
-    for (name, width, depth) in [
-        ("60E1", 72.0, 14.3),
-        ("60E2", 72.0, 14.3),
-        ("54E1", 70.0, 14.1),
-    ] {
+    for (name, width, depth) in [("60E1", 72.0, 14.3), ("60E2", 72.0, 14.3), ("54E1", 70.0, 14.1)] {
         let rail = nominal(name);
         let inner = rail.inner_face(-1e-3 * depth).unwrap();
         assert!((inner + 0.5e-3 * width).abs() < 1e-6, "{name}: {inner}");
         assert!(rail.crown().x.abs() < 1e-9 && rail.crown().height.abs() < 1e-12);
     }
     // Flange of S1002: 28 mm high.
-    let lowest = nominal("S1002")
-        .sampled(1e-4)
-        .iter()
-        .fold(0.0, |least: f64, point| least.min(point.height));
+    let lowest = nominal("S1002").sampled(1e-4).iter().fold(0.0, |least: f64, point| least.min(point.height));
     assert!((lowest + 0.028).abs() < 1e-6, "{lowest}");
 }
 
@@ -119,10 +99,7 @@ fn nominal_rails_have_their_widths() {
 fn contact_is_symmetric() {
     let wheelset = wheelset("60E1", 0.025);
     for (shift, yaw) in [(1.3e-3, 0.0), (4.2e-3, 0.006), (7e-3, 0.012)] {
-        let (one, other) = (
-            wheelset.contact(shift, yaw).unwrap(),
-            wheelset.contact(-shift, -yaw).unwrap(),
-        );
+        let (one, other) = (wheelset.contact(shift, yaw).unwrap(), wheelset.contact(-shift, -yaw).unwrap());
         assert_relative_eq!(one.roll, -other.roll, max_relative = 1e-9);
         assert_relative_eq!(one.centre_z, other.centre_z, max_relative = 1e-9);
         assert!((one.contacts[0].x_wheel - other.contacts[1].x_wheel).abs() < 1e-9);
@@ -133,40 +110,26 @@ fn contact_is_symmetric() {
 #[test]
 fn wheels_and_rails_that_do_not_fit_are_refused() {
     let (wheel, rail) = (nominal("S1002"), nominal("60E1"));
-    let mirrored: Vec<[f64; 2]> = wheel
-        .sampled(5e-4)
-        .iter()
-        .map(|point| [-point.x, point.height])
-        .collect();
+    let mirrored: Vec<[f64; 2]> = wheel.sampled(5e-4).iter().map(|point| [-point.x, point.height]).collect();
     let mirrored = Profile::through(&mirrored).unwrap();
-    let error = Wheels::new([&mirrored, &wheel], [0.46; 2], 1.36, -0.07)
-        .err()
-        .unwrap();
+    let error = Wheels::new([&mirrored, &wheel], [0.46; 2], 1.36, -0.07).err().unwrap();
     assert!(error.to_string().contains("mirrored"), "{error}");
-    let error = Track::new([&rail, &rail], -0.01, 0.014, 0.025)
-        .err()
-        .unwrap();
+    let error = Track::new([&rail, &rail], -0.01, 0.014, 0.025).err().unwrap();
     assert!(error.to_string().contains("overlap"), "{error}");
-    let error = Track::new([&rail, &rail], 1.435, 0.05, 0.025)
-        .err()
-        .unwrap();
+    let error = Track::new([&rail, &rail], 1.435, 0.05, 0.025).err().unwrap();
     assert!(error.to_string().contains("gauge height"), "{error}");
     let narrow = WheelsetOnTrack {
         wheels: Wheels::new([&wheel, &wheel], [0.46; 2], 1.1, -0.07).unwrap(),
         track: Track::new([&rail, &rail], 1.435, 0.014, 0.025).unwrap(),
     };
-    assert!(matches!(
-        narrow.contact(0.0, 0.0),
-        Err(ProfileError::NoContact { .. })
-    ));
+    assert!(matches!(narrow.contact(0.0, 0.0), Err(ProfileError::NoContact { .. })));
 }
 
 /// On a cone the three rules give its conicity, at any amplitude.
 #[test]
 fn a_cone_has_its_conicity() {
     for (conicity, amplitude) in [(0.05, 1e-3), (0.3, 7e-3)] {
-        let found =
-            EquivalentConicity::at(|y| 2.0 * conicity * y, ENDS, amplitude, 1.5, 0.46).unwrap();
+        let found = EquivalentConicity::at(|y| 2.0 * conicity * y, ENDS, amplitude, 1.5, 0.46).unwrap();
         assert_relative_eq!(found.klingel, conicity, max_relative = 1e-6);
         assert_relative_eq!(found.harmonic, conicity, max_relative = 1e-6);
         assert_relative_eq!(found.regression, conicity, max_relative = 1e-6);
@@ -180,9 +143,7 @@ fn a_cone_has_its_conicity() {
 /// far out for the amplitude there is no motion.
 #[test]
 fn unequal_wheels_have_the_conicity_of_their_cone() {
-    let at = |unequal: f64, amplitude: f64| {
-        EquivalentConicity::at(|y| 0.2 * y + unequal, ENDS, amplitude, 1.5, 0.46)
-    };
+    let at = |unequal: f64, amplitude: f64| EquivalentConicity::at(|y| 0.2 * y + unequal, ENDS, amplitude, 1.5, 0.46);
     for unequal in [-1e-3, 0.4e-3, 1.6e-3] {
         let found = at(unequal, 3e-3).unwrap();
         for conicity in [found.klingel, found.harmonic, found.regression] {
@@ -204,16 +165,11 @@ fn a_step_of_the_radius_difference_is_no_end_of_motion() {
     };
     for amplitude in [0.5e-3, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3] {
         // (δ − γ)b² + (s + 4γA)b = 4γA².
-        let (a, b, c) = (
-            steep - gentle,
-            step + 4.0 * gentle * amplitude,
-            -4.0 * gentle * amplitude * amplitude,
-        );
+        let (a, b, c) = (steep - gentle, step + 4.0 * gentle * amplitude, -4.0 * gentle * amplitude * amplitude);
         let right = (-b + (b * b - 4.0 * a * c).sqrt()) / (2.0 * a);
         let offset = step / (2.0 * steep);
         let wave = |slope: f64, angle: f64| (scale / (2.0 * slope)).sqrt() * angle;
-        let expected =
-            wave(gentle, PI) + wave(steep, PI - 2.0 * (offset / (right + offset)).asin());
+        let expected = wave(gentle, PI) + wave(steep, PI - 2.0 * (offset / (right + offset)).asin());
         let found = EquivalentConicity::at(difference, [-12e-3, 12e-3], amplitude, 1.5, 0.46);
         // The step falls inside a piece of the rule.
         assert_relative_eq!(found.unwrap().wavelength, expected, max_relative = 2e-3);
@@ -245,15 +201,8 @@ fn a_level_axle_has_the_conicity_of_the_standard() {
 #[test]
 fn the_nominal_cone_is_smooth() {
     let (cone, wheel) = (nominal("cone-1:40"), nominal("S1002"));
-    assert_relative_eq!(
-        cone.at(0.03).unwrap().height,
-        0.03 / 40.0,
-        max_relative = 1e-9
-    );
-    assert_eq!(
-        cone.at(-0.05).unwrap().height,
-        wheel.at(-0.05).unwrap().height
-    );
+    assert_relative_eq!(cone.at(0.03).unwrap().height, 0.03 / 40.0, max_relative = 1e-9);
+    assert_eq!(cone.at(-0.05).unwrap().height, wheel.at(-0.05).unwrap().height);
     let points = cone.along(1e-4);
     for pair in points.windows(2) {
         let turn = pair[1].slope.atan() - pair[0].slope.atan();
@@ -267,18 +216,9 @@ fn the_nominal_cone_is_smooth() {
 fn dimensions_of_a_wheel() {
     let wheel = nominal("S1002");
     let found = WheelDimensions::new(&wheel, -0.07).unwrap();
-    assert!(
-        (found.flange_height.unwrap() - 0.028).abs() < 1e-6,
-        "{found:?}"
-    );
-    assert!(
-        (found.flange_thickness.unwrap() - 0.0325).abs() < 1e-6,
-        "{found:?}"
-    );
-    assert!(
-        (found.flange_gradient.unwrap() - 0.010794).abs() < 1e-6,
-        "{found:?}"
-    );
+    assert!((found.flange_height.unwrap() - 0.028).abs() < 1e-6, "{found:?}");
+    assert!((found.flange_thickness.unwrap() - 0.0325).abs() < 1e-6, "{found:?}");
+    assert!((found.flange_gradient.unwrap() - 0.010794).abs() < 1e-6, "{found:?}");
     let rail = nominal("60E1");
     assert!(WheelDimensions::new(&rail, -0.07).is_err());
     // Without the points of 8 mm around the tip, the flank 10 mm beyond the datum circle, and the circle itself.
@@ -292,11 +232,7 @@ fn dimensions_of_a_wheel() {
         let kept = points.filter(|[x, height]| (x - middle[0]).hypot(height - middle[1]) > 4e-3);
         let wheel = Profile::through(&kept.collect::<Vec<_>>()).unwrap();
         let found = WheelDimensions::new(&wheel, -0.07).unwrap();
-        let found = [
-            found.flange_height,
-            found.flange_thickness,
-            found.flange_gradient,
-        ];
+        let found = [found.flange_height, found.flange_thickness, found.flange_gradient];
         assert_eq!(found.map(|value| value.is_some()), told, "{middle:?}");
     }
 }
@@ -317,42 +253,24 @@ fn what_is_cut_off_is_found() {
             false => 0.0,
         }
     };
-    let worn = cut(&wheel, &|point| {
-        [point.x, point.height + hollow(point.x) - 5e-3]
-    });
+    let worn = cut(&wheel, &|point| [point.x, point.height + hollow(point.x) - 5e-3]);
     let wear = ProfileWear::new(&worn, &wheel, true, ProfileAlignment::Flange).unwrap();
     assert!((wear.shift[1] - 5e-3).abs() < 1e-7, "{:?}", wear.shift);
     // Depth across a slope of 1:40 is that upward to 3e-4; the area is ∫ of the hollow, half its width times its depth.
     let (place, depth) = wear.deepest().unwrap();
-    assert!(
-        (depth - 2e-3).abs() < 2e-6 && place.x.abs() < 1e-3,
-        "{depth} {place:?}"
-    );
+    assert!((depth - 2e-3).abs() < 2e-6 && place.x.abs() < 1e-3, "{depth} {place:?}");
     assert_relative_eq!(wear.area, 40e-6, max_relative = 1e-4);
     let dimensions = WheelDimensions::new(&wear.measured, -0.07).unwrap();
-    assert_relative_eq!(
-        dimensions.flange_height.unwrap(),
-        0.030,
-        max_relative = 1e-4
-    );
+    assert_relative_eq!(dimensions.flange_height.unwrap(), 0.030, max_relative = 1e-4);
     // A head ground flat by a millimetre at its crown, displaced by (3, −4) mm: what is left has its field side.
     let rail = nominal("60E1");
-    let ground = cut(&rail, &|point| {
-        [point.x + 3e-3, point.height.min(-1e-3) - 4e-3]
-    });
+    let ground = cut(&rail, &|point| [point.x + 3e-3, point.height.min(-1e-3) - 4e-3]);
     let wear = ProfileWear::new(&ground, &rail, false, ProfileAlignment::FieldSide).unwrap();
-    assert!(
-        (wear.shift[0] + 3e-3).abs() < 2e-6 && (wear.shift[1] - 4e-3).abs() < 2e-6,
-        "{:?}",
-        wear.shift
-    );
+    assert!((wear.shift[0] + 3e-3).abs() < 2e-6 && (wear.shift[1] - 4e-3).abs() < 2e-6, "{:?}", wear.shift);
     assert!(wear.misfit.unwrap() < 1e-6, "{:?}", wear.misfit);
     let found = RailWear::new(&wear, &rail, 0.014);
     assert_relative_eq!(found.vertical.unwrap(), 1e-3, max_relative = 3e-3);
-    assert!(
-        found.lateral.unwrap().abs() < 3e-6 && found.diagonal.unwrap().abs() < 3e-6,
-        "{found:?}"
-    );
+    assert!(found.lateral.unwrap().abs() < 3e-6 && found.diagonal.unwrap().abs() < 3e-6, "{found:?}");
     // The segment between the crown and the chord 1 mm below it.
     let segment: f64 = rail
         .sampled(1e-5)
@@ -392,8 +310,7 @@ fn a_large_wheelset_rolls_back_on_its_flange() {
         assert!((at_rail.contacts[1].x_wheel - axle.contacts[1].x_wheel).abs() < 1e-8);
     }
     // r tan γ/2s = 0.6 · 2.75/1.5 > 1: up the flange the axle turns back.
-    let climbing =
-        [7.2e-3, 7.6e-3].map(|shift| wheelset.contact_at_rail_level(shift, 0.0).unwrap());
+    let climbing = [7.2e-3, 7.6e-3].map(|shift| wheelset.contact_at_rail_level(shift, 0.0).unwrap());
     let [low, high] = climbing;
     assert!(low.contacts[1].contact_angle > 1.2 && high.contacts[1].contact_angle > 1.2);
     assert!(high.contacts[1].rolling_radius > low.contacts[1].rolling_radius + 0.5e-3);
@@ -412,11 +329,7 @@ fn yaw_takes_play_from_the_flange() {
     assert!((play(0.03) - play(-0.03)).abs() < 2e-6);
     let fall = |yaw: f64| play(0.0) - play(yaw);
     let parabola = 0.5 * 0.46 * 2.75 * 0.03_f64.powi(2);
-    assert!(
-        fall(0.03) > 0.5 * parabola && fall(0.03) < parabola,
-        "{}",
-        fall(0.03)
-    );
+    assert!(fall(0.03) > 0.5 * parabola && fall(0.03) < parabola, "{}", fall(0.03));
 }
 
 /// Between its rows and beside its jumps a table is the geometry itself.
@@ -426,18 +339,10 @@ fn a_rolling_table_is_the_geometry_between_its_rows() {
     let table = RollingTable::new(&wheelset, [0.46, 0.46], 0.008, 1e-4).unwrap();
     let jumps = table.two_points();
     assert!(jumps.len() >= 2);
-    let mirrored = |jump: &TwoPoints| {
-        jumps
-            .iter()
-            .any(|other| other.rail != jump.rail && (other.shift + jump.shift).abs() < 1e-8)
-    };
+    let mirrored =
+        |jump: &TwoPoints| jumps.iter().any(|other| other.rail != jump.rail && (other.shift + jump.shift).abs() < 1e-8);
     assert!(jumps.iter().all(mirrored));
-    let beside = |shift: f64| {
-        jumps
-            .iter()
-            .map(|jump| (jump.shift - shift).abs())
-            .fold(f64::INFINITY, f64::min)
-    };
+    let beside = |shift: f64| jumps.iter().map(|jump| (jump.shift - shift).abs()).fold(f64::INFINITY, f64::min);
     let mut bridged = 0;
     for index in -790..790 {
         let shift = 1e-5 * f64::from(index) + 3e-6;

@@ -68,8 +68,7 @@ impl ProfileWear {
         match alignment {
             ProfileAlignment::AsWritten => {}
             ProfileAlignment::Flange => {
-                shift[1] = tip(nominal, ShapeFault::NoNominalTip)?.height
-                    - tip(measured, ShapeFault::NoTip)?.height;
+                shift[1] = tip(nominal, ShapeFault::NoNominalTip)?.height - tip(measured, ShapeFault::NoTip)?.height;
             }
             ProfileAlignment::FieldSide => {
                 let found = on_field_side(measured, nominal)?;
@@ -80,10 +79,7 @@ impl ProfileWear {
         let points: Vec<WornPoint> = nominal
             .along(STEP)
             .into_iter()
-            .map(|point| WornPoint {
-                nominal: point,
-                depth: depth(&measured, &point, is_wheel),
-            })
+            .map(|point| WornPoint { nominal: point, depth: depth(&measured, &point, is_wheel) })
             .collect();
         if points.iter().all(|point| point.depth.is_none()) {
             return Err(ProfileError::Shape(ShapeFault::Elsewhere));
@@ -92,31 +88,19 @@ impl ProfileWear {
             let of = |point: &WornPoint| {
                 let inward = if is_wheel { 1.0 } else { -1.0 };
                 let curvature = inward * point.nominal.curvature;
-                point
-                    .depth
-                    .map(|depth| depth - 0.5 * curvature * depth * depth)
+                point.depth.map(|depth| depth - 0.5 * curvature * depth * depth)
             };
             let [one, other] = [pair[0], pair[1]].map(|point| of(&point));
             let (from, to) = (pair[0].nominal, pair[1].nominal);
             let length = (to.x - from.x).hypot(to.height - from.height);
-            one.zip(other)
-                .map_or(0.0, |(one, other)| 0.5 * (one + other) * length)
+            one.zip(other).map_or(0.0, |(one, other)| 0.5 * (one + other) * length)
         });
-        Ok(Self {
-            area: area.sum(),
-            measured,
-            shift,
-            misfit,
-            points,
-        })
+        Ok(Self { area: area.sum(), measured, shift, misfit, points })
     }
 
     /// The point of the greatest depth.
     pub fn deepest(&self) -> Option<(ProfilePoint, f64)> {
-        let worn = self
-            .points
-            .iter()
-            .filter_map(|point| Some((point.nominal, point.depth?)));
+        let worn = self.points.iter().filter_map(|point| Some((point.nominal, point.depth?)));
         worn.max_by(|one, other| one.1.total_cmp(&other.1))
     }
 }
@@ -124,8 +108,7 @@ impl ProfileWear {
 /// The lowest point of a wheel, the tip of its flange; `without` is at fault where it ends there.
 pub(super) fn tip(profile: &Profile, without: ShapeFault) -> Result<ProfilePoint, ProfileError> {
     let samples = profile.sampled(1e-4);
-    let lowest = (0..samples.len())
-        .min_by(|&one, &other| samples[one].height.total_cmp(&samples[other].height));
+    let lowest = (0..samples.len()).min_by(|&one, &other| samples[one].height.total_cmp(&samples[other].height));
     let place = lowest.filter(|&place| place > 0 && place + 1 < samples.len());
     let Some(place) = place else {
         return Err(ProfileError::Shape(without));
@@ -178,11 +161,8 @@ fn on_field_side(measured: &Profile, nominal: &Profile) -> Result<([f64; 2], f64
     /// Steps; three are enough but for a profile that lies far off.
     const STEPS: usize = 12;
     let crown = nominal.crown().x;
-    let side: Vec<ProfilePoint> = nominal
-        .along(STEP)
-        .into_iter()
-        .filter(|point| point.x > crown && point.slope < -FIELD_SIDE)
-        .collect();
+    let side: Vec<ProfilePoint> =
+        nominal.along(STEP).into_iter().filter(|point| point.x > crown && point.slope < -FIELD_SIDE).collect();
     // Laid by the crown and the outer end first.
     let [_, end] = measured.range();
     let below = measured.sides[1].points().iter();

@@ -31,9 +31,7 @@ impl WheelDimensions {
     /// [`ProfileError::Shape`] where the datum circle or the flange is not on the profile.
     pub fn new(wheel: &Profile, flange_back_position: f64) -> Result<Self, ProfileError> {
         let tip = tip(wheel, ShapeFault::NoTip)?;
-        let datum = wheel
-            .at(0.0)
-            .ok_or(ProfileError::Shape(ShapeFault::NoDatumCircle))?;
+        let datum = wheel.at(0.0).ok_or(ProfileError::Shape(ShapeFault::NoDatumCircle))?;
         // Between the tip and the datum circle the profile rises.
         let flank = |height: f64| {
             if height < tip.height || height > datum.height || tip.x > 0.0 {
@@ -94,11 +92,7 @@ impl RailWear {
             .iter()
             .map(|point| point.nominal)
             .filter(|point| point.x < crown.x)
-            .min_by(|one, other| {
-                (one.slope - 1.0)
-                    .abs()
-                    .total_cmp(&(other.slope - 1.0).abs())
-            });
+            .min_by(|one, other| (one.slope - 1.0).abs().total_cmp(&(other.slope - 1.0).abs()));
         Self {
             vertical: wear
                 .measured

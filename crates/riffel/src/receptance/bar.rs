@@ -25,12 +25,7 @@ impl Bar {
     pub fn new(material: ElasticMaterial, area: f64, mass_per_length: f64) -> Result<Self, Error> {
         Error::unless_positive("cross-section", area, "m2")?;
         Error::unless_positive("mass per length", mass_per_length, "kg/m")?;
-        Ok(Self {
-            stiffness: material.youngs_modulus() * area,
-            mass_per_length,
-            loss_factor: 0.0,
-            damping: 0.0,
-        })
+        Ok(Self { stiffness: material.youngs_modulus() * area, mass_per_length, loss_factor: 0.0, damping: 0.0 })
     }
 
     /// The same with a loss factor η \[-\]: E becomes E(1 + iη).
@@ -39,10 +34,7 @@ impl Bar {
     /// [`Error::OutOfRange`] if η is negative.
     pub fn with_loss_factor(self, loss_factor: f64) -> Result<Self, Error> {
         Error::unless_not_negative("rail loss factor", loss_factor, "")?;
-        Ok(Self {
-            loss_factor,
-            ..self
-        })
+        Ok(Self { loss_factor, ..self })
     }
 
     /// The same with viscous damping c per length \[N s/m²\].
@@ -62,13 +54,9 @@ impl Waveguide for Bar {
 
     fn waves(&self, w: f64, foundation: Complex64) -> Waves {
         let elastic = Complex64::new(self.stiffness, self.stiffness * self.loss_factor);
-        let stiffness =
-            foundation + Complex64::new(-w * w * self.mass_per_length, w * self.damping);
+        let stiffness = foundation + Complex64::new(-w * w * self.mass_per_length, w * self.damping);
         let propagation = outgoing(stiffness / elastic, || elastic.inv());
-        Waves::Bar(Wave {
-            propagation,
-            amplitude: (2.0 * elastic * propagation).inv(),
-        })
+        Waves::Bar(Wave { propagation, amplitude: (2.0 * elastic * propagation).inv() })
     }
 
     fn point_receptance(&self, angular_frequency: f64, foundation: Complex64) -> Complex64 {

@@ -98,10 +98,7 @@ impl Beam {
     /// [`Error::OutOfRange`] if η is negative.
     pub fn with_loss_factor(self, loss_factor: f64) -> Result<Self, Error> {
         Error::unless_not_negative("rail loss factor", loss_factor, "")?;
-        Ok(Self {
-            loss_factor,
-            ..self
-        })
+        Ok(Self { loss_factor, ..self })
     }
 
     /// The same with viscous damping c per length \[N s/m²\].
@@ -126,12 +123,7 @@ impl Beam {
     /// rounding. An Euler–Bernoulli beam overstates it by 20–35 % at spacings of 0.6–0.7 m, more at less.
     pub fn pinned_pinned_frequency(&self, spacing: f64, order: u32) -> f64 {
         let k = f64::from(order) * std::f64::consts::PI / spacing;
-        let (b, h, j, m) = (
-            self.bending_stiffness,
-            self.shear_compliance,
-            self.rotary_inertia,
-            self.mass_per_length,
-        );
+        let (b, h, j, m) = (self.bending_stiffness, self.shear_compliance, self.rotary_inertia, self.mass_per_length);
         // mJh ω⁴ − (m + k²(Bhm + J)) ω² + Bk⁴ = 0: the lower root, without cancellation.
         let linear = m + k * k * (b * h * m + j);
         let constant = b * k.powi(4);
@@ -164,9 +156,7 @@ impl Beam {
 
     /// Stiffness on a foundation κ \[N/m²\] per metre against the waves of the relation above.
     pub(super) fn wave_stiffness(&self, w: f64, foundation: Complex64) -> WaveStiffness {
-        let Dispersion {
-            squares, transfer, ..
-        } = self.dispersion(w, foundation);
+        let Dispersion { squares, transfer, .. } = self.dispersion(w, foundation);
         let leading = self.parts().bending_stiffness;
         WaveStiffness {
             leading,
@@ -187,24 +177,15 @@ impl Beam {
         let linear = b * h * stiffness - turning;
         let root = square_root(linear * linear - 4.0 * b * stiffness * rigid);
         // The larger root first; the other from the product, so that neither cancels.
-        let larger = if (linear.conj() * root).re >= 0.0 {
-            (linear + root) / (2.0 * b)
-        } else {
-            (linear - root) / (2.0 * b)
-        };
+        let larger =
+            if (linear.conj() * root).re >= 0.0 { (linear + root) / (2.0 * b) } else { (linear - root) / (2.0 * b) };
         let squares = [larger, stiffness * rigid / (b * larger)];
         let propagation = [0, 1].map(|j| {
             let (z, other) = (squares[j], squares[1 - j]);
             // dz/dK of the dispersion relation.
             outgoing(z, || (b * h * z - rigid) / (b * (z - other)))
         });
-        Dispersion {
-            stiffness,
-            shear: h * stiffness,
-            squares,
-            propagation,
-            transfer: [-0.5 * rigid / b, 0.5 * h],
-        }
+        Dispersion { stiffness, shear: h * stiffness, squares, propagation, transfer: [-0.5 * rigid / b, 0.5 * h] }
     }
 }
 
@@ -237,33 +218,19 @@ impl Waveguide for Beam {
     }
 
     fn waves(&self, angular_frequency: f64, foundation: Complex64) -> Waves {
-        let Dispersion {
-            stiffness,
-            shear,
-            squares,
-            propagation,
-            transfer,
-        } = self.dispersion(angular_frequency, foundation);
+        let Dispersion { stiffness, shear, squares, propagation, transfer } =
+            self.dispersion(angular_frequency, foundation);
         // ψ(0) = 0 and S(0⁺) = −F/2 fix the amplitudes.
         let common = (2.0 * stiffness * (squares[1] - squares[0])).inv();
-        let amplitudes = [
-            propagation[0] * (squares[1] - shear) * common,
-            propagation[1] * (shear - squares[0]) * common,
-        ];
-        let waves = [0, 1].map(|j| Wave {
-            propagation: propagation[j],
-            amplitude: amplitudes[j],
-        });
+        let amplitudes =
+            [propagation[0] * (squares[1] - shear) * common, propagation[1] * (shear - squares[0]) * common];
+        let waves = [0, 1].map(|j| Wave { propagation: propagation[j], amplitude: amplitudes[j] });
         Waves::Beam { waves, transfer }
     }
 
     fn point_receptance(&self, angular_frequency: f64, foundation: Complex64) -> Complex64 {
-        let Dispersion {
-            stiffness,
-            shear,
-            propagation: [first, second],
-            ..
-        } = self.dispersion(angular_frequency, foundation);
+        let Dispersion { stiffness, shear, propagation: [first, second], .. } =
+            self.dispersion(angular_frequency, foundation);
         (first * second + shear) / (2.0 * stiffness * (first + second))
     }
 }

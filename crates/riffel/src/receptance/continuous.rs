@@ -22,31 +22,22 @@ pub struct ContinuousTrack<R = Beam> {
 impl<R: Waveguide> ContinuousTrack<R> {
     /// A rail on a support whose values are per metre.
     pub fn new(rail: R, support: Support) -> Self {
-        Self {
-            rail,
-            support: Some(support),
-        }
+        Self { rail, support: Some(support) }
     }
 
     /// A rail without support.
     pub fn free(rail: R) -> Self {
-        Self {
-            rail,
-            support: None,
-        }
+        Self { rail, support: None }
     }
 
     fn foundation(&self, angular_frequency: f64) -> Complex64 {
-        self.support.map_or(Complex64::ZERO, |support| {
-            support.dynamic_stiffness(angular_frequency)
-        })
+        self.support.map_or(Complex64::ZERO, |support| support.dynamic_stiffness(angular_frequency))
     }
 }
 
 impl<R: Waveguide> Receptance for ContinuousTrack<R> {
     fn receptance(&self, angular_frequency: f64, _speed: f64) -> Complex64 {
-        self.rail
-            .point_receptance(angular_frequency, self.foundation(angular_frequency))
+        self.rail.point_receptance(angular_frequency, self.foundation(angular_frequency))
     }
 
     fn worth_tabulating(&self) -> bool {
@@ -59,11 +50,7 @@ impl<R: Waveguide + Copy + 'static> CrossReceptance for ContinuousTrack<R> {
         let foundation = self.foundation(angular_frequency);
         let waves = self.rail.waves(angular_frequency, foundation);
         let distance = (to - from).abs();
-        waves
-            .as_slice()
-            .iter()
-            .map(|wave| wave.amplitude * (-wave.propagation * distance).exp())
-            .sum()
+        waves.as_slice().iter().map(|wave| wave.amplitude * (-wave.propagation * distance).exp()).sum()
     }
 
     fn support_spacing(&self) -> Option<f64> {
@@ -78,7 +65,6 @@ impl<R: Waveguide + Copy + 'static> CrossReceptance for ContinuousTrack<R> {
 impl<R: Waveguide> ContinuousTrack<R> {
     /// The waves that a force sends along the track.
     pub fn waves(&self, angular_frequency: f64) -> Waves {
-        self.rail
-            .waves(angular_frequency, self.foundation(angular_frequency))
+        self.rail.waves(angular_frequency, self.foundation(angular_frequency))
     }
 }

@@ -88,13 +88,8 @@ impl CoupledFloquet {
             sum[1][0] = sum[0][1];
             let force = null_vector(&[0, 1].map(|row| {
                 [0, 1].map(|column| {
-                    let product =
-                        stiffness[row][0] * sum[0][column] + stiffness[row][1] * sum[1][column];
-                    if row == column {
-                        nearest + product
-                    } else {
-                        product
-                    }
+                    let product = stiffness[row][0] * sum[0][column] + stiffness[row][1] * sum[1][column];
+                    if row == column { nearest + product } else { product }
                 })
             }));
             let mut norm = Complex64::ZERO;
@@ -111,11 +106,7 @@ impl CoupledFloquet {
             slot.multiplier = (root + 1.0 + sinh_mu).inv();
             slot.norm = (norm * sinh_mu).inv();
         }
-        Self {
-            spacing,
-            free,
-            waves: floquet,
-        }
+        Self { spacing, free, waves: floquet }
     }
 
     fn waves(&self) -> &[CoupledFloquetWave] {
@@ -160,12 +151,7 @@ impl CoupledFloquet {
     }
 
     /// φ± with the factor of the wave, ρ or 1/ρ.
-    fn shape(
-        &self,
-        wave: &CoupledFloquetWave,
-        sines: &[[Complex64; 2]; 4],
-        multiplier: Complex64,
-    ) -> [Complex64; 2] {
+    fn shape(&self, wave: &CoupledFloquetWave, sines: &[[Complex64; 2]; 4], multiplier: Complex64) -> [Complex64; 2] {
         let mut sum = [Complex64::ZERO; 2];
         for (index, free) in self.free.as_slice().iter().enumerate() {
             let [rest, gone] = sines[index];
@@ -201,20 +187,13 @@ impl Equation {
         let mut pair = [[Complex64::ZERO; 4]; 4];
         for (index, wave) in waves.iter().enumerate() {
             let [v, theta] = wave.shape;
-            single[index] = strength[index]
-                * (lateral * v * v + 2.0 * across * v * theta + roll * theta * theta);
+            single[index] = strength[index] * (lateral * v * v + 2.0 * across * v * theta + roll * theta * theta);
             for (other, next) in waves.iter().enumerate().skip(index + 1) {
                 let cross = v * next.shape[1] - theta * next.shape[0];
-                pair[index][other] =
-                    determinant * strength[index] * strength[other] * cross * cross;
+                pair[index][other] = determinant * strength[index] * strength[other] * cross * cross;
             }
         }
-        Self {
-            count: waves.len(),
-            shifted: *shifted,
-            single,
-            pair,
-        }
+        Self { count: waves.len(), shifted: *shifted, single, pair }
     }
 
     /// The polynomial, its leading coefficient one.
@@ -249,11 +228,7 @@ impl Equation {
                 + self.pair[first][second];
             let half = 0.5 * (alone(first) + alone(second));
             let root = (half * half - product).sqrt();
-            let larger = if (half.conj() * root).re >= 0.0 {
-                half + root
-            } else {
-                half - root
-            };
+            let larger = if (half.conj() * root).re >= 0.0 { half + root } else { half - root };
             [larger, product / larger]
         };
         let [first, second] = two(0);
@@ -269,11 +244,7 @@ impl Equation {
 fn null_vector(matrix: &[[Complex64; 2]; 2]) -> [Complex64; 2] {
     let size = |row: &[Complex64; 2]| row[0].norm_sqr() + row[1].norm_sqr();
     let [first, second] = matrix;
-    if size(first) >= size(second) {
-        [-first[1], first[0]]
-    } else {
-        [second[1], -second[0]]
-    }
+    if size(first) >= size(second) { [-first[1], first[0]] } else { [second[1], -second[0]] }
 }
 
 #[cfg(test)]
@@ -288,12 +259,7 @@ mod tests {
     /// or at the shear centre.
     fn rail(warping_constant: f64, centroid_height: f64) -> TwistingRail {
         let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
-        let shear = ShearSection {
-            area: 7.67e-3,
-            shear_coefficient: 0.538,
-            shear_modulus: 80.769e9,
-            density: 7850.0,
-        };
+        let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.538, shear_modulus: 80.769e9, density: 7850.0 };
         let section = TwistSection {
             torsion_constant: 2.212e-6,
             polar_second_moment: 3.55e-5,
@@ -308,19 +274,14 @@ mod tests {
             bending: Beam::timoshenko(steel, 5.127e-6, 60.2, shear)
                 .and_then(|beam| beam.with_loss_factor(0.02))
                 .unwrap(),
-            twist: Twist::new(steel, section)
-                .and_then(|twist| twist.with_loss_factor(0.02))
-                .unwrap(),
+            twist: Twist::new(steel, section).and_then(|twist| twist.with_loss_factor(0.02)).unwrap(),
         }
     }
 
     const SPACING: f64 = 0.6;
 
     fn foundation() -> Foundation {
-        Foundation {
-            lateral: Complex64::new(40e6, 12e6),
-            roll: Complex64::new(120e6, 36e6) * (0.15 * 0.15 / 12.0),
-        }
+        Foundation { lateral: Complex64::new(40e6, 12e6), roll: Complex64::new(120e6, 36e6) * (0.15 * 0.15 / 12.0) }
     }
 
     fn track(rail: &TwistingRail, hertz: f64) -> CoupledFloquet {
@@ -332,15 +293,9 @@ mod tests {
     fn error(track: &CoupledFloquet, from: f64, to: f64, expected: [(f64, f64); 3]) -> f64 {
         let [[vv, vt], [_, tt]] = track.between(&track.station(from), &track.station(to));
         let [[own_vv, _], [_, own_tt]] = track.between(&track.station(from), &track.station(from));
-        let scales = [
-            own_vv.norm(),
-            (own_vv * own_tt).norm().sqrt(),
-            own_tt.norm(),
-        ];
+        let scales = [own_vv.norm(), (own_vv * own_tt).norm().sqrt(), own_tt.norm()];
         let errors = [vv, vt, tt].into_iter().zip(expected).zip(scales);
-        errors
-            .map(|((got, (re, im)), scale)| (got - Complex64::new(re, im)).norm() / scale)
-            .fold(0.0, f64::max)
+        errors.map(|((got, (re, im)), scale)| (got - Complex64::new(re, im)).norm() / scale).fold(0.0, f64::max)
     }
 
     /// Warping constant \[m⁶\] and height of the centroid \[m\], frequency \[Hz\], places of force and motion \[m\], v by a force, v by a
@@ -361,20 +316,14 @@ mod tests {
     #[test]
     fn supports_to_all_digits() {
         for row in EXACT.lines() {
-            let numbers: Vec<f64> =
-                (row.split(' ').map(|number| number.parse().unwrap())).collect();
-            let [warping, centroid, hertz, from, to] = numbers[..5] else {
-                panic!("{row}")
-            };
+            let numbers: Vec<f64> = (row.split(' ').map(|number| number.parse().unwrap())).collect();
+            let [warping, centroid, hertz, from, to] = numbers[..5] else { panic!("{row}") };
             let expected = [5, 7, 9].map(|first| (numbers[first], numbers[first + 1]));
             let track = track(&rail(warping, centroid), hertz);
             let error = error(&track, from, to, expected);
             // Far below, amplitudes of lateral waves cancel.
             let tolerance = if hertz < 1.0 { 1e-11 } else { 1e-12 };
-            assert!(
-                error < tolerance,
-                "{hertz} Hz from {from} m to {to} m: {error:e}"
-            );
+            assert!(error < tolerance, "{hertz} Hz from {from} m to {to} m: {error:e}");
         }
         assert_eq!(EXACT.lines().count(), 10);
     }

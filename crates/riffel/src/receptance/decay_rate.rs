@@ -6,8 +6,8 @@ use super::CrossReceptance;
 
 /// Places of the response in bays from the force, EN 15461:2008+A1:2010, Figure 2.
 const BAYS: [f64; 29] = [
-    0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0,
-    10.0, 12.0, 16.0, 20.0, 24.0, 30.0, 36.0, 42.0, 48.0, 54.0, 66.0,
+    0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0,
+    20.0, 24.0, 30.0, 36.0, 42.0, 48.0, 54.0, 66.0,
 ];
 /// Length of a bay \[m\] where supports are continuous.
 const NOMINAL_BAY: f64 = 0.6;
@@ -31,8 +31,8 @@ pub struct DecayRate {
 impl DecayRate {
     /// Nominal centre frequencies \[Hz\] of the bands that EN 15461 asks for.
     pub const NOMINAL_FREQUENCIES: [f64; 18] = [
-        100.0, 125.0, 160.0, 200.0, 250.0, 315.0, 400.0, 500.0, 630.0, 800.0, 1000.0, 1250.0,
-        1600.0, 2000.0, 2500.0, 3150.0, 4000.0, 5000.0,
+        100.0, 125.0, 160.0, 200.0, 250.0, 315.0, 400.0, 500.0, 630.0, 800.0, 1000.0, 1250.0, 1600.0, 2000.0, 2500.0,
+        3150.0, 4000.0, 5000.0,
     ];
 
     /// Track decay rates of EN 15461:2008+A1:2010 in the bands 100–5000 Hz.
@@ -52,11 +52,7 @@ impl DecayRate {
                 let centre = 10f64.powf(f64::from(band) / 10.0);
                 let decay_rate = Self::of_band(track, centre, LINES);
                 let farthest = BAYS[BAYS.len() - 1] * bay;
-                Self {
-                    nominal_frequency,
-                    decay_rate,
-                    upper_bound: decay_rate < 2.0 * (10.0 / LN_10) / farthest,
-                }
+                Self { nominal_frequency, decay_rate, upper_bound: decay_rate < 2.0 * (10.0 / LN_10) / farthest }
             })
             .collect()
     }
@@ -79,10 +75,8 @@ impl DecayRate {
                 *energy += w.powi(4) * receptance.norm_sqr();
             }
         }
-        let sum: f64 = one_sided_places(1.0)
-            .zip(energies)
-            .map(|((_, length), energy)| energy / energies[0] * length * bay)
-            .sum();
+        let sum: f64 =
+            one_sided_places(1.0).zip(energies).map(|((_, length), energy)| energy / energies[0] * length * bay).sum();
         10.0 / LN_10 / sum
     }
 }
@@ -137,20 +131,13 @@ mod tests {
     #[test]
     fn one_wave_has_its_own_rate() {
         for expected in [1.0, 3.0, 10.0] {
-            let track = Exponential {
-                decibels_per_metre: expected,
-            };
+            let track = Exponential { decibels_per_metre: expected };
             let rates = DecayRate::of_track(&track);
             assert_eq!(rates.len(), 18);
-            assert!(
-                (rates[0].decay_rate / expected - 1.0).abs() < 0.02,
-                "{rates:?}"
-            );
+            assert!((rates[0].decay_rate / expected - 1.0).abs() < 0.02, "{rates:?}");
             assert!(!rates[0].upper_bound);
         }
-        let hardly = Exponential {
-            decibels_per_metre: 0.05,
-        };
+        let hardly = Exponential { decibels_per_metre: 0.05 };
         assert!(DecayRate::of_track(&hardly)[0].upper_bound);
     }
 }

@@ -19,17 +19,10 @@ impl EulerBernoulliBeam {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless both are positive.
-    pub fn new(
-        material: ElasticMaterial,
-        second_moment: f64,
-        mass_per_length: f64,
-    ) -> Result<Self, Error> {
+    pub fn new(material: ElasticMaterial, second_moment: f64, mass_per_length: f64) -> Result<Self, Error> {
         Error::unless_positive("second moment of area", second_moment, "m4")?;
         Error::unless_positive("mass per length", mass_per_length, "kg/m")?;
-        Ok(Self {
-            bending_stiffness: material.youngs_modulus() * second_moment,
-            mass_per_length,
-        })
+        Ok(Self { bending_stiffness: material.youngs_modulus() * second_moment, mass_per_length })
     }
 
     /// Bending stiffness EI \[N m²\].

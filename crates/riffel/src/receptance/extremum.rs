@@ -45,10 +45,8 @@ impl Extremum {
     }
 
     fn find(lines: &[(f64, Complex64)], sign: f64) -> Vec<Self> {
-        let levels: Vec<f64> = lines
-            .iter()
-            .map(|(_, h)| sign * 20.0 * h.norm().max(f64::MIN_POSITIVE).log10())
-            .collect();
+        let levels: Vec<f64> =
+            lines.iter().map(|(_, h)| sign * 20.0 * h.norm().max(f64::MIN_POSITIVE).log10()).collect();
         let least = PROMINENCE.max(PROMINENCE_IN_SCATTERS * scatter(&levels));
         (1..lines.len().saturating_sub(1))
             .filter(|&at| levels[at] > levels[at - 1] && levels[at] >= levels[at + 1])
@@ -77,9 +75,7 @@ impl Extremum {
         let left = (0..at).rev().find(|line| is_over(line) || is_below(line));
         let right = (at + 1..levels.len()).find(|line| is_over(line) || is_below(line));
         let width = match (left.filter(is_below), right.filter(is_below)) {
-            (Some(left), Some(right)) => {
-                Some(crossing(right - 1, right) - crossing(left + 1, left))
-            }
+            (Some(left), Some(right)) => Some(crossing(right - 1, right) - crossing(left + 1, left)),
             _ => None,
         };
         Self {
@@ -96,8 +92,7 @@ impl Extremum {
 /// Height over the higher of the two lowest levels that lie between a line and a higher one, or the end.
 fn prominence(levels: &[f64], at: usize) -> f64 {
     let lowest = |side: &mut dyn Iterator<Item = &f64>| {
-        side.take_while(|&&level| level <= levels[at])
-            .fold(levels[at], |low, &level| low.min(level))
+        side.take_while(|&&level| level <= levels[at]).fold(levels[at], |low, &level| low.min(level))
     };
     let left = lowest(&mut levels[..at].iter().rev());
     let right = lowest(&mut levels[at + 1..].iter());
@@ -109,10 +104,8 @@ fn prominence(levels: &[f64], at: usize) -> f64 {
 fn scatter(levels: &[f64]) -> f64 {
     /// √(1 + 16 + 36 + 16 + 1), and the median of the modulus of a normal number.
     const OF_FOURTH_DIFFERENCES: f64 = 8.366_600_265_340_756 * 0.674_489_750_196_081_7;
-    let mut differences: Vec<f64> = levels
-        .windows(5)
-        .map(|l| (l[0] - 4.0 * l[1] + 6.0 * l[2] - 4.0 * l[3] + l[4]).abs())
-        .collect();
+    let mut differences: Vec<f64> =
+        levels.windows(5).map(|l| (l[0] - 4.0 * l[1] + 6.0 * l[2] - 4.0 * l[3] + l[4]).abs()).collect();
     if differences.is_empty() {
         return 0.0;
     }
@@ -146,10 +139,7 @@ mod tests {
         assert_eq!(peaks.len(), 2, "{peaks:?}");
         // The other mode is there as well and moves a peak by less than a line, its width by some percent.
         for (peak, hertz, damping) in [(peaks[0], 100.0, 0.05), (peaks[1], 500.0, 0.02)] {
-            assert!(
-                (peak.angular_frequency / TAU - hertz).abs() < 1.0,
-                "{peak:?}"
-            );
+            assert!((peak.angular_frequency / TAU - hertz).abs() < 1.0, "{peak:?}");
             let found = peak.damping_ratio.unwrap();
             assert!((found / damping - 1.0).abs() < 0.1, "{found} {damping}");
             assert!((peak.resolution / TAU - 1.0).abs() < 1e-9);
@@ -158,10 +148,7 @@ mod tests {
         let zero = ((1e9 + 1e8) / (1e9 / 500f64.powi(2) + 1e8 / 100f64.powi(2))).sqrt();
         let dips = Extremum::dips(&lines);
         assert_eq!(dips.len(), 1, "{dips:?}");
-        assert!(
-            (dips[0].angular_frequency / TAU / zero - 1.0).abs() < 0.01,
-            "{dips:?} {zero}"
-        );
+        assert!((dips[0].angular_frequency / TAU / zero - 1.0).abs() < 0.01, "{dips:?} {zero}");
     }
 
     /// Lines too far apart show a peak, not its width.
@@ -179,9 +166,7 @@ mod tests {
         // Linear congruential numbers, of which twelve make one that is nearly normal.
         let mut state = 1u64;
         let mut even = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             (state >> 11) as f64 / (1u64 << 53) as f64
         };
         let lines: Vec<(f64, Complex64)> = (1..5000)

@@ -22,9 +22,7 @@ pub struct FreeBeam {
 impl FreeBeam {
     /// The rail without support.
     pub fn new(beam: EulerBernoulliBeam) -> Self {
-        Self {
-            coefficient: -FRAC_1_SQRT_2 / (2.0 * 2f64.sqrt() * beam.fourth_root()),
-        }
+        Self { coefficient: -FRAC_1_SQRT_2 / (2.0 * 2f64.sqrt() * beam.fourth_root()) }
     }
 }
 

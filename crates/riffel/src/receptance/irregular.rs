@@ -63,12 +63,7 @@ impl<R: Waveguide> IrregularTrack<R> {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for no support or more than 200, and unless the deviation is positive and at most a quarter of the spacing.
-    pub fn drawn(
-        even: PeriodicTrack<R>,
-        deviation: f64,
-        supports: usize,
-        seed: u64,
-    ) -> Result<Self, Error> {
+    pub fn drawn(even: PeriodicTrack<R>, deviation: f64, supports: usize, seed: u64) -> Result<Self, Error> {
         const FARTHEST: f64 = 3.0;
         let spacing = even.spacing();
         check_count(supports)?;
@@ -117,10 +112,7 @@ impl<R: Waveguide> IrregularTrack<R> {
         let give_way = self.even.support_stiffness(angular_frequency).inv();
         let spacing = self.even.spacing();
         let from = (0..self.places.len()).map(|index| index as f64 * spacing);
-        let stations: Vec<Station> = from
-            .chain(self.places.iter().copied())
-            .map(|place| even.station(place))
-            .collect();
+        let stations: Vec<Station> = from.chain(self.places.iter().copied()).map(|place| even.station(place)).collect();
         let matrix = stations
             .iter()
             .enumerate()
@@ -136,11 +128,7 @@ impl<R: Waveguide> IrregularTrack<R> {
                 stations.iter().enumerate().map(entry).collect()
             })
             .collect();
-        IrregularWaves {
-            even,
-            inverse: inverse(matrix),
-            stations,
-        }
+        IrregularWaves { even, inverse: inverse(matrix), stations }
     }
 }
 
@@ -229,18 +217,12 @@ mod tests {
             let free = rail.waves(w, Complex64::ZERO);
             let green = |x: f64| -> Complex64 {
                 let waves = free.as_slice().iter();
-                waves
-                    .map(|wave| wave.amplitude * (-wave.propagation * x.abs()).exp())
-                    .sum()
+                waves.map(|wave| wave.amplitude * (-wave.propagation * x.abs()).exp()).sum()
             };
             let give_way = support.dynamic_stiffness(w).inv();
             let matrix = supports.iter().map(|one| {
                 let entry = |other: &f64| {
-                    let own = if one == other {
-                        give_way
-                    } else {
-                        Complex64::ZERO
-                    };
+                    let own = if one == other { give_way } else { Complex64::ZERO };
                     green(one - other) + own
                 };
                 supports.iter().map(entry).collect()
@@ -267,19 +249,13 @@ mod tests {
         let places = (0..5).map(|index| f64::from(index) * SPACING).collect();
         let track = IrregularTrack::new(even(), places).unwrap();
         let w = TAU * 700.0;
-        let (got, expected) = (
-            track.waves(w).receptance(0.7, 1.1),
-            even().floquet_waves(w).receptance(0.7, 1.1),
-        );
+        let (got, expected) = (track.waves(w).receptance(0.7, 1.1), even().floquet_waves(w).receptance(0.7, 1.1));
         assert!((got - expected).norm() < 1e-12 * expected.norm());
 
         let track = IrregularTrack::drawn(even(), 0.03, 199, 1).unwrap();
         let ends = [-SPACING, 199.0 * SPACING];
         let all: Vec<f64> = [&ends[..1], track.places(), &ends[1..]].concat();
-        let square: f64 = all
-            .windows(2)
-            .map(|pair| (pair[1] - pair[0] - SPACING).powi(2))
-            .sum();
+        let square: f64 = all.windows(2).map(|pair| (pair[1] - pair[0] - SPACING).powi(2)).sum();
         // Its own scatter is 5 %.
         let deviation = (square / 199.0).sqrt();
         assert!((deviation / 0.03 - 1.0).abs() < 0.15, "{deviation}");

@@ -30,9 +30,7 @@ impl SpatialTrack {
                 .map(|frequency| (ResonanceKind::LateralCutOn, frequency))
                 .collect(),
             (Some(lateral), Some(twist)) => {
-                let pad = supports
-                    .vertical
-                    .map_or(0.0, |support| support.pad().stiffness());
+                let pad = supports.vertical.map_or(0.0, |support| support.pad().stiffness());
                 cut_ons(mass, &twist, &lateral, pad)
             }
         };
@@ -53,25 +51,11 @@ fn cut_ons(mass: f64, twist: &Twist, lateral: &Support, pad: f64) -> Vec<(Resona
     let roll = pad * section.foot_width * section.foot_width / 12.0;
     let inertia = twist.polar_inertia();
     match *lateral {
-        Support::TwoLayer {
-            pad,
-            sleeper_mass,
-            ballast,
-        } if sleeper_mass > 0.0 => named(&modes(
+        Support::TwoLayer { pad, sleeper_mass, ballast } if sleeper_mass > 0.0 => named(&modes(
             [mass, inertia, sleeper_mass],
-            &[
-                (pad.stiffness(), [1.0, -lever, -1.0]),
-                (roll, [0.0, 1.0, 0.0]),
-                (ballast.stiffness(), [0.0, 0.0, 1.0]),
-            ],
+            &[(pad.stiffness(), [1.0, -lever, -1.0]), (roll, [0.0, 1.0, 0.0]), (ballast.stiffness(), [0.0, 0.0, 1.0])],
         )),
-        _ => named(&modes(
-            [mass, inertia],
-            &[
-                (lateral.static_stiffness(), [1.0, -lever]),
-                (roll, [0.0, 1.0]),
-            ],
-        )),
+        _ => named(&modes([mass, inertia], &[(lateral.static_stiffness(), [1.0, -lever]), (roll, [0.0, 1.0])])),
     }
 }
 
@@ -79,11 +63,7 @@ fn cut_ons(mass: f64, twist: &Twist, lateral: &Support, pad: f64) -> Vec<(Resona
 fn named(modes: &[(f64, f64)]) -> Vec<(ResonanceKind, f64)> {
     let roll = modes.iter().map(|&(_, share)| share).fold(0.0, f64::max);
     let name = |&(square, share): &(f64, f64)| {
-        let kind = if share == roll {
-            ResonanceKind::RollCutOn
-        } else {
-            ResonanceKind::LateralCutOn
-        };
+        let kind = if share == roll { ResonanceKind::RollCutOn } else { ResonanceKind::LateralCutOn };
         (kind, square.max(0.0).sqrt())
     };
     modes.iter().map(name).collect()
@@ -98,9 +78,7 @@ fn modes<const N: usize>(masses: [f64; N], springs: &[(f64, [f64; N])]) -> Vec<(
     const SWEEPS: usize = 12;
     let mut matrix: [[f64; N]; N] = std::array::from_fn(|row| {
         std::array::from_fn(|column| {
-            let stiffness = springs
-                .iter()
-                .map(|(k, length)| k * length[row] * length[column]);
+            let stiffness = springs.iter().map(|(k, length)| k * length[row] * length[column]);
             stiffness.sum::<f64>() / (masses[row] * masses[column]).sqrt()
         })
     });
@@ -126,7 +104,5 @@ fn modes<const N: usize>(masses: [f64; N], springs: &[(f64, [f64; N])]) -> Vec<(
             }
         }
     }
-    (0..N)
-        .map(|mode| (matrix[mode][mode], second[mode] * second[mode]))
-        .collect()
+    (0..N).map(|mode| (matrix[mode][mode], second[mode] * second[mode])).collect()
 }

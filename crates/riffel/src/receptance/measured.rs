@@ -56,19 +56,12 @@ impl MeasuredReceptance {
     /// structure cannot, so the phase of the measurement, its sign convention or its noise is at
     /// fault there.
     pub fn active(&self) -> impl Iterator<Item = f64> {
-        self.logarithms
-            .iter()
-            .zip(&self.receptances)
-            .filter(|(_, h)| h.im > 0.0)
-            .map(|(logarithm, _)| logarithm.exp())
+        self.logarithms.iter().zip(&self.receptances).filter(|(_, h)| h.im > 0.0).map(|(logarithm, _)| logarithm.exp())
     }
 
     /// Angular frequencies \[rad/s\] and receptances \[m/N\], as given.
     pub fn lines(&self) -> impl Iterator<Item = (f64, Complex64)> {
-        self.logarithms
-            .iter()
-            .map(|logarithm| logarithm.exp())
-            .zip(self.receptances.iter().copied())
+        self.logarithms.iter().map(|logarithm| logarithm.exp()).zip(self.receptances.iter().copied())
     }
 
     /// The same with the opposite sign: of a displacement that is counted the other way.
@@ -91,17 +84,12 @@ impl Receptance for MeasuredReceptance {
         /// A frequency on the edge of the range may come back from V/λ a rounding outside it.
         const ROUNDING: f64 = 1e-12;
         let (lowest, highest) = self.range;
-        if !(angular_frequency >= lowest * (1.0 - ROUNDING)
-            && angular_frequency <= highest * (1.0 + ROUNDING))
-        {
+        if !(angular_frequency >= lowest * (1.0 - ROUNDING) && angular_frequency <= highest * (1.0 + ROUNDING)) {
             return Complex64::new(f64::NAN, f64::NAN);
         }
         let logarithm = angular_frequency.ln();
         let last = self.logarithms.len() - 1;
-        let above = self
-            .logarithms
-            .partition_point(|&other| other <= logarithm)
-            .clamp(1, last);
+        let above = self.logarithms.partition_point(|&other| other <= logarithm).clamp(1, last);
         let (low, high) = (self.logarithms[above - 1], self.logarithms[above]);
         let t = (logarithm - low) / (high - low);
         self.receptances[above - 1] * (1.0 - t) + self.receptances[above] * t
@@ -117,10 +105,7 @@ mod tests {
     use super::*;
 
     fn measured(frequencies: &[f64]) -> Result<MeasuredReceptance, Error> {
-        let receptances = frequencies
-            .iter()
-            .map(|&w| Complex64::new(w.ln(), -1.0 - 0.1 * w.ln()))
-            .collect();
+        let receptances = frequencies.iter().map(|&w| Complex64::new(w.ln(), -1.0 - 0.1 * w.ln())).collect();
         MeasuredReceptance::new(frequencies, receptances)
     }
 
@@ -145,13 +130,9 @@ mod tests {
     #[test]
     fn refuses_what_is_no_measurement() {
         assert!(measured(&[100.0]).is_err());
-        for wrong in [
-            [0.0, 1.0, 2.0],
-            [1.0, 1.0, 2.0],
-            [1.0, 3.0, 2.0],
-            [1.0, 2.0, f64::NAN],
-            [1.0, 2.0, f64::INFINITY],
-        ] {
+        for wrong in
+            [[0.0, 1.0, 2.0], [1.0, 1.0, 2.0], [1.0, 3.0, 2.0], [1.0, 2.0, f64::NAN], [1.0, 2.0, f64::INFINITY]]
+        {
             assert!(measured(&wrong).is_err(), "{wrong:?}");
         }
         let nan = Complex64::new(f64::NAN, 0.0);

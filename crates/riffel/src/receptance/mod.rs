@@ -101,8 +101,7 @@ pub trait CrossReceptance: Receptance {
     /// Provided, so that a track whose waves serve all places finds them once.
     fn cross_receptances(&self, angular_frequency: f64, from: f64, to: &[f64]) -> Vec<Complex64> {
         let to = to.iter();
-        to.map(|to| self.cross_receptance(angular_frequency, from, *to))
-            .collect()
+        to.map(|to| self.cross_receptance(angular_frequency, from, *to)).collect()
     }
 
     /// Distance of the supports \[m\], where they are discrete.

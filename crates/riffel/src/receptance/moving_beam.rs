@@ -42,11 +42,7 @@ pub struct MovingLoadRoots {
 impl MovingBeam {
     /// The rail without support.
     pub fn new(beam: EulerBernoulliBeam) -> Self {
-        Self {
-            beam,
-            coefficient: 0.25 / beam.fourth_root(),
-            dispersion: beam.dispersion(),
-        }
+        Self { beam, coefficient: 0.25 / beam.fourth_root(), dispersion: beam.dispersion() }
     }
 
     /// Speed V = 2√(ω√(EI/m)) \[m/s\] at which the load keeps pace with its own wave energy and the
@@ -64,11 +60,7 @@ impl MovingBeam {
         if speed < critical_speed {
             return Ok(());
         }
-        Err(Error::Supercritical {
-            speed,
-            wavelength,
-            critical_speed,
-        })
+        Err(Error::Supercritical { speed, wavelength, critical_speed })
     }
 
     /// The four roots s = iσ of equation (30) at ω > 0 \[rad/s\] and V > 0 \[m/s\].
@@ -87,10 +79,7 @@ impl MovingBeam {
             Complex64::from((-second - 1.0) / (2.0 * k)),
         ]
         .map(|sigma| i * sigma);
-        MovingLoadRoots {
-            ahead: [s1, s4],
-            behind: [s2, s3],
-        }
+        MovingLoadRoots { ahead: [s1, s4], behind: [s2, s3] }
     }
 
     /// Receptance \[m/N\] as the sum (33) over the waves ahead of the load; V > 0.
@@ -98,9 +87,7 @@ impl MovingBeam {
     /// The reference for the closed form.
     pub fn receptance_from_roots(&self, angular_frequency: f64, speed: f64) -> Complex64 {
         let MovingLoadRoots { ahead, behind } = self.roots(angular_frequency, speed);
-        let amplitude = |s: Complex64, other: Complex64| {
-            ((s - other) * (s - behind[0]) * (s - behind[1])).inv()
-        };
+        let amplitude = |s: Complex64, other: Complex64| ((s - other) * (s - behind[0]) * (s - behind[1])).inv();
         let scale = (speed / angular_frequency).powi(3) / self.beam.bending_stiffness();
         scale * (amplitude(ahead[0], ahead[1]) + amplitude(ahead[1], ahead[0]))
     }
@@ -109,10 +96,7 @@ impl MovingBeam {
 impl Receptance for MovingBeam {
     fn receptance(&self, angular_frequency: f64, speed: f64) -> Complex64 {
         let p = speed / self.critical_speed(angular_frequency);
-        let (p2, scale) = (
-            p * p,
-            self.coefficient / (angular_frequency * angular_frequency.sqrt()),
-        );
+        let (p2, scale) = (p * p, self.coefficient / (angular_frequency * angular_frequency.sqrt()));
         let behind = (1.0 + 2.0 * p2) / (1.0 + p2).sqrt();
         if p < 1.0 {
             return Complex64::new(-(1.0 - 2.0 * p2) / (1.0 - p2).sqrt(), -behind) * scale;

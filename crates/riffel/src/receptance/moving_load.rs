@@ -66,11 +66,7 @@ impl MovingLoadTrack {
         if speed < critical_speed {
             return Ok(());
         }
-        Err(Error::Supercritical {
-            speed,
-            wavelength,
-            critical_speed,
-        })
+        Err(Error::Supercritical { speed, wavelength, critical_speed })
     }
 
     /// `Ok` if a load that does not oscillate stays below its critical speed at the speed \[m/s\].
@@ -95,9 +91,7 @@ impl MovingLoadTrack {
 
     /// Ω(k) of the undamped track, see [`critical_speed`](Self::critical_speed).
     fn frequency(&self, k: f64) -> f64 {
-        let stiffness = self
-            .support
-            .map_or(0.0, |support| support.static_stiffness());
+        let stiffness = self.support.map_or(0.0, |support| support.static_stiffness());
         let sleeper = match self.support {
             Some(Support::TwoLayer { sleeper_mass, .. }) => sleeper_mass,
             _ => 0.0,
@@ -118,20 +112,12 @@ impl MovingLoadTrack {
         let parts = self.beam.parts();
         let (b, h) = (parts.bending_stiffness, parts.shear_compliance);
         // Polynomials in s: the inertia and damping of the rail, and the support as a ratio.
-        let rail = Polynomial::of(&[
-            0.0.into(),
-            parts.damping.into(),
-            parts.mass_per_length.into(),
-        ]);
+        let rail = Polynomial::of(&[0.0.into(), parts.damping.into(), parts.mass_per_length.into()]);
         let layer = |layer: Layer| Polynomial::of(&layer.polynomial());
         let (above, below) = match self.support {
             None => (Polynomial::ZERO, Polynomial::ONE),
             Some(Support::OneLayer { pad }) => (layer(pad), Polynomial::ONE),
-            Some(Support::TwoLayer {
-                pad,
-                sleeper_mass,
-                ballast,
-            }) => {
+            Some(Support::TwoLayer { pad, sleeper_mass, ballast }) => {
                 let pad = layer(pad);
                 let sleeper = Polynomial::of(&[0.0.into(), 0.0.into(), sleeper_mass.into()]);
                 let lower = layer(ballast).plus(&sleeper);
@@ -148,27 +134,19 @@ impl MovingLoadTrack {
         // Bα² − Js², and 1 − h(Bα² − Js²).
         let bending = alpha2.scaled(b).plus(&turning.scaled((-1.0).into()));
         let shearing = Polynomial::ONE.plus(&bending.scaled(-h));
-        let p = stiffness
-            .times(&shearing)
-            .plus(&bending.times(&alpha2).times(&below));
+        let p = stiffness.times(&shearing).plus(&bending.times(&alpha2).times(&below));
         [p, shearing.times(&below)]
     }
 
     /// All roots a = α/scale.
     fn roots(&self, p: &Polynomial, omega: f64, speed: f64, scale: f64) -> Option<Vec<Complex64>> {
         let rest = self.at_rest().waves(omega);
-        let mut start: Vec<Complex64> = rest
-            .as_slice()
-            .iter()
-            .flat_map(|wave| [wave.propagation / scale, -wave.propagation / scale])
-            .collect();
+        let mut start: Vec<Complex64> =
+            rest.as_slice().iter().flat_map(|wave| [wave.propagation / scale, -wave.propagation / scale]).collect();
         // The sleepers' own roots lie far out, near α = (iω − s)/V for their own motion e^{st}.
         let own = p.degree().saturating_sub(start.len());
         let far = omega / (speed * scale);
-        start
-            .extend((0..own).map(|j| {
-                Complex64::from_polar(far * (1.0 + 0.3 * j as f64), 1.0 + 2.0 * j as f64)
-            }));
+        start.extend((0..own).map(|j| Complex64::from_polar(far * (1.0 + 0.3 * j as f64), 1.0 + 2.0 * j as f64)));
         // Without loss the roots lie symmetric to the imaginary axis, and from a symmetric start a
         // pair could never part along it.
         for (j, root) in start.iter_mut().enumerate() {
@@ -202,11 +180,7 @@ impl Receptance for MovingLoadTrack {
             }
             (-shifted.at(*a) / slope.at(*a)).re < 0.0
         };
-        roots
-            .iter()
-            .filter(|a| ahead(a))
-            .map(|&a| scale * n.at(a) / slope.at(a))
-            .sum()
+        roots.iter().filter(|a| ahead(a)).map(|&a| scale * n.at(a) / slope.at(a)).sum()
     }
 }
 
@@ -218,9 +192,7 @@ struct Polynomial {
 
 impl Polynomial {
     const MOST: usize = 7;
-    const ZERO: Self = Self {
-        coefficients: [Complex64::ZERO; Self::MOST],
-    };
+    const ZERO: Self = Self { coefficients: [Complex64::ZERO; Self::MOST] };
     const ONE: Self = {
         let mut one = Self::ZERO;
         one.coefficients[0] = Complex64::ONE;
@@ -234,24 +206,18 @@ impl Polynomial {
     }
 
     fn plus(&self, other: &Self) -> Self {
-        Self {
-            coefficients: std::array::from_fn(|j| self.coefficients[j] + other.coefficients[j]),
-        }
+        Self { coefficients: std::array::from_fn(|j| self.coefficients[j] + other.coefficients[j]) }
     }
 
     fn scaled(&self, factor: Complex64) -> Self {
-        Self {
-            coefficients: self.coefficients.map(|c| c * factor),
-        }
+        Self { coefficients: self.coefficients.map(|c| c * factor) }
     }
 
     /// The product; its degree is at most six by construction of the caller.
     fn times(&self, other: &Self) -> Self {
         Self {
             coefficients: std::array::from_fn(|j| {
-                (0..=j)
-                    .map(|i| self.coefficients[i] * other.coefficients[j - i])
-                    .sum()
+                (0..=j).map(|i| self.coefficients[i] * other.coefficients[j - i]).sum()
             }),
         }
     }
@@ -259,44 +225,30 @@ impl Polynomial {
     /// p(q(a)) for q(a) = q₀ + q₁a, by Horner's rule.
     fn composed(&self, linear: [Complex64; 2]) -> Self {
         let linear = Self::of(&linear);
-        self.coefficients.iter().rev().fold(Self::ZERO, |sum, &c| {
-            sum.times(&linear).plus(&Self::of(&[c]))
-        })
+        self.coefficients.iter().rev().fold(Self::ZERO, |sum, &c| sum.times(&linear).plus(&Self::of(&[c])))
     }
 
     fn at(&self, a: Complex64) -> Complex64 {
-        self.coefficients
-            .iter()
-            .rev()
-            .fold(Complex64::ZERO, |sum, c| sum * a + c)
+        self.coefficients.iter().rev().fold(Complex64::ZERO, |sum, c| sum * a + c)
     }
 
     fn derivative(&self) -> Self {
         Self {
             coefficients: std::array::from_fn(|j| {
-                self.coefficients
-                    .get(j + 1)
-                    .map_or(Complex64::ZERO, |c| c * (j + 1) as f64)
+                self.coefficients.get(j + 1).map_or(Complex64::ZERO, |c| c * (j + 1) as f64)
             }),
         }
     }
 
     fn degree(&self) -> usize {
-        self.coefficients
-            .iter()
-            .rposition(|c| *c != Complex64::ZERO)
-            .unwrap_or(0)
+        self.coefficients.iter().rposition(|c| *c != Complex64::ZERO).unwrap_or(0)
     }
 
     /// Size of the rounding in [`at`](Self::at): the sum of the moduli of its terms, times some
     /// roundings.
     fn rounding(&self, a: Complex64) -> f64 {
         let size = a.norm();
-        let sum = self
-            .coefficients
-            .iter()
-            .rev()
-            .fold(0.0, |sum, c| sum * size + c.norm());
+        let sum = self.coefficients.iter().rev().fold(0.0, |sum, c| sum * size + c.norm());
         8.0 * f64::EPSILON * sum
     }
 
@@ -312,12 +264,8 @@ impl Polynomial {
             let mut settled = true;
             for j in 0..roots.len() {
                 let a = roots[j];
-                let product: Complex64 = roots
-                    .iter()
-                    .enumerate()
-                    .filter(|&(i, _)| i != j)
-                    .map(|(_, &other)| a - other)
-                    .product();
+                let product: Complex64 =
+                    roots.iter().enumerate().filter(|&(i, _)| i != j).map(|(_, &other)| a - other).product();
                 let value = self.at(a);
                 let step = value / (leading * product);
                 if step.norm() > TOLERANCE * a.norm() && value.norm() > self.rounding(a) {
@@ -349,20 +297,12 @@ mod tests {
     }
 
     fn shearing() -> Beam {
-        let shear = ShearSection {
-            area: 7.17e-3,
-            shear_coefficient: 0.4,
-            shear_modulus: 80e9,
-            density: 7850.0,
-        };
+        let shear = ShearSection { area: 7.17e-3, shear_coefficient: 0.4, shear_modulus: 80e9, density: 7850.0 };
         Beam::timoshenko(steel(), 2.35e-5, 56.0, shear).unwrap()
     }
 
     fn two_layers(damping: f64) -> Support {
-        let (pad, ballast) = (
-            Layer::new(4e8, damping).unwrap(),
-            Layer::new(8e7, damping).unwrap(),
-        );
+        let (pad, ballast) = (Layer::new(4e8, damping).unwrap(), Layer::new(8e7, damping).unwrap());
         Support::two_layer(pad, 157.0, ballast).unwrap()
     }
 
@@ -381,9 +321,7 @@ mod tests {
         }
         assert!(free.check_speed(0.08, 60.0).is_ok());
         let error = free.check_speed(200.0, 60.0).unwrap_err();
-        let same = MovingBeam::new(rail())
-            .check_speed(200.0, 60.0)
-            .unwrap_err();
+        let same = MovingBeam::new(rail()).check_speed(200.0, 60.0).unwrap_err();
         let limit = |error: Error| match error {
             Error::Supercritical { critical_speed, .. } => critical_speed,
             _ => f64::NAN,
@@ -398,11 +336,7 @@ mod tests {
         let pad = Layer::new(1e8, 0.0).unwrap();
         let track = MovingLoadTrack::new(rail().into(), Some(Support::one_layer(pad)));
         let w = 300.0;
-        let near = |share: f64| {
-            track
-                .receptance(w, track.critical_speed(w) * (1.0 - share))
-                .norm()
-        };
+        let near = |share: f64| track.receptance(w, track.critical_speed(w) * (1.0 - share)).norm();
         for share in [1e-4, 1e-6] {
             let ratio = near(share / 100.0) / near(share);
             assert!((ratio / 10.0 - 1.0).abs() < 0.05, "{ratio}");

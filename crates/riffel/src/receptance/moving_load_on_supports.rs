@@ -52,13 +52,7 @@ impl MovingLoadOnSupports {
         let (rail, support, spacing) = track.parts();
         let even = MovingLoadTrack::new(rail, Some(support.per_metre(spacing)?));
         even.check_steady_load(speed)?;
-        Ok(Self {
-            rail,
-            support,
-            spacing,
-            speed,
-            even,
-        })
+        Ok(Self { rail, support, spacing, speed, even })
     }
 
     /// Support spacing d \[m\].
@@ -160,10 +154,7 @@ impl Harmonics {
     /// Ĥ_n \[m/N\]; zero beyond the largest |n| asked for.
     pub fn at(&self, order: isize) -> Complex64 {
         let index = order + (self.0.len() / 2) as isize;
-        usize::try_from(index)
-            .ok()
-            .and_then(|index| self.0.get(index).copied())
-            .unwrap_or(Complex64::ZERO)
+        usize::try_from(index).ok().and_then(|index| self.0.get(index).copied()).unwrap_or(Complex64::ZERO)
     }
 
     /// Ĥ₀ of an evenly supported track alone.
@@ -180,15 +171,8 @@ mod tests {
 
     fn track() -> PeriodicTrack<Beam> {
         let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-        let shear = ShearSection {
-            area: 7.67e-3,
-            shear_coefficient: 0.4,
-            shear_modulus: 79.6e9,
-            density: 7850.0,
-        };
-        let rail = Beam::timoshenko(steel, 3.04e-5, 60.2, shear)
-            .and_then(|rail| rail.with_damping(300.0))
-            .unwrap();
+        let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
+        let rail = Beam::timoshenko(steel, 3.04e-5, 60.2, shear).and_then(|rail| rail.with_damping(300.0)).unwrap();
         let layer = |stiffness, damping| Layer::new(stiffness, damping).unwrap();
         let support = Support::two_layer(layer(300e6, 40e3), 150.0, layer(80e6, 80e3));
         PeriodicTrack::new(rail, support.unwrap(), 0.6).unwrap()
@@ -212,10 +196,7 @@ mod tests {
                     .sum();
                 let error = (sum - exact).norm() / exact.norm();
                 let left = 20.0 * harmonics.at(8).norm() / harmonics.at(0).norm();
-                assert!(
-                    error < left + 1e-4,
-                    "{hertz} Hz, {place} m: {error:e}, {left:e}"
-                );
+                assert!(error < left + 1e-4, "{hertz} Hz, {place} m: {error:e}, {left:e}");
             }
         }
     }
@@ -230,9 +211,7 @@ mod tests {
             let negative = moving.harmonics(-w, 3).unwrap();
             let scale = harmonics.at(0).norm();
             for n in -3..=3 {
-                let other = moving
-                    .harmonics(w + n as f64 * moving.passing(), 3)
-                    .unwrap();
+                let other = moving.harmonics(w + n as f64 * moving.passing(), 3).unwrap();
                 let error = (harmonics.at(n) - other.at(-n)).norm() / scale;
                 assert!(error < 1e-5, "{hertz} Hz, {n}: {error:e}");
                 let error = (negative.at(n) - harmonics.at(-n).conj()).norm() / scale;
@@ -272,9 +251,8 @@ mod tests {
         let (speed, place, w) = (60.0, 0.17, TAU * 1250.0);
         let moving = MovingLoadOnSupports::new(&track, speed).unwrap();
         let harmonics = moving.harmonics(w, 12).unwrap();
-        let expected: Complex64 = (-12..=12)
-            .map(|n| harmonics.at(-n) * Complex64::from_polar(1.0, TAU * n as f64 * place / 0.6))
-            .sum();
+        let expected: Complex64 =
+            (-12..=12).map(|n| harmonics.at(-n) * Complex64::from_polar(1.0, TAU * n as f64 * place / 0.6)).sum();
         let (dw, dt) = (8.0, 2.5e-4);
         let mut sum = Complex64::ZERO;
         for i in -250..=250 {
@@ -303,9 +281,6 @@ mod tests {
         let track = PeriodicTrack::new(rail, support, 0.6).unwrap();
         let moving = MovingLoadOnSupports::new(&track, 30.0).unwrap();
         let refused = moving.harmonics(TAU * 700.0, 1);
-        assert!(
-            matches!(refused, Err(Error::UndampedWaves { .. })),
-            "{refused:?}"
-        );
+        assert!(matches!(refused, Err(Error::UndampedWaves { .. })), "{refused:?}");
     }
 }

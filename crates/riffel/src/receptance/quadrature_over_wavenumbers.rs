@@ -38,9 +38,8 @@ impl QuadratureOverWavenumbers {
         for index in -steps..steps {
             add((index as f64 + 0.5) * self.first, &mut sums);
         }
-        let integrals = |sums: &[Complex64], step: f64| -> Vec<Complex64> {
-            sums.iter().map(|sum| sum * (step / TAU)).collect()
-        };
+        let integrals =
+            |sums: &[Complex64], step: f64| -> Vec<Complex64> { sums.iter().map(|sum| sum * (step / TAU)).collect() };
         let mut step = self.first;
         let mut before = integrals(&sums, step);
         for cut in 0..self.cuts {
@@ -57,8 +56,6 @@ impl QuadratureOverWavenumbers {
             }
             before = now;
         }
-        Err(Error::UndampedWaves {
-            frequency: angular_frequency / TAU,
-        })
+        Err(Error::UndampedWaves { frequency: angular_frequency / TAU })
     }
 }

@@ -74,15 +74,10 @@ impl Resonance {
     /// moves as its unsprung mass: `inertia` is that which it has there, −1/(ω² Re H_wheel), over that mass. Where a suspension
     /// or an axle holds the wheel still, the sum is least, too, and the wheel seems many times as heavy. Of several, as the
     /// bending of an axle makes of one, that of the least sum.
-    pub fn p2(
-        total: impl Fn(f64) -> Complex64,
-        inertia: impl Fn(f64) -> f64,
-        range: [f64; 2],
-    ) -> Option<Self> {
+    pub fn p2(total: impl Fn(f64) -> Complex64, inertia: impl Fn(f64) -> f64, range: [f64; 2]) -> Option<Self> {
         let places = local_maxima(|w| -total(w).norm(), range);
         let least = places.into_iter().filter(|&w| Self::is_as_mass(inertia(w)));
-        let angular_frequency =
-            least.min_by(|&a, &b| total(a).norm().total_cmp(&total(b).norm()))?;
+        let angular_frequency = least.min_by(|&a, &b| total(a).norm().total_cmp(&total(b).norm()))?;
         Some(Self {
             kind: ResonanceKind::P2,
             angular_frequency,
@@ -103,19 +98,12 @@ impl Resonance {
     /// The peak of a rail's receptance that belongs to a frequency \[rad/s\] which theory gives for an
     /// undamped or evenly supported track: the nearest, at most `factor` times above or below it.
     /// None where damping leaves no peak.
-    pub fn near(
-        rail: &dyn Receptance,
-        kind: ResonanceKind,
-        expected: f64,
-        factor: f64,
-    ) -> Option<Self> {
+    pub fn near(rail: &dyn Receptance, kind: ResonanceKind, expected: f64, factor: f64) -> Option<Self> {
         let distance = |w: f64| (w / expected).ln().abs();
-        let angular_frequency = local_maxima(
-            |w| rail.receptance(w, 0.0).norm(),
-            [expected / factor, expected * factor],
-        )
-        .into_iter()
-        .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
+        let angular_frequency =
+            local_maxima(|w| rail.receptance(w, 0.0).norm(), [expected / factor, expected * factor])
+                .into_iter()
+                .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
         Some(Self {
             kind,
             angular_frequency,
@@ -154,10 +142,7 @@ mod tests {
         let expected = [0.5, 2.5, 4.5].map(|n| 10.0 * n * std::f64::consts::PI);
         assert_eq!(peaks.len(), 3);
         for (peak, expected) in peaks.iter().zip(expected) {
-            assert!(
-                (peak - expected).abs() < 1e-5 * expected,
-                "{peak} {expected}"
-            );
+            assert!((peak - expected).abs() < 1e-5 * expected, "{peak} {expected}");
         }
         assert!(local_maxima(|x| x, [1.0, 2.0]).is_empty());
     }

@@ -13,13 +13,7 @@ use crate::{Direction, Place, Rail};
 pub trait Structure: Send + Sync {
     /// Displacement at `at` per force at `from` \[m/N\], each along its own axis, at the angular frequency
     /// ω > 0 \[rad/s\] under a load that travels at the given speed \[m/s\].
-    fn cross_receptance(
-        &self,
-        angular_frequency: f64,
-        speed: f64,
-        at: Place,
-        from: Place,
-    ) -> Complex64;
+    fn cross_receptance(&self, angular_frequency: f64, speed: f64, at: Place, from: Place) -> Complex64;
 
     /// The receptances along each axis of a structure that has them alone; none where axes or places feel each other.
     fn uncoupled(&self) -> Option<&Uncoupled> {
@@ -31,13 +25,7 @@ pub trait Structure: Send + Sync {
     /// of the n places, in rows of 4n. By reciprocity the same numbers are the displacements by a moment.
     ///
     /// Provided: that of a structure which does not roll, zeros.
-    fn roll_matrix(
-        &self,
-        _angular_frequency: f64,
-        _speed: f64,
-        _places: &[(f64, Rail)],
-        matrix: &mut [Complex64],
-    ) {
+    fn roll_matrix(&self, _angular_frequency: f64, _speed: f64, _places: &[(f64, Rail)], matrix: &mut [Complex64]) {
         matrix.fill(Complex64::ZERO);
     }
 
@@ -45,16 +33,8 @@ pub trait Structure: Send + Sync {
     /// j-th at [i·n + j] of the n places; symmetric.
     ///
     /// Provided, each entry by itself; a structure whose places share their work does it once a frequency.
-    fn receptance_matrix(
-        &self,
-        angular_frequency: f64,
-        speed: f64,
-        places: &[Place],
-        matrix: &mut [Complex64],
-    ) {
-        let pairs = places
-            .iter()
-            .flat_map(|&at| places.iter().map(move |&from| (at, from)));
+    fn receptance_matrix(&self, angular_frequency: f64, speed: f64, places: &[Place], matrix: &mut [Complex64]) {
+        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
         for (entry, (at, from)) in matrix.iter_mut().zip(pairs) {
             *entry = self.cross_receptance(angular_frequency, speed, at, from);
         }
@@ -78,13 +58,7 @@ impl Structure for Uncoupled {
         Some(self)
     }
 
-    fn cross_receptance(
-        &self,
-        angular_frequency: f64,
-        speed: f64,
-        at: Place,
-        from: Place,
-    ) -> Complex64 {
+    fn cross_receptance(&self, angular_frequency: f64, speed: f64, at: Place, from: Place) -> Complex64 {
         let axis = match at.direction {
             Direction::Longitudinal => &self.longitudinal,
             Direction::Lateral => &self.lateral,

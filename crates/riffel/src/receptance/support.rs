@@ -22,11 +22,7 @@ impl Layer {
     pub fn new(stiffness: f64, damping: f64) -> Result<Self, Error> {
         Error::unless_positive("layer stiffness", stiffness, "N/m")?;
         Error::unless_not_negative("layer damping", damping, "N s/m")?;
-        Ok(Self {
-            stiffness,
-            damping,
-            loss_factor: 0.0,
-        })
+        Ok(Self { stiffness, damping, loss_factor: 0.0 })
     }
 
     /// The same with a loss factor η \[-\]: k becomes k(1 + iη), at every frequency.
@@ -35,10 +31,7 @@ impl Layer {
     /// [`Error::OutOfRange`] if η is negative.
     pub fn with_loss_factor(self, loss_factor: f64) -> Result<Self, Error> {
         Error::unless_not_negative("loss factor", loss_factor, "")?;
-        Ok(Self {
-            loss_factor,
-            ..self
-        })
+        Ok(Self { loss_factor, ..self })
     }
 
     /// Dynamic stiffness k(1 + iη) + sc for motion like e^{st}; s = iω where nothing moves along.
@@ -57,11 +50,7 @@ impl Layer {
     }
 
     fn scaled(&self, factor: f64) -> Self {
-        Self {
-            stiffness: self.stiffness * factor,
-            damping: self.damping * factor,
-            loss_factor: self.loss_factor,
-        }
+        Self { stiffness: self.stiffness * factor, damping: self.damping * factor, loss_factor: self.loss_factor }
     }
 }
 
@@ -96,11 +85,7 @@ impl Support {
     /// [`Error::OutOfRange`] if the sleeper mass is negative.
     pub fn two_layer(pad: Layer, sleeper_mass: f64, ballast: Layer) -> Result<Self, Error> {
         Error::unless_not_negative("sleeper mass", sleeper_mass, "kg")?;
-        Ok(Self::TwoLayer {
-            pad,
-            sleeper_mass,
-            ballast,
-        })
+        Ok(Self::TwoLayer { pad, sleeper_mass, ballast })
     }
 
     /// The same support per metre of rail, one every `spacing` \[m\].
@@ -111,14 +96,8 @@ impl Support {
         Error::unless_positive("support spacing", spacing, "m")?;
         let share = spacing.recip();
         Ok(match *self {
-            Self::OneLayer { pad } => Self::OneLayer {
-                pad: pad.scaled(share),
-            },
-            Self::TwoLayer {
-                pad,
-                sleeper_mass,
-                ballast,
-            } => Self::TwoLayer {
+            Self::OneLayer { pad } => Self::OneLayer { pad: pad.scaled(share) },
+            Self::TwoLayer { pad, sleeper_mass, ballast } => Self::TwoLayer {
                 pad: pad.scaled(share),
                 sleeper_mass: sleeper_mass * share,
                 ballast: ballast.scaled(share),
@@ -132,14 +111,9 @@ impl Support {
         let s = Complex64::new(0.0, angular_frequency);
         match self {
             Self::OneLayer { pad } => pad.dynamic_stiffness(s),
-            Self::TwoLayer {
-                pad,
-                sleeper_mass,
-                ballast,
-            } => {
+            Self::TwoLayer { pad, sleeper_mass, ballast } => {
                 let pad = pad.dynamic_stiffness(s);
-                let below_pad = ballast.dynamic_stiffness(s)
-                    - sleeper_mass * angular_frequency * angular_frequency;
+                let below_pad = ballast.dynamic_stiffness(s) - sleeper_mass * angular_frequency * angular_frequency;
                 pad * below_pad / (pad + below_pad)
             }
         }
@@ -150,11 +124,7 @@ impl Support {
     pub(super) fn at_rest(&self) -> (f64, f64) {
         match *self {
             Self::OneLayer { pad } => (pad.stiffness, 0.0),
-            Self::TwoLayer {
-                pad,
-                sleeper_mass,
-                ballast,
-            } => {
+            Self::TwoLayer { pad, sleeper_mass, ballast } => {
                 let share = pad.stiffness / (pad.stiffness + ballast.stiffness);
                 (share * ballast.stiffness, share * share * sleeper_mass)
             }
@@ -163,18 +133,12 @@ impl Support {
 
     /// Motion of the sleeper over that of the rail above it, k_p/(k_p + k_b − ω²m_s); None without a sleeper.
     pub fn sleeper_share(&self, angular_frequency: f64) -> Option<Complex64> {
-        let Self::TwoLayer {
-            pad,
-            sleeper_mass,
-            ballast,
-        } = self
-        else {
+        let Self::TwoLayer { pad, sleeper_mass, ballast } = self else {
             return None;
         };
         let s = Complex64::new(0.0, angular_frequency);
         let pad = pad.dynamic_stiffness(s);
-        let below_pad =
-            ballast.dynamic_stiffness(s) - sleeper_mass * angular_frequency * angular_frequency;
+        let below_pad = ballast.dynamic_stiffness(s) - sleeper_mass * angular_frequency * angular_frequency;
         Some(pad / (pad + below_pad))
     }
 
@@ -193,11 +157,7 @@ impl Support {
     pub fn cut_on_frequencies(&self, rail_mass: f64) -> Vec<f64> {
         match *self {
             Self::OneLayer { pad } => vec![(pad.stiffness / rail_mass).sqrt()],
-            Self::TwoLayer {
-                pad,
-                sleeper_mass,
-                ballast,
-            } => {
+            Self::TwoLayer { pad, sleeper_mass, ballast } => {
                 let (kp, kb) = (pad.stiffness, ballast.stiffness);
                 if sleeper_mass == 0.0 {
                     return vec![(kp * kb / (kp + kb) / rail_mass).sqrt()];
@@ -214,11 +174,7 @@ impl Support {
     /// √((k_p + k_b)/m_s); None without a sleeper that has mass.
     pub fn sleeper_antiresonance(&self) -> Option<f64> {
         match *self {
-            Self::TwoLayer {
-                pad,
-                sleeper_mass,
-                ballast,
-            } if sleeper_mass > 0.0 => {
+            Self::TwoLayer { pad, sleeper_mass, ballast } if sleeper_mass > 0.0 => {
                 Some(((pad.stiffness + ballast.stiffness) / sleeper_mass).sqrt())
             }
             _ => None,
@@ -273,16 +229,8 @@ mod tests {
         let ballast = Layer::new(1e8, 8e4).unwrap();
         let support = Support::two_layer(pad, 150.0, ballast).unwrap();
         let stiffness = |spacing| support.per_metre(spacing).unwrap().dynamic_stiffness(2e3);
-        assert_relative_eq!(
-            stiffness(0.3).re,
-            2.0 * stiffness(0.6).re,
-            max_relative = 1e-14
-        );
-        assert_relative_eq!(
-            stiffness(0.3).im,
-            2.0 * stiffness(0.6).im,
-            max_relative = 1e-14
-        );
+        assert_relative_eq!(stiffness(0.3).re, 2.0 * stiffness(0.6).re, max_relative = 1e-14);
+        assert_relative_eq!(stiffness(0.3).im, 2.0 * stiffness(0.6).im, max_relative = 1e-14);
         assert!(support.per_metre(0.0).is_err());
     }
 }

@@ -56,11 +56,7 @@ impl Tabulated {
             let ends = (end(cell), end(cell + 1));
             divide(&*source, ends, tolerance, MOST_HALVINGS, &mut cells);
         }
-        Self {
-            source,
-            cells,
-            arch: Arch::new(),
-        }
+        Self { source, cells, arch: Arch::new() }
     }
 
     /// Number of cells.
@@ -70,9 +66,7 @@ impl Tabulated {
 
     /// Index of the cell of a √ω; the first or the last where it lies outside.
     fn cell(&self, root: f64) -> usize {
-        self.cells
-            .partition_point(|cell| cell.end < root)
-            .min(self.cells.len() - 1)
+        self.cells.partition_point(|cell| cell.end < root).min(self.cells.len() - 1)
     }
 
     #[inline(always)]
@@ -86,10 +80,7 @@ impl Tabulated {
             }
             let cell = &self.cells[index];
             // At least one, or a point outside the table would never be done.
-            let run = 1 + roots[done + 1..]
-                .iter()
-                .take_while(|&&root| cell.holds(root))
-                .count();
+            let run = 1 + roots[done + 1..].iter().take_while(|&&root| cell.holds(root)).count();
             let points = done..done + run;
             done += run;
             let Some(polynomial) = &cell.polynomial else {
@@ -104,13 +95,7 @@ impl Tabulated {
             let places = &roots[points.clone()];
             let re = polynomial.map(|c| c.re);
             let im = polynomial.map(|c| c.im);
-            horner(
-                &re,
-                middle,
-                per_half,
-                places,
-                &mut receptances.re[points.clone()],
-            );
+            horner(&re, middle, per_half, places, &mut receptances.re[points.clone()]);
             horner(&im, middle, per_half, places, &mut receptances.im[points]);
         }
     }
@@ -163,13 +148,7 @@ impl Cell {
 }
 
 /// One cell, or its two halves where it does not hold the tolerance.
-fn divide(
-    source: &dyn Receptance,
-    (begin, end): (f64, f64),
-    tolerance: f64,
-    halvings: u32,
-    cells: &mut Vec<Cell>,
-) {
+fn divide(source: &dyn Receptance, (begin, end): (f64, f64), tolerance: f64, halvings: u32, cells: &mut Vec<Cell>) {
     /// Points between the nodes, the ends of the cell among them.
     const CHECKS: [f64; 5] = [-1.0, -0.56, 0.07, 0.7, 1.0];
     let (middle, half) = (0.5 * (begin + end), 0.5 * (end - begin));
@@ -189,11 +168,7 @@ fn divide(
         divide(source, (middle, end), tolerance, halvings - 1, cells);
         return;
     }
-    cells.push(Cell {
-        begin,
-        end,
-        polynomial: holds.then_some(polynomial),
-    });
+    cells.push(Cell { begin, end, polynomial: holds.then_some(polynomial) });
 }
 
 impl Receptance for Tabulated {
@@ -221,21 +196,13 @@ impl Receptance for Tabulated {
 mod tests {
     use super::*;
     use crate::ElasticMaterial;
-    use crate::receptance::{
-        Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack, ShearSection, Support,
-    };
+    use crate::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack, ShearSection, Support};
 
     fn track(damping: f64) -> ContinuousTrack {
         let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
         let rail = EulerBernoulliBeam::new(steel, 2.35e-5, 56.0).unwrap();
-        let (pad, ballast) = (
-            Layer::new(1.1e8, damping).unwrap(),
-            Layer::new(8.6e7, damping).unwrap(),
-        );
-        ContinuousTrack::new(
-            rail.into(),
-            Support::two_layer(pad, 157.0, ballast).unwrap(),
-        )
+        let (pad, ballast) = (Layer::new(1.1e8, damping).unwrap(), Layer::new(8.6e7, damping).unwrap());
+        ContinuousTrack::new(rail.into(), Support::two_layer(pad, 157.0, ballast).unwrap())
     }
 
     /// Points that share no divisor with the cells; the factor 2 allows for an error between the
@@ -266,12 +233,7 @@ mod tests {
     #[test]
     fn accurate_to_the_tolerance_on_discrete_supports() {
         let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
-        let shear = ShearSection {
-            area: 7.67e-3,
-            shear_coefficient: 0.393,
-            shear_modulus: 80e9,
-            density: 7850.0,
-        };
+        let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.393, shear_modulus: 80e9, density: 7850.0 };
         let rail = Beam::timoshenko(steel, 3.037e-5, 60.2, shear).unwrap();
         let (pad, ballast) = (Layer::new(8e8, 3e4).unwrap(), Layer::new(1e8, 6e4).unwrap());
         let support = Support::two_layer(pad, 162.0, ballast).unwrap();

@@ -56,24 +56,12 @@ impl Twist {
         Error::unless_positive("density", section.density, "kg/m3")?;
         Error::unless_not_negative("warping constant", section.warping_constant, "m6")?;
         Error::unless_positive("foot width", section.foot_width, "m")?;
-        for (quantity, value) in [
-            ("centroid height", section.centroid_height),
-            ("foot depth", section.foot_depth),
-        ] {
+        for (quantity, value) in [("centroid height", section.centroid_height), ("foot depth", section.foot_depth)] {
             if !value.is_finite() {
-                return Err(Error::OutOfRange {
-                    quantity,
-                    value,
-                    unit: "m",
-                    rule: "must be finite",
-                });
+                return Err(Error::OutOfRange { quantity, value, unit: "m", rule: "must be finite" });
             }
         }
-        Ok(Self {
-            section,
-            warping_stiffness: material.youngs_modulus() * section.warping_constant,
-            loss_factor: 0.0,
-        })
+        Ok(Self { section, warping_stiffness: material.youngs_modulus() * section.warping_constant, loss_factor: 0.0 })
     }
 
     /// The same with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
@@ -82,10 +70,7 @@ impl Twist {
     /// [`Error::OutOfRange`] if η is negative.
     pub fn with_loss_factor(self, loss_factor: f64) -> Result<Self, Error> {
         Error::unless_not_negative("rail loss factor", loss_factor, "")?;
-        Ok(Self {
-            loss_factor,
-            ..self
-        })
+        Ok(Self { loss_factor, ..self })
     }
 
     /// The section.
@@ -105,8 +90,7 @@ impl Twist {
 
     /// How fast warping dies away from where it is held \[1/m\], √(GJ/EI_ω); none without warping.
     pub(super) fn warping_decay(&self) -> Option<f64> {
-        (self.warping_stiffness > 0.0)
-            .then(|| (self.torsional_stiffness() / self.warping_stiffness).sqrt())
+        (self.warping_stiffness > 0.0).then(|| (self.torsional_stiffness() / self.warping_stiffness).sqrt())
     }
 
     /// Stiffness of the twist on a foundation K \[N\] per metre, of all that does not depend on the wave but ρI_p.
@@ -131,11 +115,6 @@ impl Twist {
         } else {
             (torsion - root) / (2.0 * warping)
         };
-        WaveStiffness {
-            leading: warping,
-            roots: [larger, stiffness / (warping * larger)],
-            count: 2,
-            denominator,
-        }
+        WaveStiffness { leading: warping, roots: [larger, stiffness / (warping * larger)], count: 2, denominator }
     }
 }

@@ -61,18 +61,12 @@ pub(super) struct CoupledWave {
 }
 
 impl Foundation {
-    pub(super) const NONE: Self = Self {
-        lateral: Complex64::ZERO,
-        roll: Complex64::ZERO,
-    };
+    pub(super) const NONE: Self = Self { lateral: Complex64::ZERO, roll: Complex64::ZERO };
 
     /// Stiffness against (v, θ) of a rail whose foot is that far below its shear centre.
     pub(super) fn at_shear_centre(&self, foot_depth: f64) -> [[Complex64; 2]; 2] {
         let across = -foot_depth * self.lateral;
-        [
-            [self.lateral, across],
-            [across, self.roll - foot_depth * across],
-        ]
+        [[self.lateral, across], [across, self.roll - foot_depth * across]]
     }
 }
 
@@ -89,9 +83,7 @@ impl TwistingRail {
         let moment = w * w * mass * section.centroid_height;
         let coupling = across - moment;
         let bending = self.bending.wave_stiffness(w, lateral);
-        let twist = self
-            .twist
-            .wave_stiffness(w, roll - moment * section.centroid_height);
+        let twist = self.twist.wave_stiffness(w, roll - moment * section.centroid_height);
 
         let count = 2 + twist.count;
         let mut roots = [Complex64::ZERO; 4];
@@ -100,8 +92,7 @@ impl TwistingRail {
         let leading = bending.leading * twist.leading;
         let coupled = coupling * coupling / leading;
         if coupling != Complex64::ZERO {
-            let polynomial =
-                |z: Complex64| bending.monic(z) * twist.monic(z) - coupled * bending.denominator(z);
+            let polynomial = |z: Complex64| bending.monic(z) * twist.monic(z) - coupled * bending.denominator(z);
             polish(polynomial, &mut roots[..count]);
             // Without loss it has real coefficients: what is almost real among the roots is so, and travels or decays.
             let value = polynomial(bending.roots[0].norm().into());
@@ -152,11 +143,7 @@ impl TwistingRail {
             } else {
                 (by_twist, [across / by_twist, Complex64::ONE])
             };
-            CoupledWave {
-                propagation,
-                amplitude: amplitude * scale,
-                shape,
-            }
+            CoupledWave { propagation, amplitude: amplitude * scale, shape }
         };
         let mut waves = [CoupledWave::default(); 4];
         for (index, slot) in waves[..count].iter_mut().enumerate() {
@@ -176,11 +163,8 @@ impl CoupledWaves {
     pub(super) fn receptance(&self, distance: f64) -> LateralReceptance {
         let mut sum = LateralReceptance::default();
         for wave in self.as_slice() {
-            let amplitude = if distance == 0.0 {
-                wave.amplitude
-            } else {
-                wave.amplitude * (-wave.propagation * distance).exp()
-            };
+            let amplitude =
+                if distance == 0.0 { wave.amplitude } else { wave.amplitude * (-wave.propagation * distance).exp() };
             let [lateral, twist] = wave.shape;
             sum[0][0] += amplitude * lateral * lateral;
             sum[0][1] += amplitude * lateral * twist;

@@ -65,11 +65,7 @@ pub(super) fn outgoing(z: Complex64, damped: impl Fn() -> Complex64) -> Complex6
         // z = −k² ± i0: α = ±ik.
         let travelling = Complex64::new(0.0, (-z.re).sqrt());
         // dz = i·damped·d(Im κ), so the sign of Im dz is that of Re dz/dκ.
-        return if damped().re >= 0.0 {
-            travelling
-        } else {
-            -travelling
-        };
+        return if damped().re >= 0.0 { travelling } else { -travelling };
     }
     square_root(z)
 }

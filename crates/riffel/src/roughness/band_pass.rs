@@ -63,20 +63,9 @@ impl BandPass {
         let reach = ((REACH * longest / spacing).ceil() as usize).min(samples.saturating_sub(1));
         let block = (8 * reach + 8).next_power_of_two();
         let mut planner = RealFftPlanner::new();
-        let (forward, inverse) = (
-            planner.plan_fft_forward(block),
-            planner.plan_fft_inverse(block),
-        );
-        let mut bank = Self {
-            gains: Vec::new(),
-            reach,
-            forward,
-            inverse,
-        };
-        bank.gains = bands
-            .iter()
-            .map(|band| bank.tapered(|k| gain(*band, k), spacing))
-            .collect();
+        let (forward, inverse) = (planner.plan_fft_forward(block), planner.plan_fft_inverse(block));
+        let mut bank = Self { gains: Vec::new(), reach, forward, inverse };
+        bank.gains = bands.iter().map(|band| bank.tapered(|k| gain(*band, k), spacing)).collect();
         Ok(bank)
     }
 
@@ -90,9 +79,8 @@ impl BandPass {
     /// transforms in them.
     fn tapered(&self, gain: impl Fn(f64) -> f64, spacing: f64) -> Vec<f64> {
         let block = self.forward.len();
-        let mut lines: Vec<Complex64> = (0..=block / 2)
-            .map(|line| gain(line as f64 / (block as f64 * spacing)).into())
-            .collect();
+        let mut lines: Vec<Complex64> =
+            (0..=block / 2).map(|line| gain(line as f64 / (block as f64 * spacing)).into()).collect();
         let mut response = self.inverse.make_output_vec();
         // Both fail only for buffers of another length, or an imaginary part where there is none.
         let inverted = self.inverse.process(&mut lines, &mut response);
@@ -102,11 +90,7 @@ impl BandPass {
             .map(|distance| {
                 let fallen = ((distance - FLAT) / (1.0 - FLAT)).clamp(0.0, 1.0);
                 // Nothing at all where the response must be cut for the blocks to join.
-                if fallen < 1.0 {
-                    (FRAC_PI_2 * fallen).cos().powi(2)
-                } else {
-                    0.0
-                }
+                if fallen < 1.0 { (FRAC_PI_2 * fallen).cos().powi(2) } else { 0.0 }
             })
             .collect();
         for (value, taper) in response.iter_mut().zip(&taper) {
@@ -158,11 +142,7 @@ impl BandPass {
                     let filtered = scratch.filtered.iter().enumerate();
                     filtered
                         .map(|(band, heights)| {
-                            let section = Section {
-                                start,
-                                own,
-                                heights,
-                            };
+                            let section = Section { start, own, heights };
                             (band, of(band, section))
                         })
                         .collect()
@@ -187,9 +167,7 @@ impl Section<'_> {
     /// The samples of all windows that begin in this section and lie within a range.
     pub(super) fn windows_within(&self, range: &Range<usize>, window: usize) -> &[f64] {
         let from = range.start.saturating_sub(self.start);
-        let to = (self.own + window - 1)
-            .min(range.end.saturating_sub(self.start))
-            .min(self.heights.len());
+        let to = (self.own + window - 1).min(range.end.saturating_sub(self.start)).min(self.heights.len());
         self.heights.get(from..to).unwrap_or_default()
     }
 }
@@ -243,27 +221,16 @@ impl Scratch {
         self.filtered.iter_mut().for_each(Vec::clear);
         for start in section.clone().step_by(bank.forward.len() - 2 * reach) {
             let own = (section.end - start).min(bank.forward.len() - 2 * reach);
-            heights.copy(
-                start as isize - reach as isize,
-                &mut self.heights[..own + 2 * reach],
-            );
+            heights.copy(start as isize - reach as isize, &mut self.heights[..own + 2 * reach]);
             self.heights[own + 2 * reach..].fill(0.0);
             // Fails only for buffers of another length.
-            let done = bank.forward.process_with_scratch(
-                &mut self.heights,
-                &mut self.lines,
-                &mut self.forward,
-            );
+            let done = bank.forward.process_with_scratch(&mut self.heights, &mut self.lines, &mut self.forward);
             debug_assert!(done.is_ok());
             for (gains, filtered) in bank.gains.iter().zip(&mut self.filtered) {
                 for ((product, line), gain) in self.product.iter_mut().zip(&self.lines).zip(gains) {
                     *product = line * gain;
                 }
-                let done = bank.inverse.process_with_scratch(
-                    &mut self.product,
-                    &mut self.output,
-                    &mut self.inverse,
-                );
+                let done = bank.inverse.process_with_scratch(&mut self.product, &mut self.output, &mut self.inverse);
                 debug_assert!(done.is_ok());
                 filtered.extend_from_slice(&self.output[reach..reach + own]);
             }
@@ -317,11 +284,8 @@ impl<'a> Continued<'a> {
 fn slope(heights: &[f64]) -> f64 {
     let count = heights.len() as f64;
     let middle = 0.5 * (count - 1.0);
-    let moment: f64 = heights
-        .iter()
-        .enumerate()
-        .map(|(index, height)| (index as f64 - middle) * (height - heights[0]))
-        .sum();
+    let moment: f64 =
+        heights.iter().enumerate().map(|(index, height)| (index as f64 - middle) * (height - heights[0])).sum();
     moment / (count * (count * count - 1.0) / 12.0)
 }
 
@@ -350,18 +314,10 @@ mod tests {
                 // Away from the ends, where the continuation has a kink.
                 let inside = 7000..33_000;
                 if index == own {
-                    let difference: Vec<f64> =
-                        inside.map(|i| filtered[i] - profile.heights()[i]).collect();
-                    assert!(
-                        rms(&difference) < 0.01 * 3e-6,
-                        "{wavelength} {}",
-                        rms(&difference)
-                    );
+                    let difference: Vec<f64> = inside.map(|i| filtered[i] - profile.heights()[i]).collect();
+                    assert!(rms(&difference) < 0.01 * 3e-6, "{wavelength} {}", rms(&difference));
                 } else {
-                    assert!(
-                        rms(&filtered[inside]) < 0.01 * 3e-6,
-                        "{wavelength} in {index}"
-                    );
+                    assert!(rms(&filtered[inside]) < 0.01 * 3e-6, "{wavelength} in {index}");
                 }
             }
         }

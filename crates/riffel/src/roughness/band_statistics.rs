@@ -76,16 +76,12 @@ impl BandStatistics {
         let longest = settings.iter().map(|settings| settings.window).max();
         let overlap = longest.unwrap_or(1).clamp(1, samples) - 1;
         let mut parts: Vec<Vec<Part>> = settings.iter().map(|_| Vec::new()).collect();
-        let sections = bank.sections(profile, overlap, |index, section| {
-            Part::new(&section, samples, &settings[index])
-        });
+        let sections = bank.sections(profile, overlap, |index, section| Part::new(&section, samples, &settings[index]));
         for (band, part) in sections {
             parts[band].push(part);
         }
         let each = settings.iter().zip(parts);
-        Ok(each
-            .map(|(settings, parts)| Self::joined(parts, samples, settings))
-            .collect())
+        Ok(each.map(|(settings, parts)| Self::joined(parts, samples, settings)).collect())
     }
 
     fn joined(parts: Vec<Part>, samples: usize, settings: &BandSettings) -> Self {
@@ -96,10 +92,8 @@ impl BandStatistics {
             squares[*index] += sum;
         }
         let largest = |value: fn(&Part) -> f64| parts.iter().map(value).fold(0.0, f64::max);
-        let (moving_rms_max, peak_to_peak_max) = (
-            largest(|part| part.mean_square_max).sqrt(),
-            largest(|part| part.peak_to_peak_max),
-        );
+        let (moving_rms_max, peak_to_peak_max) =
+            (largest(|part| part.mean_square_max).sqrt(), largest(|part| part.peak_to_peak_max));
         let mut highest = vec![None; squares.len()];
         for (index, square) in parts.iter().flat_map(|part| &part.moving) {
             let own: &mut Option<f64> = &mut highest[*index];
@@ -145,11 +139,7 @@ impl Part {
     /// `samples` is the length of the whole profile.
     fn new(section: &Section<'_>, samples: usize, settings: &BandSettings) -> Self {
         let window = settings.window.clamp(1, samples);
-        let Moving {
-            mean_square_max,
-            over,
-            blocks,
-        } = Moving::new(section, window, settings);
+        let Moving { mean_square_max, over, blocks } = Moving::new(section, window, settings);
         let margin = settings.margin.min(samples.saturating_sub(1) / 2);
         let inner = margin..samples - margin;
         Self {
@@ -176,11 +166,7 @@ impl Moving {
     fn new(section: &Section<'_>, window: usize, settings: &BandSettings) -> Self {
         let limit = settings.limit.map_or(f64::INFINITY, |limit| limit * limit);
         let (middle, block) = ((window - 1) / 2, settings.block.max(1));
-        let mut found = Self {
-            mean_square_max: 0.0,
-            over: Vec::new(),
-            blocks: Vec::new(),
-        };
+        let mut found = Self { mean_square_max: 0.0, over: Vec::new(), blocks: Vec::new() };
         let heights = section.windows_within(&(0..usize::MAX), window);
         moving_mean_squares(heights, window, |start, squares| {
             let start = section.start + start;
@@ -197,10 +183,9 @@ impl Moving {
             if highest > limit {
                 for run in runs(squares.iter().map(|square| *square > limit)) {
                     let highest = squares[run.clone()].iter().copied().fold(0.0, larger);
-                    found.over.push(Exceedance {
-                        samples: start + run.start..start + run.end,
-                        rms_max: highest.sqrt(),
-                    });
+                    found
+                        .over
+                        .push(Exceedance { samples: start + run.start..start + run.end, rms_max: highest.sqrt() });
                 }
             }
         });
@@ -237,12 +222,7 @@ fn block_squares(section: &Section<'_>, block: usize) -> Vec<(usize, f64)> {
 }
 
 /// Exceedances by the middle of their windows, joined over the chunks and held to the ends.
-fn placed(
-    over: impl Iterator<Item = Exceedance>,
-    windows: usize,
-    window: usize,
-    samples: usize,
-) -> Vec<Exceedance> {
+fn placed(over: impl Iterator<Item = Exceedance>, windows: usize, window: usize, samples: usize) -> Vec<Exceedance> {
     let mut joined: Vec<Exceedance> = Vec::new();
     for next in over {
         match joined.last_mut() {
@@ -255,16 +235,8 @@ fn placed(
     }
     for Exceedance { samples: run, .. } in &mut joined {
         let middle = (window - 1) / 2;
-        let end = if run.end == windows {
-            samples
-        } else {
-            run.end + middle
-        };
-        let start = if run.start == 0 {
-            0
-        } else {
-            run.start + middle
-        };
+        let end = if run.end == windows { samples } else { run.end + middle };
+        let start = if run.start == 0 { 0 } else { run.start + middle };
         *run = start..end;
     }
     joined
@@ -278,33 +250,13 @@ mod tests {
 
     /// Alternating heights of ±a: every RMS is a, every peak-to-peak value 2a.
     fn alternating(samples: usize, amplitude: impl Fn(usize) -> f64) -> Vec<f64> {
-        (0..samples)
-            .map(|i| {
-                if i % 2 == 0 {
-                    amplitude(i)
-                } else {
-                    -amplitude(i)
-                }
-            })
-            .collect()
+        (0..samples).map(|i| if i % 2 == 0 { amplitude(i) } else { -amplitude(i) }).collect()
     }
 
     /// Statistics of heights that no band-pass has touched, in sections of 30 011 samples.
-    fn statistics(
-        heights: &[f64],
-        window: usize,
-        limit: Option<f64>,
-        block: usize,
-        margin: usize,
-    ) -> BandStatistics {
+    fn statistics(heights: &[f64], window: usize, limit: Option<f64>, block: usize, margin: usize) -> BandStatistics {
         const OWN: usize = 30_011;
-        let settings = BandSettings {
-            band: BAND,
-            window,
-            limit,
-            block,
-            margin,
-        };
+        let settings = BandSettings { band: BAND, window, limit, block, margin };
         let starts = (0..heights.len()).step_by(OWN);
         let parts = starts.map(|start| {
             let section = Section {
@@ -335,13 +287,7 @@ mod tests {
     /// 16 % of it lies inside.
     #[test]
     fn exceedances_are_where_the_windows_have_their_middles() {
-        let heights = alternating(200_000, |i| {
-            if (60_000..80_000).contains(&i) {
-                10e-6
-            } else {
-                0.0
-            }
-        });
+        let heights = alternating(200_000, |i| if (60_000..80_000).contains(&i) { 10e-6 } else { 0.0 });
         let found = statistics(&heights, 1001, Some(4e-6), 10_000, 100);
         let [over] = &found.exceedances[..] else {
             panic!("{:?}", found.exceedances);
@@ -355,10 +301,7 @@ mod tests {
         let beside = 10e-6 * (500.0f64 / 1001.0).sqrt();
         for (block, expected) in [(4, 0.0), (5, beside), (6, 10e-6), (7, 10e-6), (9, 0.0)] {
             // One sample of a thousand more or less.
-            assert!(
-                (highest[block] - expected).abs() < 1e-8,
-                "{block} {highest:?}"
-            );
+            assert!((highest[block] - expected).abs() < 1e-8, "{block} {highest:?}");
         }
     }
 
@@ -368,11 +311,6 @@ mod tests {
         assert_eq!(found.window, 50);
         assert_eq!(found.samples_over_limit(), 50);
         assert_eq!(found.block_rms.len(), 8);
-        assert!(
-            found
-                .block_moving_rms_max
-                .iter()
-                .all(|rms| (rms - 1e-6).abs() < 1e-15)
-        );
+        assert!(found.block_moving_rms_max.iter().all(|rms| (rms - 1e-6).abs() < 1e-15));
     }
 }

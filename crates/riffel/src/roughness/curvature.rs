@@ -38,8 +38,7 @@ impl Profile {
             .map(|step| {
                 let distance = step as f64 * spacing;
                 // R − √(R² − d²), without its cancellation.
-                distance * distance
-                    / (radius + (radius * radius - distance * distance).max(0.0).sqrt())
+                distance * distance / (radius + (radius * radius - distance * distance).max(0.0).sqrt())
             })
             .collect();
         let heights = &self.heights;
@@ -47,10 +46,7 @@ impl Profile {
             .into_par_iter()
             .flat_map_iter(|block| roll_block(heights, block * BLOCK, &rise))
             .collect();
-        let lifted = rolled
-            .iter()
-            .zip(heights)
-            .map(|(wheel, rail)| wheel - rail > pit_depth);
+        let lifted = rolled.iter().zip(heights).map(|(wheel, rail)| wheel - rail > pit_depth);
         let pits = runs(lifted)
             .into_par_iter()
             .flat_map_iter(|run| bridged(heights, &rolled, run, &rise, pit_depth))
@@ -70,11 +66,7 @@ fn roll_block(heights: &[f64], start: usize, rise: &[f64]) -> Vec<f64> {
         // The contact behind, then the contact ahead.
         let first = distance.saturating_sub(start);
         if first < rolled.len() {
-            raise(
-                &mut rolled[first..],
-                &heights[start + first - distance..],
-                *rise,
-            );
+            raise(&mut rolled[first..], &heights[start + first - distance..], *rise);
         }
         let ahead = (start + distance).min(heights.len());
         raise(&mut rolled, &heights[ahead..], *rise);
@@ -85,52 +77,31 @@ fn roll_block(heights: &[f64], start: usize, rise: &[f64]) -> Vec<f64> {
 fn raise(rolled: &mut [f64], contact: &[f64], rise: f64) {
     for (rolled, contact) in rolled.iter_mut().zip(contact) {
         let candidate = contact - rise;
-        *rolled = if candidate > *rolled {
-            candidate
-        } else {
-            *rolled
-        };
+        *rolled = if candidate > *rolled { candidate } else { *rolled };
     }
 }
 
 /// Where within a run the wheel passes over the rail without coming nearer than the depth.
-fn bridged(
-    heights: &[f64],
-    rolled: &[f64],
-    run: Range<usize>,
-    rise: &[f64],
-    depth: f64,
-) -> Vec<Range<usize>> {
+fn bridged(heights: &[f64], rolled: &[f64], run: Range<usize>, rise: &[f64], depth: f64) -> Vec<Range<usize>> {
     let around = run.start.saturating_sub(rise.len())..(run.end + rise.len()).min(rolled.len());
     let lowest = rolled[around].iter().copied().fold(f64::INFINITY, f64::min);
     let touched = |place: usize| {
         let level = heights[place] + depth;
         // A wheel further away stands higher over this place than any is low.
-        let near = rise
-            .iter()
-            .enumerate()
-            .take_while(|(_, rise)| lowest + **rise <= level);
+        let near = rise.iter().enumerate().take_while(|(_, rise)| lowest + **rise <= level);
         near.into_iter().any(|(distance, rise)| {
             let reaches = |wheel: Option<&f64>| wheel.is_some_and(|wheel| wheel + rise <= level);
-            let behind = place
-                .checked_sub(distance)
-                .and_then(|place| rolled.get(place));
+            let behind = place.checked_sub(distance).and_then(|place| rolled.get(place));
             reaches(behind) || reaches(rolled.get(place + distance))
         })
     };
     let start = run.start;
-    runs(run.map(|place| !touched(place)))
-        .into_iter()
-        .map(|pit| pit.start + start..pit.end + start)
-        .collect()
+    runs(run.map(|place| !touched(place))).into_iter().map(|pit| pit.start + start..pit.end + start).collect()
 }
 
 /// The greatest distance at which a contact may lift the wheel within the block.
 fn bound(heights: &[f64], block: Range<usize>, rise: &[f64]) -> usize {
-    let lowest = heights[block.clone()]
-        .iter()
-        .copied()
-        .fold(f64::INFINITY, f64::min);
+    let lowest = heights[block.clone()].iter().copied().fold(f64::INFINITY, f64::min);
     let mut bound = rise.len() - 1;
     loop {
         let around = block.start.saturating_sub(bound)..(block.end + bound).min(heights.len());
@@ -173,9 +144,7 @@ mod tests {
                 height - (radius - (radius * radius - distance * distance).sqrt())
             })
         };
-        (0..heights.len())
-            .map(|at| height(at).fold(f64::NEG_INFINITY, f64::max))
-            .collect()
+        (0..heights.len()).map(|at| height(at).fold(f64::NEG_INFINITY, f64::max)).collect()
     }
 
     proptest! {

@@ -78,21 +78,14 @@ impl Profile {
             return Vec::new();
         };
         // What stands out with all wavelengths together, all that is bridged of it, and the wavelengths that show it.
-        let mut places: Vec<([Range<usize>; 2], usize)> = all
-            .outstanding()
-            .into_iter()
-            .map(|place| ([place.clone(), place], 0))
-            .collect();
+        let mut places: Vec<([Range<usize>; 2], usize)> =
+            all.outstanding().into_iter().map(|place| ([place.clone(), place], 0)).collect();
         let (apart, longest) = ((APART / spacing) as usize, (LONGEST / spacing) as usize);
-        let beside = |one: &Range<usize>, other: &Range<usize>| {
-            one.start < other.end + apart && other.start < one.end + apart
-        };
+        let beside =
+            |one: &Range<usize>, other: &Range<usize>| one.start < other.end + apart && other.start < one.end + apart;
         for (band, waves) in filtered.iter().enumerate().skip(1) {
             for place in Waves::new(waves, spacing).outstanding() {
-                match places
-                    .iter_mut()
-                    .find(|(known, _)| beside(&known[1], &place))
-                {
+                match places.iter_mut().find(|(known, _)| beside(&known[1], &place)) {
                     Some(([_, known], _)) => {
                         let both = known.start.min(place.start)..known.end.max(place.end);
                         if both.len() <= longest {
@@ -118,12 +111,7 @@ impl Profile {
                 let near = place.start < other.end + longest && other.start < place.end + longest;
                 let share = || height_in(*band, place) / height_in(*band, other);
                 // Of thousands of defects a few are near: the heights of the others are not looked at.
-                near && share()
-                    < if beside(place, other) {
-                        RINGING
-                    } else {
-                        FAR_RINGING
-                    }
+                near && share() < if beside(place, other) { RINGING } else { FAR_RINGING }
             })
         };
         let single = places.iter().filter(|place| !rings(place));
@@ -143,19 +131,14 @@ impl Profile {
         });
         single
             .into_iter()
-            .map(|[own, place]| RailDefect {
-                length: own.len() as f64 * spacing,
-                ..self.bridge(place)
-            })
+            .map(|[own, place]| RailDefect { length: own.len() as f64 * spacing, ..self.bridge(place) })
             .collect()
     }
 
     /// Replace the heights between two positions \[m\] by a straight line.
     pub(crate) fn bridge_between(&mut self, from: f64, to: f64) {
         let sample = |position: f64| {
-            let index = ((position - self.start()) / self.spacing())
-                .round()
-                .max(0.0) as usize;
+            let index = ((position - self.start()) / self.spacing()).round().max(0.0) as usize;
             index.min(self.heights.len() - 1)
         };
         let (first, last) = (sample(from), sample(to));
@@ -194,11 +177,7 @@ struct Waves<'a> {
 
 impl<'a> Waves<'a> {
     fn new(heights: &'a [f64], spacing: f64) -> Self {
-        Self {
-            heights,
-            spacing,
-            deviations: deviations(heights, spacing),
-        }
+        Self { heights, spacing, deviations: deviations(heights, spacing) }
     }
 
     fn ratio(&self, index: usize) -> f64 {
@@ -244,15 +223,12 @@ impl<'a> Waves<'a> {
 
     /// The samples about one, to where the rail is calm on either side.
     fn reach(&self, at: usize, least: f64) -> Range<usize> {
-        reach(at, self.heights.len(), self.spacing, |index| {
-            self.ratio(index) > least
-        })
+        reach(at, self.heights.len(), self.spacing, |index| self.ratio(index) > least)
     }
 
     /// Whether this is too short and turns too seldom for waves.
     fn is_single(&self, samples: &Range<usize>) -> bool {
-        samples.len() as f64 * self.spacing <= LONGEST
-            && turns(&self.heights[samples.clone()]) <= MOST_TURNS
+        samples.len() as f64 * self.spacing <= LONGEST && turns(&self.heights[samples.clone()]) <= MOST_TURNS
     }
 
     /// The highest sample of a place.
@@ -300,14 +276,7 @@ struct Middle<'a> {
 
 impl<'a> Middle<'a> {
     fn of(numbers: &'a [f64]) -> Self {
-        Self {
-            numbers,
-            window: 0..0,
-            ends: (0.0, 0.0),
-            below: 0,
-            near: VecDeque::new(),
-            sorted: Vec::new(),
-        }
+        Self { numbers, window: 0..0, ends: (0.0, 0.0), below: 0, near: VecDeque::new(), sorted: Vec::new() }
     }
 
     fn within(&mut self, window: Range<usize>) -> f64 {
@@ -339,9 +308,7 @@ impl<'a> Middle<'a> {
         let (from, to) = (NEAR.0 * found, NEAR.1 * found);
         self.ends = (from, to);
         self.below = numbers.iter().filter(|number| **number < from).count();
-        let near = numbers
-            .iter()
-            .filter(|number| from <= **number && **number <= to);
+        let near = numbers.iter().filter(|number| from <= **number && **number <= to);
         self.near.clear();
         self.near.extend(near);
         found
@@ -354,12 +321,7 @@ fn middle(numbers: &mut [f64], place: usize) -> f64 {
 }
 
 /// The samples about one that stands out, to where the rail is calm on either side.
-fn reach(
-    at: usize,
-    count: usize,
-    spacing: f64,
-    stands_out: impl Fn(usize) -> bool,
-) -> Range<usize> {
+fn reach(at: usize, count: usize, spacing: f64, stands_out: impl Fn(usize) -> bool) -> Range<usize> {
     let calm = (CALM / spacing).round().max(1.0) as usize;
     let limit = (2.0 * LONGEST / spacing) as usize;
     let side = |step: isize| {
@@ -380,9 +342,7 @@ fn reach(
 
 /// Turns of half the largest height and more: changes of sign between them, and the first.
 fn turns(waves: &[f64]) -> usize {
-    let largest = waves
-        .iter()
-        .fold(0.0, |most: f64, wave| most.max(wave.abs()));
+    let largest = waves.iter().fold(0.0, |most: f64, wave| most.max(wave.abs()));
     let large = waves.iter().filter(|wave| wave.abs() >= 0.5 * largest);
     let mut signs: Vec<bool> = large.map(|wave| *wave > 0.0).collect();
     signs.dedup();
@@ -402,20 +362,9 @@ mod tests {
             seed,
             sinusoids: waves
                 .iter()
-                .map(|&(wavelength, amplitude, from, to)| Sinusoid {
-                    wavelength,
-                    amplitude,
-                    phase: 0.3,
-                    from,
-                    to,
-                })
+                .map(|&(wavelength, amplitude, from, to)| Sinusoid { wavelength, amplitude, phase: 0.3, from, to })
                 .collect(),
-            noise: Some(ColouredNoise {
-                level: 0.0,
-                wavelength: 0.1,
-                slope: 10.0,
-                longest: 3.0,
-            }),
+            noise: Some(ColouredNoise { level: 0.0, wavelength: 0.1, slope: 10.0, longest: 3.0 }),
             ..Recipe::default()
         };
         recipe.heights().unwrap()
@@ -453,19 +402,12 @@ mod tests {
 
     #[test]
     fn welds_and_squats_are_found_where_they_are() -> Result<(), Error> {
-        let dips = [
-            (30.0, 300e-6, 1.0),
-            (66.0, 150e-6, 0.6),
-            (90.0, 100e-6, 0.08),
-        ];
+        let dips = [(30.0, 300e-6, 1.0), (66.0, 150e-6, 0.6), (90.0, 100e-6, 0.08)];
         let mut profile = Profile::new(0.0, 2e-3, dipped(rail(1, &[]), &dips))?;
         let found = profile.bridge_defects(None);
         assert_eq!(found.len(), 3, "{found:?}");
         for (defect, (at, depth, length)) in found.iter().zip(dips) {
-            assert!(
-                (0.5 * (defect.from + defect.to) - at).abs() < 0.2,
-                "{defect:?}"
-            );
+            assert!((0.5 * (defect.from + defect.to) - at).abs() < 0.2, "{defect:?}");
             assert!((defect.height / -depth - 1.0).abs() < 0.4, "{defect:?}");
             assert_eq!(defect.is_short(), length < 0.1, "{defect:?}");
         }
@@ -488,9 +430,7 @@ mod tests {
             let heights = rail(u64::from(seed), &[]).into_iter().enumerate();
             let heights = heights.map(|(index, height)| {
                 let x = index as f64 * 2e-3;
-                let dip = |&(at, depth, length): &(f64, f64, f64)| {
-                    depth * (-(x - at).abs() / length).exp()
-                };
+                let dip = |&(at, depth, length): &(f64, f64, f64)| depth * (-(x - at).abs() / length).exp();
                 0.6 * height - joints.iter().map(dip).sum::<f64>()
             });
             let found = Profile::new(0.0, 2e-3, heights.collect())?.bridge_defects(None);
@@ -512,10 +452,7 @@ mod tests {
         let found = Profile::new(0.0, 2e-3, heights)?.bridge_defects(None);
         assert_eq!(found.len(), 2, "{found:?}");
         for (defect, (at, depth, _)) in found.iter().zip(dips) {
-            assert!(
-                (0.5 * (defect.from + defect.to) - at).abs() < 0.2,
-                "{defect:?}"
-            );
+            assert!((0.5 * (defect.from + defect.to) - at).abs() < 0.2, "{defect:?}");
             assert!((defect.height / -depth - 1.0).abs() < 0.4, "{defect:?}");
         }
         Ok(())

@@ -73,10 +73,7 @@ impl Spectrum {
         let levels = self.levels();
         let after = levels.partition_point(|level| level.band.wavelength() < wavelength);
         let at = |level: &BandLevel| level.band.wavelength().ln();
-        match (
-            after.checked_sub(1).map(|before| &levels[before]),
-            levels.get(after),
-        ) {
+        match (after.checked_sub(1).map(|before| &levels[before]), levels.get(after)) {
             (Some(before), Some(after)) => {
                 let share = (wavelength.ln() - at(before)) / (at(after) - at(before));
                 before.level + share * (after.level - before.level)

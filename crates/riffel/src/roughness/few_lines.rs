@@ -72,28 +72,21 @@ impl FewLines {
         }
         weights.remove(0);
         weights.resize(row, 0.0);
-        let circle: Vec<(f64, f64)> = (0..samples)
-            .map(|index| (TAU * index as f64 / samples as f64).sin_cos())
-            .collect();
+        let circle: Vec<(f64, f64)> =
+            (0..samples).map(|index| (TAU * index as f64 / samples as f64).sin_cos()).collect();
         let wave = |line: usize, part: fn(&(f64, f64)) -> f64| {
-            let mut values: Vec<f64> = (1..=half)
-                .map(|index| part(&circle[line * index % samples]))
-                .collect();
+            let mut values: Vec<f64> = (1..=half).map(|index| part(&circle[line * index % samples])).collect();
             values.resize(row, 0.0);
             values
         };
-        let waves: Vec<[Vec<f64>; 2]> = lines
-            .map(|line| [wave(line, |at| at.1), wave(line, |at| at.0)])
-            .collect();
+        let waves: Vec<[Vec<f64>; 2]> = lines.map(|line| [wave(line, |at| at.1), wave(line, |at| at.0)]).collect();
         let trend = |[cosine, sine]: &[Vec<f64>; 2]| {
             let of_mean = weights.iter().zip(cosine);
             let of_slope = weights.iter().zip(sine).enumerate();
             let place = |index: usize| 2.0 * (index + 1) as f64 - samples as f64;
             [
                 of_mean.map(|(weight, wave)| weight * wave).sum(),
-                of_slope
-                    .map(|(index, (weight, wave))| place(index) * weight * wave)
-                    .sum(),
+                of_slope.map(|(index, (weight, wave))| place(index) * weight * wave).sum(),
             ]
         };
         Self {
@@ -108,10 +101,8 @@ impl FewLines {
     /// Mean square of each line, as [`line_powers`](super::hann_window::line_powers).
     pub(super) fn powers(&self, parts: &[(&[f64], f64)]) -> Vec<f64> {
         let arch = Arch::new();
-        let batches: Vec<Vec<f64>> = parts
-            .par_chunks(BATCH)
-            .map(|parts| arch.dispatch(Batch { lines: self, parts }))
-            .collect();
+        let batches: Vec<Vec<f64>> =
+            parts.par_chunks(BATCH).map(|parts| arch.dispatch(Batch { lines: self, parts })).collect();
         let mut sums = vec![0.0; self.waves.len()];
         for batch in &batches {
             for (sum, part) in sums.iter_mut().zip(batch) {
@@ -132,8 +123,7 @@ impl FewLines {
         }
         let mut total = [0.0; LANES];
         let mut moment = [0.0; LANES];
-        let mut place =
-            std::array::from_fn::<f64, LANES, _>(|lane| 2.0 * (lane + 1) as f64 - count);
+        let mut place = std::array::from_fn::<f64, LANES, _>(|lane| 2.0 * (lane + 1) as f64 - count);
         let folded = sums.as_chunks_mut().0.iter_mut();
         let folded = folded.zip(differences.as_chunks_mut().0);
         for ((sums, differences), weights) in folded.zip(self.window.as_chunks().0) {
@@ -148,11 +138,7 @@ impl FewLines {
             }
         }
         let (total, moment) = (total.iter().sum::<f64>(), moment.iter().sum::<f64>());
-        let middle = if 2 * half == self.samples {
-            heights[half]
-        } else {
-            0.0
-        };
+        let middle = if 2 * half == self.samples { heights[half] } else { 0.0 };
         let mean = (heights[0] + total - middle) / count;
         // About the middle of the samples, half a step before that of the window.
         let moment = 0.5 * (moment - count * heights[0]) + 0.5 * count * mean;
@@ -217,11 +203,7 @@ impl FewLines {
             add_powers(simd, powers, seen, waves, trends);
         }
         let last = last.as_chunks_mut::<1>().0.iter_mut();
-        let rest = rest
-            .as_chunks::<1>()
-            .0
-            .iter()
-            .zip(rest_of_trends.as_chunks::<1>().0);
+        let rest = rest.as_chunks::<1>().0.iter().zip(rest_of_trends.as_chunks::<1>().0);
         for (power, (wave, trend)) in last.zip(rest) {
             add_powers(simd, power, seen, wave, trend);
         }
@@ -262,15 +244,10 @@ fn add_powers<S: Simd, const N: usize, const P: usize>(
 /// The products of each of P rows with each of N waves, which are read once for all of them. Closures would be compiled without the wide
 /// instructions.
 #[inline(always)]
-fn products<S: Simd, const N: usize, const P: usize>(
-    simd: S,
-    rows: [&[f64]; P],
-    waves: [&[f64]; N],
-) -> [[f64; N]; P] {
+fn products<S: Simd, const N: usize, const P: usize>(simd: S, rows: [&[f64]; P], waves: [&[f64]; N]) -> [[f64; N]; P] {
     let count = S::as_simd_f64s(waves[0]).0.len();
     let rows: [&[S::f64s]; P] = std::array::from_fn(|part| &S::as_simd_f64s(rows[part]).0[..count]);
-    let waves: [&[S::f64s]; N] =
-        std::array::from_fn(|line| &S::as_simd_f64s(waves[line]).0[..count]);
+    let waves: [&[S::f64s]; N] = std::array::from_fn(|line| &S::as_simd_f64s(waves[line]).0[..count]);
     let mut sums = [[simd.splat_f64s(0.0); N]; P];
     for index in 0..count {
         for (row, sums) in rows.iter().zip(&mut sums) {
@@ -303,22 +280,16 @@ mod tests {
                 3.0 + 0.01 * x + (0.7 * x).sin() + ((x * x * 0.37) % 1.0)
             };
             let record: Vec<f64> = (0..samples + 40).map(height).collect();
-            let parts: Vec<(&[f64], f64)> = (0..=40)
-                .map(|start| (&record[start..start + samples], 0.5 + start as f64))
-                .collect();
+            let parts: Vec<(&[f64], f64)> =
+                (0..=40).map(|start| (&record[start..start + samples], 0.5 + start as f64)).collect();
             let expected = line_powers(&parts, samples);
             let strongest = expected.iter().copied().fold(0.0, f64::max);
             for lines in [1..=1, 2..=8, 5..=16, 20..=44] {
                 let kept = KeptLines::default();
-                let found = kept
-                    .of(samples, lines.clone())
-                    .map(|few| few.powers(&parts));
+                let found = kept.of(samples, lines.clone()).map(|few| few.powers(&parts));
                 for (line, found) in lines.zip(found.unwrap()) {
                     let error = (found - expected[line]).abs();
-                    assert!(
-                        error < 1e-13 * strongest,
-                        "{samples} {line}: {error:e} {strongest:e}"
-                    );
+                    assert!(error < 1e-13 * strongest, "{samples} {line}: {error:e} {strongest:e}");
                 }
             }
         }
@@ -327,13 +298,8 @@ mod tests {
     #[test]
     fn transforms_are_left_what_takes_them_less_time() {
         let kept = KeptLines::default();
-        for (lines, are_few) in [
-            (0..=3, false),
-            (1..=32, true),
-            (1..=33, false),
-            (480..=499, true),
-            (480..=500, false),
-        ] {
+        for (lines, are_few) in [(0..=3, false), (1..=32, true), (1..=33, false), (480..=499, true), (480..=500, false)]
+        {
             assert_eq!(kept.of(1000, lines.clone()).is_some(), are_few, "{lines:?}");
         }
     }

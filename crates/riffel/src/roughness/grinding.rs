@@ -40,10 +40,7 @@ impl Default for GrindSettings {
     /// 10 m, about as long as its stones need to be lowered or raised. A shorter section cannot be ground on
     /// its own, and a shorter good length is not worth the stop.
     fn default() -> Self {
-        Self {
-            merge: 10.0,
-            shortest: 10.0,
-        }
+        Self { merge: 10.0, shortest: 10.0 }
     }
 }
 
@@ -82,9 +79,10 @@ pub fn grind_sections(
     let numbers = stretch_numbers(stretches);
     for section in &mut sections {
         let middle = 0.5 * (section.from + section.to);
-        let own = stretches.iter().zip(&numbers).find(|((from, to), number)| {
-            **number == section.stretch && (*from..=*to).contains(&middle)
-        });
+        let own = stretches
+            .iter()
+            .zip(&numbers)
+            .find(|((from, to), number)| **number == section.stretch && (*from..=*to).contains(&middle));
         if let Some((&(from, to), _)) = own {
             widen(section, settings.shortest.min(to - from), from, to);
         }
@@ -93,9 +91,7 @@ pub fn grind_sections(
     let mut joined: Vec<GrindSection> = Vec::new();
     for section in sections {
         match joined.last_mut() {
-            Some(last)
-                if section.stretch == last.stretch && section.from - last.to <= settings.merge =>
-            {
+            Some(last) if section.stretch == last.stretch && section.from - last.to <= settings.merge => {
                 last.to = last.to.max(section.to);
                 if section.ratio > last.ratio {
                     last.ratio = section.ratio;
@@ -143,13 +139,7 @@ mod tests {
     const LONG: WavelengthBand = WavelengthBand::GRINDING[1];
 
     fn section(from: f64, to: f64, band: WavelengthBand, ratio: f64) -> GrindSection {
-        GrindSection {
-            from,
-            to,
-            stretch: 1,
-            band,
-            ratio,
-        }
+        GrindSection { from, to, stretch: 1, band, ratio }
     }
 
     fn settings(merge: f64, shortest: f64) -> GrindSettings {
@@ -168,13 +158,7 @@ mod tests {
             &[(0.0, 100.0)],
             &settings(5.0, 0.0),
         );
-        assert_eq!(
-            joined,
-            [
-                section(10.0, 24.0, LONG, 2.0),
-                section(50.0, 60.0, LONG, 1.1)
-            ]
-        );
+        assert_eq!(joined, [section(10.0, 24.0, LONG, 2.0), section(50.0, 60.0, LONG, 1.1)]);
         assert_eq!(joined[0].length(), 14.0);
     }
 
@@ -188,10 +172,7 @@ mod tests {
             &settings(10.0, 10.0),
         );
         let ends: Vec<(f64, f64)> = ground.iter().map(|one| (one.from, one.to)).collect();
-        assert_eq!(
-            ends,
-            [(0.0, 10.0), (45.25, 55.25), (90.0, 100.0), (200.0, 204.0)]
-        );
+        assert_eq!(ends, [(0.0, 10.0), (45.25, 55.25), (90.0, 100.0), (200.0, 204.0)]);
     }
 
     #[test]
@@ -207,15 +188,10 @@ mod tests {
     fn stretches_at_the_same_places_are_two_pieces_of_rail() {
         let stretches = [(0.0, 40.0), (20.0, 60.0), (65.0, 90.0), (89.99, 99.0)];
         assert_eq!(stretch_numbers(&stretches), [1, 2, 2, 2]);
-        let second = GrindSection {
-            stretch: 2,
-            ..section(21.0, 24.0, LONG, 2.0)
-        };
+        let second = GrindSection { stretch: 2, ..section(21.0, 24.0, LONG, 2.0) };
         let over = vec![second, section(36.0, 40.0, LONG, 1.5)];
         let ground = grind_sections(over, &stretches, &settings(10.0, 10.0));
-        let found: Vec<_> = (ground.iter())
-            .map(|one| (one.stretch, one.from, one.to, one.ratio))
-            .collect();
+        let found: Vec<_> = (ground.iter()).map(|one| (one.stretch, one.from, one.to, one.ratio)).collect();
         assert_eq!(found, [(1, 30.0, 40.0, 1.5), (2, 20.0, 30.0, 2.0)]);
     }
 

@@ -33,8 +33,7 @@ pub(super) fn line_powers(parts: &[(&[f64], f64)], samples: usize) -> Vec<f64> {
                     *height *= weight;
                 }
                 // Fails only for a buffer of another length.
-                let transformed =
-                    transform.process_with_scratch(&mut input, &mut output, &mut scratch);
+                let transformed = transform.process_with_scratch(&mut input, &mut output, &mut scratch);
                 debug_assert!(transformed.is_ok());
                 for (sum, line) in sum.iter_mut().zip(&output) {
                     *sum += share * line.norm_sqr();
@@ -69,11 +68,7 @@ pub(super) fn window(samples: usize) -> Vec<f64> {
 
 /// The lines that lie in a band, a distance \[1/m\] apart, each with its share: a line stands for half a step to either
 /// side, and where it straddles the edge of a band, each band has its part (EN 15610:2009, Annex C).
-pub(super) fn lines_of_band(
-    samples: usize,
-    line_spacing: f64,
-    band: ThirdOctave,
-) -> (RangeInclusive<usize>, Vec<f64>) {
+pub(super) fn lines_of_band(samples: usize, line_spacing: f64, band: ThirdOctave) -> (RangeInclusive<usize>, Vec<f64>) {
     let (low, high) = band.wavenumber_range();
     let (low, high) = (low / line_spacing, high / line_spacing);
     let lines = low.round() as usize..=(high.round() as usize).min(samples / 2);
@@ -92,18 +87,12 @@ pub(super) fn lines_of_band(
 /// spacings differ.
 pub(super) fn spacing_and_longest(stretches: &[Profile]) -> Result<(f64, f64), Error> {
     let Some(first) = stretches.first() else {
-        return Err(Error::Measurement {
-            index: 0,
-            rule: "a record must have a stretch without gaps",
-        });
+        return Err(Error::Measurement { index: 0, rule: "a record must have a stretch without gaps" });
     };
     let spacing = first.spacing();
     let differs = |stretch: &Profile| stretch.spacing() != spacing;
     if let Some(index) = stretches.iter().position(differs) {
-        return Err(Error::Measurement {
-            index,
-            rule: "all stretches of a record must have one spacing",
-        });
+        return Err(Error::Measurement { index, rule: "all stretches of a record must have one spacing" });
     }
     let longest = stretches.iter().map(Profile::length).fold(0.0, f64::max);
     // A record of 1000 samples of 1 mm is 0.999 m from its first to its last.
@@ -124,10 +113,7 @@ pub(super) fn remove_trend(heights: &mut [f64]) {
     let middle = 0.5 * (count - 1.0);
     let mean = heights.iter().sum::<f64>() / count;
     let places = || (0..heights.len()).map(|index| index as f64 - middle);
-    let moment: f64 = places()
-        .zip(heights.iter())
-        .map(|(place, height)| place * height)
-        .sum();
+    let moment: f64 = places().zip(heights.iter()).map(|(place, height)| place * height).sum();
     // Sum of the squares of the places.
     let slope = moment / (count * (count * count - 1.0) / 12.0);
     for (index, height) in heights.iter_mut().enumerate() {

@@ -56,39 +56,22 @@ impl RailAnalysis {
         let with_limit = self.bands.iter().filter(|band| band.limit.is_some());
         let bands: Vec<(WavelengthBand, Vec<&GrindSection>)> = with_limit
             .map(|summary| {
-                let own = self
-                    .over_limit
-                    .iter()
-                    .filter(|one| one.band == summary.band);
+                let own = self.over_limit.iter().filter(|one| one.band == summary.band);
                 let mut own: Vec<&GrindSection> = own.collect();
-                own.sort_by(|one, other| {
-                    (one.stretch.cmp(&other.stretch)).then(one.from.total_cmp(&other.from))
-                });
+                own.sort_by(|one, other| (one.stretch.cmp(&other.stretch)).then(one.from.total_cmp(&other.from)));
                 (summary.band, own)
             })
             .collect();
         let judged = pieces.iter().filter_map(|piece| {
-            let &Piece {
-                stretch, from, to, ..
-            } = piece;
+            let &Piece { stretch, from, to, .. } = piece;
             let of_band = bands.iter().map(|(band, over)| {
                 let first = over.partition_point(|one| (one.stretch, one.to) <= (stretch, from));
                 let over = over[first..].iter();
                 let over = over.take_while(|one| one.stretch == stretch && one.from < to);
                 let (sum, ratio) = over.fold((0.0, 1.0f64), |(sum, ratio), one| {
-                    (
-                        sum + one.to.min(to) - one.from.max(from),
-                        ratio.max(one.ratio),
-                    )
+                    (sum + one.to.min(to) - one.from.max(from), ratio.max(one.ratio))
                 });
-                JudgedSection {
-                    stretch,
-                    from,
-                    to,
-                    band: *band,
-                    share: sum / piece.measured,
-                    ratio,
-                }
+                JudgedSection { stretch, from, to, band: *band, share: sum / piece.measured, ratio }
             });
             of_band.max_by(|one, other| by_share(other, one))
         });
@@ -115,10 +98,7 @@ pub(super) struct Piece {
 /// They begin at whole hundreds of metres, as the posts beside a line do. One of which less than half was measured is judged with the
 /// one before it, the first with the one behind. Where places go back, a section ends and another begins.
 pub(super) fn pieces(stretches: &[(f64, f64)]) -> Vec<Piece> {
-    let numbered: Vec<_> = stretch_numbers(stretches)
-        .into_iter()
-        .zip(stretches)
-        .collect();
+    let numbered: Vec<_> = stretch_numbers(stretches).into_iter().zip(stretches).collect();
     let parts = numbered.chunk_by(|one, other| one.0 == other.0);
     parts.flat_map(pieces_of).collect()
 }
@@ -126,8 +106,7 @@ pub(super) fn pieces(stretches: &[(f64, f64)]) -> Vec<Piece> {
 /// The sections of stretches of one number.
 fn pieces_of(stretches: &[(usize, &(f64, f64))]) -> Vec<Piece> {
     let ends = stretches.iter().map(|(number, ends)| (*number, **ends));
-    let ends =
-        ends.reduce(|(number, one), (_, other)| (number, (one.0.min(other.0), one.1.max(other.1))));
+    let ends = ends.reduce(|(number, one), (_, other)| (number, (one.0.min(other.0), one.1.max(other.1))));
     let Some((stretch, (first, last))) = ends else {
         return Vec::new();
     };
@@ -146,12 +125,7 @@ fn pieces_of(stretches: &[(usize, &(f64, f64))]) -> Vec<Piece> {
                 piece.to = to;
                 piece.measured += own;
             }
-            _ => pieces.push(Piece {
-                stretch,
-                from,
-                to,
-                measured: own,
-            }),
+            _ => pieces.push(Piece { stretch, from, to, measured: own }),
         }
         from = to;
     }
@@ -173,25 +147,13 @@ mod tests {
 
     /// A rail from a place on, over its limit at some places.
     fn rail(from: f64, to: f64, over: &[(f64, f64)]) -> RailAnalysis {
-        let heights = (0..4000)
-            .map(|n| 1e-6 * (f64::from(n) * 0.1).sin())
-            .collect();
+        let heights = (0..4000).map(|n| 1e-6 * (f64::from(n) * 0.1).sin()).collect();
         let profile = Profile::new(0.0, 1e-3, heights).unwrap();
         let limit = RmsLimit::new(vec![(BAND, 4e-6)], 0.05).unwrap();
-        let settings = AnalysisSettings {
-            limit: Some(limit),
-            bands: vec![BAND],
-            ..AnalysisSettings::default()
-        };
+        let settings = AnalysisSettings { limit: Some(limit), bands: vec![BAND], ..AnalysisSettings::default() };
         let mut analysis = RailAnalysis::new(vec![profile], &settings, &|| ()).unwrap();
         analysis.stretches = vec![(from, to)];
-        let sections = over.iter().map(|&(from, to)| GrindSection {
-            from,
-            to,
-            stretch: 1,
-            band: BAND,
-            ratio: 4.9,
-        });
+        let sections = over.iter().map(|&(from, to)| GrindSection { from, to, stretch: 1, band: BAND, ratio: 4.9 });
         analysis.over_limit = sections.collect();
         analysis
     }
@@ -210,9 +172,7 @@ mod tests {
             assert_eq!(places, [(5_100.0, 1.0), (5_200.0, 1.0), (5_300.0, 0.4)]);
             assert_eq!((found.len() as f64, found[0].ratio), (end / 100.0, 4.9));
         }
-        let each: Vec<(f64, f64)> = (0..180)
-            .map(|n| (100.0 * f64::from(n), 100.0 * f64::from(n) + 4.0))
-            .collect();
+        let each: Vec<(f64, f64)> = (0..180).map(|n| (100.0 * f64::from(n), 100.0 * f64::from(n) + 4.0)).collect();
         let found = rail(0.0, 18_000.0, &each).judged_sections();
         assert!(found.iter().all(|one| !one.is_over(&limit())));
     }
@@ -238,15 +198,9 @@ mod tests {
         long.over_limit[0].stretch = 2;
         let mut found = long.judged_sections();
         found.sort_by(|one, other| one.from.total_cmp(&other.from));
-        let found: Vec<_> = (found.iter())
-            .map(|one| (one.stretch, one.from, one.to, one.share))
-            .collect();
-        let expected = [
-            (1, 0.0, 100.0, 0.0),
-            (2, 90.0, 200.0, 30.0 / 110.0),
-            (1, 100.0, 150.0, 0.0),
-            (2, 200.0, 300.0, 0.0),
-        ];
+        let found: Vec<_> = (found.iter()).map(|one| (one.stretch, one.from, one.to, one.share)).collect();
+        let expected =
+            [(1, 0.0, 100.0, 0.0), (2, 90.0, 200.0, 30.0 / 110.0), (1, 100.0, 150.0, 0.0), (2, 200.0, 300.0, 0.0)];
         assert_eq!(found, expected);
     }
 }

@@ -45,11 +45,7 @@ impl LevelLimit {
         let bands = spectrum.levels().iter();
         bands
             .filter_map(|level| {
-                Some(LevelExcess {
-                    band: level.band,
-                    level: level.level,
-                    limit: self.spectrum.level(level.band)?,
-                })
+                Some(LevelExcess { band: level.band, level: level.level, limit: self.spectrum.level(level.band)? })
             })
             .collect()
     }

@@ -62,12 +62,7 @@ impl Spectrum {
 
 impl RecordLevels {
     /// As [`Spectrum::of_record`], of bands that lie wholly above the shortest wavelength \[m\].
-    pub(super) fn new(
-        stretches: &[Profile],
-        shortest: f64,
-        longest: f64,
-        kept: &KeptLines,
-    ) -> Result<Self, Error> {
+    pub(super) fn new(stretches: &[Profile], shortest: f64, longest: f64, kept: &KeptLines) -> Result<Self, Error> {
         Error::unless_positive("longest wavelength", longest, "m")?;
         let (spacing, record) = spacing_and_longest(stretches)?;
         // The record is known to a sample at either end.
@@ -75,14 +70,9 @@ impl RecordLevels {
         let nyquist = 0.5 / spacing * (1.0 + 1e-9);
         let bands = (-60..=(10.0 * longest.log10()).floor() as i32)
             .map(ThirdOctave::new)
-            .filter(|band| {
-                band.wavenumber_range().1 <= nyquist && band.wavelength_range().0 >= shortest
-            });
-        let mut samples = Samples {
-            spacing,
-            stretches: stretches.iter().map(|one| one.heights().into()).collect(),
-            halvings: 0,
-        };
+            .filter(|band| band.wavenumber_range().1 <= nyquist && band.wavelength_range().0 >= shortest);
+        let mut samples =
+            Samples { spacing, stretches: stretches.iter().map(|one| one.heights().into()).collect(), halvings: 0 };
         let mut levels = Vec::new();
         let (mut segment_length, mut segments) = (0.0, 0);
         for band in bands {
@@ -97,11 +87,7 @@ impl RecordLevels {
             levels.push((band, level(power)));
             (segment_length, segments) = (segment as f64 * samples.spacing, averaged);
         }
-        Ok(Self {
-            spectrum: Spectrum::new(levels)?,
-            segment_length,
-            segments,
-        })
+        Ok(Self { spectrum: Spectrum::new(levels)?, segment_length, segments })
     }
 }
 
@@ -117,11 +103,7 @@ impl Samples<'_> {
     fn halved(&self) -> Self {
         Self {
             spacing: 2.0 * self.spacing,
-            stretches: self
-                .stretches
-                .iter()
-                .map(|one| halved(one).into())
-                .collect(),
+            stretches: self.stretches.iter().map(|one| halved(one).into()).collect(),
             halvings: self.halvings + 1,
         }
     }
@@ -129,19 +111,11 @@ impl Samples<'_> {
     /// Gain of all halvings at a wavenumber \[1/m\].
     fn gain(&self, wavenumber: f64) -> f64 {
         let spacings = (1..=self.halvings).map(|back| self.spacing * 0.5f64.powi(back));
-        spacings
-            .map(|spacing| (PI * wavenumber * spacing).cos().powi(5))
-            .product()
+        spacings.map(|spacing| (PI * wavenumber * spacing).cos().powi(5)).product()
     }
 
     /// Mean square of a band over all stretches with `fewest` samples or the longest one, and the number of segments.
-    fn power(
-        &self,
-        band: ThirdOctave,
-        segment: usize,
-        fewest: usize,
-        kept: &KeptLines,
-    ) -> (f64, usize) {
+    fn power(&self, band: ThirdOctave, segment: usize, fewest: usize, kept: &KeptLines) -> (f64, usize) {
         let longest = self.stretches.iter().map(|heights| heights.len()).max();
         let fewest_of_all = fewest.min(longest.unwrap_or(0));
         let counting = || {
@@ -153,10 +127,7 @@ impl Samples<'_> {
         let mut segments = 0;
         for heights in counting() {
             let parts = parts(heights.len(), segment, fewest);
-            segments += parts
-                .iter()
-                .filter(|part| part.samples == parts[0].samples)
-                .count();
+            segments += parts.iter().filter(|part| part.samples == parts[0].samples).count();
             let sum: f64 = parts.iter().map(|part| part.weight).sum();
             let share = heights.len() as f64 / (total as f64 * sum);
             for part in parts {
@@ -174,9 +145,7 @@ impl Samples<'_> {
             };
             let shared = lines.zip(powers).zip(shares);
             let gain = |line: usize| self.gain(line as f64 * line_spacing);
-            shared
-                .map(|((line, power), share)| power * share / gain(line).powi(2))
-                .sum::<f64>()
+            shared.map(|((line, power), share)| power * share / gain(line).powi(2)).sum::<f64>()
         });
         (powers.sum(), segments)
     }
@@ -208,14 +177,8 @@ fn halved(heights: &[f64]) -> Vec<f64> {
 /// The segments of a stretch and the shorter parts at its ends.
 fn parts(samples: usize, segment: usize, fewest: usize) -> Vec<Part> {
     let segment = segment.min(samples);
-    let part = |start, samples: usize, weight: f64| Part {
-        start,
-        samples,
-        weight: weight * samples as f64,
-    };
-    let mut parts: Vec<Part> = starts(samples, segment)
-        .map(|start| part(start, segment, 1.0))
-        .collect();
+    let part = |start, samples: usize, weight: f64| Part { start, samples, weight: weight * samples as f64 };
+    let mut parts: Vec<Part> = starts(samples, segment).map(|start| part(start, segment, 1.0)).collect();
     for (share, weight) in AT_AN_END {
         let short = ((share * segment as f64).round() as usize).max(fewest);
         if short < segment {
@@ -312,10 +275,7 @@ mod tests {
     fn bands_end_at_a_quarter_of_the_record_and_at_two_samples() -> Result<(), Error> {
         let record = [sinusoid(10_000, 0.1)?];
         let spectrum = Spectrum::of_record(&record, 100.0)?;
-        let (first, last) = (
-            spectrum.levels()[0].band,
-            spectrum.levels().last().unwrap().band,
-        );
+        let (first, last) = (spectrum.levels()[0].band, spectrum.levels().last().unwrap().band);
         assert_eq!(first.nominal_millimetres(), 2.5);
         // 2.512 m is longer than a quarter of 10 m.
         assert_eq!(last.nominal_millimetres(), 2000.0);

@@ -22,20 +22,13 @@ pub fn moving_rms(values: &[f64], window: usize) -> Vec<f64> {
 
 /// Tell `visit` the mean squares of consecutive windows, some thousand at a time, with the index of the
 /// first value of the first window.
-pub(super) fn moving_mean_squares(
-    values: &[f64],
-    window: usize,
-    mut visit: impl FnMut(usize, &[f64]),
-) {
+pub(super) fn moving_mean_squares(values: &[f64], window: usize, mut visit: impl FnMut(usize, &[f64])) {
     let windows = count(values, window).unwrap_or(0);
     let scale = (window as f64).recip();
     let mut squares = Vec::with_capacity(CHUNK.min(windows));
     for start in (0..windows).step_by(CHUNK) {
         let end = (start + CHUNK).min(windows);
-        let mut sum: f64 = values[start..start + window]
-            .iter()
-            .map(|value| value * value)
-            .sum();
+        let mut sum: f64 = values[start..start + window].iter().map(|value| value * value).sum();
         squares.clear();
         squares.push(scale * sum);
         let gone = values[start..end - 1].iter();
@@ -78,10 +71,7 @@ pub fn largest_peak_to_peak(values: &[f64], window: usize) -> f64 {
     let mut best = within.into_iter().fold(0.0, f64::max);
     let mut cell = 0;
     while cell < bounds.len() {
-        let run = bounds[cell..]
-            .iter()
-            .take_while(|bound| **bound > best)
-            .count();
+        let run = bounds[cell..].iter().take_while(|bound| **bound > best).count();
         if run > 0 {
             let end = ((cell + run) * CELL).min(windows) + window - 1;
             let found = moving_peak_to_peak(&values[cell * CELL..end], window);
@@ -97,9 +87,7 @@ const NOTHING: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 /// Smallest and largest of some values.
 fn extremes(values: &[f64]) -> (f64, f64) {
-    values
-        .iter()
-        .fold(NOTHING, |so_far, &value| joined(so_far, (value, value)))
+    values.iter().fold(NOTHING, |so_far, &value| joined(so_far, (value, value)))
 }
 
 /// Largest less smallest of each window of values or of ranges of values.
@@ -112,11 +100,7 @@ fn moving_range<T: Copy>(values: &[T], window: usize, range: impl Fn(T) -> (f64,
     let mut tails = vec![NOTHING; window];
     for stretch in (0..windows).step_by(window) {
         let mut tail = NOTHING;
-        for (tails, &value) in tails
-            .iter_mut()
-            .zip(&values[stretch..stretch + window])
-            .rev()
-        {
+        for (tails, &value) in tails.iter_mut().zip(&values[stretch..stretch + window]).rev() {
             tail = joined(tail, range(value));
             *tails = tail;
         }
@@ -140,10 +124,7 @@ fn count<T>(values: &[T], window: usize) -> Option<usize> {
 
 /// Smallest and largest of two ranges.
 fn joined((low, high): (f64, f64), (lower, higher): (f64, f64)) -> (f64, f64) {
-    (
-        if lower < low { lower } else { low },
-        if higher > high { higher } else { high },
-    )
+    (if lower < low { lower } else { low }, if higher > high { higher } else { high })
 }
 
 #[cfg(test)]

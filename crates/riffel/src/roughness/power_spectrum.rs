@@ -37,10 +37,8 @@ impl PowerSpectrum {
         let wanted = (WAVES_PER_SEGMENT * longest).max(SHORTEST_RECORD);
         let samples = (wanted.min(length) / spacing).round().max(2.0) as usize;
         let all = stretches.iter().map(Profile::heights);
-        let mut parts: Vec<(&[f64], f64)> = all
-            .flat_map(|heights| segments(heights, samples))
-            .map(|segment| (segment, 1.0))
-            .collect();
+        let mut parts: Vec<(&[f64], f64)> =
+            all.flat_map(|heights| segments(heights, samples)).map(|segment| (segment, 1.0)).collect();
         let count = parts.len();
         for (_, share) in &mut parts {
             *share = (count as f64).recip();

@@ -20,21 +20,11 @@ impl Profile {
     pub fn new(start: f64, spacing: f64, heights: Vec<f64>) -> Result<Self, Error> {
         Error::unless_positive("sample spacing", spacing, "m")?;
         if heights.len() < 2 {
-            return Err(Error::Measurement {
-                index: heights.len(),
-                rule: "a profile must have at least two heights",
-            });
+            return Err(Error::Measurement { index: heights.len(), rule: "a profile must have at least two heights" });
         }
         match heights.iter().position(|height| !height.is_finite()) {
-            Some(index) => Err(Error::Measurement {
-                index,
-                rule: "a height must be finite",
-            }),
-            None => Ok(Self {
-                start,
-                spacing,
-                heights,
-            }),
+            Some(index) => Err(Error::Measurement { index, rule: "a height must be finite" }),
+            None => Ok(Self { start, spacing, heights }),
         }
     }
 
@@ -64,9 +54,7 @@ impl Profile {
         const ROUNDING: f64 = 1e-3;
         let count = self.heights.len();
         // Numbers below zero become zero.
-        let index = |position: f64| {
-            (((position - self.start) / self.spacing - ROUNDING).ceil() as usize).min(count)
-        };
+        let index = |position: f64| (((position - self.start) / self.spacing - ROUNDING).ceil() as usize).min(count);
         let heights = self.heights.get(index(from)..index(to))?;
         Self::new(self.position(index(from)), self.spacing, heights.to_vec()).ok()
     }

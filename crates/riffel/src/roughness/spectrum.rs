@@ -38,10 +38,7 @@ impl Spectrum {
     /// # Errors
     /// [`Error::Measurement`] where there is no band, a level is not finite, or a band is there twice.
     pub fn new(levels: impl IntoIterator<Item = (ThirdOctave, f64)>) -> Result<Self, Error> {
-        let mut levels: Vec<BandLevel> = levels
-            .into_iter()
-            .map(|(band, level)| BandLevel { band, level })
-            .collect();
+        let mut levels: Vec<BandLevel> = levels.into_iter().map(|(band, level)| BandLevel { band, level }).collect();
         let wrong = |index, rule| Err(Error::Measurement { index, rule });
         if levels.is_empty() {
             return wrong(0, "a spectrum must have a band");
@@ -50,10 +47,7 @@ impl Spectrum {
             return wrong(index, "a level must be finite");
         }
         levels.sort_by_key(|band| band.band);
-        match levels
-            .windows(2)
-            .position(|pair| pair[0].band == pair[1].band)
-        {
+        match levels.windows(2).position(|pair| pair[0].band == pair[1].band) {
             Some(index) => wrong(index + 1, "a band must be there once"),
             None => Ok(Self { levels }),
         }
@@ -95,8 +89,7 @@ impl Spectrum {
         let longest = bands().map(|level| level.band).max()?;
         let levels = ThirdOctave::between(shortest, longest).filter_map(|band| {
             let levels = spectra.iter().filter_map(|spectrum| spectrum.level(band));
-            let (count, sum) =
-                levels.fold((0, 0.0), |(count, sum), level| (count + 1, sum + to(level)));
+            let (count, sum) = levels.fold((0, 0.0), |(count, sum), level| (count + 1, sum + to(level)));
             (count > 0).then(|| (band, from(sum / f64::from(count))))
         });
         Self::new(levels).ok()

@@ -17,11 +17,7 @@ pub struct SpikeCriterion {
 
 impl SpikeCriterion {
     /// EN 15610:2009: −10⁷ µm/m², 5·10³ µm/m, 3 m.
-    pub const EN_15610: Self = Self {
-        curvature: -10.0,
-        edge_slope: 5e-3,
-        length: 3.0,
-    };
+    pub const EN_15610: Self = Self { curvature: -10.0, edge_slope: 5e-3, length: 3.0 };
 }
 
 impl Profile {
@@ -41,12 +37,10 @@ impl Profile {
         let mut removed: Vec<Range<usize>> = Vec::new();
         let mut index = 1;
         while index + 1 < heights.len() {
-            let spike = Peak::at(heights, index, bend)
-                .map(|peak| peak.sides(heights, slight))
-                .filter(|spike| {
-                    let width = (spike.end - 1 - spike.start) as f64 * spacing;
-                    height(heights, spike, index) > width * width / criterion.length
-                });
+            let spike = Peak::at(heights, index, bend).map(|peak| peak.sides(heights, slight)).filter(|spike| {
+                let width = (spike.end - 1 - spike.start) as f64 * spacing;
+                height(heights, spike, index) > width * width / criterion.length
+            });
             match spike {
                 None => index += 1,
                 Some(spike) => {
@@ -188,10 +182,7 @@ mod tests {
             heights[51] = height;
             let mut profile = Profile::new(0.0, 1e-3, heights)?;
             // Height 2h over width 4 mm.
-            let removed = profile.remove_spikes(SpikeCriterion {
-                length: 1.5,
-                ..SpikeCriterion::EN_15610
-            });
+            let removed = profile.remove_spikes(SpikeCriterion { length: 1.5, ..SpikeCriterion::EN_15610 });
             assert_eq!(removed.len(), count, "{height}");
         }
         Ok(())

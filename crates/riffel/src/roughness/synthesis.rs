@@ -96,11 +96,7 @@ impl ColouredNoise {
         let q = -self.slope / 10.0;
         let half = std::f64::consts::LN_10 * ThirdOctave::HALF_WIDTH_DECADES;
         // ∫ k^(q−1) over the band, divided by k₀^q.
-        let integral = if q == 0.0 {
-            2.0 * half
-        } else {
-            2.0 * (q * half).sinh() / q
-        };
+        let integral = if q == 0.0 { 2.0 * half } else { 2.0 * (q * half).sinh() / q };
         let power = mean_square(self.level);
         (power * self.wavelength.powf(q) / integral, q)
     }
@@ -141,19 +137,12 @@ impl Recipe {
                     // A place on the foot belongs to neither, whatever its rounding.
                     let inside = away < 1.0 - 1e-6;
                     let share = if sign > 0.0 { 1.0 - away } else { 1.0 };
-                    *height += if inside {
-                        sign * shape.height * share
-                    } else {
-                        0.0
-                    };
+                    *height += if inside { sign * shape.height * share } else { 0.0 };
                 }
             }
         }
         for dropout in &self.dropouts {
-            let (from, to) = (
-                self.sample(dropout.from, samples),
-                self.sample(dropout.to, samples),
-            );
+            let (from, to) = (self.sample(dropout.from, samples), self.sample(dropout.to, samples));
             heights[from.min(to)..to].fill(f64::NAN);
         }
         Ok(heights)
@@ -222,12 +211,7 @@ mod tests {
     use crate::roughness::{Profile, Spectrum};
 
     fn recipe(length: f64) -> Recipe {
-        Recipe {
-            length,
-            spacing: 1e-3,
-            seed: 1,
-            ..Recipe::default()
-        }
+        Recipe { length, spacing: 1e-3, seed: 1, ..Recipe::default() }
     }
 
     /// White and coloured noise return their spectrum within 0.3 dB: 1 km has 2 300 lines a band at 100 mm
@@ -235,25 +219,14 @@ mod tests {
     #[test]
     fn noise_has_the_levels_it_was_made_with() -> Result<(), Error> {
         for slope in [-10.0, 0.0, 20.0] {
-            let noise = ColouredNoise {
-                level: 0.0,
-                wavelength: 0.1,
-                slope,
-                longest: 3.0,
-            };
-            let made = Recipe {
-                noise: Some(noise),
-                ..recipe(1000.0)
-            };
+            let noise = ColouredNoise { level: 0.0, wavelength: 0.1, slope, longest: 3.0 };
+            let made = Recipe { noise: Some(noise), ..recipe(1000.0) };
             let profile = Profile::new(0.0, 1e-3, made.heights()?)?;
             let spectrum = Spectrum::of_record(&[profile], 0.1)?;
             assert!(spectrum.levels().len() > 10);
             for level in spectrum.levels() {
                 let expected = noise.level_at(level.band.wavelength());
-                assert!(
-                    (level.level - expected).abs() < 0.3,
-                    "{slope} {level:?} {expected}"
-                );
+                assert!((level.level - expected).abs() < 0.3, "{slope} {level:?} {expected}");
             }
         }
         Ok(())
@@ -261,22 +234,12 @@ mod tests {
 
     #[test]
     fn a_recipe_gives_what_it_names() -> Result<(), Error> {
-        let shape = Irregularity {
-            at: 1.0,
-            height: 50e-6,
-            width: 4e-3,
-        };
+        let shape = Irregularity { at: 1.0, height: 50e-6, width: 4e-3 };
         let made = Recipe {
             spikes: vec![shape],
             pits: vec![Irregularity { at: 2.0, ..shape }],
             dropouts: vec![Dropout { from: 3.0, to: 3.1 }],
-            sinusoids: vec![Sinusoid {
-                wavelength: 0.1,
-                amplitude: 2e-6,
-                phase: 0.0,
-                from: 4.0,
-                to: 5.0,
-            }],
+            sinusoids: vec![Sinusoid { wavelength: 0.1, amplitude: 2e-6, phase: 0.0, from: 4.0, to: 5.0 }],
             ..recipe(6.0)
         };
         let heights = made.heights()?;

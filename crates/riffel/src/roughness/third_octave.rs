@@ -3,8 +3,7 @@
 use crate::Error;
 
 /// Nominal centres of a decade.
-pub(crate) const NOMINAL_OF_DECADE: [f64; 10] =
-    [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
+pub(crate) const NOMINAL_OF_DECADE: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
 
 /// A base-ten one-third octave: centre 10^(n/10) m, edges 10^(±1/20) about it (EN 15610, Annex C, in
 /// wavenumber; the bands are the same in wavelength).

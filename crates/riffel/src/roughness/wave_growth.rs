@@ -93,22 +93,12 @@ impl WaveGrowths {
                 lost += 1;
                 continue;
             }
-            waves.push(WaveGrowth {
-                wavelength: segment / line as f64,
-                logarithm: (cross / own).ln(),
-                variance,
-            });
+            waves.push(WaveGrowth { wavelength: segment / line as f64, logarithm: (cross / own).ln(), variance });
         }
         if waves.is_empty() {
             return wrong("both profiles must show the same rail, but have no wave in common");
         }
-        Ok(Self {
-            waves,
-            lost,
-            shift: lag as f64 * spacing,
-            seen: seen(),
-            segment,
-        })
+        Ok(Self { waves, lost, shift: lag as f64 * spacing, seen: seen(), segment })
     }
 }
 
@@ -171,9 +161,7 @@ fn best_lag(one: &[f64], other: &[f64], spacing: f64, [shortest, longest]: [f64;
     debug_assert!(done.is_ok());
     let most = ((LARGEST_SHIFT / spacing) as isize).min(one.len() as isize - 1);
     let at = |lag: isize| correlation[lag.rem_euclid(count as isize) as usize];
-    (-most..=most)
-        .max_by(|one, other| at(*one).total_cmp(&at(*other)))
-        .unwrap_or(0)
+    (-most..=most).max_by(|one, other| at(*one).total_cmp(&at(*other))).unwrap_or(0)
 }
 
 /// Sums over segments.
@@ -187,11 +175,7 @@ fn spectra(one: &[f64], other: &[f64], samples: usize) -> Spectra {
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(samples);
     let window = window(samples);
     let lines = samples / 2 + 1;
-    let mut sums = Spectra {
-        one: vec![0.0; lines],
-        other: vec![0.0; lines],
-        cross: vec![Complex64::ZERO; lines],
-    };
+    let mut sums = Spectra { one: vec![0.0; lines], other: vec![0.0; lines], cross: vec![Complex64::ZERO; lines] };
     let transformed = |heights: &[f64]| {
         let mut input = heights.to_vec();
         remove_trend(&mut input);
@@ -249,8 +233,7 @@ mod tests {
             let wave = level * Complex64::new(normal(), normal());
             let turn = Complex64::from_polar(1.0, -TAU * moved / wavelength);
             one[line] = wave;
-            other[line] = wave * grown(wavelength).exp() * turn
-                + noise * level * Complex64::new(normal(), normal());
+            other[line] = wave * grown(wavelength).exp() * turn + noise * level * Complex64::new(normal(), normal());
         }
         [one, other].map(|mut lines| {
             let mut heights = backward.make_output_vec();
@@ -261,9 +244,10 @@ mod tests {
 
     /// What a segment sees of the growth about a wavelength.
     fn expected(found: &WaveGrowths, wavelength: f64) -> Complex64 {
-        let seen = found.seen.iter().map(|(beside, share)| {
-            share * grown((wavelength.recip() + beside / found.segment).recip()).exp()
-        });
+        let seen = found
+            .seen
+            .iter()
+            .map(|(beside, share)| share * grown((wavelength.recip() + beside / found.segment).recip()).exp());
         seen.sum::<Complex64>().ln()
     }
 

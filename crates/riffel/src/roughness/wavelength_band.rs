@@ -12,12 +12,8 @@ pub struct WavelengthBand {
 impl WavelengthBand {
     /// 10–30, 30–100, 100–300 and 300–1000 mm, the bands of grinding acceptance (Grassie, Saxon & Smith,
     /// Journal of Sound and Vibration 227 (1999) 949, and EN 13231).
-    pub const GRINDING: [Self; 4] = [
-        Self::of(0.010, 0.030),
-        Self::of(0.030, 0.100),
-        Self::of(0.100, 0.300),
-        Self::of(0.300, 1.000),
-    ];
+    pub const GRINDING: [Self; 4] =
+        [Self::of(0.010, 0.030), Self::of(0.030, 0.100), Self::of(0.100, 0.300), Self::of(0.300, 1.000)];
 
     const fn of(from: f64, to: f64) -> Self {
         Self { from, to }

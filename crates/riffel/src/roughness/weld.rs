@@ -29,12 +29,7 @@ impl Weld {
         Error::unless_positive("depth of the weld", self.depth, "m")?;
         Error::unless_positive("length of the weld", self.length, "m")?;
         Error::unless_positive("sample spacing", spacing, "m")?;
-        let refuse = |quantity, value, rule| Error::OutOfRange {
-            quantity,
-            value,
-            unit: "m",
-            rule,
-        };
+        let refuse = |quantity, value, rule| Error::OutOfRange { quantity, value, unit: "m", rule };
         if spacing > self.length / 8.0 {
             let rule = "must be an eighth of the length of the weld or less";
             return Err(refuse("sample spacing", spacing, rule));
@@ -62,10 +57,7 @@ mod tests {
 
     #[test]
     fn a_weld_has_its_depth_and_slope() -> Result<(), Error> {
-        let weld = Weld {
-            depth: 0.3e-3,
-            length: 0.5,
-        };
+        let weld = Weld { depth: 0.3e-3, length: 0.5 };
         let profile = weld.profile(4.0, 1e-3)?;
         let heights = profile.heights();
         assert_eq!(heights.len(), 4000);

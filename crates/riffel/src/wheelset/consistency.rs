@@ -7,8 +7,7 @@ pub fn reciprocity_error(receptances: &ContactReceptances) -> (f64, [Port; 2]) {
     let mut worst = (0.0, [Port::ALL[0]; 2]);
     for at in Port::ALL {
         for from in &Port::ALL[..at.index()] {
-            let [one, other] =
-                [[at, *from], [*from, at]].map(|[at, from]| receptances[at.index()][from.index()]);
+            let [one, other] = [[at, *from], [*from, at]].map(|[at, from]| receptances[at.index()][from.index()]);
             let error = (one - other).norm() / one.norm().max(other.norm());
             if error > worst.0 {
                 worst = (error, [at, *from]);
@@ -38,11 +37,7 @@ pub fn passivity_error(receptances: &ContactReceptances) -> (f64, Port) {
     let (eigenvalue, vector) = largest_eigenvalue(matrix);
     let share = |port: usize| vector[port].powi(2) + vector[6 + port].powi(2);
     let port = (0..6).max_by(|&a, &b| share(a).total_cmp(&share(b)));
-    let error = if largest > 0.0 {
-        eigenvalue / largest
-    } else {
-        0.0
-    };
+    let error = if largest > 0.0 { eigenvalue / largest } else { 0.0 };
     (error.max(0.0), Port::ALL[port.unwrap_or(0)])
 }
 

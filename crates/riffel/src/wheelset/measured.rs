@@ -57,10 +57,7 @@ impl MeasuredWheelset {
         let wheelset = Self { entries };
         let (lowest, highest) = wheelset.frequency_range();
         if lowest > highest {
-            return wrong(
-                0,
-                "the receptances of a wheelset must have frequencies in common",
-            );
+            return wrong(0, "the receptances of a wheelset must have frequencies in common");
         }
         Ok(wheelset)
     }
@@ -70,25 +67,15 @@ impl MeasuredWheelset {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn from_one_wheel(
-        rail: Rail,
-        entries: Vec<(Direction, Direction, MeasuredReceptance)>,
-    ) -> Result<Self, Error> {
+    pub fn from_one_wheel(rail: Rail, entries: Vec<(Direction, Direction, MeasuredReceptance)>) -> Result<Self, Error> {
         let opposite = rail.opposite();
         let mut both = Vec::with_capacity(2 * entries.len());
         for (at, from, receptance) in entries {
-            let entry = |rail, receptance| MeasuredEntry {
-                at: Port::new(rail, at),
-                from: Port::new(rail, from),
-                receptance,
-            };
+            let entry =
+                |rail, receptance| MeasuredEntry { at: Port::new(rail, at), from: Port::new(rail, from), receptance };
             // Lateral motion changes sign in a mirror.
             let crossed = (at == Direction::Lateral) != (from == Direction::Lateral);
-            let mirrored = if crossed {
-                receptance.negated()
-            } else {
-                receptance.clone()
-            };
+            let mirrored = if crossed { receptance.negated() } else { receptance.clone() };
             both.push(entry(rail, receptance));
             both.push(entry(opposite, mirrored));
         }
@@ -97,13 +84,8 @@ impl MeasuredWheelset {
 
     /// Lowest and highest angular frequency \[rad/s\] at which all entries are known.
     pub fn frequency_range(&self) -> (f64, f64) {
-        let ranges = self
-            .entries
-            .iter()
-            .map(|entry| entry.receptance.frequency_range());
-        ranges.fold((0.0, f64::INFINITY), |(low, high), (lowest, highest)| {
-            (low.max(lowest), high.min(highest))
-        })
+        let ranges = self.entries.iter().map(|entry| entry.receptance.frequency_range());
+        ranges.fold((0.0, f64::INFINITY), |(low, high), (lowest, highest)| (low.max(lowest), high.min(highest)))
     }
 
     /// Where entries that were measured both ways differ most, |H_ij − H_ji| over the larger of the two; none if they are
@@ -129,18 +111,11 @@ impl MeasuredWheelset {
     /// The greatest of an error at all lines of all entries that are known to all; none where it is zero.
     fn worst(&self, error: impl Fn(f64) -> (f64, [Port; 2])) -> Option<Violation> {
         let (lowest, highest) = self.frequency_range();
-        let lines = self
-            .entries
-            .iter()
-            .flat_map(|entry| entry.receptance.lines());
+        let lines = self.entries.iter().flat_map(|entry| entry.receptance.lines());
         let known = lines.filter(|(w, _)| (lowest..=highest).contains(w));
         let violations = known.map(|(w, _)| {
             let (size, ports) = error(w);
-            Violation {
-                size,
-                angular_frequency: w,
-                ports,
-            }
+            Violation { size, angular_frequency: w, ports }
         });
         let worst = violations.max_by(|a, b| a.size.total_cmp(&b.size));
         worst.filter(|worst| worst.size > 0.0)
@@ -166,8 +141,6 @@ impl MeasuredWheelset {
 impl Wheelset for MeasuredWheelset {
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances {
         let measured = self.as_measured(angular_frequency);
-        std::array::from_fn(|at| {
-            std::array::from_fn(|from| 0.5 * (measured[at][from] + measured[from][at]))
-        })
+        std::array::from_fn(|at| std::array::from_fn(|from| 0.5 * (measured[at][from] + measured[from][at])))
     }
 }

@@ -21,8 +21,8 @@ mod suspension;
 
 pub use consistency::{passivity_error, reciprocity_error};
 pub use flexible::{
-    Axle, BendingPlane, CoupledInertia, Disc, DiscMotion, FlexibleWheelset, ModeName, NaturalMode,
-    RigidMotion, SectionMotion, Segment,
+    Axle, BendingPlane, CoupledInertia, Disc, DiscMotion, FlexibleWheelset, ModeName, NaturalMode, RigidMotion,
+    SectionMotion, Segment,
 };
 pub use measured::{MeasuredEntry, MeasuredWheelset, Violation};
 pub use modal::{ElasticMode, ModalWheelset};

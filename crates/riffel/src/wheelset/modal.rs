@@ -67,10 +67,7 @@ impl ModalWheelset {
             if mode.shape.iter().any(|value| !value.is_finite()) {
                 return wrong("the shape of a mode must be finite at both contacts");
             }
-            let largest = mode
-                .shape
-                .iter()
-                .fold(0f64, |most, value| most.max(value.abs()));
+            let largest = mode.shape.iter().fold(0f64, |most, value| most.max(value.abs()));
             let moved = mode.generalised_mass / (largest * largest);
             if rigid.is_some_and(|rigid| moved < LEAST_SHARE * rigid.body().mass) {
                 return wrong(
@@ -79,11 +76,7 @@ impl ModalWheelset {
                 );
             }
         }
-        Ok(Self {
-            rigid,
-            modes,
-            residual: [[0.0; 6]; 6],
-        })
+        Ok(Self { rigid, modes, residual: [[0.0; 6]; 6] })
     }
 
     /// The same with a residual compliance \[m/N\] at the contacts, `[at][from]`.
@@ -92,10 +85,7 @@ impl ModalWheelset {
     /// [`Error::Measurement`] with the number of the row unless it is finite and symmetric to 1e-6 of its largest entry.
     pub fn with_residual(self, residual: [[f64; 6]; 6]) -> Result<Self, Error> {
         const ROUNDING: f64 = 1e-6;
-        let largest = residual
-            .iter()
-            .flatten()
-            .fold(0f64, |most, value| most.max(value.abs()));
+        let largest = residual.iter().flatten().fold(0f64, |most, value| most.max(value.abs()));
         for (index, row) in residual.iter().enumerate() {
             for (value, other) in row.iter().zip(residual.map(|row| row[index])) {
                 // False for what is not a number.
@@ -141,10 +131,7 @@ impl Wheelset for ModalWheelset {
         }
         for mode in &self.modes {
             let natural = mode.angular_frequency;
-            let stiffness = Complex64::new(
-                natural * natural - w * w,
-                2.0 * mode.damping_ratio * natural * w,
-            );
+            let stiffness = Complex64::new(natural * natural - w * w, 2.0 * mode.damping_ratio * natural * w);
             let compliance = (mode.generalised_mass * stiffness).inv();
             for (row, at) in receptances.iter_mut().zip(mode.shape) {
                 for (entry, from) in row.iter_mut().zip(mode.shape) {

@@ -18,21 +18,14 @@ pub(super) fn names(modes: &[ElasticMode]) -> Vec<ModeName> {
             Some(Kind::Torsion) => {
                 let earlier = named.iter();
                 let earlier = earlier.filter(|name| matches!(name, ModeName::Torsion { .. }));
-                ModeName::Torsion {
-                    order: earlier.count() + 1,
-                    discs: None,
-                }
+                ModeName::Torsion { order: earlier.count() + 1, discs: None }
             }
             Some(Kind::Bending { symmetric, plane }) => {
                 let alike = |name: &&ModeName| {
                     matches!(name, ModeName::Bending { symmetric: other, plane: own, .. }
                         if (*other, *own) == (symmetric, plane))
                 };
-                ModeName::Bending {
-                    symmetric,
-                    order: named.iter().filter(alike).count() + 1,
-                    plane,
-                }
+                ModeName::Bending { symmetric, order: named.iter().filter(alike).count() + 1, plane }
             }
             None => ModeName::Elastic { order: index + 1 },
         };
@@ -43,10 +36,7 @@ pub(super) fn names(modes: &[ElasticMode]) -> Vec<ModeName> {
 
 enum Kind {
     Torsion,
-    Bending {
-        symmetric: bool,
-        plane: BendingPlane,
-    },
+    Bending { symmetric: bool, plane: BendingPlane },
 }
 
 fn kind(mode: &ElasticMode, modes: &[ElasticMode]) -> Option<Kind> {
@@ -57,10 +47,8 @@ fn kind(mode: &ElasticMode, modes: &[ElasticMode]) -> Option<Kind> {
     let [along, across, down] = pairs(mode);
     let largest = size(along).max(size(across)).max(size(down));
     if size(along) < SMALL * largest {
-        return (size(down) > SMALL * largest).then(|| Kind::Bending {
-            symmetric: down[0] * down[1] > 0.0,
-            plane: BendingPlane::Vertical,
-        });
+        return (size(down) > SMALL * largest)
+            .then(|| Kind::Bending { symmetric: down[0] * down[1] > 0.0, plane: BendingPlane::Vertical });
     }
     if size(across).max(size(down)) > SMALL * largest {
         return None;
@@ -74,10 +62,7 @@ fn kind(mode: &ElasticMode, modes: &[ElasticMode]) -> Option<Kind> {
         near && as_far && same_sides
     });
     Some(match partner {
-        Some(_) => Kind::Bending {
-            symmetric: along[0] * along[1] > 0.0,
-            plane: BendingPlane::Horizontal,
-        },
+        Some(_) => Kind::Bending { symmetric: along[0] * along[1] > 0.0, plane: BendingPlane::Horizontal },
         None => Kind::Torsion,
     })
 }
@@ -97,12 +82,7 @@ mod tests {
     use super::*;
 
     fn mode(frequency: f64, shape: [f64; 6]) -> ElasticMode {
-        ElasticMode {
-            angular_frequency: frequency,
-            damping_ratio: 1e-3,
-            generalised_mass: 1.0,
-            shape,
-        }
+        ElasticMode { angular_frequency: frequency, damping_ratio: 1e-3, generalised_mass: 1.0, shape }
     }
 
     /// First torsion; first bending, symmetric, in both planes; the antisymmetric one; second torsion with both wheels
@@ -118,11 +98,7 @@ mod tests {
             mode(253.4, [0.5, 0.0, 0.0, 0.5, 0.0, 0.0]),
             mode(502.5, [0.0, 0.94, 0.0, 0.0, -0.94, 0.0]),
         ];
-        let bending = |symmetric, plane| ModeName::Bending {
-            symmetric,
-            order: 1,
-            plane,
-        };
+        let bending = |symmetric, plane| ModeName::Bending { symmetric, order: 1, plane };
         let torsion = |order| ModeName::Torsion { order, discs: None };
         let expected = [
             torsion(1),

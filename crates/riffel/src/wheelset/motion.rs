@@ -43,16 +43,12 @@ impl Motion {
     pub(crate) fn ratio(&self, angular_frequency: f64, speed: f64) -> ForceToSpeed {
         let speed = match self {
             Self::Compliant(structure) => {
-                Complex64::new(0.0, angular_frequency)
-                    * structure.receptance(angular_frequency, speed)
+                Complex64::new(0.0, angular_frequency) * structure.receptance(angular_frequency, speed)
             }
             Self::Held => Complex64::ZERO,
             Self::Free => Complex64::ONE,
         };
-        ForceToSpeed {
-            force: self.force(),
-            speed,
-        }
+        ForceToSpeed { force: self.force(), speed }
     }
 
     /// The share of the force, whatever the frequency.

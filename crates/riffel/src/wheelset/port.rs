@@ -75,13 +75,7 @@ impl<W: Wheelset + ?Sized> Wheelset for Arc<W> {
 }
 
 impl<W: Wheelset> Structure for W {
-    fn cross_receptance(
-        &self,
-        angular_frequency: f64,
-        _speed: f64,
-        at: Place,
-        from: Place,
-    ) -> Complex64 {
+    fn cross_receptance(&self, angular_frequency: f64, _speed: f64, at: Place, from: Place) -> Complex64 {
         if at.along != from.along {
             return Complex64::ZERO;
         }
@@ -89,13 +83,7 @@ impl<W: Wheelset> Structure for W {
         receptances[Port::of(at).index()][Port::of(from).index()]
     }
 
-    fn receptance_matrix(
-        &self,
-        angular_frequency: f64,
-        _speed: f64,
-        places: &[Place],
-        matrix: &mut [Complex64],
-    ) {
+    fn receptance_matrix(&self, angular_frequency: f64, _speed: f64, places: &[Place], matrix: &mut [Complex64]) {
         if places.is_empty() {
             return;
         }
@@ -103,11 +91,7 @@ impl<W: Wheelset> Structure for W {
         for (row, &at) in matrix.chunks_exact_mut(places.len()).zip(places) {
             let row_of_all = &receptances[Port::of(at).index()];
             for (entry, &from) in row.iter_mut().zip(places) {
-                *entry = if at.along == from.along {
-                    row_of_all[Port::of(from).index()]
-                } else {
-                    Complex64::ZERO
-                };
+                *entry = if at.along == from.along { row_of_all[Port::of(from).index()] } else { Complex64::ZERO };
             }
         }
     }

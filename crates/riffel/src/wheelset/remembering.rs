@@ -23,10 +23,7 @@ pub struct RememberingWheelset<W> {
 impl<W: Wheelset> RememberingWheelset<W> {
     /// One that was not asked yet.
     pub fn new(of: W) -> Self {
-        Self {
-            of,
-            known: RwLock::default(),
-        }
+        Self { of, known: RwLock::default() }
     }
 }
 

@@ -46,19 +46,12 @@ impl RigidWheelset {
         Error::unless_positive("wheelset mass", body.mass, "kg")?;
         Error::unless_positive("roll inertia", body.roll_inertia, "kg m2")?;
         Error::unless_positive("spin inertia", body.spin_inertia, "kg m2")?;
-        Ok(Self {
-            body,
-            contacts: contacts.checked()?,
-            suspension: None,
-        })
+        Ok(Self { body, contacts: contacts.checked()?, suspension: None })
     }
 
     /// The same on a primary suspension.
     pub fn with_suspension(self, suspension: Suspension) -> Self {
-        Self {
-            suspension: Some(suspension),
-            ..self
-        }
+        Self { suspension: Some(suspension), ..self }
     }
 
     /// Mass and moments of inertia.
@@ -107,21 +100,17 @@ impl RigidWheelset {
             Some(suspension) => 2.0 * suspension.dynamic_stiffness(direction, w),
             None => Complex64::ZERO,
         };
-        let arm = self
-            .suspension
-            .map_or(0.0, |suspension| suspension.half_spacing().powi(2));
+        let arm = self.suspension.map_or(0.0, |suspension| suspension.half_spacing().powi(2));
         let [forward, sideward, downward] =
             Direction::ALL.map(|direction| (inertia(self.body.mass) + springs(direction)).inv());
-        let turning =
-            |direction| (inertia(self.body.roll_inertia) + arm * springs(direction)).inv();
+        let turning = |direction| (inertia(self.body.roll_inertia) + arm * springs(direction)).inv();
         let roll = turning(Direction::Vertical);
         let yaw = turning(Direction::Longitudinal);
         let spin = inertia(self.body.spin_inertia).inv();
 
         let places = self.contacts.places();
-        let between = |receptance: &dyn Fn(f64, f64) -> Complex64| {
-            places.map(|at| places.map(|from| receptance(at, from)))
-        };
+        let between =
+            |receptance: &dyn Fn(f64, f64) -> Complex64| places.map(|at| places.map(|from| receptance(at, from)));
         SectionReceptances {
             forward: between(&|at, from| forward + at * from * yaw),
             downward: between(&|at, from| downward + at * from * roll),

@@ -24,10 +24,7 @@ impl RigidInertia {
     pub fn new(inertia: f64, rolling_radius: f64) -> Result<Self, Error> {
         Error::unless_positive("inertia", inertia, "kg m2")?;
         Error::unless_positive("rolling radius", rolling_radius, "m")?;
-        Ok(Self {
-            per_mass: -rolling_radius * rolling_radius / inertia,
-            inertia,
-        })
+        Ok(Self { per_mass: -rolling_radius * rolling_radius / inertia, inertia })
     }
 
     /// The same of a wheel whose hub moves along the rail as a mass \[kg\], too: H = −(R²/I_w + 1/m)/ω².
@@ -36,10 +33,7 @@ impl RigidInertia {
     /// [`Error::OutOfRange`] unless it is positive.
     pub fn with_moving_hub(self, mass: f64) -> Result<Self, Error> {
         Error::unless_positive("mass", mass, "kg")?;
-        Ok(Self {
-            per_mass: self.per_mass - mass.recip(),
-            ..self
-        })
+        Ok(Self { per_mass: self.per_mass - mass.recip(), ..self })
     }
 
     /// The paper's reduced inertia of a wheel of mass m_w \[kg\]: I_w = 0.75 m_w R²/2 \[kg m²\].
@@ -65,8 +59,6 @@ impl Receptance for RigidInertia {
     }
 
     fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
-        receptances.set(&frequencies.reciprocal, |reciprocal| {
-            Complex64::from(self.per_mass * reciprocal * reciprocal)
-        });
+        receptances.set(&frequencies.reciprocal, |reciprocal| Complex64::from(self.per_mass * reciprocal * reciprocal));
     }
 }

@@ -38,8 +38,6 @@ impl Receptance for RigidMass {
 
     fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
         let per_mass = -self.mass.recip();
-        receptances.set(&frequencies.reciprocal, |reciprocal| {
-            Complex64::from(per_mass * reciprocal * reciprocal)
-        });
+        receptances.set(&frequencies.reciprocal, |reciprocal| Complex64::from(per_mass * reciprocal * reciprocal));
     }
 }

@@ -58,10 +58,8 @@ impl SectionReceptances {
         for at in 0..2 {
             for from in 0..2 {
                 let (row, column) = (3 * at, 3 * from);
-                receptances[row][column] =
-                    self.forward[at][from] + radius * radius * self.twist[at][from];
-                receptances[row + 1][column + 1] =
-                    self.sideward[at][from] + radius * radius * self.tilt[at][from];
+                receptances[row][column] = self.forward[at][from] + radius * radius * self.twist[at][from];
+                receptances[row + 1][column + 1] = self.sideward[at][from] + radius * radius * self.tilt[at][from];
                 receptances[row + 2][column + 2] = self.downward[at][from];
                 receptances[row + 2][column + 1] = -radius * self.downward_by_tilt[at][from];
                 receptances[row + 1][column + 2] = -radius * self.downward_by_tilt[from][at];

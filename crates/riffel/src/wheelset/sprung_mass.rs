@@ -36,11 +36,7 @@ impl SprungMass {
                 rule: "must be zero or more",
             });
         }
-        Ok(Self {
-            mass,
-            stiffness,
-            damping,
-        })
+        Ok(Self { mass, stiffness, damping })
     }
 
     /// Natural frequency √(k/m)/2π \[Hz\] on a surface at rest, without damping.

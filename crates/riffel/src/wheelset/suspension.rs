@@ -29,11 +29,7 @@ impl Suspension {
             Error::unless_not_negative("suspension damping", value, "N s/m")?;
         }
         Error::unless_positive("suspension spacing", spacing, "m")?;
-        Ok(Self {
-            stiffness,
-            damping,
-            half_spacing: 0.5 * spacing,
-        })
+        Ok(Self { stiffness, damping, half_spacing: 0.5 * spacing })
     }
 
     /// Half the distance of the two sides, s_b \[m\].

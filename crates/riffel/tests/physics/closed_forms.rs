@@ -7,8 +7,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use riffel::feedback::{Comb, Contact, Loop, LoopState};
 use riffel::receptance::{
-    Beam, ContinuousTrack, EulerBernoulliBeam, Layer, MassOnRail, Resonance, SpatialTrack,
-    Structure, Support,
+    Beam, ContinuousTrack, EulerBernoulliBeam, Layer, MassOnRail, Resonance, SpatialTrack, Structure, Support,
 };
 use riffel::wheelset::{Motion, RigidMass};
 use riffel::{Complex64, Direction, ElasticMaterial, Place, Rail, Receptance};
@@ -51,11 +50,7 @@ fn rail() -> SpatialTrack {
 }
 
 fn down(along: f64) -> Place {
-    Place {
-        along,
-        rail: Rail::Right,
-        direction: Direction::Vertical,
-    }
+    Place { along, rail: Rail::Right, direction: Direction::Vertical }
 }
 
 /// Receptances between three contacts, of any symmetric matrix.
@@ -82,9 +77,7 @@ fn anything(numbers: &[f64]) -> Anything {
         let pair = 2 * (most * (most + 1) / 2 + least);
         1e-9 * Complex64::new(numbers[pair], numbers[pair + 1])
     };
-    Anything(std::array::from_fn(|row| {
-        std::array::from_fn(|column| entry(row, column))
-    }))
+    Anything(std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column))))
 }
 
 /// Numbers of a symmetric matrix of nine rows.
@@ -282,11 +275,7 @@ impl Pitching {
         let of = TAU * 80.0;
         let mode = (200.0 * (of * of * Complex64::new(1.0, 0.02) - w * w)).inv();
         let free = -1.0 / (400.0 * w * w);
-        [
-            mode + 2.0 * free,
-            self.pitch * mode,
-            self.pitch * self.pitch * mode + free,
-        ]
+        [mode + 2.0 * free, self.pitch * mode, self.pitch * self.pitch * mode + free]
     }
 }
 
@@ -325,19 +314,11 @@ fn where_rolling_lifts_the_wheel_the_direction_matters() {
 #[test]
 fn wheels_at_one_place_share_the_rail() {
     for count in 1..=5_i32 {
-        let contacts = (0..count)
-            .map(|index| contact(-1e-9 * f64::from(index), rolling(1e-3, 0.0), ALONG))
-            .collect();
-        let general = Loop::new(
-            Arc::new(rail()),
-            Arc::new(wheel(400.0, 40.0)),
-            contacts,
-            AMPLITUDE,
-        );
+        let contacts = (0..count).map(|index| contact(-1e-9 * f64::from(index), rolling(1e-3, 0.0), ALONG)).collect();
+        let general = Loop::new(Arc::new(rail()), Arc::new(wheel(400.0, 40.0)), contacts, AMPLITUDE);
         let state = general.unwrap().at(0.05, 30.0);
         let w = state.angular_frequency;
-        let sum = f64::from(count) * free_rail(w, 0.0) - 1.0 / (400.0 * w * w)
-            + hertz().stiffness().recip();
+        let sum = f64::from(count) * free_rail(w, 0.0) - 1.0 / (400.0 * w * w) + hertz().stiffness().recip();
         for contact in state.contacts {
             let expected = AMPLITUDE / sum;
             assert!((contact.force[2] - expected).norm() < 1e-5 * expected.norm());
@@ -362,15 +343,9 @@ fn standing_waves_between_two_wheels_radiate_nothing() {
         let distance = PI * f64::from(half_waves) / wavenumber;
         let sign = if half_waves % 2 == 0 { -1.0 } else { 1.0 };
         let pattern = point + sign * receptance(distance);
-        assert!(
-            pattern.im.abs() < 1e-12 * point.norm(),
-            "{half_waves} {pattern}"
-        );
+        assert!(pattern.im.abs() < 1e-12 * point.norm(), "{half_waves} {pattern}");
         let other = point - sign * receptance(distance);
-        assert!(
-            (other.im / point.im - 2.0).abs() < 1e-12,
-            "{half_waves} {other}"
-        );
+        assert!((other.im / point.im - 2.0).abs() < 1e-12, "{half_waves} {other}");
     }
 }
 
@@ -381,11 +356,9 @@ fn standing_waves_between_two_wheels_radiate_nothing() {
 fn p2_is_the_mass_on_the_static_shape() {
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
     let stiffness = 210e9 * 2.35e-5;
-    for (mass, foundation, closed, least, with_contact) in [
-        (350.0, 20e6, 48.25, 48.09, 47.53),
-        (600.0, 40e6, 50.33, 50.28, 49.08),
-        (350.0, 60e6, 74.60, 74.44, 72.30),
-    ] {
+    for (mass, foundation, closed, least, with_contact) in
+        [(350.0, 20e6, 48.25, 48.09, 47.53), (600.0, 40e6, 50.33, 50.28, 49.08), (350.0, 60e6, 74.60, 74.44, 72.30)]
+    {
         let support = Support::one_layer(Layer::new(foundation, 0.0).unwrap());
         let of_mass = MassOnRail::new(mass, stiffness, 56.0, support, 1e20).unwrap();
         let frequency = of_mass.angular_frequency() / TAU;

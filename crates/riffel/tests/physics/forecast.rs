@@ -8,32 +8,25 @@ use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::forecast::{
-    Forecast, GrowingSum, LINES_PER_BAND, MeanGrowth, MeasuredChange, MeasuredGrowth, Reach,
-    SpeedDistribution, TrafficGrowth, VehicleGrowth, WearFit, WearVerdict, band_lines,
+    Forecast, GrowingSum, LINES_PER_BAND, MeanGrowth, MeasuredChange, MeasuredGrowth, Reach, SpeedDistribution,
+    TrafficGrowth, VehicleGrowth, WearFit, WearVerdict, band_lines,
 };
 use riffel::growth::Bay;
 use riffel::receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, Support};
 use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop,
-    PlaceOfWear, RollingContact,
+    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, RollingContact,
 };
 
 /// The nominal loop with a load, a tractive ratio and a wear coefficient.
 fn feedback(load: f64, ratio: f64, wear: f64) -> Result<Loop, Error> {
     let steel = ElasticMaterial::new(207e9, 0.3)?;
     let hertz = HertzContact::new(steel, 0.46, 0.23, load)?;
-    let contact = QuasiStatic::new(
-        Carter3d::new(hertz, 0.4)?,
-        load,
-        MeanState::TractiveRatio(ratio),
-    )?;
+    let contact = QuasiStatic::new(Carter3d::new(hertz, 0.4)?, load, MeanState::TractiveRatio(ratio))?;
     let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
     OneWheel {
-        track: Arc::new(FreeBeam::new(EulerBernoulliBeam::new(
-            steel, 2.35e-5, 56.0,
-        )?)),
+        track: Arc::new(FreeBeam::new(EulerBernoulliBeam::new(steel, 2.35e-5, 56.0)?)),
         wheel: Arc::new(RigidMass::new(350.0)?),
         contact_stiffness: hertz.stiffness(),
         wave: None,
@@ -88,10 +81,7 @@ fn constant_growth_changes_levels_by_twenty_over_ln_ten() -> Result<(), Error> {
     assert!((passages / (6.0 * LN_10 / 20.0 / 2e-7) - 1.0).abs() < 1e-12);
     let decaying = Forecast::new(&flat(-5.0)?, constant(-2e-7)?)?;
     assert_eq!(decaying.grinding_interval(&limit), Reach::Never);
-    assert_eq!(
-        decaying.grinding_interval(&LevelLimit::new(flat(-6.0)?)),
-        Reach::After(0.0)
-    );
+    assert_eq!(decaying.grinding_interval(&LevelLimit::new(flat(-6.0)?)), Reach::After(0.0));
     Ok(())
 }
 
@@ -111,11 +101,7 @@ fn one_speed_is_the_loop_itself() -> Result<(), Error> {
 /// Rates add by share, whatever the shares sum to; so does the mass.
 #[test]
 fn a_mix_is_the_sum_by_shares() -> Result<(), Error> {
-    let vehicles = [
-        nominal(1.0, 50e3, 0.1, 30.0)?,
-        nominal(2.0, 90e3, 0.3, 22.0)?,
-        nominal(1.0, 60e3, 0.05, 40.0)?,
-    ];
+    let vehicles = [nominal(1.0, 50e3, 0.1, 30.0)?, nominal(2.0, 90e3, 0.3, 22.0)?, nominal(1.0, 60e3, 0.05, 40.0)?];
     let mix = TrafficGrowth::new(bands(), vehicles.to_vec())?;
     for line in 0..mix.rates().len() {
         let [a, b, c] = [0, 1, 2].map(|vehicle: usize| vehicles[vehicle].growth.rates[line]);
@@ -151,9 +137,7 @@ fn the_mean_over_speeds_is_that_of_a_fine_sum() -> Result<(), Error> {
         }
         sum / weight
     });
-    let largest = fine
-        .iter()
-        .fold(0f64, |largest, rate| largest.max(rate.abs()));
+    let largest = fine.iter().fold(0f64, |largest, rate| largest.max(rate.abs()));
     for (found, fine) in found.rates.iter().zip(fine) {
         // What is left is the step at the cut-off tails.
         assert!((found - fine).abs() < 2e-4 * largest, "{found} {fine}");
@@ -210,9 +194,8 @@ fn a_forecast_ends_with_its_linear_range() -> Result<(), Error> {
     assert!(end > 1e6 && end < 1e7, "{end}");
     assert_eq!(forecast.level(band, end), Some(band.level(end)));
     assert_eq!(forecast.level(band, 1.001 * end), None);
-    let interval = |level: f64| -> Result<Reach, Error> {
-        Ok(forecast.grinding_interval(&LevelLimit::new(flat(level)?)))
-    };
+    let interval =
+        |level: f64| -> Result<Reach, Error> { Ok(forecast.grinding_interval(&LevelLimit::new(flat(level)?))) };
     assert!(matches!(interval(2.0)?, Reach::After(passages) if passages < end));
     assert_eq!(interval(60.0)?, Reach::BeyondLinearRange);
     // What was measured is known, however rough it is; what becomes of it is not.
@@ -228,27 +211,19 @@ fn a_forecast_ends_with_its_linear_range() -> Result<(), Error> {
 /// of small traction: the rate is proportional to τ² there, for both creepage and force are proportional to τ.
 #[test]
 fn axles_that_roll_free_add_no_growth() -> Result<(), Error> {
-    let rates = |ratio: f64| -> Result<Vec<f64>, Error> {
-        Ok(nominal(1.0, 50e3, ratio, 30.0)?.growth.rates)
-    };
+    let rates = |ratio: f64| -> Result<Vec<f64>, Error> { Ok(nominal(1.0, 50e3, ratio, 30.0)?.growth.rates) };
     let (small, smaller) = (rates(1e-3)?, rates(1e-4)?);
     let largest = small.iter().fold(0f64, |most, rate| most.max(rate.abs()));
     for (small, smaller) in small.iter().zip(&smaller) {
         // The next term of the creep law is of the order of τ = 1e-3.
-        assert!(
-            (small - 100.0 * smaller).abs() < 0.01 * largest,
-            "{small} {smaller}"
-        );
+        assert!((small - 100.0 * smaller).abs() < 0.01 * largest, "{small} {smaller}");
     }
     let all = nominal(1.0, 50e3, 0.1, 30.0)?;
     let half = all.clone().with_traction_on(0.5)?;
     for (half, all) in half.growth.rates.iter().zip(&all.growth.rates) {
         assert_eq!(*half, 0.5 * all);
     }
-    assert_eq!(
-        half.growth.squared_force_per_amplitude,
-        all.growth.squared_force_per_amplitude
-    );
+    assert_eq!(half.growth.squared_force_per_amplitude, all.growth.squared_force_per_amplitude);
     assert!(all.with_traction_on(1.2).is_err());
     Ok(())
 }
@@ -267,8 +242,7 @@ fn modelled(traffic: &TrafficGrowth, passages: f64) -> Vec<f64> {
 /// Records whose bands grow by the model with a factor of the coefficient, plus a scatter of each record.
 fn measured(traffic: &TrafficGrowth, factor: f64, passages: f64) -> (Vec<Spectrum>, Vec<Spectrum>) {
     // An invented scatter of ±1.5 dB that repeats.
-    let scatter =
-        |record: usize, band: usize| 1.5 * (2.4 * record as f64 + 5.3 * band as f64).sin();
+    let scatter = |record: usize, band: usize| 1.5 * (2.4 * record as f64 + 5.3 * band as f64).sin();
     let before = |record: usize| {
         let bands = traffic.bands().iter().enumerate();
         Spectrum::new(bands.map(|(place, &band)| (band, scatter(record, place) - 8.0))).unwrap()
@@ -296,18 +270,10 @@ fn the_fit_finds_the_coefficient_that_made_the_growth() -> Result<(), Error> {
         let (low, high) = fit.interval.unwrap();
         assert_eq!(fit.verdict, WearVerdict::Fitted);
         assert!(low < factor && factor < high, "{factor}: {low} {high}");
-        assert!(
-            (fit.factor / factor - 1.0).abs() < 0.25,
-            "{factor}: {}",
-            fit.factor
-        );
+        assert!((fit.factor / factor - 1.0).abs() < 0.25, "{factor}: {}", fit.factor);
         assert!(fit.residual_rms().unwrap() < 0.6);
         // Bands that decay in the model are shown and not fitted.
-        assert!(
-            fit.bands
-                .iter()
-                .any(|band| !band.grows && band.predicted < 0.0)
-        );
+        assert!(fit.bands.iter().any(|band| !band.grows && band.predicted < 0.0));
     }
     Ok(())
 }
@@ -342,10 +308,7 @@ fn drawn(
             }
         }
         let [before, after] = spectra;
-        (
-            Spectrum::new(before).unwrap(),
-            Spectrum::new(after).unwrap(),
-        )
+        (Spectrum::new(before).unwrap(), Spectrum::new(after).unwrap())
     });
     pairs.unzip()
 }
@@ -362,13 +325,7 @@ fn the_interval_holds_the_truth_as_often_as_it_says() -> Result<(), Error> {
             for paired in [true, false] {
                 let (mut held, mut claimed, mut against, mut fallen) = (0, 0, 0, 0);
                 for _ in 0..CASES {
-                    let (earlier, later) = drawn(
-                        &traffic,
-                        (factor, passages),
-                        records,
-                        (paired, 0.0),
-                        &mut random,
-                    );
+                    let (earlier, later) = drawn(&traffic, (factor, passages), records, (paired, 0.0), &mut random);
                     let change = match paired {
                         true => MeasuredChange::paired(earlier, later, passages)?,
                         false => MeasuredChange::groups(earlier, later, passages)?,
@@ -381,20 +338,11 @@ fn the_interval_holds_the_truth_as_often_as_it_says() -> Result<(), Error> {
                     fallen += fit.bands.iter().filter(|band| band.has_fallen()).count();
                 }
                 let share = f64::from(held) / f64::from(CASES);
-                assert!(
-                    (0.93..=0.97).contains(&share),
-                    "{records} {factor} {paired}: {share}"
-                );
-                assert!(
-                    factor > 0.0 || claimed.max(against) <= 3 * CASES / 100,
-                    "{records}: {claimed} {against}"
-                );
+                assert!((0.93..=0.97).contains(&share), "{records} {factor} {paired}: {share}");
+                assert!(factor > 0.0 || claimed.max(against) <= 3 * CASES / 100, "{records}: {claimed} {against}");
                 // Of bands that neither grow nor fall, as many are said to have fallen as lie beyond one end of their interval.
                 let chances = CASES as usize * bands().len();
-                assert!(
-                    factor > 0.0 || fallen <= 4 * chances / 100,
-                    "{records}: {fallen} of {chances}"
-                );
+                assert!(factor > 0.0 || fallen <= 4 * chances / 100, "{records}: {fallen} of {chances}");
             }
         }
     }
@@ -420,18 +368,10 @@ fn growth_that_the_model_does_not_explain_is_told() -> Result<(), Error> {
     let traffic = TrafficGrowth::new(bands(), vec![vehicle])?;
     let passages = 5e6;
     let mut random = Xoshiro256PlusPlus::seed_from_u64(4);
-    let (earlier, later) = drawn(
-        &constant(0.0)?,
-        (0.0, passages),
-        8,
-        (true, 0.0),
-        &mut random,
-    );
+    let (earlier, later) = drawn(&constant(0.0)?, (0.0, passages), 8, (true, 0.0), &mut random);
     let later: Vec<Spectrum> = later
         .iter()
-        .map(|spectrum| {
-            spectrum.map(|band| band.level + 6.4 * f64::from(u8::from(band.band.index() >= -12)))
-        })
+        .map(|spectrum| spectrum.map(|band| band.level + 6.4 * f64::from(u8::from(band.band.index() >= -12))))
         .collect::<Result<_, Error>>()?;
     let change = MeasuredChange::paired(earlier.clone(), later.clone(), passages)?;
     let fit = WearFit::new(&change, &traffic)?;
@@ -460,10 +400,7 @@ fn an_exact_change_is_fitted_exactly() -> Result<(), Error> {
     let change = MeasuredChange::groups(vec![now], vec![later], 2e7)?;
     let fit = WearFit::new(&change, &traffic)?;
     assert!((fit.factor - 1.7).abs() < 1e-9, "{}", fit.factor);
-    assert_eq!(
-        (fit.verdict, fit.interval),
-        (WearVerdict::WithoutInterval, None)
-    );
+    assert_eq!((fit.verdict, fit.interval), (WearVerdict::WithoutInterval, None));
     assert!(fit.bands.iter().all(|band| band.residual().abs() < 1e-8));
     Ok(())
 }

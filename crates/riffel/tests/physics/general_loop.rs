@@ -7,13 +7,11 @@ use proptest::prelude::*;
 use riffel::contact::{Carter3d, Creepages, MeanState, QuasiStatic, SpringDashpot};
 use riffel::feedback::{Comb, Contact, ContactState, OneWheel};
 use riffel::growth::RowEvaluator;
-use riffel::receptance::{
-    Beam, ContinuousTrack, EulerBernoulliBeam, Layer, Structure, Support, Uncoupled,
-};
+use riffel::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, Layer, Structure, Support, Uncoupled};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, Place,
-    PlaceOfWear, Rail, Receptance, RollingContact,
+    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, Place, PlaceOfWear, Rail,
+    Receptance, RollingContact,
 };
 
 pub(crate) const AMPLITUDE: f64 = 20e-6;
@@ -27,15 +25,8 @@ pub(crate) fn hertz() -> HertzContact {
 /// The paper's law, which is alike in all directions, answering late.
 pub(crate) fn rolling(longitudinal: f64, lateral: f64) -> Arc<dyn RollingContact> {
     let law = Carter3d::new(hertz(), 0.35).unwrap();
-    let mean = MeanState::Creepages(Creepages {
-        longitudinal,
-        lateral,
-        spin: 0.0,
-    });
-    Arc::new(SpringDashpot::new(
-        QuasiStatic::new(law, 60e3, mean).unwrap(),
-        hertz(),
-    ))
+    let mean = MeanState::Creepages(Creepages { longitudinal, lateral, spin: 0.0 });
+    Arc::new(SpringDashpot::new(QuasiStatic::new(law, 60e3, mean).unwrap(), hertz()))
 }
 
 fn track() -> Arc<dyn Receptance> {
@@ -53,11 +44,7 @@ fn wear() -> EnergyWear {
     EnergyWear::new(1e-9, 7850.0, hertz().semi_axis_lateral()).unwrap()
 }
 
-pub(crate) fn contact(
-    along: f64,
-    rolling: Arc<dyn RollingContact>,
-    motion: [Motion<()>; 2],
-) -> Contact {
+pub(crate) fn contact(along: f64, rolling: Arc<dyn RollingContact>, motion: [Motion<()>; 2]) -> Contact {
     Contact {
         along,
         rail: Rail::Right,
@@ -75,10 +62,7 @@ pub(crate) fn contact(
 }
 
 fn vertical(structure: Arc<dyn Receptance>) -> Uncoupled {
-    Uncoupled {
-        vertical: Some(structure),
-        ..Uncoupled::default()
-    }
+    Uncoupled { vertical: Some(structure), ..Uncoupled::default() }
 }
 
 pub(crate) fn wheel(mass: f64, inertia: f64) -> Uncoupled {
@@ -95,10 +79,7 @@ fn general(wheels: impl Structure + 'static, contacts: Vec<Contact>) -> Loop {
 }
 
 pub(crate) fn close(got: Complex64, expected: Complex64) {
-    assert!(
-        (got - expected).norm() <= 1e-12 * expected.norm(),
-        "{got} {expected}"
-    );
+    assert!((got - expected).norm() <= 1e-12 * expected.norm(), "{got} {expected}");
 }
 
 proptest! {
@@ -199,12 +180,8 @@ impl Structure for SharedAxle {
     fn cross_receptance(&self, w: f64, speed: f64, at: Place, from: Place) -> Complex64 {
         use riffel::Direction::{Longitudinal, Vertical};
         match (at.direction, from.direction) {
-            (Longitudinal, Longitudinal) => RigidInertia::new(self.inertia, RADIUS)
-                .unwrap()
-                .receptance(w, speed),
-            (Vertical, Vertical) if at == from => {
-                RigidMass::new(400.0).unwrap().receptance(w, speed)
-            }
+            (Longitudinal, Longitudinal) => RigidInertia::new(self.inertia, RADIUS).unwrap().receptance(w, speed),
+            (Vertical, Vertical) if at == from => RigidMass::new(400.0).unwrap().receptance(w, speed),
             _ => Complex64::ZERO,
         }
     }
@@ -223,42 +200,25 @@ fn a_row_is_its_points() {
                 return Complex64::new(f64::NAN, f64::NAN);
             }
             let decay = Complex64::new(-0.4, -1.3) * (at.along - from.along).abs();
-            let direct = if at.direction == from.direction {
-                1.0
-            } else {
-                0.2
-            };
+            let direct = if at.direction == from.direction { 1.0 } else { 0.2 };
             Complex64::new(1e-6, -4e-7) / w * direct * decay.exp()
         }
     }
 
     let speed = 20.0;
-    let side = |along, rail, motion| Contact {
-        rail,
-        ..contact(along, rolling(6e-4, 4e-4), motion)
-    };
+    let side = |along, rail, motion| Contact { rail, ..contact(along, rolling(6e-4, 4e-4), motion) };
     let contacts = vec![
-        side(
-            0.0,
-            Rail::Right,
-            [Motion::Compliant(()), Motion::Compliant(())],
-        ),
+        side(0.0, Rail::Right, [Motion::Compliant(()), Motion::Compliant(())]),
         side(0.0, Rail::Left, [Motion::Free, Motion::Compliant(())]),
         side(-2.5, Rail::Right, [Motion::Held, Motion::Compliant(())]),
         side(-2.5, Rail::Left, [Motion::Compliant(()), Motion::Free]),
     ];
     for comb in [Comb::Resolved, Comb::Mean] {
         for count in [1, 3, 4, 9] {
-            let wavelengths: Vec<f64> = (0..count)
-                .map(|index| 0.03 + 0.011 * index as f64)
-                .collect();
+            let wavelengths: Vec<f64> = (0..count).map(|index| 0.03 + 0.011 * index as f64).collect();
             let limit = std::f64::consts::TAU * speed / 0.035;
-            let feedback = Loop::new(
-                Arc::new(Limited(limit)),
-                Arc::new(wheel(400.0, 40.0)),
-                contacts.clone(),
-                AMPLITUDE,
-            );
+            let feedback =
+                Loop::new(Arc::new(Limited(limit)), Arc::new(wheel(400.0, 40.0)), contacts.clone(), AMPLITUDE);
             let feedback = feedback.unwrap().with_comb(comb);
             let mut row = vec![Complex64::ZERO; count];
             RowEvaluator::new(&feedback, &wavelengths).evaluate(speed, &mut row);
@@ -277,18 +237,8 @@ fn a_row_is_its_points() {
 
 #[test]
 fn two_wheels_on_one_axle_turn_as_one_of_half_its_inertia() {
-    let side = |rail| Contact {
-        rail,
-        ..contact(
-            0.0,
-            rolling(1e-3, 0.0),
-            [Motion::Compliant(()), Motion::Held],
-        )
-    };
-    let axle = general(
-        SharedAxle { inertia: 80.0 },
-        vec![side(Rail::Left), side(Rail::Right)],
-    );
+    let side = |rail| Contact { rail, ..contact(0.0, rolling(1e-3, 0.0), [Motion::Compliant(()), Motion::Held]) };
+    let axle = general(SharedAxle { inertia: 80.0 }, vec![side(Rail::Left), side(Rail::Right)]);
     let single = general(wheel(400.0, 40.0), vec![side(Rail::Right)]);
     let (both, single) = (axle.at(0.05, 30.0), single.at(0.05, 30.0).contacts[0]);
     for state in both.contacts {
@@ -306,18 +256,11 @@ fn a_response_that_is_not_told_is_asked_for() {
             self.0.steady()
         }
         fn response(&self, wavelength: f64) -> riffel::contact::ContactResponse {
-            riffel::contact::ContactResponse {
-                by_lateral: None,
-                ..self.0.response(wavelength)
-            }
+            riffel::contact::ContactResponse { by_lateral: None, ..self.0.response(wavelength) }
         }
     }
     let silent = |lateral| {
-        let contact = contact(
-            0.0,
-            Arc::new(Silent(rolling(1e-3, 0.0))),
-            [Motion::Held, lateral],
-        );
+        let contact = contact(0.0, Arc::new(Silent(rolling(1e-3, 0.0))), [Motion::Held, lateral]);
         let (track, wheel) = (vertical(track()), wheel(400.0, 40.0));
         Loop::new(Arc::new(track), Arc::new(wheel), vec![contact], AMPLITUDE)
     };
@@ -379,18 +322,8 @@ fn falling_friction_squeals_where_it_outweighs_the_loss() {
     // 2ζ = 0.02 of the mode.
     let limit = -0.02 * w * 300.0 * speed;
     for (slope, roots) in [(0.9 * limit, 0), (1.1 * limit, 2), (1e5, 0)] {
-        let contact = contact(
-            0.0,
-            Arc::new(Falling(slope)),
-            [Motion::Held, Motion::Compliant(())],
-        );
-        let squeal = general(
-            SharedMode {
-                share: 0.0,
-                loss_factor: 0.02,
-            },
-            vec![contact],
-        );
+        let contact = contact(0.0, Arc::new(Falling(slope)), [Motion::Held, Motion::Compliant(())]);
+        let squeal = general(SharedMode { share: 0.0, loss_factor: 0.02 }, vec![contact]);
         let stability = squeal.stability(speed, 1.0, 1e5).unwrap();
         assert_eq!(stability.unstable_roots, roots, "{slope}");
         if let Some(frequency) = stability.frequency {
@@ -421,10 +354,7 @@ fn a_root_that_grows_fast_is_found() {
         };
         let growth = found.growth_rate / expected.re - 1.0;
         let frequency = std::f64::consts::TAU * found.frequency / expected.im - 1.0;
-        assert!(
-            growth.abs() < 1e-6 && frequency.abs() < 1e-6,
-            "{times}: {growth:e} {frequency:e}"
-        );
+        assert!(growth.abs() < 1e-6 && frequency.abs() < 1e-6, "{times}: {growth:e} {frequency:e}");
     }
 }
 
@@ -444,31 +374,14 @@ impl Structure for Echo {
 /// A phase that jumps, at a mode without loss, or that turns on and on ends the search, and is told.
 #[test]
 fn a_phase_that_cannot_be_followed_is_given_up() {
-    let mode = |loss_factor| SharedMode {
-        share: 0.0,
-        loss_factor,
-    };
-    fn stability(
-        wheel: impl Structure + 'static,
-        slope: f64,
-    ) -> Result<riffel::feedback::Stability, Error> {
-        let contact = contact(
-            0.0,
-            Arc::new(Falling(slope)),
-            [Motion::Held, Motion::Compliant(())],
-        );
+    let mode = |loss_factor| SharedMode { share: 0.0, loss_factor };
+    fn stability(wheel: impl Structure + 'static, slope: f64) -> Result<riffel::feedback::Stability, Error> {
+        let contact = contact(0.0, Arc::new(Falling(slope)), [Motion::Held, Motion::Compliant(())]);
         general(wheel, vec![contact]).stability(10.0, 1.0, 1e5)
     }
-    let refusals = [
-        stability(mode(0.0), -1e5),
-        stability(mode(1e-14), -1e5),
-        stability(Echo, 100.0),
-    ];
+    let refusals = [stability(mode(0.0), -1e5), stability(mode(1e-14), -1e5), stability(Echo, 100.0)];
     for refusal in refusals {
-        assert!(
-            matches!(refusal, Err(Error::NotConverged { .. })),
-            "{refusal:?}"
-        );
+        assert!(matches!(refusal, Err(Error::NotConverged { .. })), "{refusal:?}");
     }
 }
 
@@ -478,15 +391,8 @@ fn a_phase_that_cannot_be_followed_is_given_up() {
 #[test]
 fn constant_friction_needs_a_coupling_of_modes() {
     let stability = |share: f64| {
-        let contact = contact(
-            0.0,
-            Arc::new(Falling(0.0)),
-            [Motion::Held, Motion::Compliant(())],
-        );
-        let mode = SharedMode {
-            share,
-            loss_factor: 1e-4,
-        };
+        let contact = contact(0.0, Arc::new(Falling(0.0)), [Motion::Held, Motion::Compliant(())]);
+        let mode = SharedMode { share, loss_factor: 1e-4 };
         let coupled = general(mode, vec![contact]);
         coupled.stability(10.0, 1.0, 1e5).unwrap().unstable_roots
     };

@@ -19,11 +19,7 @@ const RADIUS: f64 = 0.46;
 /// A wheel that yields on all axes, on a track that yields downward and across.
 fn at(contact: Contact, wavelength: f64, speed: f64) -> LoopState {
     let mass = |mass: f64| Some(Arc::new(RigidMass::new(mass).unwrap()) as _);
-    let track = Uncoupled {
-        longitudinal: None,
-        lateral: mass(60.0),
-        vertical: mass(90.0),
-    };
+    let track = Uncoupled { longitudinal: None, lateral: mass(60.0), vertical: mass(90.0) };
     let wheels = Uncoupled {
         longitudinal: Some(Arc::new(RigidInertia::new(40.0, RADIUS).unwrap())),
         lateral: mass(700.0),
@@ -34,11 +30,7 @@ fn at(contact: Contact, wavelength: f64, speed: f64) -> LoopState {
 }
 
 fn moving(along: Motion<()>, lateral: f64, geometry: Option<MovingContact>) -> Contact {
-    Contact {
-        angle: ANGLE,
-        moving: geometry,
-        ..contact(0.0, rolling(1e-3, lateral), [along, Motion::Compliant(())])
-    }
+    Contact { angle: ANGLE, moving: geometry, ..contact(0.0, rolling(1e-3, lateral), [along, Motion::Compliant(())]) }
 }
 
 /// Profiles of a rail of 0.3 m and a wheel of 0.5 m, and a ripple of some cross slope.
@@ -48,12 +40,7 @@ fn geometry(cross_slope: f64) -> MovingContact {
 
 /// Creepage by the rolling radius alone.
 fn of_profiles(profiles: Conformity, cross_slope: f64) -> MovingContact {
-    MovingContact {
-        profiles,
-        rolling_radius: RADIUS,
-        cross_slope,
-        effects: ShiftEffects::ROLLING_RADIUS,
-    }
+    MovingContact { profiles, rolling_radius: RADIUS, cross_slope, effects: ShiftEffects::ROLLING_RADIUS }
 }
 
 proptest! {
@@ -121,20 +108,14 @@ fn a_contact_that_stays_creeps_by_motion_alone() {
     let growth = |contact: Contact| at(contact, 0.06, 20.0).growth_rate;
     let compliant = Motion::Compliant(());
     let stays = growth(moving(compliant.clone(), 2e-3, None));
-    let level = |moving| Contact {
-        angle: 0.0,
-        ..self::moving(compliant.clone(), 2e-3, moving)
-    };
+    let level = |moving| Contact { angle: 0.0, ..self::moving(compliant.clone(), 2e-3, moving) };
     // One equation more: to rounding.
     let [flat, level] = [Some(geometry(20.0)), None].map(|moving| growth(level(moving)));
     assert_relative_eq!(flat, level, max_relative = 1e-12);
     let free = |geometry| growth(moving(Motion::Free, 2e-3, geometry));
     assert_relative_eq!(free(Some(geometry(20.0))), free(None), max_relative = 1e-12);
     let right = moving(compliant, 2e-3, Some(geometry(20.0)));
-    let left = Contact {
-        rail: Rail::Left,
-        ..moving(Motion::Compliant(()), -2e-3, Some(geometry(20.0)))
-    };
+    let left = Contact { rail: Rail::Left, ..moving(Motion::Compliant(()), -2e-3, Some(geometry(20.0))) };
     assert!((growth(right.clone()) / stays - 1.0).abs() > 1e-2);
     assert_relative_eq!(growth(left), growth(right), max_relative = 1e-12);
 }
@@ -151,12 +132,7 @@ fn an_evenly_turning_wheel_creeps_as_the_ripple_slopes() {
             ..contact(0.0, rolling(1e-3, 0.0), [Motion::Held, Motion::Held])
         };
         let track = Uncoupled::default();
-        let general = Loop::new(
-            Arc::new(track),
-            Arc::new(wheel(400.0, 40.0)),
-            vec![contact],
-            AMPLITUDE,
-        );
+        let general = Loop::new(Arc::new(track), Arc::new(wheel(400.0, 40.0)), vec![contact], AMPLITUDE);
         general.unwrap().at(0.06, 20.0).contacts[0].creepage[0]
     };
     let expected = ANGLE.sin() / RADIUS * 0.3 * 20.0 * AMPLITUDE;

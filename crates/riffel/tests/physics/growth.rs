@@ -7,14 +7,14 @@ use riffel::contact::{MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::growth::{Bay, GrowthOnIrregularSupports, RidgeRow, RidgeSearch, RowEvaluator};
 use riffel::receptance::{
-    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, IrregularTrack, Layer, MovingBeam,
-    PeriodicTrack, ShearSection, Support,
+    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, IrregularTrack, Layer, MovingBeam, PeriodicTrack,
+    ShearSection, Support,
 };
 use riffel::tile::TILE;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap, HertzContact, Loop,
-    LoopState, PlaceOfWear, Receptance, Ridge, RollingContact,
+    Axis, Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap, HertzContact, Loop, LoopState,
+    PlaceOfWear, Receptance, Ridge, RollingContact,
 };
 
 /// The range of railways: from a metro car to a freight wagon, from wet to very dry rail.
@@ -110,19 +110,14 @@ impl Railway {
     }
 
     fn at(&self, rotation: Motion) -> LoopState {
-        self.feedback(FreeBeam::new(self.rail()), rotation)
-            .at(self.wavelength, self.speed)
+        self.feedback(FreeBeam::new(self.rail()), rotation).at(self.wavelength, self.speed)
     }
 }
 
 /// The sizes of the two terms of W₁, by load and by creepage \[W\].
 fn terms(state: &LoopState) -> [f64; 2] {
     let (by_load, by_creepage) = (state.response.by_load, state.response.by_longitudinal);
-    [
-        by_load.energy * state.normal_force(),
-        by_creepage.energy * state.creepage(),
-    ]
-    .map(|term| state.speed * term.norm())
+    [by_load.energy * state.normal_force(), by_creepage.energy * state.creepage()].map(|term| state.speed * term.norm())
 }
 
 proptest! {
@@ -242,20 +237,11 @@ fn a_tabulated_map_is_its_points() {
         wavelength: 0.05,
         speed: 20.0,
     };
-    let (pad, ballast) = (
-        Layer::new(1.1e8, 3e4).unwrap(),
-        Layer::new(8.6e7, 4e4).unwrap(),
-    );
-    let track = ContinuousTrack::new(
-        Beam::from(railway.rail()),
-        Support::two_layer(pad, 157.0, ballast).unwrap(),
-    );
+    let (pad, ballast) = (Layer::new(1.1e8, 3e4).unwrap(), Layer::new(8.6e7, 4e4).unwrap());
+    let track = ContinuousTrack::new(Beam::from(railway.rail()), Support::two_layer(pad, 157.0, ballast).unwrap());
     let rotation = railway.rotation();
     let feedback = railway.feedback(track, rotation);
-    let (wavelength, speed) = (
-        Axis::new(0.02, 0.2, 301).unwrap(),
-        Axis::new(3.0, 60.0, 101).unwrap(),
-    );
+    let (wavelength, speed) = (Axis::new(0.02, 0.2, 301).unwrap(), Axis::new(3.0, 60.0, 101).unwrap());
     let map = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
     let ridge = Ridge::search(&feedback, wavelength, speed);
     assert_eq!(Ridge::of_map(&feedback, &map), ridge);
@@ -385,12 +371,7 @@ fn bay_mean() {
         speed: 30.0,
     };
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.393,
-        shear_modulus: 80e9,
-        density: 7850.0,
-    };
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.393, shear_modulus: 80e9, density: 7850.0 };
     let rail = Beam::timoshenko(steel, railway.second_moment, railway.rail_mass, shear)
         .and_then(|rail| rail.with_loss_factor(0.01))
         .unwrap();
@@ -403,20 +384,11 @@ fn bay_mean() {
     let bay = Bay::new(&feedback, Arc::new(track)).unwrap();
 
     // Low, at the rail on its pads, at the pinned-pinned resonance, and above.
-    for (wavelength, speed) in [
-        (0.08, 10.0),
-        (0.05, 25.0),
-        (0.03, 31.7),
-        (0.03, 33.0),
-        (0.03, 45.0),
-    ] {
+    for (wavelength, speed) in [(0.08, 10.0), (0.05, 25.0), (0.03, 31.7), (0.03, 33.0), (0.03, 45.0)] {
         let mean = bay.mean_normalized_dissipation(wavelength, speed);
         let states = bay.states(wavelength, speed, 2001);
         // The trapezoidal rule: both ends are supports and count once together.
-        let sum: riffel::Complex64 = states[1..]
-            .iter()
-            .map(|(_, s)| s.normalized_dissipation)
-            .sum();
+        let sum: riffel::Complex64 = states[1..].iter().map(|(_, s)| s.normalized_dissipation).sum();
         let expected = sum / 2000.0;
         let error = (mean - expected).norm() / expected.norm();
         assert!(error < 1e-3, "{wavelength} m {speed} m/s: {error}");
@@ -436,32 +408,17 @@ fn bay_mean() {
         }
     }
 
-    let (wavelength, speed) = (
-        Axis::new(0.02, 0.08, 40).unwrap(),
-        Axis::new(5.0, 60.0, 30).unwrap(),
-    );
+    let (wavelength, speed) = (Axis::new(0.02, 0.08, 40).unwrap(), Axis::new(5.0, 60.0, 30).unwrap());
     let maps = bay.maps(wavelength, speed, |_| ());
     for (row, column) in [(0, 0), (7, 20), (29, 39)] {
         let (v, l) = (speed.value(row), wavelength.value(column));
         let pairs = [
-            (
-                maps.over_support.row(row)[column],
-                bay.at(0.0).at(l, v).normalized_dissipation,
-            ),
-            (
-                maps.mid_span.row(row)[column],
-                bay.at(0.3).at(l, v).normalized_dissipation,
-            ),
-            (
-                maps.mean.row(row)[column],
-                bay.mean_normalized_dissipation(l, v),
-            ),
+            (maps.over_support.row(row)[column], bay.at(0.0).at(l, v).normalized_dissipation),
+            (maps.mid_span.row(row)[column], bay.at(0.3).at(l, v).normalized_dissipation),
+            (maps.mean.row(row)[column], bay.mean_normalized_dissipation(l, v)),
         ];
         for (got, expected) in pairs {
-            assert!(
-                (got - expected).norm() < 1e-12 * expected.norm(),
-                "{got} {expected}"
-            );
+            assert!((got - expected).norm() < 1e-12 * expected.norm(), "{got} {expected}");
         }
     }
     let ridge = bay.ridge(&maps.mean, wavelength);

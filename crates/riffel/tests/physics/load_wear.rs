@@ -9,8 +9,8 @@ use riffel::feedback::OneWheel;
 use riffel::receptance::RigidGround;
 use riffel::wheelset::{Motion, RigidMass, SprungMass};
 use riffel::{
-    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear,
-    Receptance, RollingContact,
+    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance,
+    RollingContact,
 };
 
 /// A wheel on rigid ground on the spring of its contact.

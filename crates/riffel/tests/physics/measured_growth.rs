@@ -37,41 +37,22 @@ impl Random {
 impl Made {
     /// A rail that grows exactly so, as it was read at each date; with its true levels now.
     fn rail(&self, random: &mut Random) -> (Vec<(f64, Vec<Spectrum>)>, Vec<f64>) {
-        let own: Vec<Vec<f64>> = (0..self.places)
-            .map(|_| GROWTH.iter().map(|_| 1.5 * random.normal()).collect())
-            .collect();
-        let faster: Vec<Vec<f64>> = (0..self.places)
-            .map(|_| {
-                GROWTH
-                    .iter()
-                    .map(|_| self.growing * random.normal())
-                    .collect()
-            })
-            .collect();
+        let own: Vec<Vec<f64>> =
+            (0..self.places).map(|_| GROWTH.iter().map(|_| 1.5 * random.normal()).collect()).collect();
+        let faster: Vec<Vec<f64>> =
+            (0..self.places).map(|_| GROWTH.iter().map(|_| self.growing * random.normal()).collect()).collect();
         // Dates of a measuring train: not every year is the same.
-        let times: Vec<f64> = (0..self.dates)
-            .map(|k| k as f64 + 0.3 * (k as f64).sin())
-            .collect();
+        let times: Vec<f64> = (0..self.dates).map(|k| k as f64 + 0.3 * (k as f64).sin()).collect();
         let now = times[self.dates - 1];
         let dates = times.iter().map(|&time| {
-            let common: Vec<f64> = GROWTH
-                .iter()
-                .map(|_| self.common * random.normal())
-                .collect();
+            let common: Vec<f64> = GROWTH.iter().map(|_| self.common * random.normal()).collect();
             let mut error = vec![0.0; GROWTH.len()];
             let records = own.iter().zip(&faster).map(|(own, faster)| {
                 let levels = GROWTH.iter().enumerate().map(|(k, growth)| {
                     let fresh = (1.0 - self.shared * self.shared).sqrt() * random.normal();
                     error[k] = self.shared * error[k] + fresh;
-                    let other = if self.paired {
-                        own[k]
-                    } else {
-                        1.5 * random.normal()
-                    };
-                    let level = (growth + faster[k]) * (time - now)
-                        + other
-                        + common[k]
-                        + self.scatter * error[k];
+                    let other = if self.paired { own[k] } else { 1.5 * random.normal() };
+                    let level = (growth + faster[k]) * (time - now) + other + common[k] + self.scatter * error[k];
                     (ThirdOctave::new(k as i32 - 13), level)
                 });
                 Spectrum::new(levels).unwrap()
@@ -81,10 +62,7 @@ impl Made {
         let dates = dates.collect();
         let truth = (0..GROWTH.len()).map(|k| {
             let mean = match self.paired {
-                true => {
-                    own.iter().map(|own| 10f64.powf(own[k] / 10.0)).sum::<f64>()
-                        / self.places as f64
-                }
+                true => own.iter().map(|own| 10f64.powf(own[k] / 10.0)).sum::<f64>() / self.places as f64,
                 // Of the log-normal squares.
                 false => (0.5 * (0.15 * std::f64::consts::LN_10).powi(2)).exp(),
             };
@@ -113,10 +91,7 @@ fn the_bands_hold_the_truth_as_often_as_they_say() {
         common,
         growing: 0.0,
     };
-    let unlike = |dates| Made {
-        growing: 0.15,
-        ..made(dates, 20, true, 0.0, 0.0)
-    };
+    let unlike = |dates| Made { growing: 0.15, ..made(dates, 20, true, 0.0, 0.0) };
     let cases = [
         made(2, 20, true, 0.0, 0.0),
         made(3, 20, true, 0.0, 0.0),
@@ -142,11 +117,7 @@ fn the_bands_hold_the_truth_as_often_as_they_say() {
             for (k, band) in growth.bands().iter().enumerate() {
                 let share = 1.0 / (RAILS * GROWTH.len()) as f64;
                 let is_in = |[low, high]: [f64; 2], truth: f64| {
-                    if low <= truth && truth <= high {
-                        share
-                    } else {
-                        0.0
-                    }
+                    if low <= truth && truth <= high { share } else { 0.0 }
                 };
                 held[0] += is_in(band.slope_within()[1], GROWTH[k]);
                 let measured = last.level(band.band).unwrap();
@@ -154,28 +125,15 @@ fn the_bands_hold_the_truth_as_often_as_they_say() {
                 held[1] += is_in(change.map(|it| measured + it), now[k] + GROWTH[k]);
                 let limit = now[k] + LEFT;
                 let [early, late] = band.time_80(limit - measured, true);
-                let within = [
-                    early.unwrap_or(f64::INFINITY),
-                    late.unwrap_or(f64::INFINITY),
-                ];
+                let within = [early.unwrap_or(f64::INFINITY), late.unwrap_or(f64::INFINITY)];
                 held[2] += is_in(within, LEFT / GROWTH[k]);
             }
         }
-        let Made {
-            dates,
-            places,
-            paired,
-            shared,
-            common,
-            growing,
-            ..
-        } = case;
+        let Made { dates, places, paired, shared, common, growing, .. } = case;
         // The mean of places that grow unlike bends upward, and its level is none of a straight line.
         let told = if growing > 0.0 { 1 } else { 3 };
         assert!(
-            held.iter()
-                .take(told)
-                .all(|share| (0.75..=0.85).contains(share)),
+            held.iter().take(told).all(|share| (0.75..=0.85).contains(share)),
             "{dates} dates of {places} places, {paired} {shared} {common} {growing}: {held:?}"
         );
     }

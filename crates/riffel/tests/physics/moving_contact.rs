@@ -8,8 +8,8 @@ use proptest::prelude::*;
 use riffel::contact::{Conformity, MovingContact, ShiftEffects};
 use riffel::feedback::{Contact, Loop, LoopState};
 use riffel::receptance::{
-    Beam, ContactPoint, EulerBernoulliBeam, Layer, SpatialRail, SpatialTrack, Structure, Support,
-    Supports, Twist, TwistSection, Uncoupled,
+    Beam, ContactPoint, EulerBernoulliBeam, Layer, SpatialRail, SpatialTrack, Structure, Support, Supports, Twist,
+    TwistSection, Uncoupled,
 };
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{Complex64, Direction, ElasticMaterial, Place, Rail};
@@ -39,11 +39,7 @@ impl TwoCircles {
         let apart = WHEEL - RAIL;
         let wheel = [shift, rail[1] + (apart * apart - across * across).sqrt()];
         let normal = [0, 1].map(|axis| (wheel[axis] - rail[axis]) / apart);
-        Self {
-            contact: [0, 1].map(|axis| rail[axis] - RAIL * normal[axis]),
-            normal,
-            wheel: [shift, wheel[1] - WHEEL],
-        }
+        Self { contact: [0, 1].map(|axis| rail[axis] - RAIL * normal[axis]), normal, wheel: [shift, wheel[1] - WHEEL] }
     }
 }
 
@@ -73,9 +69,8 @@ fn two_circles() {
     for (roll, shift) in [(1.0, 0.0), (0.0, 1.0), (0.3, -0.7)] {
         const STEP: f64 = 1e-6;
         let [before, after] = [-STEP, STEP].map(|step| numbers(step * roll, step * shift));
-        let found: Vec<f64> = (before.iter().zip(after))
-            .map(|(before, after)| (after - before) / (2.0 * STEP))
-            .collect();
+        let found: Vec<f64> =
+            (before.iter().zip(after)).map(|(before, after)| (after - before) / (2.0 * STEP)).collect();
         // The roll of the wheel against the rail is minus that of the rail.
         let on_rail = profiles.shift_on_rail(-roll, shift);
         let on_wheel = profiles.shift_on_wheel(-roll, shift);
@@ -122,11 +117,7 @@ fn the_roll_of_a_rail_is_that_of_its_levers() {
         let layer = Layer::new(stiffness, 0.0).and_then(|layer| layer.with_loss_factor(0.2));
         Some(Support::one_layer(layer.unwrap()))
     };
-    let supports = Supports {
-        vertical: layer(120e6),
-        lateral: layer(40e6),
-        longitudinal: None,
-    };
+    let supports = Supports { vertical: layer(120e6), lateral: layer(40e6), longitudinal: None };
     let discrete = SpatialTrack::discrete(rail, supports, 0.6).unwrap();
     let even = SpatialTrack::continuous(rail, supports.per_metre(0.6).unwrap());
     let (height, offset) = (0.12, 0.015);
@@ -135,18 +126,11 @@ fn the_roll_of_a_rail_is_that_of_its_levers() {
             let w = TAU * hertz;
             let alongs = [0.2, -1.9];
             let at = |height: f64, lateral_offset: f64| {
-                let point = ContactPoint {
-                    height,
-                    lateral_offset,
-                };
+                let point = ContactPoint { height, lateral_offset };
                 track.with_contact(Rail::Right, point)
             };
             let entry = |track: &SpatialTrack, direction, to: usize, from: usize| {
-                let [to, from] = [to, from].map(|place| Place {
-                    along: alongs[place],
-                    rail: Rail::Right,
-                    direction,
-                });
+                let [to, from] = [to, from].map(|place| Place { along: alongs[place], rail: Rail::Right, direction });
                 track.cross_receptance(w, 0.0, to, from)
             };
             let mut rolls = [Complex64::ZERO; 16];
@@ -155,10 +139,9 @@ fn the_roll_of_a_rail_is_that_of_its_levers() {
             // Receptances are squares of the levers, so that differences have no error but rounding.
             const STEP: f64 = 0.05;
             for (to, from) in [(0, 0), (1, 0), (0, 1)] {
-                let higher = [-STEP, STEP]
-                    .map(|step| entry(&at(height + step, offset), Direction::Lateral, to, from));
-                let further = [-STEP, 0.0, STEP]
-                    .map(|step| entry(&at(height, offset + step), Direction::Vertical, to, from));
+                let higher = [-STEP, STEP].map(|step| entry(&at(height + step, offset), Direction::Lateral, to, from));
+                let further =
+                    [-STEP, 0.0, STEP].map(|step| entry(&at(height, offset + step), Direction::Vertical, to, from));
                 let expected = [
                     Complex64::ZERO,
                     (higher[1] - higher[0]) / (4.0 * STEP),
@@ -213,11 +196,7 @@ impl Structure for RollingRail {
         }
         let levers = Self::lever(at.direction) * Self::lever(from.direction);
         let both = at.direction == from.direction && at.direction != Direction::Longitudinal;
-        let translation = if both {
-            Self::translation(w)
-        } else {
-            Complex64::ZERO
-        };
+        let translation = if both { Self::translation(w) } else { Complex64::ZERO };
         translation + Self::rotation(w) * levers
     }
 
@@ -259,11 +238,7 @@ fn moving(rail: Rail, angle: f64, cross_slope: f64, effects: ShiftEffects) -> Co
         rail,
         angle,
         moving: Some(moving),
-        ..contact(
-            0.0,
-            rolling(1e-3, 2e-3 * rail.sign()),
-            [Motion::Compliant(()), Motion::Compliant(())],
-        )
+        ..contact(0.0, rolling(1e-3, 2e-3 * rail.sign()), [Motion::Compliant(()), Motion::Compliant(())])
     }
 }
 
@@ -359,10 +334,7 @@ fn a_moving_contact_has_a_mirror_image() {
     // The offset of the rail is to the right on both: turned over it is the other side of the head.
     let level = |rail| alone(moving(rail, 0.0, 0.0, ShiftEffects::ALL));
     assert!(level(Rail::Right).is_finite() && level(Rail::Left).is_finite());
-    let behind = |along: f64| Contact {
-        along,
-        ..moving(Rail::Right, 0.05, 20.0, ShiftEffects::ALL)
-    };
+    let behind = |along: f64| Contact { along, ..moving(Rail::Right, 0.05, 20.0, ShiftEffects::ALL) };
     // This rail answers at one place alone.
     let two = state(vec![behind(0.0), behind(-2.0)], 0.06, 20.0).growth_rate;
     assert_relative_eq!(two, right, max_relative = 1e-9);

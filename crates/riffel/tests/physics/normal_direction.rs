@@ -8,12 +8,11 @@ use riffel::feedback::{Contact, Hubs, OneWheel};
 use riffel::growth::RowEvaluator;
 use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Structure, Uncoupled};
 use riffel::wheelset::{
-    Axle, ContactGeometry, Disc, FlexibleWheelset, Motion, RigidBody, RigidInertia, RigidMass,
-    RigidWheelset, Segment, Wheelset,
+    Axle, ContactGeometry, Disc, FlexibleWheelset, Motion, RigidBody, RigidInertia, RigidMass, RigidWheelset, Segment,
+    Wheelset,
 };
 use riffel::{
-    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop,
-    PlaceOfWear, Rail, Receptance,
+    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, Rail, Receptance,
 };
 
 const RADIUS: f64 = 0.46;
@@ -28,8 +27,7 @@ fn steel() -> ElasticMaterial {
 
 /// The contact of the paper on a wheel of the radius R/(1 + κ).
 fn hertz(curvature: f64) -> Result<HertzContact, Error> {
-    HertzContact::new(steel(), RADIUS, 0.23, LOAD)?
-        .with_longitudinal_radius(RADIUS / (1.0 + curvature))
+    HertzContact::new(steel(), RADIUS, 0.23, LOAD)?.with_longitudinal_radius(RADIUS / (1.0 + curvature))
 }
 
 fn law(curvature: f64) -> Result<Carter3d, Error> {
@@ -122,18 +120,13 @@ fn a_rod_yields_under_it() {
             (Complex64::new(0.0, 2.0 * wavenumber * 207e9 * 56.0 / 7850.0)).inv()
         }
     }
-    for (ratio, wavelength, speed, expected, digits) in [
-        (0.1, 0.0557, 30.0, -420.0, 5.0),
-        (0.95, 0.0557, 30.0, -24.0, 0.5),
-        (0.1, 0.03, 10.0, -1200.0, 50.0),
-    ] {
+    for (ratio, wavelength, speed, expected, digits) in
+        [(0.1, 0.0557, 30.0, -420.0, 5.0), (0.95, 0.0557, 30.0, -24.0, 0.5), (0.1, 0.03, 10.0, -1200.0, 50.0)]
+    {
         let joints = one_wheel(ratio, false, 1e12);
         let contacts = joints.clone().close().unwrap().contacts().to_vec();
-        let track = Uncoupled {
-            longitudinal: Some(Arc::new(Rod)),
-            vertical: Some(joints.track),
-            ..Uncoupled::default()
-        };
+        let track =
+            Uncoupled { longitudinal: Some(Arc::new(Rod)), vertical: Some(joints.track), ..Uncoupled::default() };
         let wheels = Uncoupled {
             longitudinal: Some(Arc::new(turning(1e12))),
             vertical: Some(joints.wheel),
@@ -290,8 +283,7 @@ fn newtons_law_has_it() {
         let two = accelerate(time + 0.5 * step, ahead(one, 0.5));
         let three = accelerate(time + 0.5 * step, ahead(two, 0.5));
         let four = accelerate(time + step, ahead(three, 1.0));
-        state = [0, 1]
-            .map(|i| state[i] + step / 6.0 * (one[i] + 2.0 * two[i] + 2.0 * three[i] + four[i]));
+        state = [0, 1].map(|i| state[i] + step / 6.0 * (one[i] + 2.0 * two[i] + 2.0 * three[i] + four[i]));
         if index >= (WAVES - 1) * STEPS {
             let turn = Complex64::cis(-wavenumber * SPEED * (time + step));
             harmonic += 2.0 / STEPS as f64 * turn * (state[0] - state[1]) / SPEED;

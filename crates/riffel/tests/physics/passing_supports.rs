@@ -7,15 +7,15 @@ use riffel::contact::{MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::growth::{Bay, GrowthWithNeighbours};
 use riffel::passage::{
-    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel, Sinusoid,
-    StructuresInTime, WearOfPassages,
+    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel, Sinusoid, StructuresInTime,
+    WearOfPassages,
 };
 use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, Support};
 use riffel::roughness::Profile;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, Loop,
-    PlaceOfWear, Receptance, RollingContact,
+    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance,
+    RollingContact,
 };
 
 const SPACING: f64 = 0.6;
@@ -27,15 +27,8 @@ fn steel() -> ElasticMaterial {
 
 /// 60E1 on concrete sleepers with viscous loss everywhere: causal, and pinned-pinned at 1060 Hz.
 fn track() -> PeriodicTrack<Beam> {
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.4,
-        shear_modulus: 79.6e9,
-        density: 7850.0,
-    };
-    let rail = Beam::timoshenko(steel(), 3.04e-5, 60.2, shear)
-        .and_then(|rail| rail.with_damping(1e4))
-        .unwrap();
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
+    let rail = Beam::timoshenko(steel(), 3.04e-5, 60.2, shear).and_then(|rail| rail.with_damping(1e4)).unwrap();
     let layer = |stiffness, damping| Layer::new(stiffness, damping).unwrap();
     let support = Support::two_layer(layer(300e6, 40e3), 150.0, layer(80e6, 80e3));
     PeriodicTrack::new(rail, support.unwrap(), SPACING).unwrap()
@@ -74,20 +67,15 @@ fn growth_with_neighbours_of_a_slow_wheel_is_local() {
     let bay = Bay::new(feedback.clone(), Arc::new(track())).unwrap();
     let states = bay.states(wavelength, speed, 61);
     let rates: Vec<f64> = states.iter().map(|(_, state)| state.growth_rate).collect();
-    let mean = feedback.growth_rate_per_dissipation()
-        * bay.mean_normalized_dissipation(wavelength, speed).re;
+    let mean = feedback.growth_rate_per_dissipation() * bay.mean_normalized_dissipation(wavelength, speed).re;
     let highest = rates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let lowest = rates.iter().copied().fold(f64::INFINITY, f64::min);
     let range = highest - lowest;
-    let of = |neighbours| {
-        GrowthWithNeighbours::at(&feedback, &moving(speed), wavelength, neighbours).unwrap()
-    };
+    let of = |neighbours| GrowthWithNeighbours::at(&feedback, &moving(speed), wavelength, neighbours).unwrap();
     let [few, many] = [of(2), of(6)];
     assert!((many.alone().re - mean).abs() < 2e-3 * range);
     // e_n changes by 4 % over the neighbours, and with it what leads.
-    assert!(
-        few.leading.re > mean + 0.5 * (highest - mean) && few.leading.re < highest + 0.02 * range
-    );
+    assert!(few.leading.re > mean + 0.5 * (highest - mean) && few.leading.re < highest + 0.02 * range);
     assert!(many.leading.re < highest + 0.02 * range);
     assert!(many.leading.re > mean + 0.4 * (highest - mean));
 }
@@ -111,8 +99,7 @@ fn model() -> PassageModel {
     let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.3)).unwrap();
     let rotation = RigidInertia::new(RigidInertia::reduced_inertia(350.0, 0.46), 0.46).unwrap();
     let wheel = RigidMass::new(350.0).unwrap();
-    let in_time =
-        ContactInTime::of_one_wheel(contact.steady(), hertz.stiffness(), Arc::new(law)).unwrap();
+    let in_time = ContactInTime::of_one_wheel(contact.steady(), hertz.stiffness(), Arc::new(law)).unwrap();
     PassageModel {
         structures: StructuresInTime::of_one_wheel(response().clone(), &wheel, Some(&rotation)),
         contacts: vec![in_time],
@@ -126,16 +113,8 @@ fn model() -> PassageModel {
 #[test]
 fn response_comes_back() {
     let response = response();
-    assert!(
-        response.share_cut().sqrt() < 5e-4,
-        "{:e}",
-        response.share_cut()
-    );
-    assert!(
-        response.largest_error() < 2e-3,
-        "{:e}",
-        response.largest_error()
-    );
+    assert!(response.share_cut().sqrt() < 5e-4, "{:e}", response.share_cut());
+    assert!(response.largest_error() < 2e-3, "{:e}", response.largest_error());
     for hertz in [20.0, 300.0, 1060.0, 2000.0] {
         let exact = moving(SPEED).harmonics(TAU * hertz, 1).unwrap().at(0);
         let error = (response.receptance(TAU * hertz) - exact).norm() / exact.norm();
@@ -157,9 +136,7 @@ fn small_waves_are_the_harmonic_balance() {
     let counted = 16 * steps_to_bay as usize;
     let mut without = model.march(step).unwrap();
     let start = without.clone();
-    let smooth: Vec<f64> = (0..run_in + counted)
-        .map(|_| without.advance(&[0.0])[0].normal_force)
-        .collect();
+    let smooth: Vec<f64> = (0..run_in + counted).map(|_| without.advance(&[0.0])[0].normal_force).collect();
     for wavelength in [0.047, 0.0293] {
         let feedback = feedback(amplitude);
         let growth = GrowthWithNeighbours::at(&feedback, &moving(SPEED), wavelength, 6).unwrap();
@@ -172,8 +149,8 @@ fn small_waves_are_the_harmonic_balance() {
             if index > run_in {
                 // A window of Blackman and Harris over 16 bays parts lines that are one per bay apart.
                 let share = TAU * (index - run_in) as f64 / counted as f64;
-                let window = 0.35875 - 0.48829 * share.cos() + 0.14128 * (2.0 * share).cos()
-                    - 0.01168 * (3.0 * share).cos();
+                let window =
+                    0.35875 - 0.48829 * share.cos() + 0.14128 * (2.0 * share).cos() - 0.01168 * (3.0 * share).cos();
                 for (line, k) in lines.iter_mut().zip(&growth.wavenumbers[4..]) {
                     let scale = 2.0 * window / (0.35875 * counted as f64);
                     *line += force * Complex64::from_polar(scale, -k * x);
@@ -183,8 +160,7 @@ fn small_waves_are_the_harmonic_balance() {
         let expected = |n: usize| {
             let wave = feedback.at(TAU / growth.wavenumbers[n], SPEED);
             let energy = wave.dissipation_at_rail / (wave.normal_force() * SPEED);
-            -growth.operator[n][6] * amplitude
-                / (feedback.contacts()[0].wear.depth_per_energy() * energy)
+            -growth.operator[n][6] * amplitude / (feedback.contacts()[0].wear.depth_per_energy() * energy)
         };
         for (n, line) in (4..).zip(lines) {
             let error = (line - expected(n)).norm() / expected(6).norm();
@@ -199,10 +175,7 @@ fn a_settled_wave_is_the_mean_over_the_bay() {
     let (model, amplitude, wavelength) = (model(), 0.5e-6, 0.047);
     let feedback = feedback(amplitude);
     let growth = GrowthWithNeighbours::at(&feedback, &moving(SPEED), wavelength, 6).unwrap();
-    let profile = Sinusoid {
-        amplitude,
-        wavelength,
-    };
+    let profile = Sinusoid { amplitude, wavelength };
     let settled = model.settle(profile, 200).unwrap().swap_remove(0);
     let dissipation = -growth.alone() * amplitude / feedback.contacts()[0].wear.depth_per_energy();
     let error = (settled.harmonics[1].dissipation - dissipation).norm() / dissipation.norm();
@@ -223,17 +196,10 @@ fn smooth_rails_shake_with_the_supports() {
     for _ in 0..bays * steps {
         march.advance(&[0.0]);
     }
-    let mut bay = || -> Vec<f64> {
-        (0..steps)
-            .map(|_| march.advance(&[0.0])[0].normal_force - 50e3)
-            .collect()
-    };
+    let mut bay = || -> Vec<f64> { (0..steps).map(|_| march.advance(&[0.0])[0].normal_force - 50e3).collect() };
     let (one, other) = (bay(), bay());
     let range = one.iter().fold(0f64, |most, force| most.max(force.abs()));
-    let changes = one
-        .iter()
-        .zip(&other)
-        .map(|(one, other)| (one - other).abs());
+    let changes = one.iter().zip(&other).map(|(one, other)| (one - other).abs());
     assert!(range > 500.0 && range < 5e3, "{range}");
     assert!(changes.fold(0.0, f64::max) < 1e-5 * range);
     // With what the force does put in, the sag of the track and the motion of the wheel are the approach of the contact:
@@ -265,10 +231,7 @@ fn smooth_rails_shake_with_the_supports() {
     }
 }
 
-const STEP: EvolutionStep = EvolutionStep {
-    largest_change: EvolutionStep::USUAL_CHANGE,
-    largest_step: 1e-3,
-};
+const STEP: EvolutionStep = EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: 1e-3 };
 
 fn wheel(feedback: &Loop, model: PassageModel, memory: f64) -> PassingWheel {
     PassingWheel {
@@ -293,12 +256,10 @@ fn supports_print_themselves_on_a_smooth_rail() {
     let model = model();
     let memory = model.memory().unwrap();
     let mut rail = Evolution::new(&Profile::new(0.0, 1e-3, vec![0.0; 600]).unwrap());
-    rail.advance(&[&wheel(&feedback, model, memory)], &STEP, 1)
-        .unwrap();
+    rail.advance(&[&wheel(&feedback, model, memory)], &STEP, 1).unwrap();
     assert_eq!(rail.passages(), 1);
     // Lines 1 to 9 of the bay, those of the wave d/5 and its four neighbours on each side.
-    let growth =
-        GrowthWithNeighbours::at(&feedback, &moving(SPEED), SPACING / 5.0, COUNT / 2).unwrap();
+    let growth = GrowthWithNeighbours::at(&feedback, &moving(SPEED), SPACING / 5.0, COUNT / 2).unwrap();
     let at_rest = moving(SPEED).harmonics(0.0, COUNT).unwrap();
     let printed = |row: &Vec<Complex64>| -> Complex64 {
         let terms = row.iter().zip(1..);
@@ -309,11 +270,7 @@ fn supports_print_themselves_on_a_smooth_rail() {
     let largest = expected.iter().map(|wave| wave.norm()).fold(0.0, f64::max);
     for (index, wave) in expected.iter().take(4).enumerate() {
         let error = (rail.waves()[index].1 - wave).norm() / largest;
-        assert!(
-            error < 2e-2,
-            "{index}: {} {wave} {error:e}",
-            rail.waves()[index].1
-        );
+        assert!(error < 2e-2, "{index}: {} {wave} {error:e}", rail.waves()[index].1);
     }
 }
 
@@ -323,10 +280,7 @@ fn wheels_wear_by_their_shares() {
     let feedback = feedback(1e-6);
     let slow = wheel(&feedback, model(), 3.0);
     let fast = PassingWheel {
-        model: PassageModel {
-            speed: 35.0,
-            ..model()
-        },
+        model: PassageModel { speed: 35.0, ..model() },
         share: 0.4,
         traction_share: 0.5,
         ..slow.clone()
@@ -337,11 +291,7 @@ fn wheels_wear_by_their_shares() {
     let worn = |wheels: &[&PassingWheel]| {
         let mut rail = ring.clone();
         let extremes = rail.advance(wheels, &STEP, 1).unwrap();
-        (
-            rail.waves()[19].1 - ring.waves()[19].1,
-            rail.mean_depth(),
-            extremes,
-        )
+        (rail.waves()[19].1 - ring.waves()[19].1, rail.mean_depth(), extremes)
     };
     let (both, one, other) = (worn(&[&slow, &fast]), worn(&[&slow]), worn(&[&fast]));
     // Heun's second half is not linear in the change of a passage, which is 10⁻⁶ of the wave.
@@ -357,9 +307,7 @@ fn rings_of_broken_bays_are_refused() {
     let feedback = feedback(1e-6);
     let wheel = wheel(&feedback, model(), 3.0);
     let ring = Profile::new(0.0, 1e-3, vec![0.0; 900]).unwrap();
-    let refused = Evolution::new(&ring)
-        .advance(&[&wheel], &STEP, 1)
-        .unwrap_err();
+    let refused = Evolution::new(&ring).advance(&[&wheel], &STEP, 1).unwrap_err();
     assert!(refused.to_string().contains("support spacing"), "{refused}");
 }
 
@@ -368,11 +316,7 @@ fn rings_of_broken_bays_are_refused() {
 fn waves_as_long_as_a_line_of_the_supports_are_known() {
     let line = |waves: f64| {
         let wavelength = SPACING / waves;
-        Sinusoid {
-            amplitude: 1e-6,
-            wavelength,
-        }
-        .shares_lines_with(SPACING)
+        Sinusoid { amplitude: 1e-6, wavelength }.shares_lines_with(SPACING)
     };
     assert_eq!([6.0, 6.24, 5.76].map(line), [Some(6); 3]);
     assert_eq!([0.2, 6.26, 5.74, 9.0].map(line), [None; 4]);

@@ -7,8 +7,8 @@ use riffel::contact::{CreepLaw, Creepages, MeanState, QuasiStatic};
 use riffel::feedback::{Contact, Loop};
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, StructuresInTime};
 use riffel::receptance::{
-    Bar, Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, SpatialMovingLoad,
-    SpatialRail, SpatialTrack, Structure, Support, Supports, Uncoupled,
+    Bar, Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, SpatialMovingLoad, SpatialRail, SpatialTrack,
+    Structure, Support, Supports, Uncoupled,
 };
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{Carter3d, Complex64, Direction, ElasticMaterial, Place, Rail, RollingContact};
@@ -27,15 +27,8 @@ fn steel() -> ElasticMaterial {
 }
 
 fn beam(second_moment: f64, damping: f64) -> Beam {
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.4,
-        shear_modulus: 79.6e9,
-        density: 7850.0,
-    };
-    Beam::timoshenko(steel(), second_moment, 60.2, shear)
-        .and_then(|rail| rail.with_damping(damping))
-        .unwrap()
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
+    Beam::timoshenko(steel(), second_moment, 60.2, shear).and_then(|rail| rail.with_damping(damping)).unwrap()
 }
 
 fn layer(stiffness: f64, damping: f64) -> Layer {
@@ -54,11 +47,7 @@ fn track() -> SpatialTrack {
         ..beam(3.04e-5, 2e4).into()
     };
     let across = Support::one_layer(layer(40e6, 40e3));
-    let supports = Supports {
-        vertical: Some(down()),
-        lateral: Some(across),
-        longitudinal: Some(across),
-    };
+    let supports = Supports { vertical: Some(down()), lateral: Some(across), longitudinal: Some(across) };
     SpatialTrack::discrete(rail, supports, SPACING).unwrap()
 }
 
@@ -88,36 +77,21 @@ fn one_wheel_along_one_axis_is_the_same_on_supports() {
     let periodic = PeriodicTrack::new(rail, down(), SPACING).unwrap();
     let moving = MovingLoadOnSupports::new(&periodic, SPEED).unwrap();
     let response = ImpulseResponse::over_supports(&moving).unwrap();
-    let (mass, inertia) = (
-        RigidMass::new(MASS).unwrap(),
-        RigidInertia::new(INERTIA, RADIUS).unwrap(),
-    );
+    let (mass, inertia) = (RigidMass::new(MASS).unwrap(), RigidInertia::new(INERTIA, RADIUS).unwrap());
     let one = PassageModel {
         structures: StructuresInTime::of_one_wheel(response, &mass, Some(&inertia)),
-        contacts: vec![
-            ContactInTime::of_one_wheel(rolling.steady(), hertz().stiffness(), law()).unwrap(),
-        ],
+        contacts: vec![ContactInTime::of_one_wheel(rolling.steady(), hertz().stiffness(), law()).unwrap()],
         contact_filter: None,
         speed: SPEED,
     };
-    let supports = Supports {
-        vertical: Some(down()),
-        ..Supports::default()
-    };
+    let supports = Supports { vertical: Some(down()), ..Supports::default() };
     let spatial = SpatialTrack::discrete(rail.into(), supports, SPACING).unwrap();
     let motion = [Motion::Compliant(()), Motion::Held];
-    let wheels = Uncoupled {
-        longitudinal: Some(Arc::new(inertia)),
-        lateral: None,
-        vertical: Some(Arc::new(mass)),
-    };
+    let wheels = Uncoupled { longitudinal: Some(Arc::new(inertia)), lateral: None, vertical: Some(Arc::new(mass)) };
     let contacts = vec![contact(0.0, Arc::new(rolling), motion)];
     let feedback = Loop::new(Arc::new(spatial), Arc::new(wheels), contacts, 1e-6).unwrap();
     let all = in_time(&feedback, &spatial);
-    let profile = Sinusoid {
-        amplitude: 60e-6,
-        wavelength: 0.047,
-    };
+    let profile = Sinusoid { amplitude: 60e-6, wavelength: 0.047 };
     let expected = one.settle(profile, 100).unwrap().swap_remove(0);
     let got = all.settle(profile, 100).unwrap().swap_remove(0);
     let first = expected.harmonics[1];
@@ -127,11 +101,7 @@ fn one_wheel_along_one_axis_is_the_same_on_supports() {
             assert!(error < 1e-3, "{got} {expected}: {error:e}");
         };
         off(got.normal_force, expected.normal_force, first.normal_force);
-        off(
-            got.tangential_force,
-            expected.tangential_force,
-            first.tangential_force,
-        );
+        off(got.tangential_force, expected.tangential_force, first.tangential_force);
         off(got.creepage, expected.creepage, first.creepage);
     }
 }
@@ -155,11 +125,7 @@ fn small_waves_are_the_balance_of_all_axes() {
     const TOLERANCE: [f64; 3] = [2e-2, 6e-3, 3e-3];
     let amplitude = 1e-8;
     let (wavelength, distance) = (0.02, 1.7);
-    let mean = MeanState::Creepages(Creepages {
-        longitudinal: 4e-4,
-        lateral: 8e-4,
-        spin: 0.0,
-    });
+    let mean = MeanState::Creepages(Creepages { longitudinal: 4e-4, lateral: 8e-4, spin: 0.0 });
     let rolling = QuasiStatic::new(law(), LOAD, mean).unwrap();
     let wheels = Uncoupled {
         longitudinal: Some(Arc::new(RigidInertia::new(INERTIA, RADIUS).unwrap())),
@@ -168,25 +134,13 @@ fn small_waves_are_the_balance_of_all_axes() {
     };
     let motion = [Motion::Compliant(()), Motion::Compliant(())];
     let rolling: Arc<dyn RollingContact> = Arc::new(rolling);
-    let contacts = [0.0, -distance].map(|along| Contact {
-        angle: ANGLE,
-        ..contact(along, rolling.clone(), motion.clone())
-    });
+    let contacts =
+        [0.0, -distance].map(|along| Contact { angle: ANGLE, ..contact(along, rolling.clone(), motion.clone()) });
     let track = track();
     let wheels = Arc::new(wheels);
-    let feedback = Loop::new(
-        Arc::new(track),
-        wheels.clone(),
-        contacts.to_vec(),
-        amplitude,
-    )
-    .unwrap();
+    let feedback = Loop::new(Arc::new(track), wheels.clone(), contacts.to_vec(), amplitude).unwrap();
     let model = in_time(&feedback, &track);
-    assert!(
-        model.structures.share_cut() < 1e-5,
-        "{:e}",
-        model.structures.share_cut()
-    );
+    assert!(model.structures.share_cut() < 1e-5, "{:e}", model.structures.share_cut());
 
     let steps_to_bay = 1200;
     let step = SPACING / f64::from(steps_to_bay);
@@ -208,8 +162,7 @@ fn small_waves_are_the_balance_of_all_axes() {
             continue;
         }
         let share = TAU * (index - run_in) as f64 / counted as f64;
-        let window = 0.35875 - 0.48829 * share.cos() + 0.14128 * (2.0 * share).cos()
-            - 0.01168 * (3.0 * share).cos();
+        let window = 0.35875 - 0.48829 * share.cos() + 0.14128 * (2.0 * share).cos() - 0.01168 * (3.0 * share).cos();
         let scale = 2.0 * window / (0.35875 * counted as f64);
         for (line, m) in lines.iter_mut().zip(-LINES..) {
             let wave = Complex64::from_polar(scale, -(k + turn * m as f64) * x);
@@ -234,10 +187,7 @@ fn small_waves_are_the_balance_of_all_axes() {
         for (wheel, (got, expected)) in got.iter().zip(expected).enumerate() {
             for axis in 0..3 {
                 let error = (got[axis] - expected[axis]).norm() / largest(axis);
-                assert!(
-                    error < TOLERANCE[axis],
-                    "line {m}, wheel {wheel}, axis {axis}: {error:e}"
-                );
+                assert!(error < TOLERANCE[axis], "line {m}, wheel {wheel}, axis {axis}: {error:e}");
             }
         }
     }
@@ -259,13 +209,7 @@ fn balance(
     let moving = SpatialMovingLoad::new(track, SPEED).unwrap();
     let places: Vec<Place> = [0.0, -distance]
         .into_iter()
-        .flat_map(|along| {
-            Direction::ALL.map(|direction| Place {
-                along,
-                rail: Rail::Right,
-                direction,
-            })
-        })
+        .flat_map(|along| Direction::ALL.map(|direction| Place { along, rail: Rail::Right, direction }))
         .collect();
     let count = (2 * LINES + 1) as usize;
     let passing = TAU * SPEED / SPACING;
@@ -284,17 +228,12 @@ fn balance(
         sum
     };
     let response = rolling.response(TAU / k);
-    let by = [
-        response.by_longitudinal.force,
-        response.by_lateral.unwrap().force,
-    ];
+    let by = [response.by_longitudinal.force, response.by_lateral.unwrap().force];
     let by_load = response.by_load.force;
     let unknowns = 6 * count;
     let mut matrix = vec![vec![Complex64::ZERO; unknowns + 1]; unknowns];
     for (l, column) in (-LINES..=LINES).zip(0..) {
-        let harmonics = moving
-            .harmonics(frequency(l), &places, 2 * LINES as usize)
-            .unwrap();
+        let harmonics = moving.harmonics(frequency(l), &places, 2 * LINES as usize).unwrap();
         for (m, row) in (-LINES..=LINES).zip(0..) {
             let w = frequency(m);
             let harmonic = harmonics.at(m - l).unwrap();
@@ -340,29 +279,19 @@ fn balance(
     }
     let solution = eliminated(matrix);
     let lines = solution.chunks_exact(6);
-    lines
-        .map(|line| [0, 3].map(|from| [0, 1, 2].map(|axis| line[from + axis])))
-        .collect()
+    lines.map(|line| [0, 3].map(|from| [0, 1, 2].map(|axis| line[from + axis]))).collect()
 }
 
 /// Gauss with pivots of the largest share of their row.
 fn eliminated(mut matrix: Vec<Vec<Complex64>>) -> Vec<Complex64> {
     let count = matrix.len();
     for row in &mut matrix {
-        let size = row[..count]
-            .iter()
-            .map(|entry| entry.norm())
-            .fold(0.0, f64::max);
+        let size = row[..count].iter().map(|entry| entry.norm()).fold(0.0, f64::max);
         row.iter_mut().for_each(|entry| *entry /= size);
     }
     for column in 0..count {
-        let pivot = (column..count)
-            .max_by(|&a, &b| {
-                matrix[a][column]
-                    .norm()
-                    .total_cmp(&matrix[b][column].norm())
-            })
-            .unwrap();
+        let pivot =
+            (column..count).max_by(|&a, &b| matrix[a][column].norm().total_cmp(&matrix[b][column].norm())).unwrap();
         matrix.swap(column, pivot);
         let own = matrix[column].clone();
         for row in matrix.iter_mut().skip(column + 1) {
@@ -374,9 +303,7 @@ fn eliminated(mut matrix: Vec<Vec<Complex64>>) -> Vec<Complex64> {
     }
     let mut solution = vec![Complex64::ZERO; count];
     for row in (0..count).rev() {
-        let known: Complex64 = (row + 1..count)
-            .map(|column| matrix[row][column] * solution[column])
-            .sum();
+        let known: Complex64 = (row + 1..count).map(|column| matrix[row][column] * solution[column]).sum();
         solution[row] = (matrix[row][count] - known) / matrix[row][row];
     }
     solution

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use riffel::receptance::{
-    Bar, Beam, ContinuousTrack, CrossReceptance, EulerBernoulliBeam, FreeBeam, Layer,
-    PeriodicTrack, ShearSection, Support, Waveguide,
+    Bar, Beam, ContinuousTrack, CrossReceptance, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection,
+    Support, Waveguide,
 };
 use riffel::{Complex64, ElasticMaterial, Receptance};
 
@@ -27,20 +27,13 @@ struct Track {
 
 fn layer(stiffness: std::ops::Range<f64>) -> impl Strategy<Value = Layer> {
     (stiffness, 1e3..2e5, 0.0..0.5).prop_map(|(stiffness, damping, loss)| {
-        Layer::new(stiffness, damping)
-            .and_then(|layer| layer.with_loss_factor(loss))
-            .unwrap()
+        Layer::new(stiffness, damping).and_then(|layer| layer.with_loss_factor(loss)).unwrap()
     })
 }
 
 fn track() -> impl Strategy<Value = Track> {
     (
-        (
-            3e-6..4e-5,
-            40.0..75.0,
-            0.3..0.6,
-            prop_oneof![Just(0.0), 0.001..0.05],
-        ),
+        (3e-6..4e-5, 40.0..75.0, 0.3..0.6, prop_oneof![Just(0.0), 0.001..0.05]),
         (0.5..1.0, layer(3e7..2e9), 30.0..200.0, layer(1e7..3e8)),
         (125.0..31_000.0, (-2.0..3.0, -2.0..3.0)),
     )
@@ -82,38 +75,23 @@ impl Track {
             shear_modulus: 80e9,
             density: self.mass_per_length / area,
         };
-        Beam::timoshenko(
-            Self::steel(),
-            self.second_moment,
-            self.mass_per_length,
-            shear,
-        )
-        .and_then(|beam| beam.with_loss_factor(self.loss_factor))
-        .unwrap()
+        Beam::timoshenko(Self::steel(), self.second_moment, self.mass_per_length, shear)
+            .and_then(|beam| beam.with_loss_factor(self.loss_factor))
+            .unwrap()
     }
 
     fn bar(&self) -> Bar {
-        Bar::new(
-            Self::steel(),
-            self.mass_per_length / 7850.0,
-            self.mass_per_length,
-        )
-        .and_then(|bar| bar.with_loss_factor(self.loss_factor))
-        .unwrap()
+        Bar::new(Self::steel(), self.mass_per_length / 7850.0, self.mass_per_length)
+            .and_then(|bar| bar.with_loss_factor(self.loss_factor))
+            .unwrap()
     }
 
     fn supports(&self) -> [Support; 2] {
-        [
-            Support::one_layer(self.pad),
-            Support::two_layer(self.pad, self.sleeper, self.ballast).unwrap(),
-        ]
+        [Support::one_layer(self.pad), Support::two_layer(self.pad, self.sleeper, self.ballast).unwrap()]
     }
 
     /// A rail on every support, continuous and discrete.
-    fn on_every_support<R: Waveguide + Copy + 'static>(
-        &self,
-        rail: R,
-    ) -> Vec<Box<dyn CrossReceptance>> {
+    fn on_every_support<R: Waveguide + Copy + 'static>(&self, rail: R) -> Vec<Box<dyn CrossReceptance>> {
         let mut tracks: Vec<Box<dyn CrossReceptance>> = vec![Box::new(ContinuousTrack::free(rail))];
         for support in self.supports() {
             let spread = support.per_metre(self.spacing).unwrap();
@@ -299,21 +277,13 @@ fn static_limits() {
 /// of 60 digits: the errors of the closed form in double precision are those of rounding at every frequency.
 #[test]
 fn discrete_supports_to_all_digits() {
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.393,
-        shear_modulus: 80.769e9,
-        density: 7850.0,
-    };
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.393, shear_modulus: 80.769e9, density: 7850.0 };
     let track = |rail_loss, pad_loss, ballast_loss| {
         let rail = Beam::timoshenko(Track::steel(), 3.0383e-5, 60.21, shear)
             .and_then(|rail| rail.with_loss_factor(rail_loss))
             .unwrap();
-        let layer = |stiffness, loss| {
-            Layer::new(stiffness, 0.0)
-                .and_then(|layer| layer.with_loss_factor(loss))
-                .unwrap()
-        };
+        let layer =
+            |stiffness, loss| Layer::new(stiffness, 0.0).and_then(|layer| layer.with_loss_factor(loss)).unwrap();
         let support = Support::two_layer(layer(3e8, pad_loss), 162.0, layer(5e7, ballast_loss));
         PeriodicTrack::new(rail, support.unwrap(), 0.6).unwrap()
     };
@@ -324,63 +294,18 @@ fn discrete_supports_to_all_digits() {
         (lossless, 0.3, 0.0, 9.494_620_289_498_101e-9, 0.0),
         (lossless, 20.0, 0.2, 1.022_095_067_762_959_6e-8, 0.0),
         (lossless, 70.0, 0.0, 2.661_532_235_399_541e-8, 0.0),
-        (
-            lossy,
-            0.01,
-            0.0,
-            6.565_788_489_359_175e-9,
-            -3.682_325_886_094_505e-9,
-        ),
-        (
-            lossy,
-            0.3,
-            0.2,
-            6.895_765_761_549_572e-9,
-            -3.622_128_249_429_054_8e-9,
-        ),
-        (
-            lossy,
-            20.0,
-            0.0,
-            6.610_060_501_700_776e-9,
-            -3.902_925_410_913_177e-9,
-        ),
-        (
-            lossy,
-            70.0,
-            0.2,
-            5.970_393_841_894_004e-9,
-            -7.075_484_250_366_051e-9,
-        ),
-        (
-            lossy,
-            120.0,
-            0.0,
-            -5.582_538_286_717_421e-10,
-            -5.869_513_919_231_657e-9,
-        ),
-        (
-            lossy,
-            480.0,
-            0.2,
-            2.879_280_738_560_350_3e-9,
-            -4.756_068_748_207_64e-9,
-        ),
-        (
-            lossy,
-            2000.0,
-            0.2,
-            -7.847_597_514_761_838e-11,
-            -2.967_256_978_982_218e-10,
-        ),
+        (lossy, 0.01, 0.0, 6.565_788_489_359_175e-9, -3.682_325_886_094_505e-9),
+        (lossy, 0.3, 0.2, 6.895_765_761_549_572e-9, -3.622_128_249_429_054_8e-9),
+        (lossy, 20.0, 0.0, 6.610_060_501_700_776e-9, -3.902_925_410_913_177e-9),
+        (lossy, 70.0, 0.2, 5.970_393_841_894_004e-9, -7.075_484_250_366_051e-9),
+        (lossy, 120.0, 0.0, -5.582_538_286_717_421e-10, -5.869_513_919_231_657e-9),
+        (lossy, 480.0, 0.2, 2.879_280_738_560_350_3e-9, -4.756_068_748_207_64e-9),
+        (lossy, 2000.0, 0.2, -7.847_597_514_761_838e-11, -2.967_256_978_982_218e-10),
     ] {
         let h = track.at(place).receptance(TAU * hertz, 0.0);
         let expected = Complex64::new(re, im);
         let error = (h - expected).norm() / expected.norm();
-        assert!(
-            error < 3e-14,
-            "{hertz} Hz at {place} m: {h}, error {error:e}"
-        );
+        assert!(error < 3e-14, "{hertz} Hz at {place} m: {h}, error {error:e}");
     }
 }
 
@@ -388,17 +313,9 @@ fn discrete_supports_to_all_digits() {
 /// next, which a wave taken in the wrong direction would not be.
 #[test]
 fn lossless_rail_stays_well_conditioned() {
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.393,
-        shear_modulus: 80.769e9,
-        density: 7850.0,
-    };
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.393, shear_modulus: 80.769e9, density: 7850.0 };
     let rail = Beam::timoshenko(Track::steel(), 3.037e-5, 60.2, shear).unwrap();
-    let (pad, ballast) = (
-        Layer::new(2.8e8, 6.3e4).unwrap(),
-        Layer::new(1.8e8, 8.2e4).unwrap(),
-    );
+    let (pad, ballast) = (Layer::new(2.8e8, 6.3e4).unwrap(), Layer::new(1.8e8, 8.2e4).unwrap());
     let support = Support::two_layer(pad, 110.0, ballast).unwrap();
     let track = PeriodicTrack::new(rail, support, 0.7).unwrap();
     for position in [0.0, 0.2, 0.35] {
@@ -415,10 +332,7 @@ fn lossless_rail_stays_well_conditioned() {
                 let w = rail.pinned_pinned_frequency(0.7, n);
                 (hertz * TAU / w - 1.0).abs() < 0.02
             });
-            assert!(
-                pinned || (h - before).norm() < 0.05 * before.norm(),
-                "{hertz} Hz {h}"
-            );
+            assert!(pinned || (h - before).norm() < 0.05 * before.norm(), "{hertz} Hz {h}");
             before = h;
         }
     }

@@ -4,16 +4,16 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use riffel::contact::{
-    Carter3d, CreepLaw, Creepages, CurvatureFilter, FullSliding, MeanState, QuasiStatic,
-    SpringDashpot, WaveGeometry, WavePatch,
+    Carter3d, CreepLaw, Creepages, CurvatureFilter, FullSliding, MeanState, QuasiStatic, SpringDashpot, WaveGeometry,
+    WavePatch,
 };
 use riffel::feedback::{Contact, OneWheel};
 use riffel::growth::RowEvaluator;
 use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Uncoupled};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop,
-    PlaceOfWear, Rail, Receptance, RollingContact,
+    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, Rail, Receptance,
+    RollingContact,
 };
 
 const RADIUS: f64 = 0.46;
@@ -24,8 +24,7 @@ const AMPLITUDE: f64 = 1e-6;
 /// The contact of the paper on a wheel of the radius R/(1 + κ).
 fn hertz(curvature: f64) -> Result<HertzContact, Error> {
     let steel = ElasticMaterial::new(207e9, 0.3)?;
-    HertzContact::new(steel, RADIUS, 0.23, LOAD)?
-        .with_longitudinal_radius(RADIUS / (1.0 + curvature))
+    HertzContact::new(steel, RADIUS, 0.23, LOAD)?.with_longitudinal_radius(RADIUS / (1.0 + curvature))
 }
 
 fn law(curvature: f64) -> Result<Carter3d, Error> {
@@ -82,18 +81,7 @@ fn close(got: Complex64, expected: Complex64, tolerance: f64) {
 /// Free beam, `lag`: τ, λ, V, whether Φ is one and the approach unfiltered, P₁, Q₁, ξ₁, e₁ at the wheel and e₁/e₀ at the rail
 /// per metre, and the same without the term: two formulas elsewhere that agree to 1e-11.
 #[expect(clippy::type_complexity, reason = "a row of a table")]
-const POINTS: [(
-    f64,
-    f64,
-    f64,
-    bool,
-    [f64; 2],
-    [f64; 2],
-    [f64; 2],
-    [f64; 2],
-    [f64; 2],
-    [f64; 2],
-); 2] = [
+const POINTS: [(f64, f64, f64, bool, [f64; 2], [f64; 2], [f64; 2], [f64; 2], [f64; 2], [f64; 2]); 2] = [
     (
         0.1,
         0.0557,
@@ -134,43 +122,19 @@ fn points_of_the_paper_with_waves() {
         let pressed = if point { 1.0 } else { z.sin() / z };
         let with = joints.close().unwrap();
         let plain = with.clone().without_wave_geometry();
-        let both = |of: &dyn Fn(&Loop) -> Complex64| {
-            (of(&with) - of(&plain) + pressed * of(&plain)) / AMPLITUDE
-        };
+        let both = |of: &dyn Fn(&Loop) -> Complex64| (of(&with) - of(&plain) + pressed * of(&plain)) / AMPLITUDE;
         let at = |feedback: &Loop| feedback.at(wavelength, speed);
-        close(
-            both(&|loops| at(loops).normal_force()),
-            complex(load),
-            1e-10,
-        );
-        close(
-            both(&|loops| at(loops).tangential_force()),
-            complex(force),
-            1e-10,
-        );
-        close(
-            both(&|loops| at(loops).creepage()),
-            complex(creepage),
-            1e-10,
-        );
-        close(
-            both(&|loops| at(loops).contacts[0].energy),
-            complex(energy),
-            1e-10,
-        );
+        close(both(&|loops| at(loops).normal_force()), complex(load), 1e-10);
+        close(both(&|loops| at(loops).tangential_force()), complex(force), 1e-10);
+        close(both(&|loops| at(loops).creepage()), complex(creepage), 1e-10);
+        close(both(&|loops| at(loops).contacts[0].energy), complex(energy), 1e-10);
         let rail_of = |feedback: &Loop| per_metre(feedback, wavelength, speed) * AMPLITUDE;
         close(both(&rail_of), complex(rail), 1e-10);
-        close(
-            pressed * per_metre(&plain, wavelength, speed),
-            complex(without),
-            1e-10,
-        );
+        close(pressed * per_metre(&plain, wavelength, speed), complex(without), 1e-10);
         let wave = at(&with).contacts[0].wave.unwrap();
         assert!((at(&with).slip() + wave.creepage[0] - at(&with).creepage()).norm() < 1e-18);
     }
-    let state = one_wheel(0.1, DissipationPhase::None, 27.7725)
-        .close()
-        .unwrap();
+    let state = one_wheel(0.1, DissipationPhase::None, 27.7725).close().unwrap();
     let wave = state.at(0.0557, 30.0).contacts[0].wave.unwrap();
     assert!((wave.share - 0.9539254886578009).abs() < 1e-12);
     assert!((wave.curvature_per_metre / 5583.694274647061 - 1.0).abs() < 1e-12);
@@ -195,22 +159,12 @@ fn limits_of_the_inertia() {
             let share = per_metre(&feedback, 0.0557, 30.0) / (RADIUS * k * k);
             close(share, exact.into(), 1e-7);
         }
-        for (rotation, exact) in [
-            (Motion::Free, SIGMA),
-            (Motion::Held, 1.0 + g * (1.0 - SIGMA)),
-        ] {
+        for (rotation, exact) in [(Motion::Free, SIGMA), (Motion::Held, 1.0 + g * (1.0 - SIGMA))] {
             let mut joints = one_wheel(ratio, DissipationPhase::None, 1.0);
             (joints.rotation, joints.wheel) = (rotation, Arc::new(Yielding));
             let feedback = joints.close().unwrap();
-            let kappa = feedback.at(0.0557, 30.0).contacts[0]
-                .wave
-                .unwrap()
-                .curvature_per_metre;
-            close(
-                per_metre(&feedback, 0.0557, 30.0) / kappa,
-                exact.into(),
-                1e-9,
-            );
+            let kappa = feedback.at(0.0557, 30.0).contacts[0].wave.unwrap().curvature_per_metre;
+            close(per_metre(&feedback, 0.0557, 30.0) / kappa, exact.into(), 1e-9);
         }
     }
 }
@@ -235,10 +189,7 @@ fn curvature_of_a_scaled_law() {
         // At constant slip speed.
         let exact = by_creepage * creepage * (1.0 - 0.600_973_506_259_902_3);
         let got = response.by_curvature.unwrap().force[0].re;
-        assert!(
-            (got - exact).abs() < 1e-11 * FRICTION * LOAD,
-            "{ratio}: {got} {exact}"
-        );
+        assert!((got - exact).abs() < 1e-11 * FRICTION * LOAD, "{ratio}: {got} {exact}");
     }
 }
 
@@ -258,42 +209,27 @@ impl CreepLaw for Elliptic {
         let area = self.0.semi_axis_longitudinal() * self.0.semi_axis_lateral();
         let u = (shear * area * size / (3.0 * limit)).min(1.0);
         let force = limit * (1.0 - (1.0 - u).powi(3)) / size;
-        riffel::contact::CreepForces {
-            longitudinal: force * along,
-            lateral: force * across,
-        }
+        riffel::contact::CreepForces { longitudinal: force * along, lateral: force * across }
     }
     fn derivatives(&self, load: f64, at: Creepages) -> riffel::contact::CreepDerivatives {
         let ratio = self.0.axis_ratio() / 2f64.powf(2.0 / 3.0);
         let coefficients = [4.745 * ratio.powf(0.4), 4.1 * ratio.powf(0.3)];
-        let v = [
-            coefficients[0] * at.longitudinal,
-            coefficients[1] * at.lateral,
-        ];
+        let v = [coefficients[0] * at.longitudinal, coefficients[1] * at.lateral];
         let (size, limit) = (v[0].hypot(v[1]), FRICTION * load);
         let shear = 207e9 / 2.6;
         let area = self.0.semi_axis_longitudinal() * self.0.semi_axis_lateral();
         let u = (shear * area * size / (3.0 * limit)).min(1.0);
-        let (force, slope) = (
-            limit * (1.0 - (1.0 - u).powi(3)) / size,
-            3.0 * limit * (1.0 - u).powi(2) * u / size,
-        );
+        let (force, slope) = (limit * (1.0 - (1.0 - u).powi(3)) / size, 3.0 * limit * (1.0 - u).powi(2) * u / size);
         let by = |along: usize| {
             let of = |axis: usize| {
                 let own = if axis == along { force } else { 0.0 };
                 coefficients[along] * (own + (slope - force) * v[axis] * v[along] / size.powi(2))
             };
-            riffel::contact::CreepForces {
-                longitudinal: of(0),
-                lateral: of(1),
-            }
+            riffel::contact::CreepForces { longitudinal: of(0), lateral: of(1) }
         };
         let by_load = (force - slope) / load;
         riffel::contact::CreepDerivatives {
-            by_normal_force: riffel::contact::CreepForces {
-                longitudinal: by_load * v[0],
-                lateral: by_load * v[1],
-            },
+            by_normal_force: riffel::contact::CreepForces { longitudinal: by_load * v[0], lateral: by_load * v[1] },
             by_longitudinal: by(0),
             by_lateral: by(1),
         }
@@ -309,29 +245,15 @@ impl CreepLaw for Elliptic {
 fn creepages_in_any_direction() {
     for (longitudinal, lateral, force, energy) in [
         (0.0005, 0.0, [1471.7037870241252, 0.0], 1.370903249121823),
-        (
-            0.001,
-            0.002,
-            [1651.8086160886005, 3584.5705988322147],
-            1.3123877541326459,
-        ),
+        (0.001, 0.002, [1651.8086160886005, 3584.5705988322147], 1.3123877541326459),
         (0.0, 0.004, [0.0, 3560.3848386017485], 1.2050213676878878),
     ] {
-        let mean = MeanState::Creepages(Creepages {
-            longitudinal,
-            lateral,
-            spin: 0.0,
-        });
+        let mean = MeanState::Creepages(Creepages { longitudinal, lateral, spin: 0.0 });
         let rolling = QuasiStatic::new(Elliptic(hertz(0.0).unwrap()), LOAD, mean).unwrap();
-        let rolling = rolling
-            .on_waves(|curvature| hertz(curvature).map(Elliptic))
-            .unwrap();
+        let rolling = rolling.on_waves(|curvature| hertz(curvature).map(Elliptic)).unwrap();
         let by = rolling.response(0.05).by_curvature.unwrap();
         for (got, exact) in by.force.into_iter().zip(force) {
-            assert!(
-                (got.re - exact).abs() < 1e-9 * FRICTION * LOAD,
-                "{got} {exact}"
-            );
+            assert!((got.re - exact).abs() < 1e-9 * FRICTION * LOAD, "{got} {exact}");
         }
         let ratio = by.energy.re / rolling.steady().energy_per_metre();
         assert!((ratio - energy).abs() < 1e-9, "{ratio} {energy}");
@@ -346,11 +268,7 @@ fn creepages_in_any_direction() {
 fn sliding(longitudinal: f64, lateral: f64, motion: [Motion<()>; 2]) -> Contact {
     let hertz = hertz(0.0).unwrap();
     let law = |_| FullSliding::new(FRICTION);
-    let mean = MeanState::Creepages(Creepages {
-        longitudinal,
-        lateral,
-        spin: 0.0,
-    });
+    let mean = MeanState::Creepages(Creepages { longitudinal, lateral, spin: 0.0 });
     let rolling = QuasiStatic::new(law(0.0).unwrap(), LOAD, mean).unwrap();
     Contact {
         along: 0.0,

@@ -4,19 +4,15 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use riffel::contact::{
-    CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, MeanState, QuasiStatic,
-};
+use riffel::contact::{CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, StructuresInTime};
-use riffel::receptance::{
-    Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated,
-};
+use riffel::receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated};
 use riffel::wanted::run_while;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap,
-    HertzContact, Loop, PlaceOfWear, Receptance, Ridge,
+    Axis, Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap, HertzContact, Loop,
+    PlaceOfWear, Receptance, Ridge,
 };
 
 /// A structure that counts how often it is asked.
@@ -44,12 +40,8 @@ fn steel() -> ElasticMaterial {
 /// UIC 60 on stiff pads, discrete, of a loss factor of 0.02.
 fn sleepers() -> PeriodicTrack {
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.393,
-        shear_modulus: steel.shear_modulus(),
-        density: 7850.0,
-    };
+    let shear =
+        ShearSection { area: 7.67e-3, shear_coefficient: 0.393, shear_modulus: steel.shear_modulus(), density: 7850.0 };
     let rail = Beam::timoshenko(steel, 3.0383e-5, 60.21, shear).unwrap();
     let rail = rail.with_loss_factor(0.02).unwrap();
     let pad = Layer::new(300e6, 40e3).unwrap();
@@ -59,19 +51,12 @@ fn sleepers() -> PeriodicTrack {
 }
 
 /// The nominal wheel on a track that counts.
-fn feedback<R: Receptance + 'static>(
-    structure: R,
-    worth_tabulating: bool,
-) -> (Loop, Arc<AtomicUsize>) {
+fn feedback<R: Receptance + 'static>(structure: R, worth_tabulating: bool) -> (Loop, Arc<AtomicUsize>) {
     let asked = Arc::new(AtomicUsize::new(0));
     let hertz = HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap();
     let law = Carter3d::new(hertz, 0.4).unwrap();
     let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.1)).unwrap();
-    let track = Counted {
-        structure,
-        asked: asked.clone(),
-        worth_tabulating,
-    };
+    let track = Counted { structure, asked: asked.clone(), worth_tabulating };
     let feedback = OneWheel {
         track: Arc::new(track),
         wheel: Arc::new(RigidMass::new(350.0).unwrap()),
@@ -91,10 +76,7 @@ fn rail() -> FreeBeam {
 }
 
 fn window() -> (Axis, Axis) {
-    (
-        Axis::new(0.02, 0.08, 241).unwrap(),
-        Axis::new(5.0, 60.0, 221).unwrap(),
-    )
+    (Axis::new(0.02, 0.08, 241).unwrap(), Axis::new(5.0, 60.0, 221).unwrap())
 }
 
 /// A ridge over a map takes steps of its own, half a per cent of the wavelength, so that it does not depend on those of the map:
@@ -110,39 +92,24 @@ fn ridge_of_a_map() {
     let ridge = Ridge::of_map(&feedback, &map);
     let by_ridge = asked.load(Ordering::Relaxed) - 320 * 221;
     assert_eq!(ridge.points.len(), 221);
-    assert!(
-        (221..=6500).contains(&by_ridge),
-        "{by_ridge} evaluations for the ridge"
-    );
+    assert!((221..=6500).contains(&by_ridge), "{by_ridge} evaluations for the ridge");
 }
 
 /// A map on a structure that is worth it asks for a table and for nothing else.
 #[test]
 fn table_of_a_receptance() {
     let asked = Arc::new(AtomicUsize::new(0));
-    let track = Counted {
-        structure: sleepers(),
-        asked: asked.clone(),
-        worth_tabulating: true,
-    };
+    let track = Counted { structure: sleepers(), asked: asked.clone(), worth_tabulating: true };
     let lowest = std::f64::consts::TAU * 62.5;
     let table = Tabulated::new(Arc::new(track), lowest, 48.0 * lowest, 1e-9);
     let by_table = asked.load(Ordering::Relaxed);
     assert!(table.cells() > 10);
-    assert!(
-        (1..=1960).contains(&by_table),
-        "{by_table} receptances for {} cells",
-        table.cells()
-    );
+    assert!((1..=1960).contains(&by_table), "{by_table} receptances for {} cells", table.cells());
     let (feedback, asked) = feedback(sleepers(), true);
     let (wavelength, speed) = window();
     let _ = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
     let by_map = asked.load(Ordering::Relaxed);
-    assert!(
-        (1..=1960).contains(&by_map),
-        "{by_map} receptances for a map of {} points",
-        241 * 221
-    );
+    assert!((1..=1960).contains(&by_map), "{by_map} receptances for a map of {} points", 241 * 221);
 }
 
 /// A creep law that counts how often it is asked for forces.
@@ -174,23 +141,13 @@ impl CreepLaw for CountedLaw {
 #[test]
 fn fit_and_march_of_a_wheel() {
     const STEPS: usize = 100;
-    let track = Counted {
-        structure: rail(),
-        asked: Arc::default(),
-        worth_tabulating: false,
-    };
+    let track = Counted { structure: rail(), asked: Arc::default(), worth_tabulating: false };
     let response = ImpulseResponse::of(&track, 30.0).unwrap();
     let by_fit = track.asked.load(Ordering::Relaxed);
-    assert!(
-        (1..=770).contains(&by_fit),
-        "{by_fit} receptances for a fit"
-    );
+    assert!((1..=770).contains(&by_fit), "{by_fit} receptances for a fit");
 
     let hertz = HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap();
-    let law = Arc::new(CountedLaw {
-        law: Carter3d::new(hertz, 0.4).unwrap(),
-        asked: Arc::default(),
-    });
+    let law = Arc::new(CountedLaw { law: Carter3d::new(hertz, 0.4).unwrap(), asked: Arc::default() });
     let contact = QuasiStatic::new(law.clone(), 50e3, MeanState::TractiveRatio(0.1)).unwrap();
     let mean = riffel::RollingContact::steady(&contact);
     let wheel = RigidMass::new(350.0).unwrap();
@@ -203,10 +160,7 @@ fn fit_and_march_of_a_wheel() {
         speed: 30.0,
     };
     law.asked.store(0, Ordering::Relaxed);
-    let wave = Sinusoid {
-        amplitude: 10e-6,
-        wavelength: 0.05,
-    };
+    let wave = Sinusoid { amplitude: 10e-6, wavelength: 0.05 };
     let settled = model.settle(wave, STEPS).unwrap().swap_remove(0);
     let a_step = law.asked.load(Ordering::Relaxed) as f64 / (STEPS * settled.waves) as f64;
     assert!(settled.waves <= 132, "{} waves to settle", settled.waves);

@@ -44,9 +44,7 @@ impl Bands {
     /// Mean square of each band \[m²\].
     pub(super) fn mean_squares(&self, waves: &[(f64, Complex64)]) -> Vec<f64> {
         let power = |(_, amplitude): &(f64, Complex64)| 0.5 * amplitude.norm_sqr();
-        self.iter()
-            .map(|(_, places)| waves[places].iter().map(power).sum())
-            .collect()
+        self.iter().map(|(_, places)| waves[places].iter().map(power).sum()).collect()
     }
 
     /// Mean square of the waves that fit into a bay, those of the bands alone \[m²\]; none on a track that is even.
@@ -61,11 +59,7 @@ impl Bands {
     /// How far the waves of each band have moved along the rail \[m\], in the mean of their power; less than half a wave.
     ///
     /// A wave moved by s has its amplitude times e^{−i2πs/λ}.
-    pub(super) fn shifts(
-        &self,
-        before: &[(f64, Complex64)],
-        after: &[(f64, Complex64)],
-    ) -> Vec<f64> {
+    pub(super) fn shifts(&self, before: &[(f64, Complex64)], after: &[(f64, Complex64)]) -> Vec<f64> {
         let mean = |places: Range<usize>| {
             let pairs = before[places.clone()].iter().zip(&after[places]);
             let (moment, power) = pairs.fold((0.0, 0.0), |(moment, power), (one, other)| {

@@ -101,10 +101,7 @@ impl EvolutionAnswer {
             stages: StagesDocument {
                 passages: stages.iter().map(|stage| stage.passages).collect(),
                 mean_depth_m: stages.iter().map(|stage| stage.mean_depth_m).collect(),
-                support_pattern_level_db: stages
-                    .iter()
-                    .map(|stage| stage.bay_mean_square_m2.map(level))
-                    .collect(),
+                support_pattern_level_db: stages.iter().map(|stage| stage.bay_mean_square_m2.map(level)).collect(),
                 contact_loss_fraction: extremes(|passage| passage.contact_loss_fraction),
                 minimum_normal_force_n: extremes(|passage| passage.minimum_normal_force_n),
                 maximum_normal_force_n: extremes(|passage| passage.maximum_normal_force_n),
@@ -116,9 +113,7 @@ impl EvolutionAnswer {
     /// The bands, the shortest wavelength first.
     pub(super) fn bands(&self) -> Vec<BandDocument> {
         let bands = self.linear.bands().iter().enumerate();
-        bands
-            .map(|(index, linear)| self.band(index, linear))
-            .collect()
+        bands.map(|(index, linear)| self.band(index, linear)).collect()
     }
 
     fn band(&self, index: usize, linear: &LinearBand) -> BandDocument {
@@ -137,17 +132,9 @@ impl EvolutionAnswer {
         };
         let second = stages.get(1);
         let per_passage = |of: &dyn Fn(&super::Stage) -> Option<f64>| second.and_then(of);
-        let quarter = stages
-            .iter()
-            .rev()
-            .find(|stage| 4 * stage.passages <= 3 * last.passages);
-        let last_growth =
-            quarter.and_then(|from| rate(power(from), power(last), last.passages - from.passages));
-        let linear_growth = rate(
-            linear.mean_square(0),
-            linear.mean_square(last.passages),
-            last.passages,
-        );
+        let quarter = stages.iter().rev().find(|stage| 4 * stage.passages <= 3 * last.passages);
+        let last_growth = quarter.and_then(|from| rate(power(from), power(last), last.passages - from.passages));
+        let linear_growth = rate(linear.mean_square(0), linear.mean_square(last.passages), last.passages);
         let end = level(power(last));
         let stopped = quarter.zip(last_growth).zip(linear_growth);
         let stopped = stopped.is_some_and(|((from, own), linear)| {
@@ -158,19 +145,10 @@ impl EvolutionAnswer {
         BandDocument {
             wavelength_m: linear.band.wavelength(),
             level_db: stages.iter().map(|stage| level(power(stage))).collect(),
-            linear_level_db: stages
-                .iter()
-                .map(|stage| linear.level(stage.passages))
-                .collect(),
-            first_growth_per_passage: per_passage(&|stage| {
-                rate(power(first), power(stage), stage.passages)
-            }),
+            linear_level_db: stages.iter().map(|stage| linear.level(stage.passages)).collect(),
+            first_growth_per_passage: per_passage(&|stage| rate(power(first), power(stage), stage.passages)),
             first_linear_growth_per_passage: per_passage(&|stage| {
-                rate(
-                    linear.mean_square(0),
-                    linear.mean_square(stage.passages),
-                    stage.passages,
-                )
+                rate(linear.mean_square(0), linear.mean_square(stage.passages), stage.passages)
             }),
             last_growth_per_passage: last_growth,
             saturation_level_db: stopped.then_some(end),

@@ -23,12 +23,7 @@ impl EvolutionAnswer {
                  by wave from the rail before any wheel. {}",
                 self.parameters(case)
             ),
-            panels: vec![
-                self.levels(&bands),
-                self.over_passages(&bands),
-                growth(&bands),
-                drift(&bands),
-            ],
+            panels: vec![self.levels(&bands), self.over_passages(&bands), growth(&bands), drift(&bands)],
             arrangement: Arrangement::SideBySide,
         }
     }
@@ -67,9 +62,7 @@ impl EvolutionAnswer {
             .iter()
             .flatten()
             .filter(|level| level.is_finite())
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &level| {
-                (low.min(level), high.max(level))
-            });
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &level| (low.min(level), high.max(level)));
         let caption = format!(
             "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is taken wave by wave from the \
              rail before any wheel. {}",
@@ -87,12 +80,7 @@ impl EvolutionAnswer {
                 y_range: Some(around(low, high)),
                 ..level_panel(
                     vec![
-                        curve(
-                            "before any wheel",
-                            all[0].clone(),
-                            LineStyle::Dotted,
-                            Rgb::BLACK,
-                        ),
+                        curve("before any wheel", all[0].clone(), LineStyle::Dotted, Rgb::BLACK),
                         curve("linear", linear.collect(), LineStyle::Dashed, OKABE_ITO[1]),
                         curve("now", all[index].clone(), LineStyle::Solid, OKABE_ITO[2]),
                     ],
@@ -103,10 +91,7 @@ impl EvolutionAnswer {
             let figure = LineFigure {
                 title: self.title(case),
                 caption: caption.clone(),
-                panels: vec![
-                    levels,
-                    stretch.panel(&[(0, "before any wheel"), (index, "now")], String::new()),
-                ],
+                panels: vec![levels, stretch.panel(&[(0, "before any wheel"), (index, "now")], String::new())],
                 arrangement: Arrangement::Stacked,
             };
             (name, figure)
@@ -117,9 +102,7 @@ impl EvolutionAnswer {
     /// Place of the largest height before any wheel \[m\], such as a weld.
     fn highest(&self) -> f64 {
         let sizes = self.profiles[0].heights_m.iter().map(|height| height.abs());
-        let largest = sizes
-            .enumerate()
-            .max_by(|one, other| one.1.total_cmp(&other.1));
+        let largest = sizes.enumerate().max_by(|one, other| one.1.total_cmp(&other.1));
         largest.map_or(0.0, |(index, _)| index as f64 * self.spacing)
     }
 
@@ -131,16 +114,13 @@ impl EvolutionAnswer {
         const POINTS: f64 = 10.0;
         let bands = self.bands();
         let at_end = |band: &BandDocument| band.level_db[band.level_db.len() - 1];
-        let leading = bands
-            .iter()
-            .max_by(|one, other| at_end(one).total_cmp(&at_end(other)));
+        let leading = bands.iter().max_by(|one, other| at_end(one).total_cmp(&at_end(other)));
         let shown = WAVES * leading.map_or(0.1, |band| band.wavelength_m);
         let shortest = bands.first().map_or(0.01, |band| band.wavelength_m);
         let count = (shown / shortest * POINTS).ceil();
         let begin = self.highest() - 0.5 * shown;
-        let places: Vec<f64> = (0..=count as usize)
-            .map(|index| begin.max(0.0) + shown * index as f64 / count)
-            .collect();
+        let places: Vec<f64> =
+            (0..=count as usize).map(|index| begin.max(0.0) + shown * index as f64 / count).collect();
         let heights: Vec<Vec<f64>> = self
             .profiles
             .iter()
@@ -148,11 +128,7 @@ impl EvolutionAnswer {
             .map(|heights| heights.iter().map(|height| 1e6 * height).collect())
             .collect();
         let largest = heights.iter().flatten().copied().map(f64::abs);
-        Stretch {
-            largest: largest.fold(0.0, f64::max),
-            places,
-            heights,
-        }
+        Stretch { largest: largest.fold(0.0, f64::max), places, heights }
     }
 
     /// Of the case, and what passed in the place of its wheel.
@@ -189,11 +165,7 @@ impl EvolutionAnswer {
             "{title}: {} passages at {:.1} km/h{}",
             in_words(passages),
             3.6 * self.mean_speed,
-            if self.vehicles.len() > 1 || self.vehicles[0].speeds > 1 {
-                " in the mean"
-            } else {
-                ""
-            }
+            if self.vehicles.len() > 1 || self.vehicles[0].speeds > 1 { " in the mean" } else { "" }
         )
     }
 
@@ -203,11 +175,7 @@ impl EvolutionAnswer {
             label,
             style,
             color: Some(color),
-            ..over_bands(
-                bands
-                    .iter()
-                    .map(|band| (band.wavelength_m, drawn(of(band)))),
-            )
+            ..over_bands(bands.iter().map(|band| (band.wavelength_m, drawn(of(band)))))
         };
         let mut series: Vec<Series> = self
             .evenly(MOST)
@@ -215,32 +183,18 @@ impl EvolutionAnswer {
             .enumerate()
             .map(|(number, stage)| {
                 let color = OKABE_ITO[1 + number % (OKABE_ITO.len() - 1)];
-                curve(
-                    after(self.stages[stage].passages),
-                    LineStyle::Solid,
-                    color,
-                    &|band| band.level_db[stage],
-                )
+                curve(after(self.stages[stage].passages), LineStyle::Solid, color, &|band| band.level_db[stage])
             })
             .collect();
         let last = self.stages.len() - 1;
         let highest = bands.iter().flat_map(|band| &band.level_db);
-        let highest = highest
-            .copied()
-            .map(drawn)
-            .fold(f64::NEG_INFINITY, f64::max);
+        let highest = highest.copied().map(drawn).fold(f64::NEG_INFINITY, f64::max);
         let lowest = bands.iter().flat_map(|band| &band.level_db);
         let lowest = lowest.copied().map(drawn).fold(f64::INFINITY, f64::min);
-        series.push(curve(
-            "linear, at the end".to_owned(),
-            LineStyle::Dashed,
-            Rgb::BLACK,
-            &|band| band.linear_level_db[last],
-        ));
-        LinePanel {
-            y_range: Some(around(lowest, highest)),
-            ..level_panel(series, Language::English)
-        }
+        series.push(curve("linear, at the end".to_owned(), LineStyle::Dashed, Rgb::BLACK, &|band| {
+            band.linear_level_db[last]
+        }));
+        LinePanel { y_range: Some(around(lowest, highest)), ..level_panel(series, Language::English) }
     }
 
     /// Levels over passages of the bands that are highest at the end.
@@ -251,23 +205,14 @@ impl EvolutionAnswer {
         highest.sort_by(|one, other| other.level_db[last].total_cmp(&one.level_db[last]));
         highest.truncate(BANDS);
         highest.sort_by(|one, other| one.wavelength_m.total_cmp(&other.wavelength_m));
-        let passages: Vec<f64> = self
-            .stages
-            .iter()
-            .map(|stage| stage.passages as f64)
-            .collect();
+        let passages: Vec<f64> = self.stages.iter().map(|stage| stage.passages as f64).collect();
         let scale = thousands(passages[last]);
         let mut series = Vec::new();
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for (index, band) in highest.into_iter().enumerate() {
             let color = Some(OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)]);
             low = band.level_db.iter().copied().map(drawn).fold(low, f64::min);
-            high = band
-                .level_db
-                .iter()
-                .copied()
-                .map(drawn)
-                .fold(high, f64::max);
+            high = band.level_db.iter().copied().map(drawn).fold(high, f64::max);
             let curve = |label: String, y: &[f64], style| Series {
                 label,
                 x: passages.iter().map(|passages| passages / scale.0).collect(),
@@ -275,16 +220,8 @@ impl EvolutionAnswer {
                 style,
                 color,
             };
-            series.push(curve(
-                format!("{:.1} mm", 1e3 * band.wavelength_m),
-                &band.level_db,
-                LineStyle::Solid,
-            ));
-            series.push(curve(
-                String::new(),
-                &band.linear_level_db,
-                LineStyle::Dashed,
-            ));
+            series.push(curve(format!("{:.1} mm", 1e3 * band.wavelength_m), &band.level_db, LineStyle::Solid));
+            series.push(curve(String::new(), &band.linear_level_db, LineStyle::Dashed));
         }
         LinePanel {
             x_label: scale.1.to_owned(),
@@ -301,13 +238,8 @@ impl EvolutionAnswer {
         let mut chosen: Vec<usize> = (0..most)
             .filter_map(|part| {
                 let goal = last as f64 * part as f64 / (most - 1) as f64;
-                let stages = self
-                    .stages
-                    .iter()
-                    .map(|stage| (stage.passages as f64 - goal).abs());
-                let nearest = stages
-                    .enumerate()
-                    .min_by(|one, other| one.1.total_cmp(&other.1));
+                let stages = self.stages.iter().map(|stage| (stage.passages as f64 - goal).abs());
+                let nearest = stages.enumerate().min_by(|one, other| one.1.total_cmp(&other.1));
                 nearest.map(|(index, _)| index)
             })
             .collect();
@@ -330,22 +262,19 @@ impl Stretch {
     /// Profiles by their numbers, each with its name.
     fn panel(&self, shown: &[(usize, &str)], subtitle: String) -> LinePanel {
         let last = shown.len() - 1;
-        let series = shown
-            .iter()
-            .enumerate()
-            .map(|(place, (index, label))| Series {
-                label: (*label).to_owned(),
-                x: self.places.clone(),
-                y: self.heights[*index].clone(),
-                style: match place == last {
-                    true => LineStyle::Solid,
-                    false => LineStyle::Dotted,
-                },
-                color: match place == last {
-                    true => None,
-                    false => Some(Rgb::BLACK),
-                },
-            });
+        let series = shown.iter().enumerate().map(|(place, (index, label))| Series {
+            label: (*label).to_owned(),
+            x: self.places.clone(),
+            y: self.heights[*index].clone(),
+            style: match place == last {
+                true => LineStyle::Solid,
+                false => LineStyle::Dotted,
+            },
+            color: match place == last {
+                true => None,
+                false => Some(Rgb::BLACK),
+            },
+        });
         LinePanel {
             subtitle,
             x_label: "place along the rail x [m]".to_owned(),
@@ -360,9 +289,7 @@ impl Stretch {
 /// At most so many of `count`, the first and the last among them.
 fn spread(count: usize, most: usize) -> Vec<usize> {
     let most = most.min(count);
-    let mut chosen: Vec<usize> = (0..most)
-        .map(|part| part * (count - 1) / (most - 1).max(1))
-        .collect();
+    let mut chosen: Vec<usize> = (0..most).map(|part| part * (count - 1) / (most - 1).max(1)).collect();
     chosen.dedup();
     chosen
 }
@@ -374,26 +301,13 @@ fn growth(bands: &[BandDocument]) -> LinePanel {
         label: label.to_owned(),
         style,
         color: Some(color),
-        ..over_bands(
-            bands
-                .iter()
-                .map(|band| (band.wavelength_m, of(band).map_or(f64::NAN, per_million))),
-        )
+        ..over_bands(bands.iter().map(|band| (band.wavelength_m, of(band).map_or(f64::NAN, per_million))))
     };
     rate_panel(
         vec![
-            curve("first step", LineStyle::Solid, OKABE_ITO[1], |band| {
-                band.first_growth_per_passage
-            }),
-            curve("last quarter", LineStyle::Solid, OKABE_ITO[2], |band| {
-                band.last_growth_per_passage
-            }),
-            curve(
-                "linear, first step",
-                LineStyle::Markers,
-                Rgb::BLACK,
-                |band| band.first_linear_growth_per_passage,
-            ),
+            curve("first step", LineStyle::Solid, OKABE_ITO[1], |band| band.first_growth_per_passage),
+            curve("last quarter", LineStyle::Solid, OKABE_ITO[2], |band| band.last_growth_per_passage),
+            curve("linear, first step", LineStyle::Markers, Rgb::BLACK, |band| band.first_linear_growth_per_passage),
             zero(&wavelengths),
         ],
         Language::English,
@@ -418,9 +332,7 @@ fn drift(bands: &[BandDocument]) -> LinePanel {
             curve("first step", LineStyle::Solid, OKABE_ITO[1], &|band| {
                 band.first_shift_m_per_passage.unwrap_or(f64::NAN)
             }),
-            curve("linear", LineStyle::Markers, Rgb::BLACK, &|band| {
-                band.linear_shift_m_per_passage
-            }),
+            curve("linear", LineStyle::Markers, Rgb::BLACK, &|band| band.linear_shift_m_per_passage),
             zero(&wavelengths),
         ],
         ..LinePanel::default()

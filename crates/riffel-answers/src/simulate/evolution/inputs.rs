@@ -15,15 +15,7 @@ impl Inputs {
     /// Those of a case, presets and defaults filled in. The profile is not among them: it is the first of the run.
     pub(super) fn new(case: &Case, request: &EvolutionRequest) -> Self {
         /// Keys that no number follows from.
-        const IDLE: [&str; 7] = [
-            "title",
-            "vehicle",
-            "corrugation",
-            "curve",
-            "bogie",
-            "body",
-            "profiles",
-        ];
+        const IDLE: [&str; 7] = ["title", "vehicle", "corrugation", "curve", "bogie", "body", "profiles"];
         let mut inputs = Map::new();
         inputs.insert("version of Riffel".into(), env!("CARGO_PKG_VERSION").into());
         inputs.insert("--step".into(), request.largest_step.into());

@@ -74,13 +74,8 @@ impl Linear {
             })
         };
         let of_band = |(band, places): (ThirdOctave, Range<usize>)| {
-            let waves: Result<Vec<LinearWave>, CaseError> =
-                waves[places.clone()].par_iter().map(grown).collect();
-            Ok(LinearBand {
-                band,
-                waves: waves?,
-                places,
-            })
+            let waves: Result<Vec<LinearWave>, CaseError> = waves[places.clone()].par_iter().map(grown).collect();
+            Ok(LinearBand { band, waves: waves?, places })
         };
         let linear: Result<Vec<LinearBand>, AnswerError> = bands.iter().map(of_band).collect();
         Ok(Self(linear?))
@@ -98,9 +93,7 @@ impl Linear {
         let waves = Evolution::new(&ring).waves();
         let power = |(_, amplitude): &(f64, Complex64)| 0.5 * amplitude.norm_sqr();
         let bands = self.0.iter();
-        bands
-            .map(|band| level(waves[band.places.clone()].iter().map(power).sum()))
-            .collect()
+        bands.map(|band| level(waves[band.places.clone()].iter().map(power).sum())).collect()
     }
 
     /// Heights \[m\] at places \[m\] of a profile, with the waves of the bands alone.
@@ -109,11 +102,8 @@ impl Linear {
             return vec![f64::NAN; places.len()];
         };
         let waves = Evolution::new(&ring).waves();
-        let waves: Vec<(f64, Complex64)> = self
-            .0
-            .iter()
-            .flat_map(|band| waves[band.places.clone()].iter().copied())
-            .collect();
+        let waves: Vec<(f64, Complex64)> =
+            self.0.iter().flat_map(|band| waves[band.places.clone()].iter().copied()).collect();
         let height = |place: &f64| {
             let of_wave = |(wavelength, amplitude): &(f64, Complex64)| {
                 (amplitude * Complex64::from_polar(1.0, TAU * place / wavelength)).re
@@ -151,9 +141,7 @@ impl LinearBand {
     /// Mean square after some passages \[m²\].
     pub(super) fn mean_square(&self, passages: u64) -> f64 {
         let waves = self.waves.iter();
-        waves
-            .map(|wave| wave.mean_square * (2.0 * wave.growth * passages as f64).exp())
-            .sum()
+        waves.map(|wave| wave.mean_square * (2.0 * wave.growth * passages as f64).exp()).sum()
     }
 
     /// Level after some passages \[dB re 1 µm\].
@@ -163,11 +151,7 @@ impl LinearBand {
 
     /// Shift in a passage of the rail before any wheel \[m\], in the mean of the power.
     pub(super) fn shift(&self) -> f64 {
-        let moment: f64 = self
-            .waves
-            .iter()
-            .map(|wave| wave.mean_square * wave.shift)
-            .sum();
+        let moment: f64 = self.waves.iter().map(|wave| wave.mean_square * wave.shift).sum();
         moment / self.mean_square(0)
     }
 }

@@ -104,25 +104,19 @@ impl EvolutionRun {
                 check_sampling(case, record)?;
                 let longest = f64::max(Self::LONGEST_KEPT, 1.3 * case.wavelength.max());
                 check_length(record, longest)?;
-                Evolution::of_record(record, longest, case.track.support_spacing())
-                    .map_err(refused)?
+                Evolution::of_record(record, longest, case.track.support_spacing()).map_err(refused)?
             }
             Surface::Ring(ring) => Evolution::new(ring),
         };
         // What the patch of any of them covers does not wear.
-        let shortest = wheels()
-            .map(|wheel| wheel.wear.shortest)
-            .fold(0.0, f64::max);
+        let shortest = wheels().map(|wheel| wheel.wear.shortest).fold(0.0, f64::max);
         let length = evolution.heights().len() as f64 * evolution.spacing();
         if let Some(bay) = case.track.support_spacing() {
             check_bays(length, bay)?;
         }
         let bands = Bands::new(case, shortest, evolution.heights().len(), length);
         // Harmonics of a wave come of themselves, and what supports print: but there must be something to begin with.
-        let is_still = bands
-            .mean_squares(&evolution.waves())
-            .iter()
-            .all(|square| *square < STILL);
+        let is_still = bands.mean_squares(&evolution.waves()).iter().all(|square| *square < STILL);
         if bands.count() == 0 || is_still && case.track.support_spacing().is_none() {
             return Err(AnswerError::Argument {
                 argument: "--passages",
@@ -139,10 +133,7 @@ impl EvolutionRun {
         let inputs = Inputs::new(case, &request);
         Ok(Self {
             state: EvolutionState::new(inputs, &evolution, &bands),
-            step: EvolutionStep {
-                largest_change: EvolutionStep::USUAL_CHANGE,
-                largest_step: request.largest_step,
-            },
+            step: EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: request.largest_step },
             vehicles,
             bands,
             evolution,
@@ -154,18 +145,14 @@ impl EvolutionRun {
     /// # Errors
     /// A sentence that names what differs, where that was not the same run.
     pub fn resume(&mut self, text: &str) -> Result<(), String> {
-        let state: EvolutionState = serde_json::from_str(text)
-            .map_err(|error| format!("it is not the state of a run: {error}"))?;
+        let state: EvolutionState =
+            serde_json::from_str(text).map_err(|error| format!("it is not the state of a run: {error}"))?;
         if let Some([key, own, others]) = self.state.inputs.difference(&state.inputs) {
-            return Err(format!(
-                "it was begun by another run: {key} is {own} here and was {others} there"
-            ));
+            return Err(format!("it was begun by another run: {key} is {own} here and was {others} there"));
         }
         let first = state.profiles.entries.first().unwrap_or(&state.profile);
         if first.heights_m != self.evolution.heights() || state.spacing_m != self.state.spacing_m {
-            return Err(
-                "it was begun by another run: the profile is another here than there".to_owned(),
-            );
+            return Err("it was begun by another run: the profile is another here than there".to_owned());
         }
         state.check(self.state.reached.shifts_m.len())?;
         self.evolution = state.evolution().map_err(|error| error.to_string())?;
@@ -197,10 +184,7 @@ impl EvolutionRun {
             let wheels: Vec<&PassingWheel> = self.wheels().collect();
             let extremes = evolution
                 .advance(&wheels, &self.step, most)
-                .map_err(|error| CaseError::Physics {
-                    input: "--passages".to_owned(),
-                    error,
-                })?;
+                .map_err(|error| CaseError::Physics { input: "--passages".to_owned(), error })?;
             state.reach(state.next(&self.evolution, &evolution, extremes, &self.bands));
             if evolution.passages() < passages {
                 self.evolution = evolution;
@@ -216,43 +200,23 @@ impl EvolutionRun {
     }
 
     fn answer(&self, state: EvolutionState) -> Result<EvolutionAnswer, AnswerError> {
-        let EvolutionState {
-            stages,
-            profiles,
-            reached,
-            profile,
-            spacing_m,
-            ..
-        } = state;
+        let EvolutionState { stages, profiles, reached, profile, spacing_m, .. } = state;
         let stages: Vec<Stage> = stages.entries.into_iter().chain([reached]).collect();
         let profiles: Vec<WornProfile> = profiles.entries.into_iter().chain([profile]).collect();
         let last = &stages[stages.len() - 1];
         let tracks = self.wheels().map(|wheel| &wheel.model);
-        let worst = tracks.max_by(|one, other| {
-            one.structures
-                .share_cut()
-                .total_cmp(&other.structures.share_cut())
-        });
+        let worst = tracks.max_by(|one, other| one.structures.share_cut().total_cmp(&other.structures.share_cut()));
         let airborne = last.is_airborne();
         let airborne = airborne.then(|| remarks::of_air(last.passages));
         let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
         Ok(EvolutionAnswer {
-            linear: Linear::new(
-                &self.vehicles,
-                &self.bands,
-                &profiles[0].heights_m,
-                spacing_m,
-            )?,
+            linear: Linear::new(&self.vehicles, &self.bands, &profiles[0].heights_m, spacing_m)?,
             mean_speed: passing.sum(),
             vehicles: self.vehicles.iter().map(PassingVehicle::of).collect(),
             step: spacing_m / (spacing_m / self.step.largest_step).ceil().max(1.0),
             spacing: spacing_m,
             share_cut: worst.map_or(0.0, |track| track.structures.share_cut()),
-            remarks: worst
-                .and_then(remarks::of_track)
-                .into_iter()
-                .chain(airborne)
-                .collect(),
+            remarks: worst.and_then(remarks::of_track).into_iter().chain(airborne).collect(),
             stages,
             profiles,
         })
@@ -317,10 +281,7 @@ impl PassingVehicle {
         Self {
             name: vehicle.name.clone(),
             share: vehicle.share,
-            traction_share: vehicle
-                .wheels
-                .first()
-                .map_or(1.0, |wheel| wheel.traction_share),
+            traction_share: vehicle.wheels.first().map_or(1.0, |wheel| wheel.traction_share),
             normal_load_n: vehicle.case.steady.normal_force,
             tractive_ratio: vehicle.case.steady.tractive_ratio(),
             speed_m_per_s,

@@ -82,11 +82,7 @@ pub struct Extremes {
 impl From<PassageExtremes> for Extremes {
     fn from(extremes: PassageExtremes) -> Self {
         let [minimum_normal_force_n, maximum_normal_force_n] = extremes.normal_force;
-        Self {
-            contact_loss_fraction: extremes.contact_loss,
-            minimum_normal_force_n,
-            maximum_normal_force_n,
-        }
+        Self { contact_loss_fraction: extremes.contact_loss, minimum_normal_force_n, maximum_normal_force_n }
     }
 }
 
@@ -103,11 +99,7 @@ pub(super) struct Thinned<T> {
 
 impl<T> Thinned<T> {
     fn new() -> Self {
-        Self {
-            stride: 1,
-            steps: 0,
-            entries: Vec::new(),
-        }
+        Self { stride: 1, steps: 0, entries: Vec::new() }
     }
 
     /// One step; its entry is made where it is kept.
@@ -164,18 +156,13 @@ impl EvolutionState {
             values.iter().all(|of_band| of_band.len() == bands)
         };
         let is_right = all_stages().all(of_bands)
-            && all_profiles()
-                .all(|profile| profile.heights_m.len() == self.profile.heights_m.len())
+            && all_profiles().all(|profile| profile.heights_m.len() == self.profile.heights_m.len())
             && [0, self.profile.heights_m.len()].contains(&self.profile.outflow_m.len())
             && all_stages().is_sorted_by_key(|stage| stage.passages)
             && all_profiles().is_sorted_by_key(|profile| profile.passages)
             && self.profile.passages == self.reached.passages
-            && [stages.stride, profiles.stride]
-                .iter()
-                .all(|stride| stride.is_power_of_two())
-            && [stages.steps, profiles.steps]
-                .iter()
-                .all(|&steps| steps < u64::MAX / 2);
+            && [stages.stride, profiles.stride].iter().all(|stride| stride.is_power_of_two())
+            && [stages.steps, profiles.steps].iter().all(|&steps| steps < u64::MAX / 2);
         match is_right {
             true => Ok(()),
             false => Err("it is damaged: its stages do not belong together".to_owned()),
@@ -186,11 +173,7 @@ impl EvolutionState {
     pub(super) fn evolution(&self) -> Result<Evolution, riffel::Error> {
         let heights = self.profile.heights_m.clone();
         let profile = Profile::new(0.0, self.spacing_m, heights)?;
-        let Stage {
-            passages,
-            mean_depth_m,
-            ..
-        } = self.reached;
+        let Stage { passages, mean_depth_m, .. } = self.reached;
         let evolution = Evolution::resumed(&profile, passages, mean_depth_m);
         Ok(evolution.with_outflow(self.profile.outflow_m.clone()))
     }

@@ -14,13 +14,7 @@ impl EvolutionAnswer {
     /// Those of the file.
     pub fn bands_csv(&self, file: &mut impl Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
-        writer.write_record([
-            "passages",
-            "wavelength_m",
-            "level_db",
-            "linear_level_db",
-            "shift_m",
-        ])?;
+        writer.write_record(["passages", "wavelength_m", "level_db", "linear_level_db", "shift_m"])?;
         let bands = self.bands();
         for (index, stage) in self.stages.iter().enumerate() {
             for band in &bands {
@@ -42,10 +36,7 @@ impl EvolutionAnswer {
     /// Those of the file.
     pub fn profiles_csv(&self, file: &mut impl Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
-        let names = self
-            .profiles
-            .iter()
-            .map(|profile| format!("height_after_{}_passages_m", profile.passages));
+        let names = self.profiles.iter().map(|profile| format!("height_after_{}_passages_m", profile.passages));
         writer.write_record(["position_m".to_owned()].into_iter().chain(names))?;
         for index in 0..self.profiles[0].heights_m.len() {
             let heights = self.profiles.iter().map(|profile| profile.heights_m[index]);
@@ -96,18 +87,11 @@ impl EvolutionAnswer {
                 long_name: "height of the ring, positive upward",
                 values: Box::new(|| {
                     let profiles = self.profiles.iter();
-                    profiles
-                        .flat_map(|profile| profile.heights_m.iter().copied())
-                        .collect()
+                    profiles.flat_map(|profile| profile.heights_m.iter().copied()).collect()
                 }),
             },
         ]);
-        Grid {
-            title,
-            axes,
-            variables,
-        }
-        .write(path)
+        Grid { title, axes, variables }.write(path)
     }
 }
 
@@ -127,38 +111,18 @@ fn over_passages(document: &EvolutionDocument) -> Vec<Variable<'_>> {
     let passages = stages.passages.iter().map(|passages| *passages as f64);
     let mut variables = vec![
         of("passages", "1", "wheels so far", passages.collect()),
-        of(
-            "mean_depth",
-            "m",
-            "depth worn off everywhere",
-            stages.mean_depth_m.clone(),
-        ),
+        of("mean_depth", "m", "depth worn off everywhere", stages.mean_depth_m.clone()),
         of(
             "contact_loss_fraction",
             "1",
             "share of the time without contact of the passage before",
             known(&stages.contact_loss_fraction),
         ),
-        of(
-            "minimum_normal_force",
-            "N",
-            "least normal force of that passage",
-            known(&stages.minimum_normal_force_n),
-        ),
-        of(
-            "maximum_normal_force",
-            "N",
-            "largest normal force of that passage",
-            known(&stages.maximum_normal_force_n),
-        ),
+        of("minimum_normal_force", "N", "least normal force of that passage", known(&stages.minimum_normal_force_n)),
+        of("maximum_normal_force", "N", "largest normal force of that passage", known(&stages.maximum_normal_force_n)),
     ];
     variables.extend(stages.support_pattern_level_db.as_ref().map(|levels| {
-        of(
-            "support_pattern_level",
-            DECIBELS,
-            "level of the waves that fit between two supports",
-            levels.clone(),
-        )
+        of("support_pattern_level", DECIBELS, "level of the waves that fit between two supports", levels.clone())
     }));
     variables
 }
@@ -179,48 +143,17 @@ fn over_wavelength(document: &EvolutionDocument) -> Vec<Variable<'_>> {
         }),
     };
     let variables: [(_, _, _, Of); 7] = [
-        (
-            "wavelength",
-            "m",
-            "centre of the one-third octave",
-            |band| Some(band.wavelength_m),
-        ),
-        (
-            "first_growth_rate",
-            "1",
-            "growth rate per passage, first step",
-            |band| band.first_growth_per_passage,
-        ),
-        (
-            "linear_growth_rate",
-            "1",
-            "growth rate per passage, linear loop",
-            |band| band.first_linear_growth_per_passage,
-        ),
-        (
-            "last_growth_rate",
-            "1",
-            "growth rate per passage, last quarter",
-            |band| band.last_growth_per_passage,
-        ),
-        (
-            "saturation_level",
-            DECIBELS,
-            "level where growth has stopped",
-            |band| band.saturation_level_db,
-        ),
-        (
-            "first_drift",
-            "m",
-            "shift of the waves per passage, first step",
-            |band| band.first_shift_m_per_passage,
-        ),
-        (
-            "linear_drift",
-            "m",
-            "shift of the waves per passage, linear loop",
-            |band| Some(band.linear_shift_m_per_passage),
-        ),
+        ("wavelength", "m", "centre of the one-third octave", |band| Some(band.wavelength_m)),
+        ("first_growth_rate", "1", "growth rate per passage, first step", |band| band.first_growth_per_passage),
+        ("linear_growth_rate", "1", "growth rate per passage, linear loop", |band| {
+            band.first_linear_growth_per_passage
+        }),
+        ("last_growth_rate", "1", "growth rate per passage, last quarter", |band| band.last_growth_per_passage),
+        ("saturation_level", DECIBELS, "level where growth has stopped", |band| band.saturation_level_db),
+        ("first_drift", "m", "shift of the waves per passage, first step", |band| band.first_shift_m_per_passage),
+        ("linear_drift", "m", "shift of the waves per passage, linear loop", |band| {
+            Some(band.linear_shift_m_per_passage)
+        }),
     ];
     variables.into_iter().map(of).collect()
 }
@@ -239,21 +172,9 @@ fn over_both(document: &EvolutionDocument) -> Vec<Variable<'_>> {
         }),
     };
     let variables: [(_, _, _, Of); 3] = [
-        ("level", DECIBELS, "one-third-octave level", |band| {
-            &band.level_db
-        }),
-        (
-            "linear_level",
-            DECIBELS,
-            "level of the linear loop",
-            |band| &band.linear_level_db,
-        ),
-        (
-            "shift",
-            "m",
-            "shift of the waves, in the direction of travel",
-            |band| &band.shift_m,
-        ),
+        ("level", DECIBELS, "one-third-octave level", |band| &band.level_db),
+        ("linear_level", DECIBELS, "level of the linear loop", |band| &band.linear_level_db),
+        ("shift", "m", "shift of the waves, in the direction of travel", |band| &band.shift_m),
     ];
     variables.into_iter().map(of).collect()
 }

@@ -29,14 +29,7 @@ struct Journey {
     out_of_round: f64,
 }
 
-const QUIET: Journey = Journey {
-    speed: 20.0,
-    drift: 0.0,
-    rate: 8000.0,
-    length: 150.0,
-    noise: 0.0,
-    out_of_round: 0.0,
-};
+const QUIET: Journey = Journey { speed: 20.0, drift: 0.0, rate: 8000.0, length: 150.0, noise: 0.0, out_of_round: 0.0 };
 
 fn case() -> Case {
     with_pads(280.0)
@@ -63,12 +56,7 @@ fn rail(length: f64) -> Profile {
         length,
         spacing: 1e-3,
         seed: 7,
-        noise: Some(ColouredNoise {
-            level: 5.0,
-            wavelength: 0.1,
-            slope: 15.0,
-            longest: 1.5,
-        }),
+        noise: Some(ColouredNoise { level: 5.0, wavelength: 0.1, slope: 15.0, longest: 1.5 }),
         ..Recipe::default()
     };
     Profile::new(0.0, 1e-3, recipe.heights().unwrap()).unwrap()
@@ -106,9 +94,7 @@ fn signal(case: &Case, journey: &Journey, rail: &Profile) -> Vec<Sample> {
     // Twelve even numbers are as good as a normal one; their variance is one.
     let mut normal = || {
         let mut even = || {
-            seed = seed
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (seed >> 11) as f64 / (1u64 << 53) as f64
         };
         (0..12).map(|_| even()).sum::<f64>() - 6.0
@@ -130,12 +116,7 @@ fn between(rail: &Profile, place: f64) -> f64 {
     let heights = rail.heights();
     let at = ((place / rail.spacing()) as usize).clamp(1, heights.len() - 3);
     let t = place / rail.spacing() - at as f64;
-    let [a, b, c, d] = [
-        heights[at - 1],
-        heights[at],
-        heights[at + 1],
-        heights[at + 2],
-    ];
+    let [a, b, c, d] = [heights[at - 1], heights[at], heights[at + 1], heights[at + 2]];
     let third = (d - a) / 6.0 + (b - c) / 2.0;
     let second = (a + c) / 2.0 - b;
     let first = c - b / 2.0 - a / 3.0 - d / 6.0;
@@ -193,10 +174,7 @@ fn worst(kilometres: f64, errors: &[(f64, f64)]) -> f64 {
 fn a_known_rail_is_found_again() {
     let case = case();
     for kilometres in [40.0, 80.0, 120.0] {
-        let journey = Journey {
-            speed: kilometres / 3.6,
-            ..QUIET
-        };
+        let journey = Journey { speed: kilometres / 3.6, ..QUIET };
         let errors = errors(&case, &journey);
         assert_eq!(errors.len(), 13);
         assert!(worst(kilometres, &errors) < 0.4, "{errors:.2?}");
@@ -209,14 +187,8 @@ fn a_known_rail_is_found_again() {
 fn a_known_rail_is_found_again_under_a_common_train() {
     let case = case();
     for kilometres in [40.0, 60.0, 80.0, 100.0, 120.0] {
-        let journey = Journey {
-            speed: kilometres / 3.6,
-            drift: 0.2,
-            rate: 5000.0,
-            noise: 0.5,
-            out_of_round: 50e-6,
-            ..QUIET
-        };
+        let journey =
+            Journey { speed: kilometres / 3.6, drift: 0.2, rate: 5000.0, noise: 0.5, out_of_round: 50e-6, ..QUIET };
         let errors = errors(&case, &journey);
         assert!(errors.len() >= 12);
         assert!(worst(kilometres, &errors) < 1.5, "{errors:.2?}");
@@ -229,10 +201,7 @@ fn a_known_rail_is_found_again_under_a_common_train() {
 #[test]
 fn an_odometer_in_steps_is_the_same_run() {
     let case = case();
-    let journey = Journey {
-        drift: 0.2,
-        ..QUIET
-    };
+    let journey = Journey { drift: 0.2, ..QUIET };
     let samples = signal(&case, &journey, &rail(journey.length + 1.0));
     let settings = RunSettings::at_rate(journey.rate);
     let levels = |samples: &[Sample]| {
@@ -243,18 +212,10 @@ fn an_odometer_in_steps_is_the_same_run() {
     let exact = levels(&samples);
     let held = (journey.rate / 5.0) as usize;
     let seldom: Vec<Sample> = (0..samples.len())
-        .map(|index| Sample {
-            position: samples[index / held * held].position,
-            ..samples[index]
-        })
+        .map(|index| Sample { position: samples[index / held * held].position, ..samples[index] })
         .collect();
-    let counted: Vec<Sample> = samples
-        .iter()
-        .map(|sample| Sample {
-            position: (2.0 * sample.position).floor() / 2.0,
-            ..*sample
-        })
-        .collect();
+    let counted: Vec<Sample> =
+        samples.iter().map(|sample| Sample { position: (2.0 * sample.position).floor() / 2.0, ..*sample }).collect();
     for read in [seldom, counted] {
         let found = levels(&read);
         for level in exact.levels() {
@@ -338,10 +299,7 @@ fn a_run_comes_in_pieces() {
                 time => 10.0 + 0.5 * (time - 20.0),
             };
             position += speed / rate;
-            Sample {
-                acceleration: 5.0 * (TAU * position / 0.1).sin(),
-                position,
-            }
+            Sample { acceleration: 5.0 * (TAU * position / 0.1).sin(), position }
         })
         .collect();
     let found = felt(&case, RunSettings::at_rate(rate), &samples);
@@ -355,9 +313,7 @@ fn a_run_comes_in_pieces() {
         assert!((piece.known.from() / shortest - 1.0).abs() < 1e-9);
     }
     let (first, second, third) = (&found[0], &found[1], &found[2]);
-    assert!(
-        first.profile.start() + first.profile.length() < 240.0 && second.profile.start() > 256.0
-    );
+    assert!(first.profile.start() + first.profile.length() < 240.0 && second.profile.start() > 256.0);
     let end = second.profile.start() + second.profile.length();
     assert!((third.profile.start() - end).abs() < 1e-6, "{end}");
 }
@@ -369,34 +325,10 @@ fn settings_beyond_any_run_are_refused() {
     let transfer = AxleBoxTransfer::new(case.places(), case.known_frequencies());
     let usual = RunSettings::at_rate(5000.0);
     for (settings, what) in [
-        (
-            RunSettings {
-                slowest: 1e-300,
-                ..usual
-            },
-            "lowest speed",
-        ),
-        (
-            RunSettings {
-                longest: 1e300,
-                ..usual
-            },
-            "longest wavelength",
-        ),
-        (
-            RunSettings {
-                shortest: 1e-300,
-                ..usual
-            },
-            "shortest wavelength",
-        ),
-        (
-            RunSettings {
-                longest: 0.015,
-                ..usual
-            },
-            "longest wavelength",
-        ),
+        (RunSettings { slowest: 1e-300, ..usual }, "lowest speed"),
+        (RunSettings { longest: 1e300, ..usual }, "longest wavelength"),
+        (RunSettings { shortest: 1e-300, ..usual }, "shortest wavelength"),
+        (RunSettings { longest: 0.015, ..usual }, "longest wavelength"),
     ] {
         let refused = Run::new(&transfer, settings).err().unwrap();
         assert!(refused.to_string().contains(what), "{refused}");
@@ -409,24 +341,9 @@ fn runs_without_a_stretch_are_refused_in_german_too() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run.csv");
     for (speed, rows_between_gaps, english, german) in [
-        (
-            10.0,
-            8000,
-            "never runs faster than 20.0 km/h",
-            "schneller als 20,0 km/h",
-        ),
-        (
-            10.0,
-            1000,
-            "must be run at 20.0 km/h",
-            "mit mindestens 20,0 km/h",
-        ),
-        (
-            72.0,
-            1000,
-            "for waves of up to 0.4 m",
-            "für Wellen bis 0,4 m",
-        ),
+        (10.0, 8000, "never runs faster than 20.0 km/h", "schneller als 20,0 km/h"),
+        (10.0, 1000, "must be run at 20.0 km/h", "mit mindestens 20,0 km/h"),
+        (72.0, 1000, "for waves of up to 0.4 m", "für Wellen bis 0,4 m"),
     ] {
         let rows = (0..4000).map(|row| {
             let time = 1e-3 * f64::from(row + 500 * (row / rows_between_gaps));

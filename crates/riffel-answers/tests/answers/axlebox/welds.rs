@@ -14,24 +14,15 @@ use super::{Journey, QUIET, case, felt, rail, signal, with_pads};
 #[test]
 fn welds_are_listed_and_raise_no_level() {
     let case = case();
-    let journey = Journey {
-        length: 260.0,
-        rate: 5000.0,
-        noise: 0.05,
-        ..QUIET
-    };
-    let welds: Vec<(f64, f64)> = (0..8u32)
-        .map(|weld| (35.3 + 27.1 * f64::from(weld), 0.1 + 0.04 * f64::from(weld)))
-        .collect();
+    let journey = Journey { length: 260.0, rate: 5000.0, noise: 0.05, ..QUIET };
+    let welds: Vec<(f64, f64)> =
+        (0..8u32).map(|weld| (35.3 + 27.1 * f64::from(weld), 0.1 + 0.04 * f64::from(weld))).collect();
     let answer = |depth: f64, keep_defects: bool| {
         let smooth = rail(journey.length + 1.0);
         let heights = smooth.heights().iter().enumerate().map(|(index, height)| {
             let x = 1e-3 * index as f64;
-            let dips = welds
-                .iter()
-                .filter(|(at, length)| (x - at).abs() < 0.5 * length);
-            let dips =
-                dips.map(|(at, length)| 0.5 * depth * (1.0 + (TAU * (x - at) / length).cos()));
+            let dips = welds.iter().filter(|(at, length)| (x - at).abs() < 0.5 * length);
+            let dips = dips.map(|(at, length)| 0.5 * depth * (1.0 + (TAU * (x - at) / length).cos()));
             height * 0.3 + 3e-6 * (TAU * x / 0.1).sin() - dips.sum::<f64>()
         });
         let rail = Profile::new(0.0, 1e-3, heights.collect()).unwrap();
@@ -40,10 +31,7 @@ fn welds_are_listed_and_raise_no_level() {
         let channels = vec![("left".to_owned(), accelerations)];
         let place = AxleBoxPlace::Constant(journey.speed);
         let file = AxleBoxFile::of_arrays("run", channels, journey.rate, place).unwrap();
-        let request = AxleBoxRequest {
-            keep_defects,
-            ..AxleBoxRequest::default()
-        };
+        let request = AxleBoxRequest { keep_defects, ..AxleBoxRequest::default() };
         let files = [("run".into(), file)];
         AxleBoxAnswer::new(&case, &files, &LimitTable::all(), &request, &|_| ()).unwrap()
     };
@@ -52,12 +40,7 @@ fn welds_are_listed_and_raise_no_level() {
     let rises = |of: &AxleBoxAnswer| -> Vec<(f64, f64)> {
         let levels = of.rails[0].levels.iter().zip(&smooth.rails[0].levels);
         levels
-            .map(|(welded, smooth)| {
-                (
-                    welded.band.nominal_millimetres(),
-                    welded.level - smooth.level,
-                )
-            })
+            .map(|(welded, smooth)| (welded.band.nominal_millimetres(), welded.level - smooth.level))
             .filter(|(wavelength, _)| (16.0..=200.0).contains(wavelength))
             .collect()
     };
@@ -65,25 +48,14 @@ fn welds_are_listed_and_raise_no_level() {
         let most = if wavelength == 100.0 { 0.5 } else { 1.5 };
         assert!(rise.abs() < most, "{wavelength} mm: {rise} dB");
     }
-    let most = rises(&kept)
-        .into_iter()
-        .map(|(_, rise)| rise)
-        .fold(0.0, f64::max);
+    let most = rises(&kept).into_iter().map(|(_, rise)| rise).fold(0.0, f64::max);
     assert!(most > 8.0, "{most}");
     assert!(smooth.rails[0].rail.analysis.defects.is_empty());
     for of in [&left_out, &kept] {
         let analysis = &of.rails[0].rail.analysis;
-        assert_eq!(
-            analysis.defects.len(),
-            welds.len(),
-            "{:?}",
-            analysis.defects
-        );
+        assert_eq!(analysis.defects.len(), welds.len(), "{:?}", analysis.defects);
         for (defect, (at, _)) in analysis.defects.iter().zip(&welds) {
-            assert!(
-                (0.5 * (defect.from + defect.to) - at).abs() < 0.3,
-                "{defect:?}"
-            );
+            assert!((0.5 * (defect.from + defect.to) - at).abs() < 0.3, "{defect:?}");
         }
     }
     let highest = |of: &AxleBoxAnswer| -> Vec<f64> {
@@ -98,20 +70,12 @@ fn welds_are_listed_and_raise_no_level() {
             .map(ToString::to_string)
             .any(|said| said.contains("8 welds") && said.contains("left out of the levels"))
     );
-    assert!(
-        kept.remarks
-            .iter()
-            .any(|said| said.to_string().contains("they count in levels"))
-    );
+    assert!(kept.remarks.iter().any(|said| said.to_string().contains("they count in levels")));
 }
 
 /// RMS \[m\] between 30 and 100 mm in blocks of 10 m.
 fn blocks(profile: Profile, felt: WavelengthBand) -> Vec<f64> {
-    let settings = AnalysisSettings {
-        longest_wavelength: 0.4,
-        felt: Some(felt),
-        ..AnalysisSettings::default()
-    };
+    let settings = AnalysisSettings { longest_wavelength: 0.4, felt: Some(felt), ..AnalysisSettings::default() };
     let analysis = RailAnalysis::new(vec![profile], &settings, &|| ()).unwrap();
     let rms = analysis.blocks.iter().filter_map(|block| block.rms[1]);
     rms.collect()
@@ -143,14 +107,7 @@ fn detection() {
             *height += amplitude * (TAU * 1e-3 * index as f64 / 0.05).sin();
         }
         let rail = Profile::new(0.0, 1e-3, heights).unwrap();
-        let journey = Journey {
-            length: LENGTH,
-            rate: 5000.0,
-            drift: 0.1,
-            noise: 0.5,
-            out_of_round: 50e-6,
-            ..QUIET
-        };
+        let journey = Journey { length: LENGTH, rate: 5000.0, drift: 0.1, noise: 0.5, out_of_round: 50e-6, ..QUIET };
         let samples = signal(&case, &journey, &rail);
         for (place, other) in heard_on.iter().enumerate() {
             for found in felt(other, RunSettings::at_rate(journey.rate), &samples) {
@@ -168,9 +125,7 @@ fn detection() {
             }
         }
     }
-    println!(
-        "| over the limit | blocks | found | pads taken for half as stiff | for twice as stiff |"
-    );
+    println!("| over the limit | blocks | found | pads taken for half as stiff | for twice as stiff |");
     for (row, over) in counts.iter().zip(-5..) {
         let share = |count: u32| 100.0 * f64::from(count) / f64::from(row[0]);
         let [all, own, soft, stiff] = *row;

@@ -23,11 +23,7 @@ fn wave_of_50_mm(wave: u32, x: f64) -> f64 {
 /// a fifth of that.
 fn heard(channels: &[(&str, &dyn Fn(f64) -> f64)]) -> AxleBoxAnswer {
     let case = case();
-    let journey = Journey {
-        length: LENGTH,
-        rate: 5000.0,
-        ..QUIET
-    };
+    let journey = Journey { length: LENGTH, rate: 5000.0, ..QUIET };
     let smooth = rail(LENGTH + 1.0);
     let heard = channels.iter().map(|(name, wheel)| {
         let heights = smooth.heights().iter().enumerate().map(|(index, height)| {
@@ -41,9 +37,7 @@ fn heard(channels: &[(&str, &dyn Fn(f64) -> f64)]) -> AxleBoxAnswer {
         let felt = Profile::new(0.0, 1e-3, heights.collect()).unwrap();
         let samples = signal(&case, &journey, &felt);
         let part = if name.ends_with("/ 5") { 0.2 } else { 1.0 };
-        let accelerations = samples
-            .iter()
-            .map(|sample| part * sample.acceleration / SHARE);
+        let accelerations = samples.iter().map(|sample| part * sample.acceleration / SHARE);
         ((*name).to_owned(), accelerations.collect())
     });
     let place = AxleBoxPlace::Constant(journey.speed);
@@ -64,12 +58,7 @@ fn wheels_that_are_not_round_are_no_rail() {
     };
     let polygon = |x: f64| 18e-6 * (18.0 * x / (1.01 * radius)).cos();
     let round = |_: f64| 0.0;
-    let answer = heard(&[
-        ("left 1", &flat),
-        ("left 2", &round),
-        ("left 3", &polygon),
-        ("right", &flat),
-    ]);
+    let answer = heard(&[("left 1", &flat), ("left 2", &round), ("left 3", &polygon), ("right", &flat)]);
     let in_one_language = answer.remarks.iter().find(|said| said.id() == "verbatim");
     assert_eq!(in_one_language, None);
     let of = |name: &str| answer.rails.iter().find(|rail| rail.rail.name == name);
@@ -78,11 +67,7 @@ fn wheels_that_are_not_round_are_no_rail() {
         let sections = of(name).unwrap().rail.sections.iter();
         sections.map(|section| section.to - section.from).sum()
     };
-    assert!(
-        (30.0..75.0).contains(&ground("left 2")),
-        "{}",
-        ground("left 2")
-    );
+    assert!((30.0..75.0).contains(&ground("left 2")), "{}", ground("left 2"));
     for name in ["left 1", "left 3", "right"] {
         let found = of(name).unwrap();
         for (found, there) in found.levels.iter().zip(&there.levels) {
@@ -94,11 +79,7 @@ fn wheels_that_are_not_round_are_no_rail() {
         let more = ground(name) - ground("left 2");
         assert!(more.abs() <= 10.0, "{name}: {more} m");
     }
-    let marks: Vec<_> = answer
-        .wheels
-        .iter()
-        .map(|mark| (&*mark.name, mark))
-        .collect();
+    let marks: Vec<_> = answer.wheels.iter().map(|mark| (&*mark.name, mark)).collect();
     let [("left 1", flat), ("left 3", waves), ("right", other)] = marks[..] else {
         panic!("{marks:?}");
     };
@@ -108,18 +89,10 @@ fn wheels_that_are_not_round_are_no_rail() {
         // Waves shorter than 10 mm and longer than 400 mm are missing.
         assert!((80e-6..130e-6).contains(&depth), "{depth}");
     }
-    assert_eq!(
-        (waves.kind, waves.order),
-        (WheelMarkKind::Polygon, Some(18))
-    );
+    assert_eq!((waves.kind, waves.order), (WheelMarkKind::Polygon, Some(18)));
     let amplitude = waves.amplitude_m.unwrap();
     assert!((amplitude / 18e-6 - 1.0).abs() < 0.1, "{amplitude}");
-    let said = |part: &str| {
-        answer
-            .remarks
-            .iter()
-            .any(|remark| remark.to_string().contains(part))
-    };
+    let said = |part: &str| answer.remarks.iter().any(|remark| remark.to_string().contains(part));
     assert!(said("left 1: the wheel has a flat") && said("left 3: the wheel has 18 waves"));
 }
 
@@ -129,39 +102,22 @@ fn a_wave_of_one_wheel_alone_is_left() {
     let radius = case().hertz.rolling_radius();
     let polygon = |x: f64| 18e-6 * (18.0 * x / radius).cos();
     // A fifth of a channel is no second axle box.
-    let answer = heard(&[
-        ("left", &polygon),
-        ("right", &|_| 0.0),
-        ("left / 5", &polygon),
-    ]);
+    let answer = heard(&[("left", &polygon), ("right", &|_| 0.0), ("left / 5", &polygon)]);
     assert!(answer.wheels.is_empty(), "{:?}", answer.wheels);
-    let said = answer
-        .remarks
-        .iter()
-        .map(ToString::to_string)
-        .find(|said| said.contains("second axle box"));
-    assert!(
-        said.is_some_and(|said| said.starts_with("left: ")),
-        "{:?}",
-        answer.remarks
-    );
+    let said = answer.remarks.iter().map(ToString::to_string).find(|said| said.contains("second axle box"));
+    assert!(said.is_some_and(|said| said.starts_with("left: ")), "{:?}", answer.remarks);
     let near_160_mm = |name: &str| {
         let mut rails = answer.rails.iter();
         let rail = rails.find(|rail| rail.rail.name == name).unwrap();
         let mut levels = rail.levels.iter();
-        *levels
-            .find(|level| level.band.nominal_millimetres() == 160.0)
-            .unwrap()
+        *levels.find(|level| level.band.nominal_millimetres() == 160.0).unwrap()
     };
     let (with, without) = (near_160_mm("left"), near_160_mm("right"));
     assert!(with.level > without.level + 3.0);
     // The lower end is the rail but for 0.7 dB, likely of the first and the last turn of these 220 m.
     let more = with.range[0] - without.range[0];
     assert!(more.abs() < 0.8, "{more} dB");
-    let said = format!(
-        "and {:.1} dB, as these waves may be the wheel's",
-        with.level
-    );
+    let said = format!("and {:.1} dB, as these waves may be the wheel's", with.level);
     let mut remarks = answer.remarks.iter().map(ToString::to_string);
     assert!(remarks.any(|remark| remark.contains(&said)), "{said}");
 }

@@ -53,7 +53,8 @@ impl DatedLevels {
         let first = passages.iter().copied().fold(f64::INFINITY, f64::min);
         let mut rows = row::rows(&numbers, path, case, |row| passages[row] - first)?;
         if rows.iter().all(|row| row.passages == 0.0) {
-            let message = "all levels are of one date, which says nothing of growth; measure again, or leave the file out";
+            let message =
+                "all levels are of one date, which says nothing of growth; measure again, or leave the file out";
             return Err(numbers.refuse(path, 0, message));
         }
         let last = (0..rows.len()).max_by(|a, b| rows[*a].passages.total_cmp(&rows[*b].passages));
@@ -68,20 +69,12 @@ impl DatedLevels {
         let since = first_since_ground(dates.windows(2).map(|pair| fall(&rows, pair)));
         let before = dates[since];
         if since > 0 && since + 1 == dates.len() {
-            let ground = say!(
-                only_ground,
-                passages = before + first,
-                fall = FALL_BY_GRINDING
-            );
+            let ground = say!(only_ground, passages = before + first, fall = FALL_BY_GRINDING);
             return Err(numbers.refuse(path, last.unwrap_or_default(), ground));
         }
         rows.retain(|row| row.passages >= before);
         rows.iter_mut().for_each(|row| row.passages -= before);
-        Ok(SinceGround {
-            rows,
-            begins: first + before,
-            before,
-        })
+        Ok(SinceGround { rows, begins: first + before, before })
     }
 
     /// The level of each band at the date nearest to some passages.

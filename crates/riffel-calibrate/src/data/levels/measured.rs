@@ -51,23 +51,17 @@ impl MeasuredRail {
         rows.sort_by(|a, b| a.passages.total_cmp(&b.passages));
         for (number, run) in self.runs.iter().enumerate() {
             let of_run = run.rows.iter().enumerate();
-            rows.extend(
-                of_run.map(|(index, row)| level(row, run.view, RowPlace::Run(number, index))),
-            );
+            rows.extend(of_run.map(|(index, row)| level(row, run.view, RowPlace::Run(number, index))));
         }
         for (number, pass_bys) in self.pass_bys.iter().enumerate() {
             let heard = pass_bys.rows.iter().enumerate();
-            rows.extend(heard.map(|(index, row)| {
-                LevelRow {
-                    place: RowPlace::PassBy(number, index),
-                    view: pass_bys.view,
-                    passages: row.passages,
-                    level: row.level,
-                    error: row.error,
-                    bands: (row.shares.iter())
-                        .map(|(band, share)| (place_of(*band), *share))
-                        .collect(),
-                }
+            rows.extend(heard.map(|(index, row)| LevelRow {
+                place: RowPlace::PassBy(number, index),
+                view: pass_bys.view,
+                passages: row.passages,
+                level: row.level,
+                error: row.error,
+                bands: (row.shares.iter()).map(|(band, share)| (place_of(*band), *share)).collect(),
             }));
         }
         rows
@@ -76,15 +70,9 @@ impl MeasuredRail {
     /// Standard deviation of what two levels share \[dB\]: those of a date, of a run or of a site.
     pub(super) fn shared_error(&self, one: &LevelRow, other: &LevelRow) -> f64 {
         match (one.place, other.place) {
-            (RowPlace::Dated(_), RowPlace::Dated(_)) if one.passages == other.passages => {
-                self.dated.common_error
-            }
-            (RowPlace::Run(one, _), RowPlace::Run(other, _)) if one == other => {
-                self.runs[one].common_error
-            }
-            (RowPlace::PassBy(one, _), RowPlace::PassBy(other, _)) if one == other => {
-                self.pass_bys[one].common_error
-            }
+            (RowPlace::Dated(_), RowPlace::Dated(_)) if one.passages == other.passages => self.dated.common_error,
+            (RowPlace::Run(one, _), RowPlace::Run(other, _)) if one == other => self.runs[one].common_error,
+            (RowPlace::PassBy(one, _), RowPlace::PassBy(other, _)) if one == other => self.pass_bys[one].common_error,
             _ => 0.0,
         }
     }
@@ -124,7 +112,6 @@ impl LevelRow {
 
     /// Whether it is the level of a band, and of no other.
     pub(super) fn is_of(&self, band: usize) -> bool {
-        matches!(self.bands[..], [(own, _)] if own == band)
-            && !matches!(self.place, RowPlace::PassBy(..))
+        matches!(self.bands[..], [(own, _)] if own == band) && !matches!(self.place, RowPlace::PassBy(..))
     }
 }

@@ -73,13 +73,9 @@ impl Levels {
         let kernel = |kernel: Kernel, one: &LevelRow, other: &LevelRow| -> f64 {
             let pairs = one.bands.iter();
             let pairs = pairs.flat_map(|one| other.bands.iter().map(move |other| (one, other)));
-            pairs
-                .map(|((one, a), (other, b))| a * b * of_bands(kernel, *one, *other))
-                .sum()
+            pairs.map(|((one, a), (other, b))| a * b * of_bands(kernel, *one, *other)).sum()
         };
-        let missed = |of: &dyn Fn(&LevelRow, &LevelRow) -> f64| {
-            Matrix::of(rows.len(), |i, j| of(&rows[i], &rows[j]))
-        };
+        let missed = |of: &dyn Fn(&LevelRow, &LevelRow) -> f64| Matrix::of(rows.len(), |i, j| of(&rows[i], &rows[j]));
         // What is missed of growth, a run feels as well, and a receiver hears it.
         let of_growth = dated.missed.map(|of_dates| {
             missed(&|one, other| {
@@ -89,8 +85,7 @@ impl Levels {
         });
         let of_runs = runs.iter().enumerate().filter_map(|(number, run)| {
             let of_run = run.missed?;
-            let is_own =
-                |row: &LevelRow| matches!(row.place, RowPlace::Run(own, _) if own == number);
+            let is_own = |row: &LevelRow| matches!(row.place, RowPlace::Run(own, _) if own == number);
             Some(missed(&|one, other| match is_own(one) && is_own(other) {
                 true => kernel(of_run, one, other),
                 false => 0.0,
@@ -101,11 +96,7 @@ impl Levels {
         let over_bands = dated.missed.map(|of_dates| {
             Matrix::of(bands.len(), |i, j| {
                 // A smooth kernel is singular within rounding.
-                let rounding = if i == j && of_dates != Kernel::Band {
-                    1e-9
-                } else {
-                    0.0
-                };
+                let rounding = if i == j && of_dates != Kernel::Band { 1e-9 } else { 0.0 };
                 of_bands(of_dates, i, j) + rounding
             })
         });
@@ -202,15 +193,10 @@ impl Levels {
                         (self.bands[*band], first + mean(grown(*band).sum()))
                     });
                     let heard = pass_bys.train.level(radiation, *speed, of_bands)?;
-                    let of_first = bands
-                        .iter()
-                        .map(|(band, w)| w * first[*band].unwrap_or_default());
+                    let of_first = bands.iter().map(|(band, w)| w * first[*band].unwrap_or_default());
                     heard - of_first.sum::<f64>()
                 }
-                (_, bands) => bands
-                    .iter()
-                    .map(|(band, w)| w * mean(grown(*band).sum()))
-                    .sum(),
+                (_, bands) => bands.iter().map(|(band, w)| w * mean(grown(*band).sum())).sum(),
             });
             if let ([(band, _)], Some(level)) = (&row.bands[..], levels.last()) {
                 // Rows of what is heard stand behind the others.
@@ -222,17 +208,14 @@ impl Levels {
 
     fn contrast(&self, levels: &[f64]) -> Vec<f64> {
         let contrasts = self.contrasts.iter();
-        contrasts
-            .map(|(row, firsts)| levels[*row] - sum_of(levels, firsts))
-            .collect()
+        contrasts.map(|(row, firsts)| levels[*row] - sum_of(levels, firsts)).collect()
     }
 }
 
 /// The rows that are no first level of a band, each with the first levels that it is compared with; none where a band has none.
 fn contrasts(rows: &[LevelRow], bands: usize) -> Option<Vec<(usize, Weights)>> {
-    let firsts: Vec<usize> = (0..bands)
-        .map(|band| rows.iter().position(|row| row.is_of(band)))
-        .collect::<Option<_>>()?;
+    let firsts: Vec<usize> =
+        (0..bands).map(|band| rows.iter().position(|row| row.is_of(band))).collect::<Option<_>>()?;
     let compared = |row: usize| {
         let bands = rows[row].bands.iter();
         (row, bands.map(|(band, w)| (firsts[*band], *w)).collect())
@@ -302,16 +285,8 @@ impl Block for Levels {
             let row = &self.rows[*row];
             let (measured, at, of) = match row.place {
                 RowPlace::PassBy(..) => (Observable::PassByLevelDb, row.passages, None),
-                RowPlace::Run(..) => (
-                    Observable::AxleBoxLevelDb,
-                    self.wavelength(row),
-                    Some(row.passages),
-                ),
-                RowPlace::Dated(_) => (
-                    Observable::LevelRiseDb,
-                    self.wavelength(row),
-                    Some(row.passages),
-                ),
+                RowPlace::Run(..) => (Observable::AxleBoxLevelDb, self.wavelength(row), Some(row.passages)),
+                RowPlace::Dated(_) => (Observable::LevelRiseDb, self.wavelength(row), Some(row.passages)),
             };
             Place { measured, at, of }
         };
@@ -353,17 +328,9 @@ impl Block for Levels {
                 }
                 let less = compared.into_iter().map(|(base, w)| (base, -w));
                 let terms = std::iter::once((row, 1.0)).chain(less);
-                basis.push(
-                    terms
-                        .filter_map(|(row, w)| Some((contrast(row)?, w)))
-                        .collect(),
-                );
+                basis.push(terms.filter_map(|(row, w)| Some((contrast(row)?, w))).collect());
             }
-            Group {
-                held: Held::Date(*date),
-                own,
-                basis,
-            }
+            Group { held: Held::Date(*date), own, basis }
         };
         dates.iter().map(group).collect()
     }
@@ -392,15 +359,8 @@ impl Block for Levels {
         let last = self.last();
         let before = rows.iter().map(|row| row.passages).filter(|it| *it < last);
         let next = 2.0 * last - before.fold(0.0, f64::max);
-        let of_last: Vec<Row> = rows
-            .iter()
-            .filter(|row| row.passages == last)
-            .copied()
-            .collect();
-        rows.extend(of_last.into_iter().map(|row| Row {
-            passages: next,
-            ..row
-        }));
+        let of_last: Vec<Row> = rows.iter().filter(|row| row.passages == last).copied().collect();
+        rows.extend(of_last.into_iter().map(|row| Row { passages: next, ..row }));
         Some(Box::new(Self::new(&measured)?))
     }
 }

@@ -5,9 +5,7 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 
 use riffel::contact::ContactFilter;
-use riffel::noise::{
-    Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, Part, PassBy,
-};
+use riffel::noise::{Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, Part, PassBy};
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_case::{Case, TrackRadiator};
 use riffel_keys::CaseError;
@@ -97,10 +95,7 @@ impl Train {
                 levels[moved].1 += by;
                 self.level(radiation, speed, levels.into_iter())
             };
-            Ok((
-                levels[moved].0,
-                (level(STEP)? - level(-STEP)?) / (2.0 * STEP),
-            ))
+            Ok((levels[moved].0, (level(STEP)? - level(-STEP)?) / (2.0 * STEP)))
         };
         (0..levels.len()).map(share).collect()
     }
@@ -123,24 +118,15 @@ impl Train {
                 wheel: self.pass.of_wheels(&air, power.wheel),
             }));
         }
-        Ok(Energies {
-            energy: Energy::Pressure,
-            bands,
-        })
+        Ok(Energies { energy: Energy::Pressure, bands })
     }
 
-    fn excitation(
-        &self,
-        speed: f64,
-        levels: impl Iterator<Item = (ThirdOctave, f64)>,
-    ) -> Result<Excitation, String> {
+    fn excitation(&self, speed: f64, levels: impl Iterator<Item = (ThirdOctave, f64)>) -> Result<Excitation, String> {
         let rest = self.rest.iter().flat_map(Spectrum::levels);
-        let mut rail: BTreeMap<ThirdOctave, f64> =
-            rest.map(|level| (level.band, level.level)).collect();
+        let mut rail: BTreeMap<ThirdOctave, f64> = rest.map(|level| (level.band, level.level)).collect();
         rail.extend(levels);
         let of_rail = Spectrum::new(rail).map_err(|error| error.to_string())?;
-        Excitation::new(&of_rail, self.wheel.as_ref(), self.filter, speed)
-            .map_err(|error| error.to_string())
+        Excitation::new(&of_rail, self.wheel.as_ref(), self.filter, speed).map_err(|error| error.to_string())
     }
 }
 
@@ -167,14 +153,9 @@ impl PassBys {
         let numbers = table::Numbers::of(path, Kind::PassBy)?;
         let [passages, levels] = [0, 1].map(|column| &numbers.needed[column]);
         let begins = dated.begins;
-        let rule =
-            format!("must not be before the first date of the levels of roughness, {begins}");
+        let rule = format!("must not be before the first date of the levels of roughness, {begins}");
         numbers.check(path, "passages", passages, &rule, |it| it >= begins)?;
-        let rule = format!(
-            "must lie between {} and {} dB(A)",
-            AUDIBLE.start(),
-            AUDIBLE.end()
-        );
+        let rule = format!("must lie between {} and {} dB(A)", AUDIBLE.start(), AUDIBLE.end());
         numbers.check(path, "level_dba", levels, &rule, |it| AUDIBLE.contains(&it))?;
         for (name, values) in others.iter().zip(&numbers.others) {
             if let Some(values) = values {
@@ -190,7 +171,10 @@ impl PassBys {
             let refuse = |message: String| numbers.refuse(path, row, &message);
             let speed = speeds.map(|speeds| speeds[row] / 3.6).or(passage.speed);
             let speed = speed.ok_or_else(|| {
-                refuse("no column `speed_km_per_h` says how fast the train was; add it, or give `speed` in the plan".to_owned())
+                refuse(
+                    "no column `speed_km_per_h` says how fast the train was; add it, or give `speed` in the plan"
+                        .to_owned(),
+                )
             })?;
             let passages = passages - begins;
             let radiation = match radiated.get(&speed.to_bits()) {

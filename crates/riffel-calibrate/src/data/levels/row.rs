@@ -23,11 +23,7 @@ pub(crate) struct Row {
 const NOMINAL: f64 = 1.02;
 
 /// That the wavelengths of a table lie in the window of the case, as bands.
-fn bands(
-    numbers: &table::Numbers,
-    path: &Path,
-    case: &Case,
-) -> Result<Vec<ThirdOctave>, CaseError> {
+fn bands(numbers: &table::Numbers, path: &Path, case: &Case) -> Result<Vec<ThirdOctave>, CaseError> {
     let (shortest, longest) = (case.wavelength.min(), case.wavelength.max());
     let bands = numbers.needed[0].iter().enumerate();
     bands
@@ -61,15 +57,8 @@ pub(super) fn rows(
     let [level, error] = [1, 2].map(|column| &numbers.needed[column]);
     let rule = "must be greater than zero";
     numbers.check(path, "standard_error_db", error, rule, |e| e > 0.0)?;
-    let row = |(row, band)| Row {
-        band,
-        passages: passages(row),
-        level: level[row],
-        error: error[row],
-    };
+    let row = |(row, band)| Row { band, passages: passages(row), level: level[row], error: error[row] };
     let rows: Vec<Row> = bands.into_iter().enumerate().map(row).collect();
-    numbers.unless_doubled(path, &rows, |one, other| {
-        (one.band, one.passages) == (other.band, other.passages)
-    })?;
+    numbers.unless_doubled(path, &rows, |one, other| (one.band, one.passages) == (other.band, other.passages))?;
     Ok(rows)
 }

@@ -12,8 +12,7 @@ use crate::nuts::normal;
 
 /// The third set with levels of trains beside the track, as a plan in a folder.
 fn heard(folder: &Path, levels: &str) -> Plan {
-    let set = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../validation/calibration/c-all-together");
+    let set = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../validation/calibration/c-all-together");
     for entry in std::fs::read_dir(set).unwrap() {
         let path = entry.unwrap().path();
         std::fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
@@ -53,12 +52,8 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
     let mut found = Matrix::of(count, |_, _| 0.0);
     for _ in 0..DRAWS {
         let of_bands = levels.bands.len();
-        let truth: Vec<f64> = (0..of_bands)
-            .map(|band| levels.rows[first(band)].level - grown[first(band)])
-            .collect();
-        let drawn: Vec<f64> = (0..of_bands)
-            .map(|_| MISSED * normal(&mut random))
-            .collect();
+        let truth: Vec<f64> = (0..of_bands).map(|band| levels.rows[first(band)].level - grown[first(band)]).collect();
+        let drawn: Vec<f64> = (0..of_bands).map(|_| MISSED * normal(&mut random)).collect();
         let missed = levels.missed.as_ref().unwrap().times(&drawn);
         let common: Vec<f64> = (0..10).map(|_| normal(&mut random)).collect();
         let mut measured = levels.measured.clone();
@@ -66,12 +61,7 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
             let more = |band: usize| missed[band] * row.passages / UNIT;
             let level = match row.place {
                 RowPlace::PassBy(site, pass) => {
-                    let PassBys {
-                        rows,
-                        train,
-                        common_error,
-                        ..
-                    } = &measured.pass_bys[site];
+                    let PassBys { rows, train, common_error, .. } = &measured.pass_bys[site];
                     let speed = rows[pass].speed;
                     let radiation = trial.radiation(row.view, speed, &rows[pass].heard);
                     // Each band as the trolley finds it at the same date.
@@ -114,12 +104,7 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
             let (own, other) = (covariance.at(i, i), covariance.at(j, j));
             let scatter = ((own * other + covariance.at(i, j).powi(2)) / DRAWS as f64).sqrt();
             let error = found.at(i, j) - covariance.at(i, j);
-            assert!(
-                error.abs() < 5.0 * scatter,
-                "{i} {j}: {} in place of {}",
-                found.at(i, j),
-                covariance.at(i, j)
-            );
+            assert!(error.abs() < 5.0 * scatter, "{i} {j}: {} in place of {}", found.at(i, j), covariance.at(i, j));
         }
     }
 }

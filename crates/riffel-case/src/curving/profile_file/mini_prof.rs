@@ -13,14 +13,7 @@ use super::written::{Fault, WrittenProfile};
 use crate::file::ProfileKind;
 
 /// Keys that a wheel or a rail alone has, if a value follows.
-const OF_WHEELS: [&str; 6] = [
-    "sd",
-    "sh",
-    "qr",
-    "wheelid",
-    "diameterflange",
-    "diametertaperline",
-];
+const OF_WHEELS: [&str; 6] = ["sd", "sh", "qr", "wheelid", "diameterflange", "diametertaperline"];
 const OF_RAILS: [&str; 5] = ["w1", "w2", "w3", "railaligntype", "railangle"];
 
 /// Whether the first line is that of such a file.
@@ -31,10 +24,7 @@ pub(super) fn is_first_line(line: &str) -> bool {
 }
 
 pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault> {
-    let mut written = WrittenProfile {
-        of_any_orientation: true,
-        ..WrittenProfile::default()
-    };
+    let mut written = WrittenProfile { of_any_orientation: true, ..WrittenProfile::default() };
     let (mut masked, mut announced, mut sections) = (0, None, 0);
     let mut columns = [0, 1];
     let (mut is_head, mut has_keys) = (true, false);
@@ -83,9 +73,7 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
             }
             continue;
         }
-        let cells = line
-            .split([' ', '\t', ',', ';'])
-            .filter(|cell| !cell.is_empty());
+        let cells = line.split([' ', '\t', ',', ';']).filter(|cell| !cell.is_empty());
         let cells: Vec<&str> = cells.collect();
         let of = |column: usize| cells.get(column).and_then(|cell| number_in(cell));
         match (of(columns[0]), of(columns[1])) {
@@ -103,16 +91,10 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
     }
     let count = written.points.len();
     if let Some(announced) = announced.filter(|&announced| announced != count + masked) {
-        written.remarks.push(say!(
-            points_missing,
-            announced = announced,
-            count = count + masked
-        ));
+        written.remarks.push(say!(points_missing, announced = announced, count = count + masked));
     }
     if masked > 0 {
-        written
-            .remarks
-            .push(say!(masked_points_left_out, masked = masked));
+        written.remarks.push(say!(masked_points_left_out, masked = masked));
     }
     match extension {
         "whl" => written.kind = Some(ProfileKind::Wheel),
@@ -125,16 +107,12 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
 
 /// The millimetres of an offset.
 fn offset(line: &str, value: &str, number: usize) -> Result<f64, Fault> {
-    number_in(value)
-        .ok_or_else(|| Fault::at(number, say!(line_without_millimetres, text = clipped(line))))
+    number_in(value).ok_or_else(|| Fault::at(number, say!(line_without_millimetres, text = clipped(line))))
 }
 
 /// Where X and Y are among the columns.
 fn columns_of(definition: &str) -> Option<[usize; 2]> {
-    let names: Vec<String> = definition
-        .split([',', ';'])
-        .map(|name| name.trim().to_uppercase())
-        .collect();
+    let names: Vec<String> = definition.split([',', ';']).map(|name| name.trim().to_uppercase()).collect();
     let of = |name: &str| names.iter().position(|known| known == name);
     Some([of("X")?, of("Y")?])
 }

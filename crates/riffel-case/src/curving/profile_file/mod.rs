@@ -51,13 +51,7 @@ pub struct ProfileReading {
 
 impl Default for ProfileReading {
     fn default() -> Self {
-        Self {
-            kind: None,
-            side: Rail::Right,
-            orientation: None,
-            scatter: None,
-            flange_back: -0.07,
-        }
+        Self { kind: None, side: Rail::Right, orientation: None, scatter: None, flange_back: -0.07 }
     }
 }
 
@@ -65,11 +59,7 @@ impl Default for ProfileReading {
 ///
 /// # Errors
 /// [`CaseError`] with file and line.
-pub fn profile_of(
-    name: &str,
-    folder: &Path,
-    reading: ProfileReading,
-) -> Result<ProfileOfName, CaseError> {
+pub fn profile_of(name: &str, folder: &Path, reading: ProfileReading) -> Result<ProfileOfName, CaseError> {
     match NominalProfile::named(name) {
         Some(nominal) => Ok(ProfileOfName {
             profile: nominal.profile(),
@@ -97,15 +87,10 @@ pub fn profile_of(
 /// [`CaseError`] with file and line.
 pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfName, CaseError> {
     let bytes = text_file::read_bounded(path, "profile", LARGEST)?;
-    let at_fault = |line: Option<usize>, message: Message| CaseError::Data {
-        path: path.to_owned(),
-        line,
-        message,
-        help: None,
-    };
+    let at_fault =
+        |line: Option<usize>, message: Message| CaseError::Data { path: path.to_owned(), line, message, help: None };
     let of_fault = |fault: Fault| at_fault(fault.line, fault.message);
-    let text =
-        text_file::decode(bytes).map_err(|binary| at_fault(Some(binary.line), binary.into()))?;
+    let text = text_file::decode(bytes).map_err(|binary| at_fault(Some(binary.line), binary.into()))?;
     let extension = path.extension().and_then(|extension| extension.to_str());
     let extension = extension.unwrap_or_default().to_lowercase();
     let mut written = of_format(&text, &extension, reading).map_err(of_fault)?;
@@ -117,18 +102,11 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
             };
             return Err(at_fault(None, other));
         }
-        (asked, kind) => asked
-            .or(kind)
-            .unwrap_or_else(|| orientation::kind_by_width(written.width())),
+        (asked, kind) => asked.or(kind).unwrap_or_else(|| orientation::kind_by_width(written.width())),
     };
     check_width(&written).map_err(|message| at_fault(None, message))?;
     orientation::turn(&mut written, reading, kind).map_err(of_fault)?;
-    let WrittenProfile {
-        points,
-        lines,
-        remarks: of_format,
-        ..
-    } = written;
+    let WrittenProfile { points, lines, remarks: of_format, .. } = written;
     let refuse = |error: ProfileError| match &error {
         ProfileError::Point { index, .. } => at_fault(lines.get(*index).copied(), (&error).into()),
         _ => at_fault(None, (&error).into()),
@@ -140,30 +118,19 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
     let Some(scatter) = reading.scatter else {
         let profile = Profile::through(&points).map_err(refuse)?;
         remarks.extend(of_scatter(&name, &points));
-        return Ok(ProfileOfName {
-            profile,
-            kind,
-            remarks,
-        });
+        return Ok(ProfileOfName { profile, kind, remarks });
     };
     let smooth = SmoothedPoints::new(&points, scatter).map_err(refuse)?;
     remarks.extend(of_smoothing(&name, &smooth, &lines));
     // The line of a point that is left: dropped ones are not counted.
-    let left: Vec<usize> = (0..points.len())
-        .filter(|index| smooth.dropped.binary_search(index).is_err())
-        .collect();
+    let left: Vec<usize> = (0..points.len()).filter(|index| smooth.dropped.binary_search(index).is_err()).collect();
     let profile = Profile::through(&smooth.points).map_err(|error| match error {
-        ProfileError::Point { index, fault } => refuse(ProfileError::Point {
-            index: left.get(index).copied().unwrap_or(index),
-            fault,
-        }),
+        ProfileError::Point { index, fault } => {
+            refuse(ProfileError::Point { index: left.get(index).copied().unwrap_or(index), fault })
+        }
         error => refuse(error),
     })?;
-    Ok(ProfileOfName {
-        profile,
-        kind,
-        remarks,
-    })
+    Ok(ProfileOfName { profile, kind, remarks })
 }
 
 /// Why a profile is too wide or too narrow for a wheel or a rail, if it is.
@@ -204,43 +171,25 @@ fn of_smoothing(name: &str, smooth: &SmoothedPoints, lines: &[usize]) -> Vec<Mes
     let mut remarks = Vec::new();
     if let Some(&first) = smooth.dropped.first() {
         let (count, line) = (smooth.dropped.len(), lines[first]);
-        remarks.push(say!(
-            outlying_points_left_out,
-            name = name,
-            count = count,
-            line = line
-        ));
+        remarks.push(say!(outlying_points_left_out, name = name, count = count, line = line));
     }
     let nearest = smooth.points.iter().zip(&smooth.curvature_errors);
     let nearest = nearest.min_by(|one, other| one.0[0].abs().total_cmp(&other.0[0].abs()));
     if let Some((_, error)) = nearest {
-        remarks.push(say!(
-            scatter_of_curvature,
-            name = name,
-            error = fixed(*error, 2)
-        ));
+        remarks.push(say!(scatter_of_curvature, name = name, error = fixed(*error, 2)));
     }
     remarks
 }
 
 /// The points of a text, by its format.
-fn of_format(
-    text: &str,
-    extension: &str,
-    reading: ProfileReading,
-) -> Result<WrittenProfile, Fault> {
+fn of_format(text: &str, extension: &str, reading: ProfileReading) -> Result<WrittenProfile, Fault> {
     if matches!(extension, "slcs" | "slcw") {
         return Err(Fault::of_file(say!(is_list_of_slices)));
     }
-    let first = text
-        .lines()
-        .map(table::without_comment)
-        .find(|line| !line.is_empty());
+    let first = text.lines().map(table::without_comment).find(|line| !line.is_empty());
     let written = match first.unwrap_or_default() {
         line if simpack::is_first_line(line) => simpack::read(text)?,
-        line if vampire::is_first_line(line) => {
-            vampire::read(text, reading.side, 1e3 * reading.flange_back)?
-        }
+        line if vampire::is_first_line(line) => vampire::read(text, reading.side, 1e3 * reading.flange_back)?,
         line if mini_prof::is_first_line(line) => mini_prof::read(text, extension)?,
         _ => table::read(text)?,
     };
@@ -259,11 +208,6 @@ fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Message> {
     let curvature = 6f64.sqrt() * scatter / (step * step);
     let micrometres = 1e6 * scatter;
     (curvature > WORTH_A_REMARK).then(|| {
-        say!(
-            points_scatter,
-            name = name,
-            micrometres = fixed(micrometres, 2),
-            curvature = fixed(curvature, 0)
-        )
+        say!(points_scatter, name = name, micrometres = fixed(micrometres, 2), curvature = fixed(curvature, 0))
     })
 }

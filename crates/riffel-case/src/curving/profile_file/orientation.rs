@@ -22,11 +22,7 @@ const OFF_HEIGHT: f64 = 0.010;
 
 /// Turn the points to x positive to the field side and y upward, as it is asked or as it is found, and put the origin in its
 /// place.
-pub(super) fn turn(
-    written: &mut WrittenProfile,
-    reading: ProfileReading,
-    kind: ProfileKind,
-) -> Result<(), Fault> {
+pub(super) fn turn(written: &mut WrittenProfile, reading: ProfileReading, kind: ProfileKind) -> Result<(), Fault> {
     let default = match written.of_any_orientation {
         true => ProfileOrientation::Found,
         false => ProfileOrientation::AsWritten,
@@ -139,11 +135,7 @@ fn of_wheel(points: &[[f64; 2]]) -> [f64; 2] {
         sum += width * of_flange(y);
         moment += width * of_flange(y) * x;
     }
-    let ends = points
-        .iter()
-        .fold([f64::MAX, f64::MIN], |[low, high], [x, _]| {
-            [low.min(*x), high.max(*x)]
-        });
+    let ends = points.iter().fold([f64::MAX, f64::MIN], |[low, high], [x, _]| [low.min(*x), high.max(*x)]);
     let middle = 0.5 * (ends[0] + ends[1]);
     let outward = if moment > middle * sum { -1.0 } else { 1.0 };
     [outward, -area.signum()]
@@ -155,8 +147,8 @@ fn of_rail(written: &WrittenProfile) -> [f64; 2] {
     let ends = 0.5 * (points[0][1] + points[points.len() - 1][1]);
     let up = if level(points) < ends { -1.0 } else { 1.0 };
     let upright: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, up * y]).collect();
-    let leans_outward = !written.gauge_side_known
-        && matches!(Lean::of(&upright), Some(Lean::Inclined(off)) if off > 0.0);
+    let leans_outward =
+        !written.gauge_side_known && matches!(Lean::of(&upright), Some(Lean::Inclined(off)) if off > 0.0);
     [if leans_outward { -1.0 } else { 1.0 }, up]
 }
 
@@ -220,23 +212,14 @@ fn chord(points: &[[f64; 2]], height: f64) -> Option<[f64; 2]> {
         let crosses = (one[1] - height) * (other[1] - height) <= 0.0 && one[1] != other[1];
         crosses.then(|| one[0] + (height - one[1]) / (other[1] - one[1]) * (other[0] - one[0]))
     });
-    let [low, high] = sides.fold([f64::MAX, f64::MIN], |[low, high], x| {
-        [low.min(x), high.max(x)]
-    });
+    let [low, high] = sides.fold([f64::MAX, f64::MIN], |[low, high], x| [low.min(x), high.max(x)]);
     (high > low).then_some([0.5 * (low + high), high - low])
 }
 
 /// Median of the heights over the width.
 fn level(points: &[[f64; 2]]) -> f64 {
-    let mut chords: Vec<(f64, f64)> = points
-        .windows(2)
-        .map(|pair| {
-            (
-                0.5 * (pair[0][1] + pair[1][1]),
-                (pair[1][0] - pair[0][0]).abs(),
-            )
-        })
-        .collect();
+    let mut chords: Vec<(f64, f64)> =
+        points.windows(2).map(|pair| (0.5 * (pair[0][1] + pair[1][1]), (pair[1][0] - pair[0][0]).abs())).collect();
     chords.sort_by(|one, other| one.0.total_cmp(&other.0));
     let half = 0.5 * chords.iter().map(|(_, width)| width).sum::<f64>();
     let mut sum = 0.0;
@@ -260,25 +243,17 @@ fn changes([across, up]: [f64; 2]) -> Message {
 fn tell_of_rail(written: &mut WrittenProfile, is_found: bool, signs: [f64; 2]) {
     let millimetres = |off: f64| fixed(1e3 * off.abs(), 1);
     let changes = changes(signs);
-    written
-        .remarks
-        .extend(match (is_found, Lean::of(&written.points)) {
-            (true, Some(Lean::Inclined(off))) if off < 0.0 => Some(say!(
-                read_as_leaning_rail,
-                changes = changes,
-                off = millimetres(off)
-            )),
-            (true, Some(Lean::Unclear(off))) if !written.gauge_side_known => Some(say!(
-                read_as_undecided_rail,
-                changes = changes,
-                off = millimetres(off)
-            )),
-            (true, _) => Some(say!(read_as_rail, changes = changes)),
-            (false, Some(Lean::Inclined(off))) if off > 0.0 => {
-                Some(say!(rail_leans_outward, off = millimetres(off)))
-            }
-            (false, _) => None,
-        });
+    written.remarks.extend(match (is_found, Lean::of(&written.points)) {
+        (true, Some(Lean::Inclined(off))) if off < 0.0 => {
+            Some(say!(read_as_leaning_rail, changes = changes, off = millimetres(off)))
+        }
+        (true, Some(Lean::Unclear(off))) if !written.gauge_side_known => {
+            Some(say!(read_as_undecided_rail, changes = changes, off = millimetres(off)))
+        }
+        (true, _) => Some(say!(read_as_rail, changes = changes)),
+        (false, Some(Lean::Inclined(off))) if off > 0.0 => Some(say!(rail_leans_outward, off = millimetres(off))),
+        (false, _) => None,
+    });
 }
 
 /// Move an origin that lies elsewhere to the datum circle or to the crown.
@@ -300,10 +275,7 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
             };
             let mut moved = 0.0;
             if !TIP.contains(&tip) {
-                let back = written
-                    .points
-                    .iter()
-                    .fold(f64::MAX, |least, [x, _]| least.min(*x));
+                let back = written.points.iter().fold(f64::MAX, |least, [x, _]| least.min(*x));
                 if tip - back < BEFORE_TIP {
                     return Err(Fault::of_file(say!(
                         datum_circle_not_known,
@@ -314,18 +286,9 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
                 moved = back + BACK;
                 written.map(|[x, y]| [x - moved, y]);
             }
-            let nearest =
-                |one: &&[f64; 2], other: &&[f64; 2]| one[0].abs().total_cmp(&other[0].abs());
-            let height = written
-                .points
-                .iter()
-                .min_by(nearest)
-                .map_or(0.0, |point| point[1]);
-            let lowered = if height.abs() > OFF_HEIGHT {
-                height
-            } else {
-                0.0
-            };
+            let nearest = |one: &&[f64; 2], other: &&[f64; 2]| one[0].abs().total_cmp(&other[0].abs());
+            let height = written.points.iter().min_by(nearest).map_or(0.0, |point| point[1]);
+            let lowered = if height.abs() > OFF_HEIGHT { height } else { 0.0 };
             written.map(|[x, y]| [x, y - lowered]);
             if moved != 0.0 || lowered != 0.0 {
                 tell_of_origin(written, say!(to_datum_circle), moved, lowered);
@@ -337,10 +300,5 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
 
 fn tell_of_origin(written: &mut WrittenProfile, place: Message, x: f64, y: f64) {
     let millimetres = |length: f64| fixed(1e3 * length, 2);
-    written.remarks.push(say!(
-        origin_moved,
-        place = place,
-        x = millimetres(x),
-        y = millimetres(y)
-    ));
+    written.remarks.push(say!(origin_moved, place = place, x = millimetres(x), y = millimetres(y)));
 }

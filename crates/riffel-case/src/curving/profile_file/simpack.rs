@@ -30,10 +30,7 @@ impl Keys {
             None => Ok(None),
             Some((text, line)) => match number_in(text) {
                 Some(value) => Ok(Some(value)),
-                None => Err(Fault::at(
-                    *line,
-                    say!(value_must_be_number, name = key, value = clipped(text)),
-                )),
+                None => Err(Fault::at(*line, say!(value_must_be_number, name = key, value = clipped(text)))),
             },
         }
     }
@@ -76,10 +73,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
 
 /// The points as they are written, and the keys.
 fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
-    let mut written = WrittenProfile {
-        of_any_orientation: true,
-        ..WrittenProfile::default()
-    };
+    let mut written = WrittenProfile { of_any_orientation: true, ..WrittenProfile::default() };
     // Sections that are open, with the lines of their beginnings.
     let mut open: Vec<(String, usize)> = Vec::new();
     let mut keys = Keys::default();
@@ -115,18 +109,14 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
         } else if let Some((key, value)) = line.split_once('=') {
             let section = open.last().map_or("", |(section, _)| section);
             let key = format!("{section}.{}", key.trim().to_lowercase());
-            keys.0
-                .insert(key, (value.trim().trim_matches('\'').to_owned(), index + 1));
+            keys.0.insert(key, (value.trim().trim_matches('\'').to_owned(), index + 1));
         } else {
             let neither = say!(line_is_no_key, text = clipped(line));
             return Err(Fault::at(index + 1, neither));
         }
     }
     if let Some((section, line)) = open.first() {
-        return Err(Fault::at(
-            *line,
-            say!(section_without_end, section = section),
-        ));
+        return Err(Fault::at(*line, say!(section_without_end, section = section)));
     }
     Ok((written, keys))
 }
@@ -146,14 +136,8 @@ fn transform(written: &mut WrittenProfile, keys: &Keys, per_metre: f64) -> Resul
         [cosine * y - sine * z, sine * y + cosine * z]
     });
     let bounds = [
-        [
-            or("spline.bound.y.min", 0.0)?,
-            or("spline.bound.y.max", 0.0)?,
-        ],
-        [
-            or("spline.bound.z.min", 0.0)?,
-            or("spline.bound.z.max", 0.0)?,
-        ],
+        [or("spline.bound.y.min", 0.0)?, or("spline.bound.y.max", 0.0)?],
+        [or("spline.bound.z.min", 0.0)?, or("spline.bound.z.max", 0.0)?],
     ];
     let inside = |point: &[f64; 2]| {
         let mut axes = point.iter().zip(&bounds);
@@ -161,10 +145,7 @@ fn transform(written: &mut WrittenProfile, keys: &Keys, per_metre: f64) -> Resul
     };
     let kept = written.points.iter().map(inside).collect::<Vec<bool>>();
     keep(written, &kept);
-    let mirrored = [
-        keys.number("spline.mirror.y")?,
-        keys.number("spline.mirror.z")?,
-    ];
+    let mirrored = [keys.number("spline.mirror.y")?, keys.number("spline.mirror.z")?];
     let [across, down] = mirrored.map(|key| if key == Some(1.0) { -1.0 } else { 1.0 });
     // z points downward.
     written.map(|[y, z]| [across * y / per_metre, -down * z / per_metre]);
@@ -190,9 +171,7 @@ fn leave_out_near(written: &mut WrittenProfile, apart: f64) {
 
 fn keep(written: &mut WrittenProfile, kept: &[bool]) {
     let mut of_points = kept.iter();
-    written
-        .points
-        .retain(|_| *of_points.next().unwrap_or(&true));
+    written.points.retain(|_| *of_points.next().unwrap_or(&true));
     let mut of_lines = kept.iter();
     written.lines.retain(|_| *of_lines.next().unwrap_or(&true));
 }

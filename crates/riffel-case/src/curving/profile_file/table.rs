@@ -20,9 +20,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
         if may_be_head && numbers.iter().all(Option::is_none) {
             head = Head::read(&cells).map_err(|rule| Fault::at(index + 1, rule))?;
         } else {
-            let point = head
-                .columns
-                .map(|column| numbers.get(column).copied().flatten());
+            let point = head.columns.map(|column| numbers.get(column).copied().flatten());
             match point {
                 [Some(x), Some(height)] if numbers.len() == head.width => {
                     written.push([x, height], index + 1);
@@ -64,12 +62,10 @@ fn cells_of(line: &str) -> Vec<String> {
     let mark = marks.into_iter().find(is_in_line);
     let blanks: Vec<&str> = line.split_whitespace().collect();
     // Two numbers with decimal commas and a blank between them.
-    let with_commas = matches!(blanks[..], [x, y] if number_in(x).is_some() && number_in(y).is_some() && x.contains(','));
+    let with_commas =
+        matches!(blanks[..], [x, y] if number_in(x).is_some() && number_in(y).is_some() && x.contains(','));
     let delimiter = mark.filter(|_| !with_commas).unwrap_or(Delimiter::Space);
-    let mut cells: Vec<String> = cells(line.as_bytes(), delimiter)
-        .into_iter()
-        .map(label)
-        .collect();
+    let mut cells: Vec<String> = cells(line.as_bytes(), delimiter).into_iter().map(label).collect();
     // A delimiter at the end of a line makes no column.
     while cells.last().is_some_and(String::is_empty) {
         cells.pop();
@@ -81,7 +77,8 @@ fn cells_of(line: &str) -> Vec<String> {
 const ACROSS: &str = "x|lateral|across|quer|querlage|querposition|querkoordinate|horizontal|transverse|transversal|breite|width|\
                       latéral|largeur|abszisse|abscissa";
 /// Words for the height, but for y.
-const UPWARD: &str = "z|h|height|höhe|hoehe|höhenlage|hoehenlage|elevation|vertical|vertikal|hauteur|altura|altezza|ordinate";
+const UPWARD: &str =
+    "z|h|height|höhe|hoehe|höhenlage|hoehenlage|elevation|vertical|vertikal|hauteur|altura|altezza|ordinate";
 
 /// What a head says.
 struct Head {
@@ -95,11 +92,7 @@ struct Head {
 
 impl Default for Head {
     fn default() -> Self {
-        Self {
-            columns: [0, 1],
-            width: 2,
-            unit: None,
-        }
+        Self { columns: [0, 1], width: 2, unit: None }
     }
 }
 
@@ -109,13 +102,9 @@ impl Head {
         let names: Vec<Vec<String>> = cells.iter().map(|cell| words(cell)).collect();
         let first = |column: usize| names[column].first().map_or("", String::as_str);
         let is = |column: usize, known: &str| is_one_of(first(column), known);
-        let numbers_rows = |column: usize| {
-            first(column).is_empty()
-                || is(column, "index|idx|row|line|point|punkt|zeile|nr|no|id|i|n")
-        };
-        let columns: Vec<usize> = (0..cells.len())
-            .filter(|column| !numbers_rows(*column))
-            .collect();
+        let numbers_rows =
+            |column: usize| first(column).is_empty() || is(column, "index|idx|row|line|point|punkt|zeile|nr|no|id|i|n");
+        let columns: Vec<usize> = (0..cells.len()).filter(|column| !numbers_rows(*column)).collect();
         let of = |known: &str| {
             let mut found = columns.iter().copied().filter(|column| is(*column, known));
             found.next().filter(|_| found.next().is_none())
@@ -126,12 +115,8 @@ impl Head {
             (Some(x), Some(height), None) | (Some(x), None, Some(height)) => Some([x, height]),
             (None, Some(y), Some(z)) => Some([y, z]),
             // Of two columns the other, in whatever language.
-            (None, None, Some(z)) if columns.len() == 2 => {
-                Some([columns[usize::from(columns[0] == z)], z])
-            }
-            (Some(x), None, None) if columns.len() == 2 => {
-                Some([x, columns[usize::from(columns[0] == x)]])
-            }
+            (None, None, Some(z)) if columns.len() == 2 => Some([columns[usize::from(columns[0] == z)], z]),
+            (Some(x), None, None) if columns.len() == 2 => Some([x, columns[usize::from(columns[0] == x)]]),
             _ => None,
         };
         let columns = match (by_name, &columns[..]) {
@@ -153,10 +138,6 @@ impl Head {
             }
             _ => units.first().copied(),
         };
-        Ok(Self {
-            columns,
-            width: cells.len(),
-            unit,
-        })
+        Ok(Self { columns, width: cells.len(), unit })
     }
 }

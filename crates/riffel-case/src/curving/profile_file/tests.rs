@@ -22,30 +22,13 @@ fn scatter_is_told_and_smoothed() {
     std::fs::write(&path, text).unwrap();
     let through = read_profile(&path, ProfileReading::default()).unwrap();
     let told = through.remarks[0].to_string();
-    assert!(
-        told.contains("the points scatter by") && told.contains("profiles.scatter"),
-        "{told}"
-    );
-    let smooth = read_profile(
-        &path,
-        ProfileReading {
-            scatter: Some(10e-6),
-            ..ProfileReading::default()
-        },
-    )
-    .unwrap();
+    assert!(told.contains("the points scatter by") && told.contains("profiles.scatter"), "{told}");
+    let smooth = read_profile(&path, ProfileReading { scatter: Some(10e-6), ..ProfileReading::default() }).unwrap();
     let told: Vec<String> = smooth.remarks.iter().map(ToString::to_string).collect();
-    assert!(
-        told[0].contains("1 points far off") && told[0].contains("line 142"),
-        "{told:?}"
-    );
+    assert!(told[0].contains("1 points far off") && told[0].contains("line 142"), "{told:?}");
     assert!(told[1].contains("at x = 0"), "{told:?}");
     let of = |profile: &Profile| profile.at(0.1e-3).unwrap().curvature;
-    assert!(
-        (of(&smooth.profile) + 1.0 / 0.3).abs() < 1.0,
-        "{}",
-        of(&smooth.profile)
-    );
+    assert!((of(&smooth.profile) + 1.0 / 0.3).abs() < 1.0, "{}", of(&smooth.profile));
     assert!((of(&through.profile) + 1.0 / 0.3).abs() > 100.0);
 }
 
@@ -78,10 +61,7 @@ fn every_way_of_writing_is_one_profile() {
         arc(1e3, ",").replace(',', "D+00,").replace('\n', "D+00\n"),
         format!(
             "\"x_mm\";\"y_mm\"\n{}",
-            arc(1e3, "\";\"")
-                .replace('\n', "\"\n\"")
-                .trim_end_matches('"')
-                .replacen("-20", "\"-20", 1)
+            arc(1e3, "\";\"").replace('\n', "\"\n\"").trim_end_matches('"').replacen("-20", "\"-20", 1)
         ),
     ] {
         let point = read(&text).unwrap().at(5e-3).unwrap();
@@ -104,18 +84,13 @@ fn every_way_of_writing_is_one_profile() {
     let mut lines: Vec<String> = arc(1e3, ",").lines().map(str::to_owned).collect();
     lines.swap(9, 14);
     let message = refused(lines.join("\n"));
-    assert!(
-        message.contains("line ") && message.contains("wrong order"),
-        "{message}"
-    );
+    assert!(message.contains("line ") && message.contains("wrong order"), "{message}");
     assert!(refused("1,2\n3,4\n".to_owned()).contains("8 points or more"));
 }
 
 /// A file of the test data.
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/profiles")
-        .join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/profiles").join(name)
 }
 
 /// 60E1 and S1002 in each format are the nominal profiles. 2 µm: the points have tenths of a micrometre, and splines through points a
@@ -132,10 +107,7 @@ fn every_format_is_one_profile() {
     ] {
         let nominal = NominalProfile::named(nominal).unwrap().profile();
         for side in Rail::BOTH {
-            let reading = ProfileReading {
-                side,
-                ..ProfileReading::default()
-            };
+            let reading = ProfileReading { side, ..ProfileReading::default() };
             let read = read_profile(&file(name), reading).unwrap();
             assert_eq!(read.kind, kind, "{name}");
             let places = match kind {
@@ -160,50 +132,24 @@ fn orientation_is_found_or_asked() {
         told.join("\n")
     };
     for (name, words) in [
-        (
-            "rail.ban",
-            "upside down; x below zero is taken as the gauge side",
-        ),
+        ("rail.ban", "upside down; x below zero is taken as the gauge side"),
         ("rail.ban", "2 points that were masked"),
         ("wheel.whl", "moved to the datum circle, by x = 70.00 mm"),
         ("rail.rai", "moved to the crown, by x = 753.50 mm"),
-        (
-            "rail.rai",
-            "the gauge of the file is 1435.0 mm, 14.0 mm below",
-        ),
-        (
-            "wheel.whe",
-            "the flange backs of the file are 1360.0 mm apart",
-        ),
+        ("rail.rai", "the gauge of the file is 1435.0 mm, 14.0 mm below"),
+        ("wheel.whe", "the flange backs of the file are 1360.0 mm apart"),
         ("wheel.prw", "its coordinates stand as they should"),
     ] {
         assert!(told(name).contains(words), "{name}: {}", told(name));
     }
     let asked = |name: &str, orientation, kind| {
-        let reading = ProfileReading {
-            orientation: Some(orientation),
-            kind,
-            ..ProfileReading::default()
-        };
+        let reading = ProfileReading { orientation: Some(orientation), kind, ..ProfileReading::default() };
         read_profile(&file(name), reading)
     };
     let mirrored = asked("rail.prr", ProfileOrientation::Mirrored, None).unwrap();
-    assert!(
-        (mirrored.profile.range()[0] + 36.77e-3).abs() < 1e-4,
-        "{:?}",
-        mirrored.profile.range()
-    );
-    let refused = asked(
-        "rail.prr",
-        ProfileOrientation::Found,
-        Some(ProfileKind::Wheel),
-    )
-    .err()
-    .unwrap();
-    assert!(
-        refused.to_string().contains("a wheel is asked for"),
-        "{refused}"
-    );
+    assert!((mirrored.profile.range()[0] + 36.77e-3).abs() < 1e-4, "{:?}", mirrored.profile.range());
+    let refused = asked("rail.prr", ProfileOrientation::Found, Some(ProfileKind::Wheel)).err().unwrap();
+    assert!(refused.to_string().contains("a wheel is asked for"), "{refused}");
     // A table is taken as written, and turned if that is asked.
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wheel.txt");
@@ -211,13 +157,7 @@ fn orientation_is_found_or_asked() {
     let text: String = nominal
         .sampled(1e-3)
         .iter()
-        .map(|point| {
-            format!(
-                "{} {} # towards the middle of the track, down\n",
-                -1e3 * point.x,
-                -1e3 * point.height
-            )
-        })
+        .map(|point| format!("{} {} # towards the middle of the track, down\n", -1e3 * point.x, -1e3 * point.height))
         .collect();
     std::fs::write(&path, text).unwrap();
     for (orientation, is_nominal) in [
@@ -226,10 +166,7 @@ fn orientation_is_found_or_asked() {
         (Some(ProfileOrientation::Turned), true),
         (Some(ProfileOrientation::Found), true),
     ] {
-        let reading = ProfileReading {
-            orientation,
-            ..ProfileReading::default()
-        };
+        let reading = ProfileReading { orientation, ..ProfileReading::default() };
         let read = read_profile(&path, reading).unwrap().profile;
         let off = read.at(-30e-3).unwrap().height - nominal.at(-30e-3).unwrap().height;
         assert_eq!(off.abs() < 1e-5, is_nominal, "{orientation:?}: {off}");
@@ -256,9 +193,7 @@ fn remarks_stand_in_files_of_simpack() {
 fn assert_german(error: &CaseError) -> String {
     let german = error.message().text(Language::German);
     assert_ne!(german, error.message().text(Language::English));
-    for english in [
-        " the ", " is ", " and ", " are ", " but ", " must ", " has ", " or ", " of ",
-    ] {
+    for english in [" the ", " is ", " and ", " are ", " but ", " must ", " has ", " or ", " of "] {
         assert!(!german.contains(english), "{english} in: {german}");
     }
     german
@@ -272,87 +207,21 @@ fn wrong_profiles_are_refused_in_german() {
         let row = |x: i32| format!("{},{}\n", across * f64::from(x), -f64::from(x * x) / 600.0);
         (-30..=30).map(row).collect()
     };
-    let wheel = ProfileReading {
-        kind: Some(ProfileKind::Wheel),
-        ..ProfileReading::default()
-    };
-    let smooth = ProfileReading {
-        scatter: Some(-1e-5),
-        ..ProfileReading::default()
-    };
+    let wheel = ProfileReading { kind: Some(ProfileKind::Wheel), ..ProfileReading::default() };
+    let smooth = ProfileReading { scatter: Some(-1e-5), ..ProfileReading::default() };
     for (name, text, reading, german) in [
-        (
-            "a.csv",
-            "1,2\nx,3\n".to_owned(),
-            ProfileReading::default(),
-            "ist kein Zahlenpaar x, y",
-        ),
-        (
-            "a.csv",
-            "1,2,3\n".to_owned(),
-            ProfileReading::default(),
-            "es gibt 3 Spalten, ein Profil",
-        ),
-        (
-            "a.csv",
-            "x_um,y_um\n1,2\n".to_owned(),
-            ProfileReading::default(),
-            "der Kopf sagt um:",
-        ),
-        (
-            "a.csv",
-            "x_mm,y_m\n1,2\n".to_owned(),
-            ProfileReading::default(),
-            "verschiedene Einheiten",
-        ),
-        (
-            "a.csv",
-            "1,2\n3,4\n".to_owned(),
-            ProfileReading::default(),
-            "braucht mindestens 8 Punkte",
-        ),
-        (
-            "a.csv",
-            format!("x_m,y_m\n{}", points(1.0)),
-            ProfileReading::default(),
-            "60,0000 m breit, breiter",
-        ),
-        (
-            "a.csv",
-            format!("x_mm,y_mm\n{}", points(0.01)),
-            ProfileReading::default(),
-            "0,600 mm breit, schmaler",
-        ),
-        (
-            "a.csv",
-            points(1.0).replacen("-20,", "-26,", 1),
-            ProfileReading::default(),
-            "quer zum Gleis um",
-        ),
-        (
-            "a.csv",
-            points(1.0),
-            smooth,
-            "die Streuung der Punkte ist -0,00001 m",
-        ),
-        (
-            "a.ban",
-            format!("X=1\n\n{}", points(1.0)),
-            wheel,
-            "verlangt ist aber ein Rad",
-        ),
-        (
-            "a.slcs",
-            "0 1 2\n".to_owned(),
-            ProfileReading::default(),
-            "eine Liste von Schnitten",
-        ),
-        (
-            "a.csv",
-            "\u{89}HDF\0\0".to_owned(),
-            ProfileReading::default(),
-            "die Datei ist binär",
-        ),
+        ("a.csv", "1,2\nx,3\n".to_owned(), ProfileReading::default(), "ist kein Zahlenpaar x, y"),
+        ("a.csv", "1,2,3\n".to_owned(), ProfileReading::default(), "es gibt 3 Spalten, ein Profil"),
+        ("a.csv", "x_um,y_um\n1,2\n".to_owned(), ProfileReading::default(), "der Kopf sagt um:"),
+        ("a.csv", "x_mm,y_m\n1,2\n".to_owned(), ProfileReading::default(), "verschiedene Einheiten"),
+        ("a.csv", "1,2\n3,4\n".to_owned(), ProfileReading::default(), "braucht mindestens 8 Punkte"),
+        ("a.csv", format!("x_m,y_m\n{}", points(1.0)), ProfileReading::default(), "60,0000 m breit, breiter"),
+        ("a.csv", format!("x_mm,y_mm\n{}", points(0.01)), ProfileReading::default(), "0,600 mm breit, schmaler"),
+        ("a.csv", points(1.0).replacen("-20,", "-26,", 1), ProfileReading::default(), "quer zum Gleis um"),
+        ("a.csv", points(1.0), smooth, "die Streuung der Punkte ist -0,00001 m"),
+        ("a.ban", format!("X=1\n\n{}", points(1.0)), wheel, "verlangt ist aber ein Rad"),
+        ("a.slcs", "0 1 2\n".to_owned(), ProfileReading::default(), "eine Liste von Schnitten"),
+        ("a.csv", "\u{89}HDF\0\0".to_owned(), ProfileReading::default(), "die Datei ist binär"),
     ] {
         let path = folder.path().join(name);
         std::fs::write(&path, &text).unwrap();
@@ -380,63 +249,21 @@ fn broken_files_are_refused_with_their_line() {
         }
     };
     for (name, from, to, words) in [
-        (
-            "rail.prr",
-            "spline.end",
-            "",
-            "line 5: spline.begin has no spline.end",
-        ),
-        (
-            "rail.prr",
-            "units.len.f = 1000.",
-            "units.len.f = mm",
-            "line 6: spline.units.len.f is \"mm\"",
-        ),
-        (
-            "rail.prr",
-            "0.00000   -0.00000",
-            "0.00000",
-            "is not a point y z",
-        ),
-        (
-            "rail.prr",
-            "header.begin",
-            "spline.begin\nnonsense.begin",
-            "line 2: \"nonsense.begin\" is no section",
-        ),
-        (
-            "rail.ban",
-            "ColumnDef=X,Y",
-            "ColumnDef=A,B",
-            "line 5: ColumnDef is \"A,B\"",
-        ),
-        (
-            "wheel.whl",
-            "0.0000,",
-            "zero,",
-            "line 6: \"zero,   -5.0000, 0.0\" has no numbers X and Y",
-        ),
-        (
-            "wheel.whe",
-            "TREADDATUM EUROPEAN",
-            "TREADDATUM TRAM",
-            "line 3: TREADDATUM is \"TRAM\"",
-        ),
-        (
-            "rail.rai",
-            "GAUGE 1435.0",
-            "GAUGE 1435.0\n1 2 3",
-            "line 5: \"1 2 3\" is not y and z of both sides",
-        ),
+        ("rail.prr", "spline.end", "", "line 5: spline.begin has no spline.end"),
+        ("rail.prr", "units.len.f = 1000.", "units.len.f = mm", "line 6: spline.units.len.f is \"mm\""),
+        ("rail.prr", "0.00000   -0.00000", "0.00000", "is not a point y z"),
+        ("rail.prr", "header.begin", "spline.begin\nnonsense.begin", "line 2: \"nonsense.begin\" is no section"),
+        ("rail.ban", "ColumnDef=X,Y", "ColumnDef=A,B", "line 5: ColumnDef is \"A,B\""),
+        ("wheel.whl", "0.0000,", "zero,", "line 6: \"zero,   -5.0000, 0.0\" has no numbers X and Y"),
+        ("wheel.whe", "TREADDATUM EUROPEAN", "TREADDATUM TRAM", "line 3: TREADDATUM is \"TRAM\""),
+        ("rail.rai", "GAUGE 1435.0", "GAUGE 1435.0\n1 2 3", "line 5: \"1 2 3\" is not y and z of both sides"),
     ] {
         let message = refused(name, from, to);
         assert!(message.contains(words), "{name}: {message}");
     }
     let slices = folder.path().join("rail.slcs");
     std::fs::write(&slices, "0 1 2\n").unwrap();
-    let error = read_profile(&slices, ProfileReading::default())
-        .err()
-        .unwrap();
+    let error = read_profile(&slices, ProfileReading::default()).err().unwrap();
     assert!(error.to_string().contains("list of slices"), "{error}");
 }
 
@@ -446,34 +273,23 @@ fn closed_and_crossing_outlines_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("rail.csv");
     let refused = |points: &[(f64, f64)]| {
-        let text: String = points
-            .iter()
-            .map(|(x, y)| format!("{x:.4},{y:.4}\n"))
-            .collect();
+        let text: String = points.iter().map(|(x, y)| format!("{x:.4},{y:.4}\n")).collect();
         std::fs::write(&path, format!("x_mm,y_mm\n{text}")).unwrap();
         let refused = read_profile(&path, ProfileReading::default());
         let error = refused.err().unwrap();
         assert_german(&error);
         error.to_string()
     };
-    let head: Vec<(f64, f64)> = (-30..=30)
-        .map(|x| (f64::from(x), -f64::from(x * x) / 600.0))
-        .collect();
+    let head: Vec<(f64, f64)> = (-30..=30).map(|x| (f64::from(x), -f64::from(x * x) / 600.0)).collect();
     let mut closed = head.clone();
     closed.extend((-30..=30).map(|x| (f64::from(-x), -40.0)));
     closed.push((-30.0, -1.6));
     let message = refused(&closed);
-    assert!(
-        message.contains("line 124") && message.contains("closes here"),
-        "{message}"
-    );
+    assert!(message.contains("line 124") && message.contains("closes here"), "{message}");
     let mut crossing = head;
     crossing.extend([(20.0, -2.0), (10.0, 1.0)]);
     let message = refused(&crossing);
-    assert!(
-        message.contains("line 6") && message.contains("crosses"),
-        "{message}"
-    );
+    assert!(message.contains("line 6") && message.contains("crosses"), "{message}");
 }
 
 /// A wheel of MiniProf 5 mm off its datum circle is put there by XOffset, unless its flange back shows that it is there already;
@@ -484,13 +300,8 @@ fn offsets_of_a_file_are_added() {
     let folder = tempfile::tempdir().unwrap();
     let read = |off: f64, head: &str| {
         let points = nominal.sampled(2.5e-4);
-        let rows = points
-            .iter()
-            .map(|point| format!("{:.4}\t{:.4}\n", 1e3 * point.x - off, 1e3 * point.height));
-        let text = format!(
-            "Filename=x.whl\n{head}ColumnDef=X,Y\n\n{}",
-            rows.collect::<String>()
-        );
+        let rows = points.iter().map(|point| format!("{:.4}\t{:.4}\n", 1e3 * point.x - off, 1e3 * point.height));
+        let text = format!("Filename=x.whl\n{head}ColumnDef=X,Y\n\n{}", rows.collect::<String>());
         let path = folder.path().join("x.whl");
         std::fs::write(&path, text).unwrap();
         let read = read_profile(&path, ProfileReading::default()).unwrap();
@@ -499,29 +310,17 @@ fn offsets_of_a_file_are_added() {
         (height - nominal.at(-30e-3).unwrap().height, told.join("\n"))
     };
     let (off, told) = read(5.0, "XOffset=5.0\nYOffset=0.0\n");
-    assert!(
-        off.abs() < 1e-6 && told.contains("are added, 5.00 mm"),
-        "{off} {told}"
-    );
+    assert!(off.abs() < 1e-6 && told.contains("are added, 5.00 mm"), "{off} {told}");
     let (off, told) = read(0.0, "XOffset=5.0\n");
-    assert!(
-        off.abs() < 1e-6 && told.contains("is left out"),
-        "{off} {told}"
-    );
+    assert!(off.abs() < 1e-6 && told.contains("is left out"), "{off} {told}");
     let (off, told) = read(5.0, "");
-    assert!(
-        off.abs() > 1e-4 && told.contains("the wheel stands 4.9 mm off"),
-        "{off} {told}"
-    );
+    assert!(off.abs() > 1e-4 && told.contains("the wheel stands 4.9 mm off"), "{off} {told}");
     let (_, told) = read(0.4, "");
     assert!(!told.contains("flange back"), "{told}");
     let bad = folder.path().join("bad.whl");
     std::fs::write(&bad, "XOffset=five\nColumnDef=X,Y\n\n0 0\n").unwrap();
     let refused = read_profile(&bad, ProfileReading::default()).err().unwrap();
-    assert!(
-        refused.to_string().contains("no number in millimetres"),
-        "{refused}"
-    );
+    assert!(refused.to_string().contains("no number in millimetres"), "{refused}");
 }
 
 /// Whatever datum a file of Vampire names, the wheel stands where its flange back says.
@@ -531,12 +330,10 @@ fn a_tread_datum_does_not_move_the_wheel() {
     assert!(text.contains("TREADDATUM"));
     let folder = tempfile::tempdir().unwrap();
     let read = |datum: &str| {
-        let lines = text
-            .lines()
-            .map(|line| match line.starts_with("TREADDATUM") {
-                true => format!("TREADDATUM {datum}\n"),
-                false => format!("{line}\n"),
-            });
+        let lines = text.lines().map(|line| match line.starts_with("TREADDATUM") {
+            true => format!("TREADDATUM {datum}\n"),
+            false => format!("{line}\n"),
+        });
         let path = folder.path().join("wheel.whe");
         std::fs::write(&path, lines.collect::<String>()).unwrap();
         let read = read_profile(&path, ProfileReading::default()).unwrap();
@@ -547,10 +344,7 @@ fn a_tread_datum_does_not_move_the_wheel() {
     for (datum, place) in [("US1", "72.23"), ("US2", "77.79"), ("65", "65.00")] {
         let (height, told) = read(datum);
         assert_eq!(height, european, "{datum}");
-        assert!(
-            told.contains(&format!("its tread datum lies {place} mm")),
-            "{told}"
-        );
+        assert!(told.contains(&format!("its tread datum lies {place} mm")), "{told}");
     }
     assert!(!plain.contains("tread datum"), "{plain}");
 }
@@ -565,17 +359,12 @@ fn an_inclined_rail_shows_its_gauge_side() {
         // Turned inward: the head leans to x below zero.
         let points = nominal.turned(slope.atan()).sampled(2.5e-4).into_iter();
         let kept = points.filter(|point| point.x > nominal.range()[0] + worn);
-        let mut rows: Vec<String> = kept
-            .map(|point| format!("{:.4} {:.4}\n", 1e3 * side * point.x, 1e3 * point.height))
-            .collect();
+        let mut rows: Vec<String> =
+            kept.map(|point| format!("{:.4} {:.4}\n", 1e3 * side * point.x, 1e3 * point.height)).collect();
         if side < 0.0 {
             rows.reverse();
         }
-        let head = if name.ends_with("ban") {
-            "Filename=x\nColumnDef=X,Y\n\n"
-        } else {
-            ""
-        };
+        let head = if name.ends_with("ban") { "Filename=x\nColumnDef=X,Y\n\n" } else { "" };
         let path = folder.path().join(name);
         std::fs::write(&path, format!("{head}{}", rows.concat())).unwrap();
         let read = read_profile(&path, ProfileReading::default()).unwrap();
@@ -584,10 +373,7 @@ fn an_inclined_rail_shows_its_gauge_side() {
     };
     for slope in [1.0 / 40.0, 1.0 / 20.0] {
         let (as_it_is, told) = read("x.ban", slope, 1.0, 0.0);
-        assert!(
-            told.contains("stand as they should; its head leans by"),
-            "{told}"
-        );
+        assert!(told.contains("stand as they should; its head leans by"), "{told}");
         let (turned, told) = read("x.ban", slope, -1.0, 0.0);
         assert!((turned - as_it_is).abs() < 1e-6, "{turned} {as_it_is}");
         assert!(told.contains("are mirrored; its head leans by"), "{told}");
@@ -598,10 +384,7 @@ fn an_inclined_rail_shows_its_gauge_side() {
     }
     for worn in [0.0, 5e-3] {
         let (_, told) = read("x.ban", 0.0, 1.0, worn);
-        assert!(
-            told.contains("x below zero is taken as the gauge side"),
-            "{told}"
-        );
+        assert!(told.contains("x below zero is taken as the gauge side"), "{told}");
     }
 }
 
@@ -615,10 +398,7 @@ fn gaps_are_told() {
     };
     let told = of_gaps("w", &points(|x| !(-0.045..-0.02).contains(&x), 0.25e-3));
     let told = told.unwrap().to_string();
-    assert!(
-        told.contains("no points across -45.") && told.contains("to -20.0 mm"),
-        "{told}"
-    );
+    assert!(told.contains("no points across -45.") && told.contains("to -20.0 mm"), "{told}");
     assert_eq!(of_gaps("w", &points(|_| true, 0.25e-3)), None);
     assert_eq!(of_gaps("w", &points(|_| true, 8e-3)), None);
 }
@@ -635,8 +415,7 @@ fn columns_are_found_by_their_names() {
         });
         std::fs::write(&path, format!("{head}\n{}", rows.collect::<String>())).unwrap();
         let read = read_profile(&path, ProfileReading::default());
-        read.map(|read| read.profile.at(5e-3).unwrap().height)
-            .map_err(|error| error.to_string())
+        read.map(|read| read.profile.at(5e-3).unwrap().height).map_err(|error| error.to_string())
     };
     let there = |_: usize, across: f64, up: f64| format!("{across},{up}");
     let back = |_: usize, across: f64, up: f64| format!("{up},{across}");
@@ -666,11 +445,7 @@ fn columns_are_found_by_their_names() {
     }
     let four = "y_left_mm,z_left_mm,y_right_mm,z_right_mm";
     for (head, row, says) in [
-        (
-            four,
-            &twice as &dyn Fn(usize, f64, f64) -> String,
-            "line 1: there are 4 columns",
-        ),
+        (four, &twice as &dyn Fn(usize, f64, f64) -> String, "line 1: there are 4 columns"),
         ("# no head", &twice, "line 2: there are 4 columns"),
         ("x_mm,y_mm,z_mm", &numbered, "line 1: there are 3 columns"),
         ("# no head", &numbered, "line 2: there are 3 columns"),
@@ -706,12 +481,8 @@ fn a_head_shows_its_gauge_side() {
         let face = nominal.range()[0] + worn;
         let outline = nominal.along([1e-4, 2.5e-4, 5e-4][(3.0 * drawn()) as usize]);
         let kept = outline.iter().filter(|point| worn == 0.0 || point.x > face);
-        let kept: Vec<[f64; 2]> = kept
-            .map(|point| [point.x, point.height.min(flat)])
-            .collect();
-        let below = (0..40)
-            .rev()
-            .map(|step| [face, kept[0][1] - 2.5e-4 * f64::from(step + 1)]);
+        let kept: Vec<[f64; 2]> = kept.map(|point| [point.x, point.height.min(flat)]).collect();
+        let below = (0..40).rev().map(|step| [face, kept[0][1] - 2.5e-4 * f64::from(step + 1)]);
         let below: Vec<[f64; 2]> = below.filter(|_| worn > 0.0).collect();
         let side = if drawn() < 0.5 { 1.0 } else { -1.0 };
         let rows: Vec<String> = (below.iter().chain(&kept))
@@ -723,10 +494,7 @@ fn a_head_shows_its_gauge_side() {
         let is_mirrored = |rows: &[String]| {
             let text = format!("Filename=x\nColumnDef=X,Y\n\n{}", rows.concat());
             std::fs::write(&path, text).unwrap();
-            let reading = ProfileReading {
-                scatter: Some(20e-6),
-                ..ProfileReading::default()
-            };
+            let reading = ProfileReading { scatter: Some(20e-6), ..ProfileReading::default() };
             let read = read_profile(&path, reading).unwrap();
             let told: String = read.remarks.iter().map(ToString::to_string).collect();
             (told.contains("are mirrored"), told.contains("leans by"))
@@ -765,20 +533,12 @@ fn a_head_that_leans_too_far_is_undecided() {
         [x.copysign(f64::from(index)), height]
     };
     let points: Vec<[f64; 2]> = (-170..=170).map(place).collect();
-    let rail = Profile::through(
-        &points
-            .iter()
-            .map(|point| point.map(|it| 1e-3 * it))
-            .collect::<Vec<_>>(),
-    );
+    let rail = Profile::through(&points.iter().map(|point| point.map(|it| 1e-3 * it)).collect::<Vec<_>>());
     let rows = rail.unwrap().turned(0.05).along(2.5e-4).into_iter();
     let rows = rows.map(|point| format!("{:.4} {:.4}\n", 1e3 * point.x, 1e3 * point.height));
     let text = format!("Filename=x\nColumnDef=X,Y\n\n{}", rows.collect::<String>());
     std::fs::write(&path, text).unwrap();
     let read = read_profile(&path, ProfileReading::default()).unwrap();
     let told: String = read.remarks.iter().map(ToString::to_string).collect();
-    assert!(
-        told.contains("leans by 24.") && told.contains("is undecided"),
-        "{told}"
-    );
+    assert!(told.contains("leans by 24.") && told.contains("is undecided"), "{told}");
 }

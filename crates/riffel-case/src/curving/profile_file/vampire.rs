@@ -32,15 +32,8 @@ fn kind_of(line: &str) -> Option<ProfileKind> {
 /// `flange_back` \[mm\] is where the flange back lies in the coordinates of a wheel, by which it is placed on its axle; heights are
 /// from the file's own datum.
 pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenProfile, Fault> {
-    let mut written = WrittenProfile {
-        of_any_orientation: true,
-        gauge_side_known: true,
-        ..WrittenProfile::default()
-    };
-    let mut lines = text
-        .lines()
-        .enumerate()
-        .map(|(index, line)| (index + 1, line.trim()));
+    let mut written = WrittenProfile { of_any_orientation: true, gauge_side_known: true, ..WrittenProfile::default() };
+    let mut lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
     let first = lines.find(|(_, line)| !line.is_empty());
     written.kind = first.and_then(|(_, line)| kind_of(line));
     // The title.
@@ -52,11 +45,8 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
         if text.is_empty() {
             continue;
         }
-        let numbers: Vec<Option<f64>> = text
-            .split([' ', '\t', ','])
-            .filter(|cell| !cell.is_empty())
-            .map(number_in)
-            .collect();
+        let numbers: Vec<Option<f64>> =
+            text.split([' ', '\t', ',']).filter(|cell| !cell.is_empty()).map(number_in).collect();
         match numbers[..] {
             [Some(left), Some(left_z), Some(right), Some(right_z), ..] => {
                 let point = match side {
@@ -77,12 +67,7 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
         let value = value.trim();
         let asked = || {
             let number = value.rsplit([' ', '\t']).next().and_then(number_in);
-            number.ok_or_else(|| {
-                Fault::at(
-                    line,
-                    say!(value_not_known, name = key, value = clipped(value)),
-                )
-            })
+            number.ok_or_else(|| Fault::at(line, say!(value_not_known, name = key, value = clipped(value))))
         };
         match key {
             "TREADDATUM" => {
@@ -112,32 +97,17 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
 }
 
 /// Put the origin of a wheel where its flange back says, and tell of the gauge of rails; all in millimetres.
-fn place(
-    written: &mut WrittenProfile,
-    datum: Option<f64>,
-    distance: Option<f64>,
-    flange_back: f64,
-) {
+fn place(written: &mut WrittenProfile, datum: Option<f64>, distance: Option<f64>, flange_back: f64) {
     let Some(distance) = distance else { return };
     if written.kind != Some(ProfileKind::Wheel) {
         let depth = datum.unwrap_or(14.0);
-        written.remarks.push(say!(
-            gauge_of_file,
-            distance = fixed(distance, 1),
-            depth = fixed(depth, 1)
-        ));
+        written.remarks.push(say!(gauge_of_file, distance = fixed(distance, 1), depth = fixed(depth, 1)));
         return;
     }
     let origin = 0.5 * distance - flange_back;
     written.map(|[y, z]| [y - origin, z]);
-    written
-        .remarks
-        .push(say!(flange_backs_apart, distance = fixed(distance, 1)));
+    written.remarks.push(say!(flange_backs_apart, distance = fixed(distance, 1)));
     if let Some(datum) = datum.filter(|datum| (datum + flange_back).abs() > 0.05) {
-        written.remarks.push(say!(
-            tread_datum_elsewhere,
-            datum = fixed(datum, 2),
-            origin = fixed(-flange_back, 2)
-        ));
+        written.remarks.push(say!(tread_datum_elsewhere, datum = fixed(datum, 2), origin = fixed(-flange_back, 2)));
     }
 }

@@ -18,17 +18,11 @@ pub(super) struct Fault {
 
 impl Fault {
     pub(super) fn at(line: usize, message: Message) -> Self {
-        Self {
-            line: Some(line),
-            message,
-        }
+        Self { line: Some(line), message }
     }
 
     pub(super) fn of_file(message: Message) -> Self {
-        Self {
-            line: None,
-            message,
-        }
+        Self { line: None, message }
     }
 }
 

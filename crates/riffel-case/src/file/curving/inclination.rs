@@ -30,8 +30,7 @@ impl Serialize for Inclination {
 impl<'de> Deserialize<'de> for Inclination {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = Cow::<str>::deserialize(deserializer)?;
-        Self::read(&text)
-            .map_err(|rule| de::Error::custom(format!("is \"{text}\", but must be {rule}")))
+        Self::read(&text).map_err(|rule| de::Error::custom(format!("is \"{text}\", but must be {rule}")))
     }
 }
 
@@ -44,9 +43,7 @@ impl Inclination {
         if text == "none" {
             return Ok(Self { slope: 0.0 });
         }
-        let run = text
-            .strip_prefix("1:")
-            .and_then(|run| run.trim().parse::<f64>().ok());
+        let run = text.strip_prefix("1:").and_then(|run| run.trim().parse::<f64>().ok());
         match run.filter(|run| run.abs() >= 5.0) {
             Some(run) => Ok(Self { slope: 1.0 / run }),
             None => Err("\"none\" or as in \"1:40\", 1:5 at the steepest".to_owned()),

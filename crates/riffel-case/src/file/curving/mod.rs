@@ -226,10 +226,9 @@ impl Profiles {
         match &self.rail {
             None => {}
             Some(RailProfiles::Both(rail)) => names.push(("profiles.rail", rail)),
-            Some(RailProfiles::Each(rails)) => names.extend([
-                ("profiles.rail.left", &*rails.left),
-                ("profiles.rail.right", &*rails.right),
-            ]),
+            Some(RailProfiles::Each(rails)) => {
+                names.extend([("profiles.rail.left", &*rails.left), ("profiles.rail.right", &*rails.right)])
+            }
         }
         names
     }

@@ -50,8 +50,7 @@ impl<'de> Deserialize<'de> for RailFriction {
             }
 
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
-                Quantity::deserialize(de::value::F64Deserializer::new(value))
-                    .map(RailFriction::Both)
+                Quantity::deserialize(de::value::F64Deserializer::new(value)).map(RailFriction::Both)
             }
 
             fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
@@ -63,8 +62,7 @@ impl<'de> Deserialize<'de> for RailFriction {
             }
 
             fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
-                FrictionOfRails::deserialize(MapAccessDeserializer::new(map))
-                    .map(RailFriction::Each)
+                FrictionOfRails::deserialize(MapAccessDeserializer::new(map)).map(RailFriction::Each)
             }
         }
 

@@ -43,8 +43,7 @@ impl<'de> Deserialize<'de> for RailProfiles {
             }
 
             fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
-                RailProfilesByRail::deserialize(MapAccessDeserializer::new(map))
-                    .map(RailProfiles::Each)
+                RailProfilesByRail::deserialize(MapAccessDeserializer::new(map)).map(RailProfiles::Each)
             }
         }
 

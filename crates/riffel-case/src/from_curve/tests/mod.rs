@@ -40,14 +40,8 @@ fn numbers_are_those_of_the_curve() {
                 ),
                 format!("{table}.contact_angle={:e} rad", wheel.contact_angle),
                 format!("{table}.normal_load={:e}", wheel.normal_force),
-                format!(
-                    "{table}.longitudinal_radius={:e}",
-                    wheel.rolling_radius / wheel.contact_angle.cos()
-                ),
-                format!(
-                    "{table}.transverse_radius={:e}",
-                    wheel.lateral_curvature.unwrap().recip()
-                ),
+                format!("{table}.longitudinal_radius={:e}", wheel.rolling_radius / wheel.contact_angle.cos()),
+                format!("{table}.transverse_radius={:e}", wheel.lateral_curvature.unwrap().recip()),
             ]
         };
         let mut keys = typed("contact", &state.wheels[index]);
@@ -83,10 +77,7 @@ fn a_patch_wider_than_the_band_is_told() {
     for case in [own, other] {
         let contact = &case.feedback.contacts()[0];
         assert_eq!(contact.wear.width(), 2.0 * case.hertz.semi_axis_lateral());
-        let told = case
-            .remarks
-            .iter()
-            .any(|remark| remark.id() == "band-narrower-than-contact");
+        let told = case.remarks.iter().any(|remark| remark.id() == "band-narrower-than-contact");
         assert!(told, "{:?}", case.remarks);
         case.sensitivities(0.06, 12.5).unwrap();
     }
@@ -113,21 +104,14 @@ fn the_place_on_the_rail_is_filled_in() {
         let off = angle - contact.contact_angle.unwrap().si();
         assert!(off.abs() < 2e-3, "{side}: {off:e}");
         let radius = contact.conformity.unwrap().rail_radius.si();
-        assert!(
-            (radius + there.curvature.recip()).abs() < 1e-6,
-            "{side}: {radius}"
-        );
+        assert!((radius + there.curvature.recip()).abs() < 1e-6, "{side}: {radius}");
         let opposite = case.file.opposite_contact.as_ref().unwrap();
         assert!(opposite.lateral_offset.is_some() && opposite.rail_radius.is_some());
     }
     let written = case(&["contact.lateral_offset=12 mm"]).unwrap();
     assert_eq!(written.file.contact.lateral_offset.unwrap().si(), 0.012);
     let told: Vec<String> = written.remarks.iter().map(ToString::to_string).collect();
-    assert!(
-        told.iter()
-            .any(|remark| remark.contains("contact.lateral_offset")),
-        "{told:?}"
-    );
+    assert!(told.iter().any(|remark| remark.contains("contact.lateral_offset")), "{told:?}");
 }
 
 /// A curve to the left is its mirror image, with a wheelset and with a lone wheel.
@@ -145,11 +129,8 @@ fn a_mirrored_curve_grows_alike() {
         std::fs::write(place.path().join("curve.toml"), text).unwrap();
         let nominal = std::fs::read_to_string(folder.join("nominal.toml")).unwrap();
         std::fs::write(place.path().join("lone.toml"), nominal).unwrap();
-        let keys = [
-            "contact.from={curve=\"curve.toml\", wheelset=1, rail=\"high\"}",
-            "contact.creep_law=fastsim",
-            LONE,
-        ];
+        let keys =
+            ["contact.from={curve=\"curve.toml\", wheelset=1, rail=\"high\"}", "contact.creep_law=fastsim", LONE];
         let case = Case::read(&place.path().join("lone.toml"), &keys.map(str::to_owned)).unwrap();
         // What is written wins: the nominal case has a load and a radius of its own.
         assert_eq!(case.file.contact.normal_load.si(), 50e3);
@@ -165,11 +146,7 @@ fn spin_is_left_out_of_laws_that_know_none() {
     let case = case(&["contact.creep_law=full-sliding"]).unwrap();
     assert_eq!(case.file.contact.creepage.unwrap().components().spin, 0.0);
     let told = case.remarks.iter().map(ToString::to_string);
-    assert!(
-        told.filter(|remark| remark.contains("knows no spin"))
-            .count()
-            == 1
-    );
+    assert!(told.filter(|remark| remark.contains("knows no spin")).count() == 1);
 }
 
 #[test]
@@ -203,20 +180,13 @@ fn what_the_loop_leaves_out_is_told() {
     };
     let has = |told: &[String], words: &str| told.iter().any(|remark| remark.contains(words));
     let own = told(&["contact.from.rail=high"]);
-    for words in [
-        "with 8 % of its normal forces",
-        "no profile has one curvature",
-    ] {
+    for words in ["with 8 % of its normal forces", "no profile has one curvature"] {
         assert!(has(&own, words), "{own:?}");
     }
     let forces = "at which the equilibrium of the curve has";
     assert!(!has(&own, forces), "{own:?}");
     // On a wheel that does not slide as a whole, a law without the spin that the curve has.
-    let two_laws = told(&[
-        "contact.from.rail=high",
-        "curve.radius=900 m",
-        "contact.creep_law=polach",
-    ]);
+    let two_laws = told(&["contact.from.rail=high", "curve.radius=900 m", "contact.creep_law=polach"]);
     assert!(has(&two_laws, forces), "{two_laws:?}");
 }
 
@@ -229,13 +199,8 @@ fn vehicles_of_a_traffic_have_no_loads_of_their_own() {
     use crate::traffic::Traffic;
 
     let case = case(&[]).unwrap();
-    for (key, taken) in [
-        ("axle_load = \"13 t\"", false),
-        ("traction_share = 0.5", true),
-    ] {
-        let text = format!(
-            "[[vehicle]]\nname = \"metro\"\nshare = 1\n{key}\nspeed = {{ mean = \"45 km/h\" }}\n"
-        );
+    for (key, taken) in [("axle_load = \"13 t\"", false), ("traction_share = 0.5", true)] {
+        let text = format!("[[vehicle]]\nname = \"metro\"\nshare = 1\n{key}\nspeed = {{ mean = \"45 km/h\" }}\n");
         let traffic = Traffic::parse("traffic.toml", &text).unwrap();
         let bands = [ThirdOctave::containing(0.05).unwrap()];
         let growth = traffic.on(&case, &bands, &Variant::none("as it is"), &|_| ());
@@ -284,9 +249,7 @@ fn sealed_cases_open_nothing() {
 #[test]
 fn each_wheel_has_its_profile() {
     let case = |wheels: &str| {
-        let text = format!(
-            "[wheel]\nrolling_radius = \"460 mm\"\n[profiles]\n{wheels}\nrail = \"60E1\"\n"
-        );
+        let text = format!("[wheel]\nrolling_radius = \"460 mm\"\n[profiles]\n{wheels}\nrail = \"60E1\"\n");
         CurvingCase::parse("profiles.toml", &text, &[])
     };
     let radii = |wheels: &str, shift: f64| {
@@ -308,10 +271,7 @@ fn each_wheel_has_its_profile() {
     assert!((radii(mixed, 3e-3)[1] - radii(one, 3e-3)[1]).abs() < 1e-4);
     let refused = |wheels: &str| {
         let case = case(wheels).unwrap();
-        case.wheelset_on_track()
-            .map(|_| ())
-            .unwrap_err()
-            .to_string()
+        case.wheelset_on_track().map(|_| ()).unwrap_err().to_string()
     };
     for left in ["60E1", "no-such-file.csv", "cone"] {
         let message = refused(&format!("{one}\nleft_wheel = \"{left}\""));

@@ -20,11 +20,7 @@ fn circles_under_load_are_those_of_hertz() {
         std::fs::write(folder.path().join(name), text).unwrap();
     };
     const RAIL: f64 = 80.0;
-    points(
-        "rail.csv",
-        &|x| (RAIL * RAIL - x * x).sqrt() - RAIL,
-        [-60.0, 60.0],
-    );
+    points("rail.csv", &|x| (RAIL * RAIL - x * x).sqrt() - RAIL, [-60.0, 60.0]);
     // A hollow wheel, a cylinder and a rounded one, by their curvatures.
     for (curvature, inclined) in [(1.0 / 240.0, 0.0), (1e-12, 0.0), (-1.0 / 160.0, 0.05)] {
         let wheel = |x: f64| {
@@ -40,19 +36,8 @@ fn circles_under_load_are_those_of_hertz() {
         let path = folder.path().join("profiles.toml");
         std::fs::write(&path, text).unwrap();
         let case = CurvingCase::read(&path, &[]).unwrap();
-        let on = case
-            .wheelset_on_track()
-            .unwrap()
-            .contact(0.0, 0.0)
-            .unwrap()
-            .contacts[1];
-        let patch = case.loaded_patch(
-            Rail::Right,
-            0.0,
-            on.contact_angle,
-            60e3,
-            ContactSurface::Flat,
-        );
+        let on = case.wheelset_on_track().unwrap().contact(0.0, 0.0).unwrap().contacts[1];
+        let patch = case.loaded_patch(Rail::Right, 0.0, on.contact_angle, 60e3, ContactSurface::Flat);
         let patch = patch.unwrap().unwrap();
         let across = (on.rail_curvature - on.wheel_curvature).recip();
         let along = on.rolling_radius / on.contact_angle.cos();
@@ -63,11 +48,7 @@ fn circles_under_load_are_those_of_hertz() {
         let off = |value: f64, exact: f64| value / exact - 1.0;
         let stiffness = off(patch.stiffness, hertz.stiffness());
         let [a, b] = [0, 1].map(|axis| off(patch.semi_axes[axis], axes[axis]));
-        println!(
-            "{:.1} mm by {:.1} mm: {stiffness:.4} {a:.4} {b:.4}",
-            1e3 * axes[0],
-            1e3 * axes[1]
-        );
+        println!("{:.1} mm by {:.1} mm: {stiffness:.4} {a:.4} {b:.4}", 1e3 * axes[0], 1e3 * axes[1]);
         // Of the grid: the stiffness to 3e-3 of a finer one; the area is that of whole elements, a root of which is an axis.
         assert!(stiffness.abs() < 1e-2, "{stiffness}");
         assert!(a.abs() < 0.03 && b.abs() < 0.03, "{a} {b}");
@@ -87,19 +68,10 @@ fn a_patch_under_load_enters_the_loop() {
         let wheel2 = ["contact.from.wheelset=2", "contact.from.rail=low"];
         case(&[keys, &wheel2].concat()).unwrap()
     });
-    let wheel = state
-        .wheels
-        .iter()
-        .find(|wheel| (wheel.wheelset, wheel.rail) == (2, Rail::Right));
+    let wheel = state.wheels.iter().find(|wheel| (wheel.wheelset, wheel.rail) == (2, Rail::Right));
     let wheel = wheel.unwrap();
     let shift = state.wheelsets[1].lateral_shift;
-    let patch = curving.loaded_patch(
-        Rail::Right,
-        shift,
-        wheel.contact_angle,
-        wheel.normal_force,
-        ContactSurface::Flat,
-    );
+    let patch = curving.loaded_patch(Rail::Right, shift, wheel.contact_angle, wheel.normal_force, ContactSurface::Flat);
     let patch = patch.unwrap().unwrap();
     assert!((case.hertz.stiffness() / patch.stiffness - 1.0).abs() < 1e-12);
     assert!((case.feedback.contacts()[0].stiffness / patch.stiffness - 1.0).abs() < 1e-12);
@@ -115,37 +87,24 @@ fn a_patch_under_load_enters_the_loop() {
     };
     assert!((of_turn(&case) - of_turn(&hertz)).abs() < 1e-12);
     let other = case.file.opposite_contact.as_ref().unwrap();
-    assert!(
-        other.stiffness.is_some()
-            && hertz
-                .file
-                .opposite_contact
-                .as_ref()
-                .unwrap()
-                .stiffness
-                .is_none()
-    );
+    assert!(other.stiffness.is_some() && hertz.file.opposite_contact.as_ref().unwrap().stiffness.is_none());
     let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
-    let count = told
-        .iter()
-        .filter(|remark| remark.contains("profiles under load"));
+    let count = told.iter().filter(|remark| remark.contains("profiles under load"));
     // The other rail has no waves.
     assert_eq!(count.count(), 1, "{told:?}");
     // On the flange root the wheel stands on two points.
     let high = self::case(&[ASK, "contact.from.rail=high"]).unwrap();
     let told: Vec<String> = high.remarks.iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|remark| {
-        remark.contains("no patch of the profiles under load: the wheel stands on two points")
-    }));
+    assert!(
+        told.iter()
+            .any(|remark| { remark.contains("no patch of the profiles under load: the wheel stands on two points") })
+    );
 }
 
 /// What is written wins over the patch as over all else.
 #[test]
 fn a_written_stiffness_wins_over_the_patch() {
-    let keys = [
-        "contact.from.patch=non-elliptic",
-        "contact.stiffness=900 MN/m",
-    ];
+    let keys = ["contact.from.patch=non-elliptic", "contact.stiffness=900 MN/m"];
     let case = case(&keys).unwrap();
     assert!((case.hertz.stiffness() / 900e6 - 1.0).abs() < 1e-12);
     let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
@@ -169,14 +128,8 @@ fn effects_of_a_moving_contact_are_chosen_one_by_one() {
     const TRAILING: &str = "contact.from.wheelset=2";
     // The trailing wheel, which stands where the profiles are close and the plane is inclined.
     let on = |off: &[&str]| {
-        let off = off
-            .iter()
-            .map(|key| format!("contact.conformity.{key}=false"));
-        let mut keys: Vec<String> = [MOVING, TRAILING]
-            .iter()
-            .chain(&TWIST)
-            .map(ToString::to_string)
-            .collect();
+        let off = off.iter().map(|key| format!("contact.conformity.{key}=false"));
+        let mut keys: Vec<String> = [MOVING, TRAILING].iter().chain(&TWIST).map(ToString::to_string).collect();
         keys.extend(off);
         let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
         growth(&case(&keys).unwrap())
@@ -199,22 +152,14 @@ fn a_conformal_contact_is_told() {
     let told = |keys: &[&str]| {
         let remarks = case(keys).unwrap().remarks;
         let remarks: Vec<String> = remarks.iter().map(ToString::to_string).collect();
-        remarks
-            .into_iter()
-            .find(|remark| remark.contains("Hertz's theory is for patches"))
+        remarks.into_iter().find(|remark| remark.contains("Hertz's theory is for patches"))
     };
     let high = told(&["contact.from.rail=high"]).unwrap();
     assert!(high.contains("of the radius of the left rail"), "{high}");
     // Beside the jump to the flange root the wheel stands on one point, and its patch goes on to the other.
-    let wide = [
-        "contact.from.rail=high",
-        "curve.radius=300 m",
-        "contact.from.patch=non-elliptic",
-    ];
+    let wide = ["contact.from.rail=high", "curve.radius=300 m", "contact.from.patch=non-elliptic"];
     let remarks = case(&wide).unwrap().remarks;
-    let joins = remarks
-        .iter()
-        .any(|remark| remark.to_string().contains("joins that of the place"));
+    let joins = remarks.iter().any(|remark| remark.to_string().contains("joins that of the place"));
     assert!(joins, "{remarks:?}");
     assert!(told(&[]).is_none_or(|remark| !remark.contains("of the right rail")));
 }

@@ -28,22 +28,14 @@ const LEAST_HEIGHT: f64 = 5.0;
 /// ripples or more, 3 lines or more a ripple. Cost: some milliseconds.
 pub(super) fn time_between_hits(lines: &[Line]) -> Option<f64> {
     let step = (lines.last()?.0 - lines.first()?.0) / (lines.len().max(2) - 1) as f64;
-    let even = lines
-        .windows(2)
-        .all(|pair| ((pair[1].0 - pair[0].0) / step - 1.0).abs() < EVEN);
+    let even = lines.windows(2).all(|pair| ((pair[1].0 - pair[0].0) / step - 1.0).abs() < EVEN);
     if !even || lines.len() < LEAST_LINES {
         return None;
     }
     let together = lines.len().div_ceil(MOST_LINES);
     let levels: Vec<f64> = lines
         .chunks_exact(together)
-        .map(|lines| {
-            lines
-                .iter()
-                .map(|(_, h)| h.norm().max(f64::MIN_POSITIVE).ln())
-                .sum::<f64>()
-                / together as f64
-        })
+        .map(|lines| lines.iter().map(|(_, h)| h.norm().max(f64::MIN_POSITIVE).ln()).sum::<f64>() / together as f64)
         .collect();
     let count = levels.len();
     let ripples: Vec<f64> = less_course(&levels);
@@ -52,27 +44,19 @@ pub(super) fn time_between_hits(lines: &[Line]) -> Option<f64> {
         let turn = Complex64::from_polar(1.0, -PI * k as f64 / count as f64);
         let (sum, _) = ripples
             .iter()
-            .fold((Complex64::ZERO, Complex64::ONE), |(sum, phase), value| {
-                (sum + phase * value, phase * turn)
-            });
+            .fold((Complex64::ZERO, Complex64::ONE), |(sum, phase), value| (sum + phase * value, phase * turn));
         4.0 * sum.norm() / count as f64
     };
     let amplitudes: Vec<f64> = (0..=2 * count / 3).map(amplitude).collect();
     let height = |k: usize| {
         let (low, high) = (2 * k * 10 / 32, (k * 16 / 10 + 8).min(amplitudes.len()));
-        let mut around: Vec<f64> = amplitudes[low..k - 5]
-            .iter()
-            .chain(amplitudes.get(k + 6..high)?)
-            .copied()
-            .collect();
+        let mut around: Vec<f64> = amplitudes[low..k - 5].iter().chain(amplitudes.get(k + 6..high)?).copied().collect();
         let middle = around.len() / 2;
         let (_, &mut median, _) = around.select_nth_unstable_by(middle, f64::total_cmp);
         Some(amplitudes[k] / median * (amplitudes[k] / FULL).min(1.0))
     };
     let heights = (2 * LEAST_RIPPLES..amplitudes.len()).filter_map(|k| Some((k, height(k)?)));
-    let (k, _) = heights
-        .filter(|(_, height)| *height > LEAST_HEIGHT)
-        .max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let (k, _) = heights.filter(|(_, height)| *height > LEAST_HEIGHT).max_by(|one, other| one.1.total_cmp(&other.1))?;
     Some(k as f64 / (2.0 * count as f64 * step * together as f64))
 }
 

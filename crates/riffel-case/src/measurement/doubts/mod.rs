@@ -78,10 +78,7 @@ pub fn doubts_about_rail(receptance: &MeasuredReceptance) -> Result<Vec<Message>
 ///
 /// # Errors
 /// The sentence for one with the wrong signs, or with the upper half of a two-sided spectrum: what it says of growth is another track's.
-pub(crate) fn doubts(
-    receptance: &MeasuredReceptance,
-    remedy: Remedy,
-) -> Result<Vec<Message>, Message> {
+pub(crate) fn doubts(receptance: &MeasuredReceptance, remedy: Remedy) -> Result<Vec<Message>, Message> {
     let lines: Vec<Line> = receptance.lines().map(|(w, h)| (w / TAU, h)).collect();
     if let Some(middle) = mirrored::mirrored_from(&lines) {
         return Err(say!(response_mirrored, hertz = fixed(middle, 0)));
@@ -93,13 +90,7 @@ pub(crate) fn doubts(
         None => {
             if let (Some(first), Some(last)) = (active().next(), active().next_back()) {
                 let (first, last) = (fixed(first, 0), fixed(last, 0));
-                doubts.push(say!(
-                    receptance_gives_energy,
-                    count = count,
-                    points = points,
-                    first = first,
-                    last = last
-                ));
+                doubts.push(say!(receptance_gives_energy, count = count, points = points, first = first, last = last));
             }
         }
         Some(PhaseFault::Delayed(delay)) => {
@@ -114,12 +105,7 @@ pub(crate) fn doubts(
         Some(fault) => {
             let remedy = remedy.message(fault);
             return Err(match fault {
-                PhaseFault::Negated => say!(
-                    response_negated,
-                    count = count,
-                    points = points,
-                    remedy = remedy
-                ),
+                PhaseFault::Negated => say!(response_negated, count = count, points = points, remedy = remedy),
                 PhaseFault::ConjugatedAndNegated => {
                     say!(response_conjugated_and_negated, remedy = remedy)
                 }
@@ -127,28 +113,14 @@ pub(crate) fn doubts(
                     say!(response_of_other_quantity, count = count, points = points)
                 }
                 PhaseFault::ConjugatedOrNegated => {
-                    say!(
-                        response_conjugated_or_negated,
-                        count = count,
-                        points = points,
-                        remedy = remedy
-                    )
+                    say!(response_conjugated_or_negated, count = count, points = points, remedy = remedy)
                 }
-                _ => say!(
-                    response_conjugated,
-                    count = count,
-                    points = points,
-                    remedy = remedy
-                ),
+                _ => say!(response_conjugated, count = count, points = points, remedy = remedy),
             });
         }
     }
     if let Some(time) = double_hit::time_between_hits(&lines) {
-        doubts.push(say!(
-            response_ripples,
-            hertz = fixed(1.0 / time, 0),
-            milliseconds = fixed(1e3 * time, 1)
-        ));
+        doubts.push(say!(response_ripples, hertz = fixed(1.0 / time, 0), milliseconds = fixed(1e3 * time, 1)));
     }
     Ok(doubts)
 }
@@ -159,27 +131,18 @@ pub(crate) fn doubts(
 /// The sentence for one that does.
 pub(super) fn check_sign(receptance: &MeasuredReceptance, rounding: f64) -> Result<(), Message> {
     let points = receptance.points();
-    let active = receptance
-        .lines()
-        .filter(|(_, h)| h.im > rounding * h.norm());
+    let active = receptance.lines().filter(|(_, h)| h.im > rounding * h.norm());
     let count = active.count();
     if count as f64 <= phase::ACTIVE * points as f64 {
         return Ok(());
     }
     let remedy = Remedy::Values.message(PhaseFault::ConjugatedOrNegated);
-    Err(say!(
-        response_conjugated_or_negated,
-        count = count,
-        points = points,
-        remedy = remedy
-    ))
+    Err(say!(response_conjugated_or_negated, count = count, points = points, remedy = remedy))
 }
 
 /// `Ok` where the median of the modulus is one that a rail may have, with a remark where none of its lines is one
 /// that rails do have.
-pub(super) fn doubts_about_size(
-    receptance: &MeasuredReceptance,
-) -> Result<Option<Message>, Message> {
+pub(super) fn doubts_about_size(receptance: &MeasuredReceptance) -> Result<Option<Message>, Message> {
     let mut moduli: Vec<f64> = receptance.lines().map(|(_, h)| h.norm()).collect();
     let middle = moduli.len() / 2;
     let (_, &mut median, _) = moduli.select_nth_unstable_by(middle, f64::total_cmp);

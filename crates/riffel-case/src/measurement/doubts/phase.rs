@@ -53,11 +53,7 @@ pub(super) enum PhaseFault {
 /// are both, and 199 with a delay that turns the phase by 180° to 1500°, early or late, are found and named. Range: three octaves for the sign
 /// of Re H and delays. Cost: some milliseconds.
 pub(super) fn phase_fault(lines: &[Line]) -> Option<PhaseFault> {
-    let thinned: Vec<Line> = lines
-        .iter()
-        .step_by(lines.len().div_ceil(MOST_LINES))
-        .copied()
-        .collect();
+    let thinned: Vec<Line> = lines.iter().step_by(lines.len().div_ceil(MOST_LINES)).copied().collect();
     let count = thinned.len() as f64;
     let active = lines.iter().filter(|(_, h)| h.im > 0.0).count() as f64 / lines.len() as f64;
     let (lowest, highest) = (lines.first()?.0, lines.last()?.0);
@@ -71,18 +67,12 @@ pub(super) fn phase_fault(lines: &[Line]) -> Option<PhaseFault> {
     let pairs = || found.iter().zip(&expected);
     let resistance: f64 = pairs().map(|(y, phase)| y.re * phase.cos()).sum::<f64>() / count;
     let reactance: f64 = pairs().map(|(y, phase)| y.im * phase.sin()).sum::<f64>() / count;
-    let most: f64 = expected
-        .iter()
-        .map(|phase| phase.sin().powi(2))
-        .sum::<f64>()
-        / count;
-    let turned: Vec<Complex64> = pairs()
-        .map(|(y, phase)| y * Complex64::from_polar(1.0, -phase))
-        .collect();
+    let most: f64 = expected.iter().map(|phase| phase.sin().powi(2)).sum::<f64>() / count;
+    let turned: Vec<Complex64> = pairs().map(|(y, phase)| y * Complex64::from_polar(1.0, -phase)).collect();
     let frequencies: Vec<f64> = thinned.iter().map(|(f, _)| *f).collect();
     let (delay, agreement) = best_delay(&frequencies, &turned);
-    let is_delayed = TAU * highest * delay.abs() > LEAST_ANGLE
-        && agreement > resistance.abs() + reactance.abs() + LEAST_GAIN;
+    let is_delayed =
+        TAU * highest * delay.abs() > LEAST_ANGLE && agreement > resistance.abs() + reactance.abs() + LEAST_GAIN;
     if is_delayed && PARTLY_ACTIVE.contains(&active) {
         return Some(PhaseFault::Delayed(delay));
     }
@@ -99,26 +89,19 @@ pub(super) fn phase_fault(lines: &[Line]) -> Option<PhaseFault> {
 fn phases(lines: &[Line]) -> Vec<f64> {
     /// Lines within 1/12 octave are one.
     const WIDTH: f64 = std::f64::consts::LN_2 / 12.0;
-    let course: Vec<[f64; 2]> = lines
-        .iter()
-        .map(|(f, h)| [f.ln(), (f * h.norm()).max(f64::MIN_POSITIVE).ln()])
-        .collect();
+    let course: Vec<[f64; 2]> =
+        lines.iter().map(|(f, h)| [f.ln(), (f * h.norm()).max(f64::MIN_POSITIVE).ln()]).collect();
     let of = |place: &[f64; 2]| ((place[0] - course[0][0]) / WIDTH).floor();
     let bins = course.chunk_by(|one, other| of(one) == of(other));
     let bins: Vec<[f64; 2]> = bins
-        .map(|bin| {
-            [0, 1].map(|axis| bin.iter().map(|place| place[axis]).sum::<f64>() / bin.len() as f64)
-        })
+        .map(|bin| [0, 1].map(|axis| bin.iter().map(|place| place[axis]).sum::<f64>() / bin.len() as f64))
         .collect();
     let weighted = |place: &[f64; 2]| {
         let sums = bins.windows(2).fold([0.0; 2], |[rise, run], pair| {
             let (step, middle) = (pair[1][0] - pair[0][0], 0.5 * (pair[0][0] + pair[1][0]));
             let distance = (place[0] - middle).abs().max(0.25 * step);
             let weight = -(0.5 * distance).tanh().ln();
-            [
-                rise + weight * (pair[1][1] - pair[0][1]),
-                run + weight * step,
-            ]
+            [rise + weight * (pair[1][1] - pair[0][1]), run + weight * step]
         });
         0.5 * PI * sums[0] / sums[1]
     };
@@ -128,21 +111,15 @@ fn phases(lines: &[Line]) -> Vec<f64> {
 /// The delay \[s\] at which Re mean(v e^iωτ) is greatest, and that mean.
 fn best_delay(frequencies: &[f64], values: &[Complex64]) -> (f64, f64) {
     let highest = frequencies.last().copied().unwrap_or(1.0);
-    let mut steps: Vec<f64> = frequencies
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .collect();
+    let mut steps: Vec<f64> = frequencies.windows(2).map(|pair| pair[1] - pair[0]).collect();
     steps.sort_by(f64::total_cmp);
     // Beyond half a turn from line to line a delay is another one.
     let longest = LONGEST_DELAY.min(0.5 / steps[steps.len() / 2]);
     let step = 1.0 / (STEPS_IN_PERIOD * highest);
     let count = (longest / step).floor().max(0.0);
     let turn = |f: f64, tau: f64| Complex64::from_polar(1.0, TAU * f * tau);
-    let mut rotated: Vec<Complex64> = frequencies
-        .iter()
-        .zip(values)
-        .map(|(f, v)| v * turn(*f, -count * step))
-        .collect();
+    let mut rotated: Vec<Complex64> =
+        frequencies.iter().zip(values).map(|(f, v)| v * turn(*f, -count * step)).collect();
     let turns: Vec<Complex64> = frequencies.iter().map(|f| turn(*f, step)).collect();
     let means: Vec<f64> = (0..=2 * count as usize)
         .map(|_| {

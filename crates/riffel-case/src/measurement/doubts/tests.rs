@@ -16,10 +16,7 @@ struct Draws(u64);
 
 impl Draws {
     fn uniform(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         low + (high - low) * (self.0 >> 33) as f64 / (1u64 << 31) as f64
     }
 
@@ -48,16 +45,10 @@ impl Draws {
             density: 7850.0,
         };
         let rail = Beam::timoshenko(steel, moment, 7850.0 * section.area, section);
-        let rail = rail
-            .unwrap()
-            .with_loss_factor(self.of_scale(0.002, 0.03))
-            .unwrap();
+        let rail = rail.unwrap().with_loss_factor(self.of_scale(0.002, 0.03)).unwrap();
         let mut layer = |low: f64, high: f64, loss: f64| {
             let layer = Layer::new(self.of_scale(low, high), self.of_scale(5e3, 1e5));
-            layer
-                .unwrap()
-                .with_loss_factor(self.uniform(0.0, loss))
-                .unwrap()
+            layer.unwrap().with_loss_factor(self.uniform(0.0, loss)).unwrap()
         };
         let (pad, ballast) = (layer(3e7, 1.5e9, 0.3), layer(2e7, 3e8, 1.5));
         let two = Support::two_layer(pad, self.uniform(50.0, 170.0), ballast).unwrap();
@@ -65,10 +56,7 @@ impl Draws {
         let spacing = self.uniform(0.5, 0.75);
         match self.one_of(&[0, 1, 1, 2, 2, 2]) {
             0 => Box::new(ContinuousTrack::free(rail)),
-            1 => Box::new(ContinuousTrack::new(
-                rail,
-                support.per_metre(spacing).unwrap(),
-            )),
+            1 => Box::new(ContinuousTrack::new(rail, support.per_metre(spacing).unwrap())),
             _ => {
                 let track = PeriodicTrack::new(rail, support, spacing).unwrap();
                 Box::new(track.at(self.one_of(&[0.0, 0.5]) * spacing))
@@ -92,9 +80,7 @@ impl Draws {
     /// A response with noise of 1 to 5 % on each part.
     fn response(&mut self, even: bool) -> Vec<Line> {
         let (track, frequencies) = (self.track(), self.frequencies(even));
-        let lines = frequencies
-            .into_iter()
-            .map(|f| (f, track.receptance(TAU * f, 0.0)));
+        let lines = frequencies.into_iter().map(|f| (f, track.receptance(TAU * f, 0.0)));
         self.noisy(lines.collect())
     }
 
@@ -132,17 +118,12 @@ fn faults_of_phase_are_found() {
             fault(&|_, h| h.conj()) == Some(PhaseFault::Conjugated),
             fault(&|_, h| -h) == Some(PhaseFault::Negated),
             fault(&|_, h| -h.conj()) == Some(PhaseFault::ConjugatedAndNegated),
-            delayed(fault(&|f, h| {
-                h * Complex64::from_polar(1.0, -TAU * f * tau)
-            })),
+            delayed(fault(&|f, h| h * Complex64::from_polar(1.0, -TAU * f * tau))),
         ]) {
             *count += u32::from(is_found);
         }
     }
-    assert!(
-        found[0] >= 198 && found.iter().all(|count| *count >= 190),
-        "{found:?}"
-    );
+    assert!(found[0] >= 198 && found.iter().all(|count| *count >= 190), "{found:?}");
 }
 
 #[test]
@@ -156,10 +137,7 @@ fn double_hits_are_found() {
         let tau = draws.of_scale(15.0 / (last - first), longest);
         let inverse = draws.one_of(&[-1.0, 1.0]);
         let hit = |f: f64| 1.0 + Complex64::from_polar(strength, -TAU * f * tau);
-        let lines: Vec<Line> = lines
-            .iter()
-            .map(|(f, h)| (*f, h * hit(*f).powf(inverse)))
-            .collect();
+        let lines: Vec<Line> = lines.iter().map(|(f, h)| (*f, h * hit(*f).powf(inverse))).collect();
         time_between_hits(&lines).is_some_and(|found| (found / tau - 1.0).abs() < 0.05)
     });
     assert!(right >= 198 && found >= 190, "{right} {found}");
@@ -171,10 +149,7 @@ fn mirrored_halves_are_found() {
     let found = count(|draws| {
         let (track, frequencies) = (draws.track(), draws.frequencies(true));
         let (last, share) = (frequencies[frequencies.len() - 1], draws.uniform(0.1, 1.0));
-        let mut lines: Vec<Line> = frequencies
-            .iter()
-            .map(|f| (*f, track.receptance(TAU * f, 0.0)))
-            .collect();
+        let mut lines: Vec<Line> = frequencies.iter().map(|f| (*f, track.receptance(TAU * f, 0.0))).collect();
         let above = (share * lines.len() as f64) as usize;
         let mirrored = lines.iter().rev().skip(1).take(above);
         let mirrored: Vec<Line> = mirrored.map(|(f, h)| (2.0 * last - f, h.conj())).collect();

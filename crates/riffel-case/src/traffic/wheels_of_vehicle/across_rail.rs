@@ -24,20 +24,13 @@ impl Asked<'_> {
         let own = wheel.hertz.semi_axis_lateral();
         let Some(line) = self.traffic.file.line.measured_line else {
             let spread = self.spreads().lateral_position.is_some();
-            return Ok(spread.then(|| AcrossRail {
-                outward: None,
-                covering: self.spreads().covering(own, 0.0),
-            }));
+            return Ok(spread.then(|| AcrossRail { outward: None, covering: self.spreads().covering(own, 0.0) }));
         };
         let Some(outward) = wheel.keys.text.contact_outward else {
             let message = say!(line_measured_line_needs_profiles_of, name = self.name());
             return Err(self.traffic.source.refuse("line.measured_line", &message));
         };
-        let band = wheel
-            .file
-            .wear
-            .band_width
-            .map_or(0.0, |width| 0.5 * width.si());
+        let band = wheel.file.wear.band_width.map_or(0.0, |width| 0.5 * width.si());
         Ok(Some(AcrossRail {
             outward: Some(outward),
             covering: self.spreads().covering(own.max(band), line.si() - outward),
@@ -48,9 +41,7 @@ impl Asked<'_> {
     pub(super) fn across_in_words(&self, parts: &[(f64, Arc<WheelsOfVehicle>)]) -> Option<Message> {
         let line = self.traffic.file.line.measured_line?;
         let wheels = || {
-            let wheels = parts
-                .iter()
-                .flat_map(|(share, part)| part.wheels.iter().map(move |wheel| (share, wheel)));
+            let wheels = parts.iter().flat_map(|(share, part)| part.wheels.iter().map(move |wheel| (share, wheel)));
             wheels.filter_map(|(share, wheel)| Some((share * wheel.share, wheel.across?)))
         };
         let outward = || wheels().filter_map(|(_, across)| across.outward);
@@ -61,13 +52,7 @@ impl Asked<'_> {
             innermost = millimetres(outward().fold(f64::INFINITY, f64::min)),
             outermost = millimetres(outward().fold(f64::NEG_INFINITY, f64::max)),
             line = millimetres(line.si()),
-            percent = fixed(
-                100.0
-                    * wheels()
-                        .map(|(share, across)| share * across.covering)
-                        .sum::<f64>(),
-                0
-            )
+            percent = fixed(100.0 * wheels().map(|(share, across)| share * across.covering).sum::<f64>(), 0)
         ))
     }
 }

@@ -103,20 +103,14 @@ impl Asked<'_> {
     fn wheels(&self, values: &PartValues) -> Result<WheelsOfVehicle, CaseError> {
         let (traffic, variant) = (self.traffic, self.variant);
         if self.spreads().lateral_position.is_some() && self.case.file.wear.band_width.is_some() {
-            let message = say!(
-                width_excludes_that_of_the_case,
-                key = self.key(".lateral_position")
-            );
+            let message = say!(width_excludes_that_of_the_case, key = self.key(".lateral_position"));
             return Err(self.refuse(".lateral_position", &message));
         }
         if let Some(through) = traffic.through_curve(self.index, self.case, variant, values)? {
             return self.wheels_through(&through, values);
         }
-        let WheelOnCase {
-            wheel,
-            speeds,
-            held,
-        } = traffic.wheel_on(self.index, self.case, self.lines, variant, values)?;
+        let WheelOnCase { wheel, speeds, held } =
+            traffic.wheel_on(self.index, self.case, self.lines, variant, values)?;
         let speeds = self.speeds.cloned().unwrap_or(speeds);
         self.check_frequencies(&wheel, &speeds)?;
         let remarks = remarks_of(&wheel);
@@ -141,44 +135,24 @@ impl Asked<'_> {
     }
 
     /// Every wheel on the rail under study, at every speed at which the vehicle is balanced.
-    fn wheels_through(
-        &self,
-        through: &ThroughCurve,
-        values: &PartValues,
-    ) -> Result<WheelsOfVehicle, CaseError> {
+    fn wheels_through(&self, through: &ThroughCurve, values: &PartValues) -> Result<WheelsOfVehicle, CaseError> {
         let own = &self.traffic.speeds[self.index];
         let speeds = match self.speeds {
             Some(speeds) => speeds.clone(),
             None => self.variant.speed.apply(own).map_err(|error| {
-                self.refuse(
-                    "",
-                    say!(
-                        vehicle,
-                        vehicle = self.name(),
-                        error = Message::from(&error)
-                    ),
-                )
+                self.refuse("", say!(vehicle, vehicle = self.name(), error = Message::from(&error)))
             })?,
         };
         let window = window(self.case, self.lines, &speeds);
         // The load goes into the bogie.
         let own = settings_of(&self.traffic.file.vehicle[self.index]).into_iter();
         // What belongs to the vehicle of another file is set there.
-        let of_file = matches!(
-            self.traffic.file.vehicle[self.index].curve,
-            Some(CurveOfVehicle::File(_))
-        );
-        let of_case = |(key, _): &Setting| {
-            !(of_file && OF_VEHICLE.iter().any(|table| key.starts_with(table)))
-        };
+        let of_file = matches!(self.traffic.file.vehicle[self.index].curve, Some(CurveOfVehicle::File(_)));
+        let of_case = |(key, _): &Setting| !(of_file && OF_VEHICLE.iter().any(|table| key.starts_with(table)));
         let of_wheels = values.settings().filter(|(_, (key, _))| key != LOAD);
         let own = own.chain(of_wheels).map(|(_, setting)| setting);
         let own: Vec<Setting> = own.filter(of_case).collect();
-        let of_variant = self
-            .variant
-            .settings
-            .iter()
-            .filter(|setting| of_case(setting));
+        let of_variant = self.variant.settings.iter().filter(|setting| of_case(setting));
         let of_variant: Vec<Setting> = of_variant.cloned().collect();
         let sets = [&own[..], &of_variant, &window];
         let balanced: Vec<f64> = match speeds.listed() {
@@ -204,8 +178,7 @@ impl Asked<'_> {
             });
             wheels.collect()
         };
-        let cases: Result<Vec<Vec<Case>>, CaseError> =
-            equilibria.par_iter().enumerate().map(at_speed).collect();
+        let cases: Result<Vec<Vec<Case>>, CaseError> = equilibria.par_iter().enumerate().map(at_speed).collect();
         let (cases, balanced) = (cases?, equilibria.iter().map(|it| it.0));
         let first = &cases[middle];
         for wheel in first {
@@ -258,14 +231,10 @@ impl Asked<'_> {
         speeds: &SpeedDistribution,
         balanced: &[f64],
     ) -> Result<(BalancedAt, Option<Message>), CaseError> {
-        let at: Vec<_> = balanced
-            .par_iter()
-            .map(|speed| (*speed, through.at(*speed)))
-            .collect();
+        let at: Vec<_> = balanced.par_iter().map(|speed| (*speed, through.at(*speed))).collect();
         // A speed between two that have one is bridged; 95 % of the passages are nearer to the mean than the tails.
         let has = |index: Option<usize>| {
-            let at: Option<&(f64, Result<Equilibrium, CaseError>)> =
-                index.and_then(|index| at.get(index));
+            let at: Option<&(f64, Result<Equilibrium, CaseError>)> = index.and_then(|index| at.get(index));
             at.is_some_and(|(_, equilibrium)| equilibrium.is_ok())
         };
         let stood_in_for = |index: usize| {
@@ -283,22 +252,16 @@ impl Asked<'_> {
         }
         let words = (!without.is_empty()).then(|| {
             let speeds = without.iter().map(|&speed| shown_speed(speed, 0));
-            say!(
-                no_equilibrium_at_speeds,
-                vehicle = self.name(),
-                speeds = Value::List(speeds.collect())
-            )
+            say!(no_equilibrium_at_speeds, vehicle = self.name(), speeds = Value::List(speeds.collect()))
         });
         Ok((found, words))
     }
 
     fn at_speed(&self, speed: f64, values: &PartValues, error: &CaseError) -> CaseError {
-        let with = values
-            .settings()
-            .map(|(_, (key, value))| match value.as_float() {
-                Some(number) => format!(", {key} = {number:.4}"),
-                None => format!(", {key} = {value}"),
-            });
+        let with = values.settings().map(|(_, (key, value))| match value.as_float() {
+            Some(number) => format!(", {key} = {number:.4}"),
+            None => format!(", {key} = {value}"),
+        });
         let message = format!(
             "`{}`: vehicle \"{}\" at {:.1} km/h{}: {error}",
             self.key(".curve"),
@@ -311,9 +274,7 @@ impl Asked<'_> {
 
     /// Its wheels with some values, built once.
     fn kept_wheels(&self, values: &PartValues) -> Result<Arc<WheelsOfVehicle>, CaseError> {
-        let speeds = self
-            .speeds
-            .map(|speeds| (speeds.mean(), speeds.deviation()));
+        let speeds = self.speeds.map(|speeds| (speeds.mean(), speeds.deviation()));
         let key = format!("{} {speeds:?} {values:?}", self.index);
         let kept = || self.kept.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(wheels) = kept().get(&key) {
@@ -328,9 +289,7 @@ impl Asked<'_> {
     fn parts(&self, rules: &[Option<usize>]) -> Result<Parts, CaseError> {
         let parts = self.spreads().parts(rules);
         let parts = parts.into_par_iter();
-        parts
-            .map(|(share, values)| Ok((share, self.kept_wheels(&values)?)))
-            .collect()
+        parts.map(|(share, values)| Ok((share, self.kept_wheels(&values)?))).collect()
     }
 
     /// Growth under some parts, with the place of their contacts across the rail or as if all ran on the line under study.
@@ -395,12 +354,7 @@ impl Asked<'_> {
         let middle = &parts[parts.len() / 2].1;
         let mut remarks = middle.remarks.clone();
         remarks.extend(self.across_in_words(&parts));
-        Ok(VehicleOnCase {
-            growth,
-            held: middle.held,
-            unstable: middle.unstable,
-            remarks,
-        })
+        Ok(VehicleOnCase { growth, held: middle.held, unstable: middle.unstable, remarks })
     }
 
     fn rules(&self, spread: &[usize], bands: &[ThirdOctave]) -> Result<(Rules, f64), CaseError> {
@@ -410,11 +364,7 @@ impl Asked<'_> {
             let along = |rule: usize| {
                 let mut rules = self.spreads().means();
                 rules[place] = Some(rule);
-                Ok::<_, CaseError>(
-                    self.growth(&self.parts(&rules)?, bands, false)?
-                        .growth
-                        .rates,
-                )
+                Ok::<_, CaseError>(self.growth(&self.parts(&rules)?, bands, false)?.growth.rates)
             };
             if self.spreads().of_keys[place].is_listed() {
                 rules[place] = Some(0);
@@ -446,20 +396,15 @@ impl Asked<'_> {
         const STEP: f64 = 5e-4;
         let (shortest, longest) = (self.lines[0], self.lines[self.lines.len() - 1]);
         let steps = ((longest / shortest).ln() / STEP).ceil();
-        let fine: Vec<f64> = (0..=steps as usize)
-            .map(|step| shortest * (longest / shortest).powf(step as f64 / steps))
-            .collect();
+        let fine: Vec<f64> =
+            (0..=steps as usize).map(|step| shortest * (longest / shortest).powf(step as f64 / steps)).collect();
         let mut rates = vec![0.0; fine.len()];
         let sum: f64 = parts.iter().map(|part| part.0).sum();
         for (part, it) in parts {
             for wheel in &it.wheels {
                 let growth = MeanGrowth::between(&wheel.states(), &fine, &wheel.speeds);
-                let share =
-                    part / sum * wheel.share * wheel.across.map_or(1.0, |across| across.covering);
-                rates
-                    .iter_mut()
-                    .zip(growth.rates)
-                    .for_each(|(sum, rate)| *sum += share * rate);
+                let share = part / sum * wheel.share * wheel.across.map_or(1.0, |across| across.covering);
+                rates.iter_mut().zip(growth.rates).for_each(|(sum, rate)| *sum += share * rate);
             }
         }
         rates.into_iter().fold(f64::NEG_INFINITY, f64::max)

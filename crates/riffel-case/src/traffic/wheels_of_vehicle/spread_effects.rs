@@ -39,15 +39,7 @@ impl Traffic {
         let variant = Variant::none("");
         let mut effects = Vec::new();
         for (index, vehicle) in self.file.vehicle.iter().enumerate() {
-            let asked = Asked {
-                kept,
-                traffic: self,
-                index,
-                case,
-                lines: &lines,
-                variant: &variant,
-                speeds: None,
-            };
+            let asked = Asked { kept, traffic: self, index, case, lines: &lines, variant: &variant, speeds: None };
             let rates = &on.growth.vehicles()[index].growth.rates;
             let with = rates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let traction = vehicle.traction_share.map_or(1.0, |share| share.si());
@@ -64,10 +56,7 @@ impl Traffic {
             if speeds.deviation() > 0.0
                 && let Ok(mean) = SpeedDistribution::single(speeds.mean())
             {
-                let at_mean = Asked {
-                    speeds: Some(&mean),
-                    ..asked
-                };
+                let at_mean = Asked { speeds: Some(&mean), ..asked };
                 tell("speed", asked.fastest(&at_mean.parts(&rules)?));
             }
             for &place in &spread {
@@ -75,13 +64,9 @@ impl Traffic {
                 others[place] = None;
                 let growth = asked.growth(&asked.parts(&others)?, bands, false)?;
                 let rates = growth.growth.rates.into_iter();
-                tell(
-                    asked.spreads().of_keys[place].name(),
-                    rates.fold(f64::NEG_INFINITY, f64::max),
-                );
+                tell(asked.spreads().of_keys[place].name(), rates.fold(f64::NEG_INFINITY, f64::max));
             }
-            if asked.spreads().lateral_position.is_some() || self.file.line.measured_line.is_some()
-            {
+            if asked.spreads().lateral_position.is_some() || self.file.line.measured_line.is_some() {
                 let growth = asked.growth(&asked.parts(&rules)?, bands, true)?;
                 let rates = growth.growth.rates.into_iter();
                 tell("lateral_position", rates.fold(f64::NEG_INFINITY, f64::max));

@@ -71,84 +71,24 @@ fn a_portable_case_is_restored() -> Result<(), CaseError> {
 #[test]
 fn mistakes_are_named_and_shown() {
     for (piece, replacement, message, shown) in [
-        (
-            "\"50 kN\"",
-            "\"50 kg\"",
-            "`contact.normal_load`: \"50 kg\" is in kg, not a force in N",
-            "\"50 kg\"",
-        ),
-        (
-            "\"350 kg\"",
-            "\"heavy\"",
-            "`wheel.mass`: \"heavy\" does not begin with a number",
-            "\"heavy\"",
-        ),
-        (
-            "friction = 0.4",
-            "friction = nan",
-            "NaN is not finite",
-            "nan",
-        ),
-        (
-            "friction = 0.4",
-            "friction = inf",
-            "inf is not finite",
-            "inf",
-        ),
-        (
-            "friction = 0.4",
-            "friction = [0.4]",
-            "`contact.friction` is a list, but must be a ratio",
-            "[0.4]",
-        ),
+        ("\"50 kN\"", "\"50 kg\"", "`contact.normal_load`: \"50 kg\" is in kg, not a force in N", "\"50 kg\""),
+        ("\"350 kg\"", "\"heavy\"", "`wheel.mass`: \"heavy\" does not begin with a number", "\"heavy\""),
+        ("friction = 0.4", "friction = nan", "NaN is not finite", "nan"),
+        ("friction = 0.4", "friction = inf", "inf is not finite", "inf"),
+        ("friction = 0.4", "friction = [0.4]", "`contact.friction` is a list, but must be a ratio", "[0.4]"),
         (
             "friction = 0.4",
             "friction = 0.4\ncreep_law = 3",
             "`contact.creep_law` is 3, but must be a text in quotes",
             "3",
         ),
-        (
-            "friction = 0.4",
-            "frction = 0.4",
-            "`contact.frction` is not a key Riffel knows",
-            "0.4",
-        ),
-        (
-            "[wear]",
-            "[weer]",
-            "`weer` is not a key Riffel knows",
-            "weer",
-        ),
-        (
-            "normal_load = \"50 kN\"",
-            "",
-            "`contact.normal_load` is missing",
-            "contact",
-        ),
-        (
-            "[track]\nmodel = \"free-beam\"",
-            "",
-            "`track` is missing",
-            "",
-        ),
-        (
-            "\"350 kg\"",
-            "\"-350 kg\"",
-            "`wheel.mass` is -350 kg, but must be between 10 g and 100 t",
-            "\"-350 kg\"",
-        ),
-        (
-            "\"460 mm\"",
-            "0",
-            "`wheel.rolling_radius` is 0 m, but must be between 5 mm and 5 m",
-            "0",
-        ),
-        (
-            "friction = 0.4",
-            "friction = 0",
-            "`contact.friction` is 0, but must be between 0.001 and 1.5",
-            "0",
-        ),
+        ("friction = 0.4", "frction = 0.4", "`contact.frction` is not a key Riffel knows", "0.4"),
+        ("[wear]", "[weer]", "`weer` is not a key Riffel knows", "weer"),
+        ("normal_load = \"50 kN\"", "", "`contact.normal_load` is missing", "contact"),
+        ("[track]\nmodel = \"free-beam\"", "", "`track` is missing", ""),
+        ("\"350 kg\"", "\"-350 kg\"", "`wheel.mass` is -350 kg, but must be between 10 g and 100 t", "\"-350 kg\""),
+        ("\"460 mm\"", "0", "`wheel.rolling_radius` is 0 m, but must be between 5 mm and 5 m", "0"),
+        ("friction = 0.4", "friction = 0", "`contact.friction` is 0, but must be between 0.001 and 1.5", "0"),
         (
             "poisson_ratio = 0.3",
             "poisson_ratio = 0.5",
@@ -179,54 +119,14 @@ fn mistakes_are_named_and_shown() {
             "`contact.creepage` and `contact.tractive_ratio` exclude each other",
             "0.004",
         ),
-        (
-            "tractive_ratio = 0.1",
-            "",
-            "`contact.tractive_ratio` is missing",
-            "contact",
-        ),
-        (
-            "\"free-beam\"",
-            "\"fre-beam\"",
-            "`track.model`: \"fre-beam\" is not one of its choices",
-            "\"fre-beam\"",
-        ),
-        (
-            "\"free-beam\"",
-            "\"two-layer\"",
-            "`track.support_spacing` is missing",
-            "track",
-        ),
-        (
-            "\"BS113A\"",
-            "\"BS113B\"",
-            "`rail.section` is \"BS113B\", but no rail preset has that name",
-            "\"BS113B\"",
-        ),
-        (
-            "section = \"BS113A\"",
-            "mass_per_length = 56",
-            "`rail.second_moment` is missing",
-            "rail",
-        ),
-        (
-            "max = \"80 mm\"",
-            "max = \"20 mm\"",
-            "`map.wavelength.max` is 0.02 m, but the window is empty",
-            "\"20 mm\"",
-        ),
-        (
-            "points = 241",
-            "points = 1",
-            "`map.wavelength.points` is 1, but must be between 2 and 100000",
-            "1",
-        ),
-        (
-            "points = 241",
-            "points = 1000000000",
-            "`map.wavelength.points` is 1000000000, but must be",
-            "1000000000",
-        ),
+        ("tractive_ratio = 0.1", "", "`contact.tractive_ratio` is missing", "contact"),
+        ("\"free-beam\"", "\"fre-beam\"", "`track.model`: \"fre-beam\" is not one of its choices", "\"fre-beam\""),
+        ("\"free-beam\"", "\"two-layer\"", "`track.support_spacing` is missing", "track"),
+        ("\"BS113A\"", "\"BS113B\"", "`rail.section` is \"BS113B\", but no rail preset has that name", "\"BS113B\""),
+        ("section = \"BS113A\"", "mass_per_length = 56", "`rail.second_moment` is missing", "rail"),
+        ("max = \"80 mm\"", "max = \"20 mm\"", "`map.wavelength.max` is 0.02 m, but the window is empty", "\"20 mm\""),
+        ("points = 241", "points = 1", "`map.wavelength.points` is 1, but must be between 2 and 100000", "1"),
+        ("points = 241", "points = 1000000000", "`map.wavelength.points` is 1000000000, but must be", "1000000000"),
         (
             "points = 241",
             "points = -3",
@@ -267,52 +167,28 @@ fn unused_values_are_checked() {
 #[test]
 fn a_mistyped_key_is_put_right() {
     let (error, _) = error(&edited("friction = 0.4", "frction = 0.4"));
-    let help = error
-        .help()
-        .map(|help| help.to_string())
-        .unwrap_or_default();
+    let help = error.help().map(|help| help.to_string()).unwrap_or_default();
     assert!(help.starts_with("did you mean friction?"), "{help}");
 }
 
 #[test]
 fn a_load_that_outruns_its_waves_is_refused() {
     // A rail that bends easily is outrun by long waves at high speeds.
-    let overrides = [
-        "track.model=moving-beam",
-        "rail.second_moment=1e-6 m4",
-        "map.wavelength.max=10 m",
-        "map.speed.max=180 m/s",
-    ];
+    let overrides =
+        ["track.model=moving-beam", "rail.second_moment=1e-6 m4", "map.wavelength.max=10 m", "map.speed.max=180 m/s"];
     let error = Case::parse("case.toml", NOMINAL_CASE, &overrides.map(str::to_owned)).err();
     let error = error.expect("supercritical").to_string();
-    assert!(
-        error.contains("`map`: a load of wavelength 10 m outruns"),
-        "{error}"
-    );
+    assert!(error.contains("`map`: a load of wavelength 10 m outruns"), "{error}");
 }
 
 #[test]
 fn overrides_replace_values_and_exclusive_keys() {
     let case = |overrides: &[&str]| crate::parsed(NOMINAL_CASE, overrides).unwrap();
     assert_eq!(case(&["contact.friction=0.3"]).steady.friction, 0.3);
-    assert_eq!(
-        case(&["contact.normal_load=60 kN"]).hertz.normal_force(),
-        60e3
-    );
+    assert_eq!(case(&["contact.normal_load=60 kN"]).hertz.normal_force(), 60e3);
     // The case gives a tractive ratio; a creepage on the command line takes its place.
-    assert_eq!(
-        case(&["contact.creepage=0.4 %"])
-            .steady
-            .creepages
-            .longitudinal,
-        0.004
-    );
-    assert_eq!(
-        case(&["contact.friction=0.3", "contact.friction=0.2"])
-            .steady
-            .friction,
-        0.2
-    );
+    assert_eq!(case(&["contact.creepage=0.4 %"]).steady.creepages.longitudinal, 0.004);
+    assert_eq!(case(&["contact.friction=0.3", "contact.friction=0.2"]).steady.friction, 0.2);
 }
 
 #[test]
@@ -328,24 +204,11 @@ fn a_written_value_goes_before_that_of_the_preset() {
 fn the_schema_knows_every_key() {
     let schema = serde_json::to_value(riffel_case::json_schema()).unwrap();
     let properties = schema["properties"].as_object().unwrap();
-    for key in [
-        "title",
-        "steel",
-        "wheel",
-        "rail",
-        "track",
-        "contact",
-        "corrugation",
-        "wear",
-        "map",
-    ] {
+    for key in ["title", "steel", "wheel", "rail", "track", "contact", "corrugation", "wear", "map"] {
         assert!(properties.contains_key(key), "{key}");
     }
     assert_eq!(schema["additionalProperties"], false);
-    assert_eq!(
-        schema["$defs"]["Contact"]["properties"]["normal_load"]["unit"],
-        "N"
-    );
+    assert_eq!(schema["$defs"]["Contact"]["properties"]["normal_load"]["unit"], "N");
 }
 
 /// Pieces that a mutation may put into a case file.

@@ -8,10 +8,7 @@ fn too_many_points_together() {
     let overrides = ["map.wavelength.points=100000", "map.speed.points=100000"];
     let error = Case::parse("case.toml", NOMINAL_CASE, &overrides.map(str::to_owned)).err();
     let error = error.expect("ten thousand million points").to_string();
-    assert!(
-        error.contains("`map`: 100000 wavelengths at 100000 speeds"),
-        "{error}"
-    );
+    assert!(error.contains("`map`: 100000 wavelengths at 100000 speeds"), "{error}");
 }
 
 /// The axes of a map as ranges, in the file and in overrides, which go on to their keys.
@@ -22,18 +19,11 @@ fn axes_of_the_map_are_read_from_ranges() -> Result<(), CaseError> {
         NOMINAL_CASE.split("[map]").next().unwrap_or_default()
     );
     let case = Case::parse("case.toml", &text, &[])?;
-    assert_eq!(
-        (case.wavelength.min(), case.wavelength.max()),
-        (0.025, 0.06)
-    );
+    assert_eq!((case.wavelength.min(), case.wavelength.max()), (0.025, 0.06));
     assert_eq!(case.wavelength.points(), 241);
     assert!((case.speed.min() - 60.0 / 3.6).abs() < 1e-12 && case.speed.max() == 25.0);
     assert_eq!(case.speed.points(), 221);
-    let sets = [
-        "map.speed=40 – 70 mph",
-        "map.speed.points=5",
-        "map.wavelength=1e-2-2e-1",
-    ];
+    let sets = ["map.speed=40 – 70 mph", "map.speed.points=5", "map.wavelength=1e-2-2e-1"];
     let case = Case::parse("case.toml", &text, &sets.map(str::to_owned))?;
     assert_eq!((case.speed.min(), case.speed.points()), (40.0 * 0.44704, 5));
     assert_eq!((case.wavelength.min(), case.wavelength.max()), (0.01, 0.2));
@@ -70,10 +60,7 @@ fn unusual_values_are_remarks() -> Result<(), CaseError> {
         "contact.normal_load is 5000 N; usual values are 10 kN to 250 kN",
         "map.speed.max has no unit and is read as 58 m/s = 208.8 km/h (did you mean \"58 km/h\"",
     ] {
-        assert!(
-            remarks.iter().any(|remark| remark.starts_with(part)),
-            "{remarks:?}"
-        );
+        assert!(remarks.iter().any(|remark| remark.starts_with(part)), "{remarks:?}");
     }
     let nominal = Case::parse("case.toml", NOMINAL_CASE, &[])?;
     let said = |remark: &riffel_keys::Message| remark.to_string().contains("usual values");
@@ -89,16 +76,8 @@ fn points_are_checked() -> Result<(), CaseError> {
     assert!(case.point(0.5, 80.0)?.growth_rate.is_finite());
     for (wavelength, speed, sentence) in [
         (1e-300, 30.0, "wavelength is"),
-        (
-            55.0,
-            30.0,
-            "wavelength is 55 m, but must be between 100 µm and 10 m",
-        ),
-        (
-            0.055,
-            1e9,
-            "speed is 1000000000 m/s, but must be between 0.01 m/s and 200 m/s",
-        ),
+        (55.0, 30.0, "wavelength is 55 m, but must be between 100 µm and 10 m"),
+        (0.055, 1e9, "speed is 1000000000 m/s, but must be between 0.01 m/s and 200 m/s"),
         (0.055, f64::NAN, "speed is NaN m/s"),
         (0.055, -3.0, "speed is -3 m/s"),
     ] {

@@ -13,9 +13,7 @@ use tempfile::TempDir;
 /// A rigid wheelset of 1100 kg on its suspension, creeping along and across the rail under a contact angle.
 const RIGID: &str = include_str!("../../general-loop/rigid-suspended.toml");
 
-const PORTS: [&str; 6] = [
-    "left_x", "left_y", "left_z", "right_x", "right_y", "right_z",
-];
+const PORTS: [&str; 6] = ["left_x", "left_y", "left_z", "right_x", "right_y", "right_z"];
 
 /// A flexible wheelset with two brake discs.
 const FLEXIBLE: &str = r#"model = "flexible"
@@ -55,10 +53,7 @@ fn case(wheelset: &str, file: &str) -> Result<Case, CaseError> {
 }
 
 fn error(wheelset: &str, file: &str) -> String {
-    case(wheelset, file)
-        .err()
-        .expect("must be refused")
-        .to_string()
+    case(wheelset, file).err().expect("must be refused").to_string()
 }
 
 fn wheelset(case: &Case) -> &CaseWheelset {
@@ -101,29 +96,15 @@ fn a_measured_wheelset_is_the_one_that_was_measured() {
     let of_measurement = |remark: &&riffel_keys::Message| remark.id().contains("wheelset");
     assert_eq!(measured.remarks.iter().find(of_measurement), None);
     for frequency in lines() {
-        let [got, expected] =
-            [&measured, &flexible].map(|case| wheelset(case).receptances(TAU * frequency));
+        let [got, expected] = [&measured, &flexible].map(|case| wheelset(case).receptances(TAU * frequency));
         for (got, expected) in got.iter().flatten().zip(expected.iter().flatten()) {
-            assert!(
-                (got - expected).norm() < 1e-12 * expected.norm().max(1e-12),
-                "{got} {expected}"
-            );
+            assert!((got - expected).norm() < 1e-12 * expected.norm().max(1e-12), "{got} {expected}");
         }
         let growth = |case: &Case| case.feedback.at(15.0 / frequency, 15.0).growth_rate;
         let (got, expected) = (growth(&measured), growth(&flexible));
-        assert!(
-            (got / expected - 1.0).abs() < 1e-8,
-            "{frequency}: {got:e} {expected:e}"
-        );
+        assert!((got / expected - 1.0).abs() < 1e-8, "{frequency}: {got:e} {expected:e}");
     }
-    assert!(
-        case(FLEXIBLE, "")
-            .unwrap()
-            .feedback
-            .at(0.05, 10.0)
-            .growth_rate
-            != 0.0
-    );
+    assert!(case(FLEXIBLE, "").unwrap().feedback.at(0.05, 10.0).growth_rate != 0.0);
 }
 
 /// One wheel as mobilities in decibels with phases, separated by semicolons, is both wheels without what joins them.
@@ -151,8 +132,7 @@ fn one_wheel_stands_for_both() {
     let text = text.replace('|', "").replace('.', ",");
     let measured = case(MEASURED, &text).unwrap();
     for frequency in lines() {
-        let [got, expected] =
-            [&measured, &flexible].map(|case| wheelset(case).receptances(TAU * frequency));
+        let [got, expected] = [&measured, &flexible].map(|case| wheelset(case).receptances(TAU * frequency));
         for (_, row, column) in entries {
             let expected = expected[row][column];
             let error = |got: riffel::Complex64| (got - expected).norm() / expected.norm();
@@ -173,22 +153,14 @@ fn a_measured_wheelset_is_not_extrapolated() {
     measured.check_window().unwrap();
     let (lowest, highest) = measured.known_frequencies();
     assert!((lowest - 20.0).abs() < 1e-9 && (highest - 600.0).abs() < 1e-9);
-    let error = measured
-        .check_frequencies(100.0, 700.0)
-        .unwrap_err()
-        .to_string();
+    let error = measured.check_frequencies(100.0, 700.0).unwrap_err().to_string();
     assert!(
         error.contains("`wheelset.file` is known from 20.0000 to 600.0000 Hz and is not extrapolated, but 100.0000–700.0000 Hz is asked for"),
         "{error}"
     );
     assert!(measured.check_wheelset_frequencies(10.0, 10.0).is_err());
     assert!(flexible.check_frequencies(1.0, 1e4).is_ok());
-    assert!(
-        measured
-            .wheelset_modes(wheelset(&measured), 2000.0)
-            .unwrap()
-            .is_empty()
-    );
+    assert!(measured.wheelset_modes(wheelset(&measured), 2000.0).unwrap().is_empty());
 }
 
 const ONE_ENTRY: &str = "frequency_hz,zz_re,zz_im\n20,-1e-8,-1e-10\n40,-1e-8,-1e-10\n80,-1e-8,-1e-10\n160,-1e-8,-1e-10\n320,-1e-8,-1e-10\n600,-1e-8,-1e-10\n";
@@ -197,21 +169,23 @@ const ONE_ENTRY: &str = "frequency_hz,zz_re,zz_im\n20,-1e-8,-1e-10\n40,-1e-8,-1e
 #[test]
 fn doubts_are_remarks() {
     for (file, sentence) in [
-(ONE_ENTRY.to_owned(), "column `zz_re` names no unit: taken as a receptance in m/N"),
-(ONE_ENTRY.to_owned(), "the wheelset was not measured along x, y: there it is taken as rigid"),
-(ONE_ENTRY.replace("80,-1e-8,-1e-10", "80,-1e-8,3e-10"), "gives energy away, by up to 3.00 % of its largest receptance, at 80.0 Hz, most at right_z"),
-("f [Hz],left_y_left_z_re [m/N],left_y_left_z_im,left_z_left_y_re [m/N],left_z_left_y_im\n\
+        (ONE_ENTRY.to_owned(), "column `zz_re` names no unit: taken as a receptance in m/N"),
+        (ONE_ENTRY.to_owned(), "the wheelset was not measured along x, y: there it is taken as rigid"),
+        (
+            ONE_ENTRY.replace("80,-1e-8,-1e-10", "80,-1e-8,3e-10"),
+            "gives energy away, by up to 3.00 % of its largest receptance, at 80.0 Hz, most at right_z",
+        ),
+        (
+            "f [Hz],left_y_left_z_re [m/N],left_y_left_z_im,left_z_left_y_re [m/N],left_z_left_y_im\n\
      20,1e-9,0,1e-9,0\n40,1e-9,0,0.9e-9,0\n80,1e-9,0,1e-9,0\n160,1e-9,0,1e-9,0\n320,1e-9,0,1e-9,0\n600,1e-9,0,1e-9,0\n"
-        .to_owned(), "is not reciprocal: left_z by a force at left_y and the reverse differ by up to 10.00 %, at 40.0 Hz"),
-] {
-
-    let case = case(MEASURED, &file).unwrap();
-    let said: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
-    assert!(
-        said.iter().any(|remark| remark.contains(sentence)),
-        "{said:?}"
-    );
-}
+                .to_owned(),
+            "is not reciprocal: left_z by a force at left_y and the reverse differ by up to 10.00 %, at 40.0 Hz",
+        ),
+    ] {
+        let case = case(MEASURED, &file).unwrap();
+        let said: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+        assert!(said.iter().any(|remark| remark.contains(sentence)), "{said:?}");
+    }
 }
 
 /// Numbers as they round to four digits raise no doubt.
@@ -240,23 +214,13 @@ fn refuses_what_is_no_measured_wheelset() {
             ONE_ENTRY.replace("zz_im", "yy_im"),
             "has zz_re of a receptance, which needs its real and imaginary part, or its modulus and phase",
         ),
+        (ONE_ENTRY.replace("zz_im", "zz_real"), "has two columns for one quantity: `zz_re`, `zz_real`"),
         (
-            ONE_ENTRY.replace("zz_im", "zz_real"),
-            "has two columns for one quantity: `zz_re`, `zz_real`",
-        ),
-        (
-            "frequency_hz,zz_re,zz_im,left_x_left_x_re,left_x_left_x_im\n20,1,0,1,0\n40,1,0,1,0\n"
-                .to_owned(),
+            "frequency_hz,zz_re,zz_im,left_x_left_x_re,left_x_left_x_im\n20,1,0,1,0\n40,1,0,1,0\n".to_owned(),
             "has receptances of one wheel and of both: `zz_re`, `left_x_left_x_re`",
         ),
-        (
-            "frequency_hz,frequency\n20,1\n40,1\n".to_owned(),
-            "has two columns for one quantity",
-        ),
-        (
-            "zz_re,zz_im\n20,1\n40,1\n".to_owned(),
-            "names no frequency; it has zz_re, zz_im",
-        ),
+        ("frequency_hz,frequency\n20,1\n40,1\n".to_owned(), "has two columns for one quantity"),
+        ("zz_re,zz_im\n20,1\n40,1\n".to_owned(), "names no frequency; it has zz_re, zz_im"),
         (
             ONE_ENTRY.replace("zz_re", "zz_re [m/s]"),
             "has column `zz_re [m/s]` in \"m/s\": write m/N, m/s/N, m/s2/N or the like",
@@ -273,25 +237,13 @@ fn refuses_what_is_no_measured_wheelset() {
             "frequency_hz,zz_modulus,zz_phase_deg\n20,1e-8,90\n40,-1e-8,90\n".to_owned(),
             "line 3: column `zz_modulus` is -0.00000001, but a modulus is not negative",
         ),
-        (
-            ONE_ENTRY.replace("80,-1e-8", "80,x"),
-            "line 4: column `zz_re` is \"x\", not a number",
-        ),
-        (
-            ONE_ENTRY.replace("80,-1e-8,-1e-10\n", ""),
-            "nothing between 40 Hz and 160 Hz",
-        ),
-        (
-            ONE_ENTRY.replace("frequency_hz", "frequency [m]"),
-            "in \"m\": write a unit of a frequency",
-        ),
+        (ONE_ENTRY.replace("80,-1e-8", "80,x"), "line 4: column `zz_re` is \"x\", not a number"),
+        (ONE_ENTRY.replace("80,-1e-8,-1e-10\n", ""), "nothing between 40 Hz and 160 Hz"),
+        (ONE_ENTRY.replace("frequency_hz", "frequency [m]"), "in \"m\": write a unit of a frequency"),
         (String::new(), "is empty"),
     ] {
         let error = error(MEASURED, &file);
-        assert!(
-            error.starts_with("`wheelset.file`") && error.contains(sentence),
-            "{error}"
-        );
+        assert!(error.starts_with("`wheelset.file`") && error.contains(sentence), "{error}");
     }
 }
 
@@ -299,10 +251,7 @@ fn refuses_what_is_no_measured_wheelset() {
 fn files_that_are_not_there_are_named() {
     for wheelset in [MODAL, MEASURED] {
         let error = error(&wheelset.replace("wheelset.csv", "nowhere.csv"), "");
-        assert!(
-            error.starts_with("`wheelset.file`") && error.contains("nowhere.csv"),
-            "{error}"
-        );
+        assert!(error.starts_with("`wheelset.file`") && error.contains("nowhere.csv"), "{error}");
     }
 }
 
@@ -310,11 +259,7 @@ fn files_that_are_not_there_are_named() {
 #[test]
 fn discs_carry_coupled_inertias() {
     let with = |keys: &str| {
-        let text = FLEXIBLE.replacen(
-            "diametral_inertia = 2.8",
-            &format!("diametral_inertia = 2.8{keys}"),
-            1,
-        );
+        let text = FLEXIBLE.replacen("diametral_inertia = 2.8", &format!("diametral_inertia = 2.8{keys}"), 1);
         case(&text, "")
     };
     let spring = |stiffness: &str| {
@@ -322,45 +267,21 @@ fn discs_carry_coupled_inertias() {
             ", coupled = {{ polar_inertia = \"20 kg m2\", stiffness = \"{stiffness}\", damping = \"5 N m s/rad\" }}"
         )
     };
-    let heavy = case(
-        &FLEXIBLE.replacen("polar_inertia = 5.5", "polar_inertia = 25.5", 1),
-        "",
-    )
-    .unwrap();
-    let (stiff, soft) = (
-        with(&spring("1e12 N m/rad")).unwrap(),
-        with(&spring("1 Nm/rad")).unwrap(),
-    );
+    let heavy = case(&FLEXIBLE.replacen("polar_inertia = 5.5", "polar_inertia = 25.5", 1), "").unwrap();
+    let (stiff, soft) = (with(&spring("1e12 N m/rad")).unwrap(), with(&spring("1 Nm/rad")).unwrap());
     let plain = case(FLEXIBLE, "").unwrap();
     for frequency in [50.0, 230.0, 400.0] {
         let along = |case: &Case| wheelset(case).receptances(TAU * frequency)[0][3];
         let differ = |one: &Case, other: &Case| (along(one) / along(other) - 1.0).norm();
         // ω²I/k of the stiff spring is 1e-4 at most; the damper has c/ωI of the disc, 3e-3 at most.
-        assert!(
-            differ(&stiff, &heavy) < 1e-2,
-            "{frequency}: {}",
-            differ(&stiff, &heavy)
-        );
-        assert!(
-            differ(&soft, &plain) < 1e-2,
-            "{frequency}: {}",
-            differ(&soft, &plain)
-        );
+        assert!(differ(&stiff, &heavy) < 1e-2, "{frequency}: {}", differ(&stiff, &heavy));
+        assert!(differ(&soft, &plain) < 1e-2, "{frequency}: {}", differ(&soft, &plain));
         assert!(differ(&plain, &heavy) > 0.05, "{frequency}");
     }
     let printed = toml::to_string(&stiff.file).unwrap();
-    assert_eq!(
-        Case::parse("case.toml", &printed, &[]).unwrap().file,
-        stiff.file
-    );
+    assert_eq!(Case::parse("case.toml", &printed, &[]).unwrap().file, stiff.file);
     let refused = with(&spring("0 N m/rad")).err().unwrap().to_string();
-    assert!(
-        refused.contains("`wheelset.discs[1].coupled.stiffness` is 0 N m/rad, but must be"),
-        "{refused}"
-    );
+    assert!(refused.contains("`wheelset.discs[1].coupled.stiffness` is 0 N m/rad, but must be"), "{refused}");
     let refused = with(&spring("3 kN/m")).err().unwrap().to_string();
-    assert!(
-        refused.contains("not a torsional stiffness in N m/rad"),
-        "{refused}"
-    );
+    assert!(refused.contains("not a torsional stiffness in N m/rad"), "{refused}");
 }

@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use riffel::wheelset::{
-    ContactGeometry, ElasticMode, ModalWheelset, RigidBody, RigidWheelset, Wheelset,
-};
+use riffel::wheelset::{ContactGeometry, ElasticMode, ModalWheelset, RigidBody, RigidWheelset, Wheelset};
 
 use super::{MODAL, case, error, wheelset};
 
@@ -15,15 +13,8 @@ const MODES: &str = "frequency_hz,damping_ratio,generalised_mass_kg,left_x,left_
 
 /// The wheelset of [`MODES`].
 pub(super) fn modal(residual: Option<[[f64; 6]; 6]>) -> ModalWheelset {
-    let body = RigidBody {
-        mass: 1100.0,
-        roll_inertia: 620.0,
-        spin_inertia: 85.0,
-    };
-    let contacts = ContactGeometry {
-        contact_spacing: 1.5,
-        rolling_radius: 0.42,
-    };
+    let body = RigidBody { mass: 1100.0, roll_inertia: 620.0, spin_inertia: 85.0 };
+    let contacts = ContactGeometry { contact_spacing: 1.5, rolling_radius: 0.42 };
     let mode = |frequency: f64, damping_ratio, generalised_mass, shape| ElasticMode {
         angular_frequency: TAU * frequency,
         damping_ratio,
@@ -43,9 +34,7 @@ pub(super) fn modal(residual: Option<[[f64; 6]; 6]>) -> ModalWheelset {
 }
 
 fn diagonal(residual: f64) -> [[f64; 6]; 6] {
-    std::array::from_fn(|row| {
-        std::array::from_fn(|column| if row == column { residual } else { 0.0 })
-    })
+    std::array::from_fn(|row| std::array::from_fn(|column| if row == column { residual } else { 0.0 }))
 }
 
 /// Tables of the same two modes in other words, units and separators.
@@ -83,10 +72,7 @@ fn modes_are_read_in_their_units() {
             let (got, expected) = (wheelset(&case).receptances(w), expected.receptances(w));
             for (got, expected) in got.iter().flatten().zip(expected.iter().flatten()) {
                 // The tables hold twelve digits, which resonances make eight of.
-                assert!(
-                    (got - expected).norm() <= 1e-8 * expected.norm(),
-                    "{frequency}: {got} {expected}"
-                );
+                assert!((got - expected).norm() <= 1e-8 * expected.norm(), "{frequency}: {got} {expected}");
             }
         }
         let modes = case.wheelset_modes(wheelset(&case), 90.0).unwrap();
@@ -95,9 +81,7 @@ fn modes_are_read_in_their_units() {
         assert_eq!(modes[0].name.to_string(), "first torsion");
         let ends = |remark: &riffel_keys::Message| {
             let up_to = if residual.is_some() { "97 Hz" } else { "49 Hz" };
-            remark.to_string().contains(&format!(
-                "up to some {up_to}, and the window reaches 500 Hz"
-            ))
+            remark.to_string().contains(&format!("up to some {up_to}, and the window reaches 500 Hz"))
         };
         assert!(case.remarks.iter().any(ends), "{:?}", case.remarks);
     }
@@ -136,65 +120,27 @@ fn refuses_what_are_no_modes() {
                 .replace("right_x", "right_x [1/√kg]"),
             "all shapes have one unit, that of `left_x [1/√t]`",
         ),
-        (
-            MODES.replace("right_z", "z"),
-            "has no column `right_z`; it has frequency_hz, ",
-        ),
-        (
-            MODES.replace("damping_ratio", "loss"),
-            "has no column `damping_ratio`",
-        ),
-        (
-            MODES.replace("damping_ratio", "damping_ratio,zeta"),
-            "has two columns for `damping_ratio`",
-        ),
-        (
-            MODES.replace("0.003", "3"),
-            "line 3: the damping ratio of a mode must be at least 0 and below 1",
-        ),
+        (MODES.replace("right_z", "z"), "has no column `right_z`; it has frequency_hz, "),
+        (MODES.replace("damping_ratio", "loss"), "has no column `damping_ratio`"),
+        (MODES.replace("damping_ratio", "damping_ratio,zeta"), "has two columns for `damping_ratio`"),
+        (MODES.replace("0.003", "3"), "line 3: the damping ratio of a mode must be at least 0 and below 1"),
         (
             MODES.replace("damping_ratio", "damping_ratio [Ns/m]"),
             "has column `damping_ratio [Ns/m]` in \"Ns/m\": a damping ratio has none, or %",
         ),
+        (MODES.replace("mass_kg", "mass_m"), "write a unit of a mass, kg or t"),
+        (MODES.replace("97.2", "0"), "line 3: the natural frequency of an elastic mode must be finite and above zero"),
+        (MODES.replace("-0.4", "?"), "line 3: column `right_y` is \"?\", not a number"),
+        (MODES.replace("-0.4", "inf"), "line 3: column `right_y` is inf, but must be finite"),
+        (format!("{MODES}residual,,,0,0,0,0,0,0\nresidual,,,0,0,0,0,0,0\n"), "has 2 rows `residual`: give one"),
         (
-            MODES.replace("mass_kg", "mass_m"),
-            "write a unit of a mass, kg or t",
-        ),
-        (
-            MODES.replace("97.2", "0"),
-            "line 3: the natural frequency of an elastic mode must be finite and above zero",
-        ),
-        (
-            MODES.replace("-0.4", "?"),
-            "line 3: column `right_y` is \"?\", not a number",
-        ),
-        (
-            MODES.replace("-0.4", "inf"),
-            "line 3: column `right_y` is inf, but must be finite",
-        ),
-        (
-            format!("{MODES}residual,,,0,0,0,0,0,0\nresidual,,,0,0,0,0,0,0\n"),
-            "has 2 rows `residual`: give one",
-        ),
-        (
-            MODES.to_owned()
-                + "residual,,,1e-10,0,0,2e-11,0,0\n"
-                + &"residual,,,0,0,0,0,0,0\n".repeat(5),
+            MODES.to_owned() + "residual,,,1e-10,0,0,2e-11,0,0\n" + &"residual,,,0,0,0,0,0,0\n".repeat(5),
             "a residual compliance must be finite and symmetric",
         ),
-        (
-            "78.6,0.002,55,1,0,0,-1,0,0\n".to_owned(),
-            "has no header: its columns need names above them",
-        ),
-        (
-            MODES.lines().next().unwrap().to_owned(),
-            "has no mode below its header",
-        ),
+        ("78.6,0.002,55,1,0,0,-1,0,0\n".to_owned(), "has no header: its columns need names above them"),
+        (MODES.lines().next().unwrap().to_owned(), "has no mode below its header"),
     ] {
         let error = error(MODAL, &file);
-        assert!(
-            error.starts_with("`wheelset.file`") && error.contains(sentence),
-            "{error}"
-        );
+        assert!(error.starts_with("`wheelset.file`") && error.contains(sentence), "{error}");
     }
 }

@@ -8,9 +8,7 @@ use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::{Answer, Calibration, PlanDocument, four_digits, level_limit};
 use riffel_calibrate::file::SamplerKind;
-use riffel_calibrate::{
-    CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress, Summary,
-};
+use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress, Summary};
 use riffel_keys::fixed;
 
 use super::LIMIT;
@@ -25,13 +23,8 @@ use crate::threads::on_threads;
 /// The months of the forecast that is made with every calibration.
 const MONTHS: f64 = 24.0;
 /// What is written in any case, beside the draws.
-const FILES: [&str; 5] = [
-    "posterior.png",
-    "posterior.svg",
-    "posterior.html",
-    "identifiability.csv",
-    "correlations.csv",
-];
+const FILES: [&str; 5] =
+    ["posterior.png", "posterior.svg", "posterior.html", "identifiability.csv", "correlations.csv"];
 /// Sets of values that the model computes for a draw, those of an emulator among them: some 34 000 for 8000 draws of nine values.
 const SETS_A_DRAW: f64 = 4.0;
 /// Time above which it is told beforehand \[s\].
@@ -43,11 +36,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let named = arguments.plan.as_deref().unwrap_or(Path::new(""));
     let path = arguments.output.clone();
     let path = path.unwrap_or_else(|| PathBuf::from(format!("{}-posterior", stem(named))));
-    let measured = Measured {
-        case: named,
-        traffic: arguments.traffic.as_deref(),
-        tables: &arguments.tables,
-    };
+    let measured = Measured { case: named, traffic: arguments.traffic.as_deref(), tables: &arguments.tables };
     let plan = measured.plan_for(&path)?;
     if arguments.dry_run {
         match arguments.json {
@@ -66,10 +55,8 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let begun = Instant::now();
     let sample = |folder: &Folder<'_>, _: &str| {
         let chains = sampler.chains;
-        let progress = progress::Progress::counting(
-            riffel_keys::say!(progress_draws),
-            chains * folder.draws_of_a_chain(),
-        );
+        let progress =
+            progress::Progress::counting(riffel_keys::say!(progress_draws), chains * folder.draws_of_a_chain());
         let tell = |of: Progress| match of {
             Progress::Drawn(draws) => progress.advance(draws as usize),
             Progress::GoesOn { draws } => {
@@ -116,28 +103,16 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
     print(&match arguments.json {
         true => json(&answer),
-        false => format!(
-            "{title}\n{}{conclusions}{}: {}\n",
-            marginals(&summary),
-            path.display(),
-            names.join(" ")
-        ),
+        false => format!("{title}\n{}{conclusions}{}: {}\n", marginals(&summary), path.display(), names.join(" ")),
     })?;
-    say(format_args!(
-        "sampled in {}",
-        duration(begun.elapsed().as_secs_f64())
-    ));
+    say(format_args!("sampled in {}", duration(begun.elapsed().as_secs_f64())));
     print_remarks(&plan.remarks);
     print_remarks(models.as_ref().map_or(&[], Answer::remarks));
     print_remarks(&answer.untold);
     print_remarks(&answer.far_from_others);
     let doubts = answer.doubts.iter();
     doubts.for_each(|doubt| complain(doubt.text(language())));
-    Ok(if answer.is_conclusive {
-        0
-    } else {
-        NO_CONCLUSION
-    })
+    Ok(if answer.is_conclusive { 0 } else { NO_CONCLUSION })
 }
 
 /// Say how many draws there are to be, and how long they may take where that is longer than one waits without a word.
@@ -162,18 +137,11 @@ fn tell_plan(plan: &Plan) {
         let _ = plan.posterior.log_likelihood(&values);
         seconds = begun.elapsed().as_secs_f64();
     }
-    let at_once = sampler
-        .chains
-        .min(rayon::current_num_threads() as u64)
-        .max(1);
+    let at_once = sampler.chains.min(rayon::current_num_threads() as u64).max(1);
     let draws = sampler.chains * (sampler.left_out() + sampler.draws) / at_once;
     let whole = SETS_A_DRAW * seconds * draws as f64;
     if whole > SLOW {
-        say(riffel_keys::say!(
-            chains_take,
-            seconds = fixed(seconds, 3),
-            minutes = fixed((whole / 60.0).ceil(), 0)
-        ));
+        say(riffel_keys::say!(chains_take, seconds = fixed(seconds, 3), minutes = fixed((whole / 60.0).ceil(), 0)));
     }
 }
 
@@ -231,11 +199,7 @@ fn dry_run(plan: &Plan) -> miette::Result<String> {
     Ok(text
         + &format!(
             "{} data, {} chains of {} + {} draws\n",
-            plan.posterior
-                .observed()
-                .iter()
-                .map(Vec::len)
-                .sum::<usize>(),
+            plan.posterior.observed().iter().map(Vec::len).sum::<usize>(),
             plan.file.sampler.chains,
             plan.file.sampler.left_out(),
             plan.file.sampler.draws

@@ -21,15 +21,7 @@ pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
     let (_, limit) = level_limit(LIMIT)?;
     let stop = stop_on_interrupt();
     let progress = Progress::counting(riffel_keys::say!(progress_simulations), arguments.runs);
-    let work = || {
-        Simulated::of(
-            &plan,
-            arguments.runs,
-            &limit,
-            &|done| progress.advance(done as usize),
-            &stop,
-        )
-    };
+    let work = || Simulated::of(&plan, arguments.runs, &limit, &|done| progress.advance(done as usize), &stop);
     let Some(simulated) = on_threads(arguments.threads, work)?? else {
         complain("stopped: the check begins anew");
         return Ok(INTERRUPTED);
@@ -54,8 +46,6 @@ pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
     }
     print_remarks(&plan.remarks);
     let doubts = answer.doubts();
-    doubts
-        .iter()
-        .for_each(|doubt| complain(doubt.text(language())));
+    doubts.iter().for_each(|doubt| complain(doubt.text(language())));
     Ok(if doubts.is_empty() { 0 } else { UNEVEN })
 }

@@ -26,9 +26,7 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
             return Ok(());
         }
     }
-    let folder = arguments
-        .case
-        .folder(arguments.results.output.as_deref(), "diagnosis");
+    let folder = arguments.case.folder(arguments.results.output.as_deref(), "diagnosis");
     let mut staging = Staging::new("diagnose", &folder)?;
     staging.write_figure("diagnosis", &diagnosis.figure(&file, Language::English))?;
     staging.write_with("candidates.csv", |file| diagnosis.candidates_csv(file))?;

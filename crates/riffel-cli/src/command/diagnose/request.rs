@@ -33,19 +33,11 @@ pub(crate) fn diagnosis(
         },
         torsion: modes("--torsion", &arguments.torsion)?,
         bending: modes("--bending", &arguments.bending)?,
-        instrument: if arguments.from_vehicle {
-            Instrument::Vehicle
-        } else {
-            Instrument::Trolley
-        },
+        instrument: if arguments.from_vehicle { Instrument::Vehicle } else { Instrument::Trolley },
     };
     check_dates(&arguments.earlier)?;
-    let files: Vec<RoughnessFile> = arguments
-        .earlier
-        .files
-        .iter()
-        .map(|path| read(path, &arguments.layout))
-        .collect::<miette::Result<_>>()?;
+    let files: Vec<RoughnessFile> =
+        arguments.earlier.files.iter().map(|path| read(path, &arguments.layout)).collect::<miette::Result<_>>()?;
     if matches!(file, RoughnessFile::Profile(_)) {
         choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
     }
@@ -61,31 +53,19 @@ pub(crate) fn diagnosis(
             roughness: file.into(),
         })
         .collect();
-    let present = RailRecord {
-        name: path,
-        date: arguments.earlier.dates.last().copied(),
-        roughness: file.into(),
-    };
+    let present = RailRecord { name: path, date: arguments.earlier.dates.last().copied(), roughness: file.into() };
     let mut diagnosis = Diagnosis::new(case, &present, &earlier, &settings)?;
     diagnosis.warnings.splice(0..0, remark);
     Ok(diagnosis)
 }
 
-fn modes(
-    argument: &'static str,
-    frequencies: &[Quantity<Frequency>],
-) -> Result<Vec<f64>, CliError> {
+fn modes(argument: &'static str, frequencies: &[Quantity<Frequency>]) -> Result<Vec<f64>, CliError> {
     let modes = frequencies.iter();
-    modes
-        .map(|&frequency| positive(argument, frequency))
-        .collect()
+    modes.map(|&frequency| positive(argument, frequency)).collect()
 }
 
 /// The speeds asked for, or those of the usual traffic with a remark that says so.
-fn speeds(
-    case: &Case,
-    arguments: &DiagnosisArguments,
-) -> miette::Result<(TrafficSpeeds, Option<Message>)> {
+fn speeds(case: &Case, arguments: &DiagnosisArguments) -> miette::Result<(TrafficSpeeds, Option<Message>)> {
     let wrong = |value: &str, rule: &str| CliError::Argument {
         argument: "--speed",
         value: value.to_owned(),
@@ -101,18 +81,15 @@ fn speeds(
         return Ok((speeds, None));
     }
     if arguments.speed.is_empty() {
-        let (speeds, sentence) = Diagnosis::usual_speeds(case)
-            .map_err(|error| wrong("those of the usual traffic", &error.to_string()))?;
+        let (speeds, sentence) =
+            Diagnosis::usual_speeds(case).map_err(|error| wrong("those of the usual traffic", &error.to_string()))?;
         let remark = sentence.about(say!(neither_speed_nor_traffic));
         return Ok((speeds, Some(remark)));
     }
     let mut ranges = Vec::new();
     for written in &arguments.speed {
         let (slowest, fastest) = match Kind::of::<Speed>().range_in_words(written) {
-            Some([slowest, fastest]) => (
-                within::<Speed>("--speed", &slowest)?,
-                within::<Speed>("--speed", &fastest)?,
-            ),
+            Some([slowest, fastest]) => (within::<Speed>("--speed", &slowest)?, within::<Speed>("--speed", &fastest)?),
             None => {
                 let speed = within::<Speed>("--speed", written)?;
                 (speed, speed)
@@ -123,7 +100,7 @@ fn speeds(
         }
         ranges.push((slowest, fastest));
     }
-    let speeds = TrafficSpeeds::of_ranges(ranges)
-        .map_err(|error| wrong(&arguments.speed.join(", "), &error.to_string()))?;
+    let speeds =
+        TrafficSpeeds::of_ranges(ranges).map_err(|error| wrong(&arguments.speed.join(", "), &error.to_string()))?;
     Ok((speeds, None))
 }

@@ -14,11 +14,8 @@ const SHOWN: f64 = 0.02;
 /// A diagnosis of a file, for a terminal.
 pub(super) fn readable(diagnosis: &Diagnosis, file: &str, case: &Case) -> String {
     let title = case.file.title.as_deref().unwrap_or("the case");
-    let mut text = format!(
-        "{file}: {}\nheld against: {title}; traffic at {}\n",
-        diagnosis.words,
-        diagnosis.speeds.words()
-    );
+    let mut text =
+        format!("{file}: {}\nheld against: {title}; traffic at {}\n", diagnosis.words, diagnosis.speeds.words());
     if diagnosis.findings.is_empty() {
         text += &format!("{}\n", say!(nothing_stands_out).text(language()));
     }

@@ -23,19 +23,13 @@ impl Dated {
     pub(super) fn new(spectra: &Spectra, given: Survey) -> miette::Result<Self> {
         let mut now = given.clone().choose(&spectra.choose)?.on_one_device();
         let path = spectra.spectrum.as_deref();
-        let mut history = History::read(
-            &spectra.earlier,
-            path,
-            &spectra.layout,
-            &spectra.earlier_choose,
-        )?;
+        let mut history = History::read(&spectra.earlier, path, &spectra.layout, &spectra.earlier_choose)?;
         if history.surveys.is_empty() && !spectra.earlier_choose.is_empty() {
             let earlier = given.choose(&spectra.earlier_choose)?;
             history.surveys.push(earlier);
         }
         let earlier = history.surveys.first();
-        now.warnings
-            .extend(earlier.and_then(|earlier| now.device_since(earlier)));
+        now.warnings.extend(earlier.and_then(|earlier| now.device_since(earlier)));
         let of_files = history.days();
         let (mut date, mut days) = (of_files.map(|it| it.0), of_files.map(|it| it.1));
         if let Some(column) = &spectra.date_column {
@@ -69,20 +63,14 @@ fn by_column(
     mut all: Vec<(Date, Survey)>,
     warnings: Vec<Message>,
 ) -> Result<(Survey, Option<Date>, Option<f64>), CliError> {
-    let wrong = |rule: String| CliError::Argument {
-        argument: "--date-column",
-        value: column.to_owned(),
-        rule,
-    };
+    let wrong = |rule: String| CliError::Argument { argument: "--date-column", value: column.to_owned(), rule };
     let Some((date, mut now)) = all.pop() else {
         return Err(wrong("one with a date".to_owned()));
     };
     now.warnings = warnings;
     let mut earlier = Vec::new();
     for (before, survey) in all {
-        let span = date
-            .since(before)
-            .map_err(|error| wrong(format!("dates that can be compared: {error}")))?;
+        let span = date.since(before).map_err(|error| wrong(format!("dates that can be compared: {error}")))?;
         let days = f64::from(span.get_days());
         if days <= 0.0 {
             return Err(CliError::Argument {

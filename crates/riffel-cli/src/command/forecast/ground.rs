@@ -16,11 +16,7 @@ pub(crate) fn ground_rail(
     table: &LimitTable,
     limit: &LevelLimit,
 ) -> miette::Result<Option<GroundRail>> {
-    let refuse = |argument, value: &str, rule: String| CliError::Argument {
-        argument,
-        value: value.to_owned(),
-        rule,
-    };
+    let refuse = |argument, value: &str, rule: String| CliError::Argument { argument, value: value.to_owned(), rule };
     if let Some(decibels) = &ground.from_limit {
         let below = GroundRail::below(&table.edition, limit, decibels);
         let below = below.map_err(|rule| refuse("--from-limit", decibels, rule))?;
@@ -31,10 +27,7 @@ pub(crate) fn ground_rail(
     };
     if !GroundRail::is_table(name) {
         return Ok(Some(GroundRail {
-            spectrum: survey(Path::new(name), &Layout::default())?
-                .latest()
-                .0
-                .mean(),
+            spectrum: survey(Path::new(name), &Layout::default())?.latest().0.mean(),
             words: Message::verbatim(name),
         }));
     }

@@ -62,31 +62,14 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
 
 /// The forecast of the rail that will be ground, or else of what was measured; `survey` holds all spectra of
 /// `--spectrum`.
-pub(super) fn forecast(
-    case: &Case,
-    arguments: &Arguments,
-    survey: Option<Survey>,
-) -> miette::Result<ForecastAnswer> {
+pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey>) -> miette::Result<ForecastAnswer> {
     // It is there where no posterior is.
-    let traffic = Traffic::read(
-        arguments
-            .traffic
-            .as_deref()
-            .unwrap_or_else(|| Path::new("")),
-    )?;
+    let traffic = Traffic::read(arguments.traffic.as_deref().unwrap_or_else(|| Path::new("")))?;
     let (table, limit) = level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
-    History::check_now(
-        &arguments.spectra.earlier,
-        arguments.spectra.spectrum.as_deref(),
-    )?;
-    let dated = survey
-        .map(|survey| Dated::new(&arguments.spectra, survey))
-        .transpose()?;
-    let progress = Progress::new(
-        riffel_keys::say!(progress_traffic),
-        traffic.file.vehicle.len(),
-    );
+    History::check_now(&arguments.spectra.earlier, arguments.spectra.spectrum.as_deref())?;
+    let dated = survey.map(|survey| Dated::new(&arguments.spectra, survey)).transpose()?;
+    let progress = Progress::new(riffel_keys::say!(progress_traffic), traffic.file.vehicle.len());
     let measured_on = dated.as_ref().and_then(|dated| dated.date);
     let request = ForecastRequest {
         traffic,
@@ -118,9 +101,7 @@ fn readable(case: &Case, answer: &ForecastAnswer) -> String {
     let after = say!(after_amount, amount = answer.amount(answer.passages));
     let [title, traffic, after] = [title, traffic, after].map(|said| said.text(language()));
     let mut text = format!("{title}, {traffic}\n{after}\n");
-    let heads: Vec<String> = (answer.heads().iter())
-        .map(|head| head.text(language()))
-        .collect();
+    let heads: Vec<String> = (answer.heads().iter()).map(|head| head.text(language())).collect();
     let mut rows = table(&heads);
     for row in answer.rows() {
         rows.add_row(row.iter().map(|cell| cell.text(language())));
@@ -159,14 +140,10 @@ fn of_arguments(arguments: &Arguments, case: &Case, error: AnswerError) -> miett
         }
         AnswerError::NoPassagesPerDay => CliError::Argument {
             argument: "--months",
-            value: arguments
-                .horizon
-                .months
-                .map_or("left out".to_owned(), |months| months.to_string()),
-            rule:
-                "replaced by --passages or --mgt, for the traffic file says under [line] neither \
+            value: arguments.horizon.months.map_or("left out".to_owned(), |months| months.to_string()),
+            rule: "replaced by --passages or --mgt, for the traffic file says under [line] neither \
                    passages_per_day nor mgt_per_year"
-                    .to_owned(),
+                .to_owned(),
         }
         .into(),
         error => error.into(),
@@ -183,10 +160,7 @@ pub(crate) fn outside(
     let (argument, value) = match (&ground.ground, &ground.from_limit, spectrum) {
         (Some(name), _, _) => ("--ground", name.clone()),
         (_, Some(decibels), _) => ("--from-limit", decibels.clone()),
-        (_, _, spectrum) => (
-            "--spectrum",
-            spectrum.map_or_else(String::new, |path| path.display().to_string()),
-        ),
+        (_, _, spectrum) => ("--spectrum", spectrum.map_or_else(String::new, |path| path.display().to_string())),
     };
     CliError::Argument {
         argument,

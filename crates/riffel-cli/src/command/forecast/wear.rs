@@ -34,9 +34,8 @@ pub(super) fn wear_report(
     };
     let by_date = dated.days.and_then(|days| answer.on.passages_in(days));
     // A table of several dates is fitted by itself, if it can be.
-    let is_asked = spectra.date_column.is_some()
-        || !spectra.earlier.files.is_empty()
-        || !spectra.earlier_choose.is_empty();
+    let is_asked =
+        spectra.date_column.is_some() || !spectra.earlier.files.is_empty() || !spectra.earlier_choose.is_empty();
     let measured = Measured::new(earlier, &dated.now, dated.places.as_ref());
     let fit = |passages| measured.fit(case, &answer.on, Some(&answer.limit), passages);
     match spectra.passages_between.or(by_date) {
@@ -63,16 +62,8 @@ pub(crate) struct Measured<'a> {
 
 impl<'a> Measured<'a> {
     /// Rails with their oldest record, and where both are profiles place by place.
-    pub(crate) fn new(
-        oldest: &'a Survey,
-        now: &'a Survey,
-        places: Option<&'a [Survey; 2]>,
-    ) -> Self {
-        Self {
-            oldest,
-            now,
-            places,
-        }
+    pub(crate) fn new(oldest: &'a Survey, now: &'a Survey, places: Option<&'a [Survey; 2]>) -> Self {
+        Self { oldest, now, places }
     }
 
     /// The fit of how one rail has changed, by so many passages since the oldest record: of several rails that of the case, or else the
@@ -132,18 +123,8 @@ pub(super) fn readable(report: &WearReport) -> String {
     let [earlier, later] = report.records;
     let passages = number(format_args!("{:.2e}", report.passages));
     let change = match report.fit.paired {
-        true => say!(
-            change_between_paired_records,
-            passages = passages,
-            earlier = earlier,
-            later = later
-        ),
-        false => say!(
-            change_between_records,
-            passages = passages,
-            earlier = earlier,
-            later = later
-        ),
+        true => say!(change_between_paired_records, passages = passages, earlier = earlier, later = later),
+        false => say!(change_between_records, passages = passages, earlier = earlier, later = later),
     };
     let mut text = format!("{}\n{rows}\n", change.text(language()));
     for sentence in report.sentences().into_iter().chain(report.advice()) {

@@ -26,10 +26,7 @@ pub(super) struct Before {
 
 impl Before {
     /// The oldest of the earlier records of the command line; with all of them the rail of now has a history.
-    pub(super) fn of_arguments(
-        arguments: &Report,
-        now: Option<&mut Now<'_>>,
-    ) -> miette::Result<Option<Self>> {
+    pub(super) fn of_arguments(arguments: &Report, now: Option<&mut Now<'_>>) -> miette::Result<Option<Self>> {
         let record = &arguments.record;
         let path = arguments.roughness.as_deref();
         let history = History::read(&record.earlier, path, &record.layout, &record.choose)?;
@@ -40,22 +37,14 @@ impl Before {
         if let Some(now) = now {
             now.survey = history.before(now.survey.clone(), arguments.passages_between);
         }
-        Ok(Some(Self {
-            survey,
-            places: history.places,
-            date: record.earlier.dates.first().copied().or(written),
-        }))
+        Ok(Some(Self { survey, places: history.places, date: record.earlier.dates.first().copied().or(written) }))
     }
 
     /// The earliest records of a table of several dates, as `riffel forecast --date-column` takes them.
     pub(super) fn of_table(survey: &Survey) -> Option<Self> {
         let dates = survey.by_date(survey.column_of_several_dates()?).ok()?;
         let (date, survey) = dates.into_iter().next()?;
-        Some(Self {
-            survey,
-            places: None,
-            date: Some(date),
-        })
+        Some(Self { survey, places: None, date: Some(date) })
     }
 }
 

@@ -37,70 +37,35 @@ pub(super) fn inputs(
         if let Some(measurement) = &file.track.measurement {
             let folder = given.path.parent().unwrap_or_else(|| Path::new(""));
             let file = folder.join(&measurement.file);
-            add(
-                &mut inputs,
-                say!(input_track_receptance),
-                &file,
-                say!(measured_word),
-            )?;
+            add(&mut inputs, say!(input_track_receptance), &file, say!(measured_word))?;
         }
     }
     if let Some(traffic) = &record.traffic {
-        add(
-            &mut inputs,
-            say!(input_traffic),
-            traffic,
-            say!(input_vehicles),
-        )?;
+        add(&mut inputs, say!(input_traffic), traffic, say!(input_vehicles))?;
     }
     for variant in &arguments.variants {
-        add(
-            &mut inputs,
-            say!(variant_head),
-            variant,
-            say!(input_changes),
-        )?;
+        add(&mut inputs, say!(variant_head), variant, say!(input_changes))?;
     }
     if let Some(format) = &record.layout.format {
-        add(
-            &mut inputs,
-            say!(input_reader_profile),
-            format,
-            say!(input_layout),
-        )?;
+        add(&mut inputs, say!(input_reader_profile), format, say!(input_layout))?;
     }
-    for name in arguments
-        .limit
-        .iter()
-        .filter(|name| name.ends_with(".toml"))
-    {
-        add(
-            &mut inputs,
-            say!(input_limit_table),
-            name.as_ref(),
-            say!(input_of_your_own),
-        )?;
+    for name in arguments.limit.iter().filter(|name| name.ends_with(".toml")) {
+        add(&mut inputs, say!(input_limit_table), name.as_ref(), say!(input_of_your_own))?;
     }
     if let Some(site) = &arguments.site {
-        add(
-            &mut inputs,
-            say!(input_site),
-            site,
-            say!(input_words_at_the_top),
-        )?;
+        add(&mut inputs, say!(input_site), site, say!(input_words_at_the_top))?;
     }
     Ok(inputs)
 }
 
 /// Put a file among the inputs, with its fingerprint.
 fn add(inputs: &mut Inputs, role: Message, path: &Path, origin: Message) -> Result<(), CaseError> {
-    let hash =
-        match is_standard_input(path) || question::holds(path) {
-            true => say!(standard_input),
-            false => Message::verbatim(fingerprint(path).map_err(|reason| {
-                CaseError::data(path, format!("cannot read the file: {reason}"))
-            })?),
-        };
+    let hash = match is_standard_input(path) || question::holds(path) {
+        true => say!(standard_input),
+        false => Message::verbatim(
+            fingerprint(path).map_err(|reason| CaseError::data(path, format!("cannot read the file: {reason}")))?,
+        ),
+    };
     inputs.add(role, path, origin, hash);
     Ok(())
 }

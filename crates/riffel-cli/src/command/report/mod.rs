@@ -13,8 +13,7 @@ use riffel_answers::forecast::{ForecastAnswer, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion, RoughWheels};
 use riffel_answers::report::{
-    GENERATOR, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip,
-    report,
+    GENERATOR, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip, report,
 };
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_answers::{LineGrowth, PosteriorDraws};
@@ -25,8 +24,8 @@ use riffel_keys::{Message, number, say};
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 
 use crate::arguments::{
-    CaseArguments, Compare, DiagnosisArguments, Earlier, Forecast, Horizon, Layout, Posterior,
-    Report, ResultsArguments, Spectra, Statistics,
+    CaseArguments, Compare, DiagnosisArguments, Earlier, Forecast, Horizon, Layout, Posterior, Report,
+    ResultsArguments, Spectra, Statistics,
 };
 use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
@@ -80,17 +79,12 @@ struct GivenCase<'a> {
 impl<'a> GivenCase<'a> {
     fn read(path: &'a Path, overrides: Vec<String>) -> miette::Result<Self> {
         let case = CaseArguments::of(path, &overrides).read()?;
-        Ok(Self {
-            path,
-            overrides,
-            case,
-        })
+        Ok(Self { path, overrides, case })
     }
 
     /// The same case with another wear coefficient \[kg/J\], to the four digits that `riffel forecast` prints.
     fn with_wear_coefficient(mut self, coefficient: f64) -> miette::Result<Self> {
-        self.overrides
-            .push(format!("wear.coefficient={coefficient:.3e}"));
+        self.overrides.push(format!("wear.coefficient={coefficient:.3e}"));
         Self::read(self.path, self.overrides)
     }
 
@@ -102,29 +96,20 @@ impl<'a> GivenCase<'a> {
 pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let site = arguments.site.as_deref().map(Site::read).transpose()?;
     let site = site.unwrap_or_default();
-    let mut given = arguments
-        .case
-        .as_deref()
-        .map(|path| GivenCase::read(path, arguments.overrides.clone()))
-        .transpose()?;
+    let mut given =
+        arguments.case.as_deref().map(|path| GivenCase::read(path, arguments.overrides.clone())).transpose()?;
     let limits = limits(&arguments.limit)?;
     let record = &arguments.record;
     let rail = measured_rail(arguments, given.as_ref().map(|given| &given.case), &limits)?;
-    let mut now = rail
-        .as_ref()
-        .and_then(|(path, rail)| now(path, rail, record));
+    let mut now = rail.as_ref().and_then(|(path, rail)| now(path, rail, record));
     let before = match Before::of_arguments(arguments, now.as_mut())? {
         Some(before) => Some(before),
         None => rail.as_ref().and_then(|(_, rail)| rail.before.clone()),
     };
     fit::check_passages(arguments, before.as_ref())?;
     let mut wear = None;
-    if let (Some(case), Some(now), Some(before), Some(traffic)) =
-        (&given, &now, &before, &record.traffic)
-    {
-        wear = Some(fit::fit(
-            arguments, &case.case, &limits, traffic, before, now,
-        )?);
+    if let (Some(case), Some(now), Some(before), Some(traffic)) = (&given, &now, &before, &record.traffic) {
+        wear = Some(fit::fit(arguments, &case.case, &limits, traffic, before, now)?);
     }
     // From here on the case has the coefficient of this rail.
     if !arguments.keep_coefficient
@@ -137,19 +122,12 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let case = given.as_ref().map(|given| &given.case);
     let traffic = record.traffic.as_deref();
     let posterior = given.as_ref().zip(arguments.posterior.as_deref());
-    let posterior = posterior
-        .map(|(given, folder)| finished_of(&given.arguments(), folder))
-        .transpose()?;
-    let draws = posterior
-        .as_ref()
-        .map(|(plan, chains)| PosteriorDraws::new(plan, chains))
-        .transpose()?;
+    let posterior = posterior.map(|(given, folder)| finished_of(&given.arguments(), folder)).transpose()?;
+    let draws = posterior.as_ref().map(|(plan, chains)| PosteriorDraws::new(plan, chains)).transpose()?;
     let map = case.map(|case| growth_map(case, traffic, draws.as_ref()));
     let map = map.transpose()?;
     let posterior_forecast = match &posterior {
-        Some((plan, chains)) if plan.has_levels() => {
-            Some(drawn::forecast(arguments, &limits, plan, chains)?)
-        }
+        Some((plan, chains)) if plan.has_levels() => Some(drawn::forecast(arguments, &limits, plan, chains)?),
         _ => None,
     };
     // The case goes by the coefficient that was fitted, unless it is to keep its own.
@@ -199,10 +177,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     })?;
     let existing = Existing::page(&arguments.output, arguments.force, GENERATOR);
     write_file(&arguments.output, &page, existing)?;
-    print(&format!(
-        "wrote {}; open it in a browser, print it to A4 from there\n",
-        arguments.output.display()
-    ))?;
+    print(&format!("wrote {}; open it in a browser, print it to A4 from there\n", arguments.output.display()))?;
     Ok(())
 }
 
@@ -221,11 +196,7 @@ fn measured_rail<'a>(
 }
 
 /// The growth map of a case, with a bar of how far it is.
-fn growth_map(
-    case: &Case,
-    traffic: Option<&Path>,
-    draws: Option<&PosteriorDraws>,
-) -> miette::Result<MapAnswer> {
+fn growth_map(case: &Case, traffic: Option<&Path>, draws: Option<&PosteriorDraws>) -> miette::Result<MapAnswer> {
     case.check_window()?;
     let traffic = traffic.map(Traffic::read).transpose()?;
     let progress = Progress::new(riffel_keys::say!(progress_growth_map), case.speed.points());
@@ -240,11 +211,7 @@ fn growth_map(
 /// `Ok` if there is a case to report on, and nothing is said of a rail.
 fn check_without_roughness(arguments: &Report) -> Result<(), CliError> {
     let wrong = |argument, value: &str, rule: &str| {
-        Err(CliError::Argument {
-            argument,
-            value: value.to_owned(),
-            rule: rule.to_owned(),
-        })
+        Err(CliError::Argument { argument, value: value.to_owned(), rule: rule.to_owned() })
     };
     if let Some(argument) = arguments.record.given() {
         return wrong(argument, "given", "left out where there is no --roughness");
@@ -280,20 +247,14 @@ fn measured(
             let survey = Survey::of(path, RoughnessFile::Profile(growing))?;
             let before = Before::of_table(&survey);
             let (survey, date) = survey.latest();
-            let statistics = Statistics {
-                block: Quantity::new(block_of_strip(&profile)),
-                ..Statistics::default()
-            };
+            let statistics = Statistics { block: Quantity::new(block_of_strip(&profile)), ..Statistics::default() };
             let answer = judged(path, profile, limits, &statistics)?;
             Measured {
                 understood: answer.understood(),
                 date,
                 survey,
                 before,
-                roughness: MeasuredRoughness::Profile {
-                    strips,
-                    answer: Box::new(answer),
-                },
+                roughness: MeasuredRoughness::Profile { strips, answer: Box::new(answer) },
                 diagnosis,
             }
         }
@@ -306,11 +267,7 @@ fn measured(
             Measured {
                 understood: match (answer.count(), &record.choose[..]) {
                     (count, []) => say!(one_third_octave_spectra, count = count),
-                    (count, choose) => say!(
-                        chosen_spectra,
-                        count = number(count),
-                        choices = choose.join(", ")
-                    ),
+                    (count, choose) => say!(chosen_spectra, count = number(count), choices = choose.join(", ")),
                 },
                 date,
                 survey: latest,
@@ -362,11 +319,7 @@ fn outlook(
         traffic: Some(traffic.clone()),
         posterior: None,
         limit,
-        horizon: Horizon {
-            passages: None,
-            mgt: None,
-            months: arguments.months,
-        },
+        horizon: Horizon { passages: None, mgt: None, months: arguments.months },
         date: now.date,
         results: ResultsArguments::default(),
     };
@@ -429,14 +382,10 @@ fn what_if(
         models: None,
         remedies: false,
         costs: Vec::new(),
-        speed: now
-            .filter(|_| traffic.is_none())
-            .map(|now| Quantity::new(now.speed).into()),
+        speed: now.filter(|_| traffic.is_none()).map(|now| Quantity::new(now.speed).into()),
         speed_deviation: None,
         traffic,
-        posterior: Posterior {
-            posterior: arguments.posterior.clone(),
-        },
+        posterior: Posterior { posterior: arguments.posterior.clone() },
         hold: arguments.hold,
         spectrum: now.map(|now| now.path.to_owned()),
         earlier: Earlier::default(),
@@ -454,9 +403,6 @@ fn what_if(
 fn level_limit(arguments: &Report, limits: &[LimitTable]) -> Option<String> {
     let is_of_levels = |table: &LimitTable| matches!(table.limit, Limit::Levels(_));
     let first = limits.iter().find(|table| is_of_levels(table))?;
-    let given = arguments
-        .limit
-        .iter()
-        .find(|name| LimitTable::find(name).is_ok_and(|table| is_of_levels(&table)));
+    let given = arguments.limit.iter().find(|name| LimitTable::find(name).is_ok_and(|table| is_of_levels(&table)));
     Some(given.unwrap_or(&first.name).clone())
 }

@@ -32,16 +32,11 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     ] {
         value.map(|value| positive(argument, value)).transpose()?;
     }
-    for (argument, value) in [
-        ("--merge", arguments.statistics.merge),
-        ("--grinding-length", arguments.statistics.grinding_length),
-    ] {
+    for (argument, value) in
+        [("--merge", arguments.statistics.merge), ("--grinding-length", arguments.statistics.grinding_length)]
+    {
         if value.si() < 0.0 {
-            Err(CliError::Argument {
-                argument,
-                value: value.to_string(),
-                rule: "zero or greater".to_owned(),
-            })?;
+            Err(CliError::Argument { argument, value: value.to_string(), rule: "zero or greater".to_owned() })?;
         }
     }
     let limits = limits(&arguments.limit)?;
@@ -71,28 +66,20 @@ pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile
         position_unit: layout.position_unit.clone(),
     };
     let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
-    let file = with_progress(riffel_keys::say!(progress_reading), size, |advance| {
-        RoughnessFile::read(path, &layout, advance)
-    });
+    let file =
+        with_progress(riffel_keys::say!(progress_reading), size, |advance| RoughnessFile::read(path, &layout, advance));
     Ok(file?.part(path, &part)?)
 }
 
 /// A choice among spectra means nothing for a profile.
-pub(crate) fn choose_nothing(
-    path: &Path,
-    choose: &[String],
-    by: Option<&str>,
-) -> Result<(), CliError> {
+pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -> Result<(), CliError> {
     let choice = choose.first().map(|choice| ("--where", choice.as_str()));
     match choice.or(by.map(|by| ("--by", by))) {
         None => Ok(()),
         Some((argument, value)) => Err(CliError::Argument {
             argument,
             value: value.to_owned(),
-            rule: format!(
-                "left out: it is for tables of spectra, and {} is a profile",
-                path.display()
-            ),
+            rule: format!("left out: it is for tables of spectra, and {} is a profile", path.display()),
         }),
     }
 }
@@ -113,11 +100,7 @@ pub(crate) fn survey(path: &Path, layout: &Layout) -> miette::Result<Survey> {
 
 /// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
 /// standard input and is gone.
-pub(crate) fn places_of_both(
-    earlier: &Path,
-    later: &Path,
-    layout: &Layout,
-) -> miette::Result<Option<[Survey; 2]>> {
+pub(crate) fn places_of_both(earlier: &Path, later: &Path, layout: &Layout) -> miette::Result<Option<[Survey; 2]>> {
     if is_standard_input(earlier) || is_standard_input(later) {
         return Ok(None);
     }
@@ -139,19 +122,12 @@ pub(crate) fn limits(names: &[String]) -> miette::Result<Vec<LimitTable>> {
 }
 
 /// Work done by several threads that tell one bar how far they are.
-pub(crate) fn with_progress<T>(
-    what: Message,
-    length: usize,
-    work: impl FnOnce(&(dyn Fn(usize) + Sync)) -> T,
-) -> T {
+pub(crate) fn with_progress<T>(what: Message, length: usize, work: impl FnOnce(&(dyn Fn(usize) + Sync)) -> T) -> T {
     let progress = Progress::new(what, length);
     work(&|by| progress.advance(by))
 }
 
 /// The folder given for results, or one named after the file.
 fn folder(path: &Path, given: Option<&Path>) -> PathBuf {
-    given.map_or_else(
-        || PathBuf::from(format!("{}-roughness", stem(path))),
-        Path::to_owned,
-    )
+    given.map_or_else(|| PathBuf::from(format!("{}-roughness", stem(path))), Path::to_owned)
 }

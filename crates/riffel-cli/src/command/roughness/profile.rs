@@ -12,12 +12,7 @@ use crate::messages::{language, print_remarks};
 use crate::output::{json, print};
 use crate::staging::{Existing, Staging, write_file};
 
-pub(super) fn run(
-    path: &Path,
-    record: Record,
-    limits: &[LimitTable],
-    arguments: &Roughness,
-) -> miette::Result<()> {
+pub(super) fn run(path: &Path, record: Record, limits: &[LimitTable], arguments: &Roughness) -> miette::Result<()> {
     // A table that is none is told of before the work.
     let along = arguments.along.as_deref().map(LinePlace::read);
     let along = along.transpose()?.unwrap_or_default();
@@ -36,10 +31,7 @@ pub(super) fn run(
     }
     let folder = folder(path, arguments.output.as_deref());
     let mut staging = Staging::new("roughness", &folder)?;
-    staging.write_figure(
-        "roughness",
-        &profile.figure(path, limits, Language::English),
-    )?;
+    staging.write_figure("roughness", &profile.figure(path, limits, Language::English))?;
     staging.write_with("spectrum.csv", |file| profile.spectrum_csv(file))?;
     staging.write_with("blocks.csv", |file| profile.block_csv(file))?;
     staging.write_with("grind.csv", |file| profile.grind_csv(file))?;

@@ -11,21 +11,11 @@ use crate::messages::{language, print_remarks};
 use crate::output::{json, print, table};
 use crate::staging::Staging;
 
-pub(super) fn run(
-    survey: Survey,
-    limits: &[LimitTable],
-    arguments: &Roughness,
-) -> miette::Result<()> {
+pub(super) fn run(survey: Survey, limits: &[LimitTable], arguments: &Roughness) -> miette::Result<()> {
     let along = arguments.along.as_ref();
     let of_profiles = [
-        (
-            "--longest",
-            arguments.statistics.longest.map(|value| value.to_string()),
-        ),
-        (
-            "--window",
-            arguments.statistics.window.map(|value| value.to_string()),
-        ),
+        ("--longest", arguments.statistics.longest.map(|value| value.to_string())),
+        ("--window", arguments.statistics.window.map(|value| value.to_string())),
         ("--along", along.map(|path| path.display().to_string())),
     ];
     for (argument, value) in of_profiles {
@@ -33,10 +23,7 @@ pub(super) fn run(
             Err(CliError::Argument {
                 argument,
                 value,
-                rule: format!(
-                    "left out: it is for profiles, and {} is a table of spectra",
-                    survey.path().display()
-                ),
+                rule: format!("left out: it is for profiles, and {} is a table of spectra", survey.path().display()),
             })?;
         }
     }
@@ -65,10 +52,7 @@ pub(super) fn run(
         let count = say!(one_third_octave_spectra, count = answer.count());
         text += &format!("read as: {}", count.text(language()));
         if let (None, Some(column)) = (&arguments.by, dates) {
-            text += &format!(
-                " of {} dates, told apart by column {column}",
-                answer.groups.len()
-            );
+            text += &format!(" of {} dates, told apart by column {column}", answer.groups.len());
         }
         text.push('\n');
         text += &readable(&answer);
@@ -76,11 +60,7 @@ pub(super) fn run(
         for line in verdicts.chain(&answer.findings) {
             text += &format!("{}\n", line.text(language()));
         }
-        print(&format!(
-            "{text}{}: {}\n",
-            folder.display(),
-            files.join(" ")
-        ))?;
+        print(&format!("{text}{}: {}\n", folder.display(), files.join(" ")))?;
     }
     print_remarks(&survey.warnings);
     Ok(())
@@ -90,24 +70,16 @@ pub(super) fn run(
 fn readable(answer: &SpectraAnswer) -> String {
     let groups = &answer.groups;
     let mut header = vec!["wavelength mm".to_owned()];
-    header.extend(
-        groups
-            .iter()
-            .map(|group| format!("{} ({})", group.name, group.count)),
-    );
+    header.extend(groups.iter().map(|group| format!("{} ({})", group.name, group.count)));
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let mut rows = table(&header);
     for band in answer.bands() {
         let mut row = vec![format!("{}", band.nominal_millimetres())];
-        row.extend(groups.iter().map(|group| {
-            match group.energy.level(band).zip(group.arithmetic.level(band)) {
-                Some((energy, arithmetic)) => format!("{energy:.1} | {arithmetic:.1}"),
-                None => String::new(),
-            }
+        row.extend(groups.iter().map(|group| match group.energy.level(band).zip(group.arithmetic.level(band)) {
+            Some((energy, arithmetic)) => format!("{energy:.1} | {arithmetic:.1}"),
+            None => String::new(),
         }));
         rows.add_row(row);
     }
-    format!(
-        "levels in dB re 1 µm: mean of energies | mean of levels, over so many spectra\n{rows}\n"
-    )
+    format!("levels in dB re 1 µm: mean of energies | mean of levels, over so many spectra\n{rows}\n")
 }

@@ -18,18 +18,12 @@ pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Resul
     };
     let mut columns = Vec::new();
     for (_, recipe) in &file.rails {
-        let heights = recipe
-            .heights()
-            .map_err(|error| CaseError::data(recipe_name(arguments), error.to_string()))?;
+        let heights = recipe.heights().map_err(|error| CaseError::data(recipe_name(arguments), error.to_string()))?;
         columns.push(heights);
     }
     let spacing = file.rails.first().map_or(0.0, |rail| rail.1.spacing);
     let mut text = Vec::with_capacity(columns.iter().map(|column| 10 * column.len() + 12).sum());
-    let names: Vec<String> = file
-        .rails
-        .iter()
-        .map(|rail| format!("{}_um", rail.0))
-        .collect();
+    let names: Vec<String> = file.rails.iter().map(|rail| format!("{}_um", rail.0)).collect();
     // Writing to memory does not fail.
     let _ = writeln!(text, "position_m,{}", names.join(","));
     for row in 0..columns.first().map_or(0, Vec::len) {
@@ -46,17 +40,13 @@ pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Resul
     match &arguments.output {
         Some(path) => {
             // One recipe makes one record: made a second time it is what it was.
-            let is_same =
-                || path.is_file() && fs::read(path).is_ok_and(|there| there == text.as_bytes());
+            let is_same = || path.is_file() && fs::read(path).is_ok_and(|there| there == text.as_bytes());
             let existing = match arguments.force || is_same() {
                 true => Existing::Replace,
                 false => Existing::Keep("--force to replace it"),
             };
             write_file(path, &text, existing)?;
-            print(&format!(
-                "wrote {p}; next: riffel roughness {p}\n",
-                p = path.display()
-            ))?;
+            print(&format!("wrote {p}; next: riffel roughness {p}\n", p = path.display()))?;
         }
         None => print(&text)?,
     }

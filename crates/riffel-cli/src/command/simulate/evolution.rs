@@ -6,9 +6,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use riffel_answers::forecast::{per_million, three_digits};
-use riffel_answers::simulate::{
-    EvolutionAnswer, EvolutionDocument, EvolutionRequest, EvolutionRun,
-};
+use riffel_answers::simulate::{EvolutionAnswer, EvolutionDocument, EvolutionRequest, EvolutionRun};
 use riffel_case::Case;
 use riffel_plot::html_of_stages;
 
@@ -45,16 +43,9 @@ const NOTHING: f64 = -100.0;
 const STATE_EVERY: Duration = Duration::from_secs(1);
 
 /// The rail under many wheels, from where the folder has it on; returns the exit status.
-pub(super) fn run(
-    arguments: &Simulate,
-    case: &Case,
-    request: EvolutionRequest,
-    passages: u64,
-) -> Result<u8, CliError> {
+pub(super) fn run(arguments: &Simulate, case: &Case, request: EvolutionRequest, passages: u64) -> Result<u8, CliError> {
     let mut run = EvolutionRun::new(case, request)?;
-    let folder = arguments
-        .case
-        .folder(arguments.results.output.as_deref(), "simulate");
+    let folder = arguments.case.folder(arguments.results.output.as_deref(), "simulate");
     let keeps = arguments.results.output.is_some() || !arguments.results.json;
     let state = keeps.then(|| folder.join(STATE));
     if let Some(path) = &state {
@@ -122,41 +113,25 @@ fn passages_page(answer: &EvolutionAnswer, case: &Case) -> Result<String, CliErr
 
 /// Go on from the state in the folder, if there is one.
 fn resume(run: &mut EvolutionRun, path: &Path, passages: u64) -> Result<(), CliError> {
-    let refuse = |reason: String| CliError::State {
-        path: path.to_owned(),
-        reason,
-    };
+    let refuse = |reason: String| CliError::State { path: path.to_owned(), reason };
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(reason) if reason.kind() == io::ErrorKind::NotFound => return Ok(()),
         Err(reason) if reason.kind() == io::ErrorKind::NotADirectory => {
-            return Err(CliError::Write {
-                path: path.parent().unwrap_or(path).to_owned(),
-                reason,
-            });
+            return Err(CliError::Write { path: path.parent().unwrap_or(path).to_owned(), reason });
         }
         Err(reason) => return Err(refuse(reason.to_string())),
     };
     run.resume(&text).map_err(refuse)?;
     if run.passages() > passages {
-        return Err(refuse(format!(
-            "it is after {} passages, more than the {passages} asked for",
-            run.passages()
-        )));
+        return Err(refuse(format!("it is after {} passages, more than the {passages} asked for", run.passages())));
     }
-    say(format_args!(
-        "going on after {} passages, from {}",
-        run.passages(),
-        path.display()
-    ));
+    say(format_args!("going on after {} passages, from {}", run.passages(), path.display()));
     Ok(())
 }
 
 fn keep(run: &EvolutionRun, folder: &Path, path: &Path) -> Result<(), CliError> {
-    fs::create_dir_all(folder).map_err(|reason| CliError::Write {
-        path: folder.to_owned(),
-        reason,
-    })?;
+    fs::create_dir_all(folder).map_err(|reason| CliError::Write { path: folder.to_owned(), reason })?;
     write_file(path, &run.state(), Existing::Replace)
 }
 
@@ -177,10 +152,7 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
     });
     let lifts = document.first_contact_loss_passages;
     let lifts = lifts.map_or_else(String::new, |passages| {
-        format!(
-            "the wheel leaves the rail from {} passages on\n",
-            three_digits(passages as f64)
-        )
+        format!("the wheel leaves the rail from {} passages on\n", three_digits(passages as f64))
     });
     let supports = document.stages.support_pattern_level_db.as_ref();
     let supports = supports.map_or_else(String::new, |levels| {
@@ -193,10 +165,7 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
     format!(
         "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{vehicles}{rows}\n{supports}{saturated}\n{lifts}{forces}worn off everywhere \
          {} µm\n",
-        case.file
-            .title
-            .as_deref()
-            .unwrap_or("A rail under many wheels"),
+        case.file.title.as_deref().unwrap_or("A rail under many wheels"),
         three_digits(document.passages as f64),
         document.length_m,
         3.6 * document.speed_m_per_s,
@@ -258,10 +227,7 @@ fn saturated(document: &EvolutionDocument) -> String {
         .iter()
         .filter_map(|band| {
             let level = band.saturation_level_db?;
-            Some(format!(
-                "{:.1} mm at {level:.1} dB",
-                1e3 * band.wavelength_m
-            ))
+            Some(format!("{:.1} mm at {level:.1} dB", 1e3 * band.wavelength_m))
         })
         .collect();
     match saturated.is_empty() {

@@ -21,10 +21,7 @@ const MOST_LENGTH: f64 = 1000.0;
 
 /// The rail asked for, whose heights lie no farther apart than a step \[m\] where they are made.
 pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::Result<Surface> {
-    let length = arguments
-        .length
-        .map(|length| positive("--length", length))
-        .transpose()?;
+    let length = arguments.length.map(|length| positive("--length", length)).transpose()?;
     if arguments.profile.is_none() {
         arguments.only_for_profiles(arguments.layout.given())?;
         if let Some(length) = length.filter(|length| *length > MOST_LENGTH) {
@@ -51,22 +48,13 @@ pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::R
     };
     if let Some(name) = &arguments.spectrum {
         let length = made();
-        return Ok(Surface::Ring(drawn(
-            name,
-            arguments.seed.unwrap_or(1),
-            case,
-            length,
-            step,
-        )?));
+        return Ok(Surface::Ring(drawn(name, arguments.seed.unwrap_or(1), case, length, step)?));
     }
     if let Some(weld) = &arguments.weld {
         return Ok(Surface::Ring(dipped(weld, made(), step)?));
     }
     // The parser asks for one of them.
-    let path = arguments
-        .profile
-        .as_deref()
-        .unwrap_or_else(|| Path::new(""));
+    let path = arguments.profile.as_deref().unwrap_or_else(|| Path::new(""));
     Ok(Surface::Record(record(path, &arguments.layout, length)?))
 }
 
@@ -88,16 +76,10 @@ fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::
         false => at_the_end(survey(Path::new(name), &Layout::default())?)?.mean(),
     };
     let patch = 2.0 * case.hertz.semi_axis_longitudinal();
-    let longer = spectrum
-        .levels()
-        .iter()
-        .filter(|level| level.band.wavelength_range().0 >= patch);
+    let longer = spectrum.levels().iter().filter(|level| level.band.wavelength_range().0 >= patch);
     let kept = Spectrum::new(longer.map(|level| (level.band, level.level)));
     let kept = kept.map_err(|_| {
-        let message = format!(
-            "the spectrum has no band above {:.1} mm, the length of the contact",
-            1e3 * patch
-        );
+        let message = format!("the spectrum has no band above {:.1} mm, the length of the contact", 1e3 * patch);
         CaseError::data(name, message)
     })?;
     let left = spectrum.levels().len() - kept.levels().len();
@@ -107,10 +89,7 @@ fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::
             1e3 * patch
         ));
     }
-    let longest = kept
-        .levels()
-        .last()
-        .map_or(0.0, |level| level.band.wavelength());
+    let longest = kept.levels().last().map_or(0.0, |level| level.band.wavelength());
     Ok(kept.drawn(length, step, seed).map_err(|error| match error {
         riffel::Error::OutOfRange {
             quantity: "length of the profile",
@@ -133,15 +112,11 @@ fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
     const COLUMN: &str = "passages";
     let number = |label: &str| label.parse::<f64>().unwrap_or(f64::NEG_INFINITY);
     let stages = levels.records.iter().map(|record| record.label(COLUMN));
-    let last = stages
-        .flatten()
-        .max_by(|one, other| number(one).total_cmp(&number(other)));
+    let last = stages.flatten().max_by(|one, other| number(one).total_cmp(&number(other)));
     let Some(last) = last.map(str::to_owned) else {
         return Ok(levels.latest().0);
     };
-    say(format_args!(
-        "note: of the levels those after {last} passages are taken"
-    ));
+    say(format_args!("note: of the levels those after {last} passages are taken"));
     let mut choices = vec![format!("{COLUMN}={last}")];
     // Two columns of levels stand beside each other there, as of two rails.
     let is_own = |record: &LabelledSpectrum| record.label("rail") == Some("level_db");
@@ -154,44 +129,28 @@ fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
 /// A rail with a weld in its middle.
 fn dipped(weld: &LengthPair, length: f64, step: f64) -> miette::Result<Profile> {
     let [depth, length_of_weld] = weld.positive("--weld")?;
-    let weld = Weld {
-        depth,
-        length: length_of_weld,
-    };
-    Ok(weld
-        .profile(length, step)
-        .map_err(|error| of("--weld", error))?)
+    let weld = Weld { depth, length: length_of_weld };
+    Ok(weld.profile(length, step).map_err(|error| of("--weld", error))?)
 }
 
 fn of(argument: &str, error: riffel::Error) -> CliError {
-    CliError::Physics {
-        input: argument.to_owned(),
-        error,
-    }
+    CliError::Physics { input: argument.to_owned(), error }
 }
 
 /// The profile of a file: one rail, its longest stretch without a gap.
 fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<Profile> {
     let refuse = |message: String| CaseError::data(path, message);
     let RoughnessFile::Profile(record) = read(path, layout)? else {
-        Err(refuse(
-            "the file is a table of levels, but a wheel rolls along a profile".to_owned(),
-        ))?
+        Err(refuse("the file is a table of levels, but a wheel rolls along a profile".to_owned()))?
     };
     let rail = match &record.rails[..] {
         [rail] => rail,
         rails => {
             let names: Vec<&str> = rails.iter().map(|rail| rail.name.as_str()).collect();
-            Err(refuse(format!(
-                "the file has the rails {}; choose one by --rail",
-                names.join(", ")
-            )))?
+            Err(refuse(format!("the file has the rails {}; choose one by --rail", names.join(", "))))?
         }
     };
-    let longest = rail
-        .stretches
-        .iter()
-        .max_by(|one, other| one.length().total_cmp(&other.length()));
+    let longest = rail.stretches.iter().max_by(|one, other| one.length().total_cmp(&other.length()));
     let profile = longest.ok_or_else(|| refuse("the rail has no heights".to_owned()))?;
     if rail.stretches.len() > 1 {
         say(format_args!(
@@ -208,10 +167,7 @@ fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<P
     };
     let start = profile.start();
     if length > profile.length() + profile.spacing() {
-        Err(refuse(format!(
-            "--length is {length} m, but the profile has {:.3} m without a gap",
-            profile.length()
-        )))?;
+        Err(refuse(format!("--length is {length} m, but the profile has {:.3} m without a gap", profile.length())))?;
     }
     let part = profile.between(start, start + length);
     Ok(part.ok_or_else(|| refuse(format!("--length is {length} m, less than two samples")))?)

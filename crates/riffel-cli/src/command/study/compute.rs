@@ -35,10 +35,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     // The plan is given where there is no sub-command.
     let plan = arguments.plan.clone().unwrap_or_default();
     let study = Study::read(&plan)?;
-    let path = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| PathBuf::from(format!("{}-results", stem(&plan))));
+    let path = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}-results", stem(&plan))));
     let shard = arguments.shard.unwrap_or(Shard::ALL);
     let stop = stop_on_interrupt();
     say(beginning(&study));
@@ -80,11 +77,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let document = Document {
         folder: path.display().to_string(),
         fingerprint: &study.fingerprint,
-        parameters: study
-            .parameters()
-            .iter()
-            .map(|p| p.key.key.as_str())
-            .collect(),
+        parameters: study.parameters().iter().map(|p| p.key.key.as_str()).collect(),
         summary: &summary,
         samples_computed: samples,
         seconds,
@@ -111,22 +104,14 @@ fn pending(states: &[(u64, ChunkState)]) -> Vec<u64> {
     for (chunk, state) in states {
         if let ChunkState::Damaged(file) = state {
             let file = file.display();
-            say(format_args!(
-                "note: {file} is damaged; chunk {chunk} is computed anew"
-            ));
+            say(format_args!("note: {file} is damaged; chunk {chunk} is computed anew"));
         }
     }
-    let pending: Vec<u64> = states
-        .iter()
-        .filter(|(_, state)| *state != ChunkState::Finished)
-        .map(|(chunk, _)| *chunk)
-        .collect();
+    let pending: Vec<u64> =
+        states.iter().filter(|(_, state)| *state != ChunkState::Finished).map(|(chunk, _)| *chunk).collect();
     let kept = states.len() - pending.len();
     if kept > 0 {
-        say(format_args!(
-            "{kept} of {} chunks are finished and kept",
-            states.len()
-        ));
+        say(format_args!("{kept} of {} chunks are finished and kept", states.len()));
     }
     pending
 }
@@ -137,10 +122,7 @@ fn readable(study: &Study, document: &Document<'_>) -> String {
     let title = study.plan.file.title.as_deref().unwrap_or("Study");
     let left = match summary.chunks - summary.chunks_finished {
         0 => String::new(),
-        left => format!(
-            "{left} of {} chunks are left to other shards\n",
-            summary.chunks
-        ),
+        left => format!("{left} of {} chunks are left to other shards\n", summary.chunks),
     };
     format!(
         "{title}\n{}{}{left}{}: results.zarr plan.toml case.toml study.json\n",

@@ -32,17 +32,8 @@ pub(super) fn run(arguments: &Merge) -> miette::Result<u8> {
         ))?;
     }
     if !whole {
-        let named: Vec<String> = report
-            .missing
-            .iter()
-            .take(NAMED)
-            .map(ToString::to_string)
-            .collect();
-        let more = if report.missing.len() > NAMED {
-            " …"
-        } else {
-            ""
-        };
+        let named: Vec<String> = report.missing.iter().take(NAMED).map(ToString::to_string).collect();
+        let more = if report.missing.len() > NAMED { " …" } else { "" };
         complain(format_args!(
             "note: {} chunks are missing: {}{more}; riffel study PLAN -o {} computes them",
             report.missing.len(),

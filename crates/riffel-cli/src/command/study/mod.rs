@@ -21,15 +21,9 @@ fn failures(summary: &riffel_study::Summary) -> String {
     if summary.samples_failed == 0 {
         return text;
     }
-    text.push_str(&format!(
-        "{} of {} samples have no results:\n",
-        summary.samples_failed, summary.samples_finished
-    ));
+    text.push_str(&format!("{} of {} samples have no results:\n", summary.samples_failed, summary.samples_finished));
     for reason in &summary.reasons {
-        text.push_str(&format!(
-            "  {} times, as in: {}\n",
-            reason.count, reason.example
-        ));
+        text.push_str(&format!("  {} times, as in: {}\n", reason.count, reason.example));
     }
     text
 }

@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use riffel_answers::study::{
-    SensitivityAnswer, SensitivityDocument, SensitivityRequest, four_figures, with_unit,
-};
+use riffel_answers::study::{SensitivityAnswer, SensitivityDocument, SensitivityRequest, four_figures, with_unit};
 use riffel_study::{ResultFolder, Study};
 
 use crate::arguments::Sensitivity;
@@ -27,10 +25,7 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<u8> {
         return Ok(1);
     }
     let confidence = arguments.confidence.si();
-    let request = SensitivityRequest {
-        results: arguments.results.clone(),
-        confidence,
-    };
+    let request = SensitivityRequest { results: arguments.results.clone(), confidence };
     let answer = SensitivityAnswer::new(&study, &folder, &request)?;
     let document = answer.document();
     let to = match &arguments.output {
@@ -71,15 +66,8 @@ fn write(
 }
 
 fn readable(study: &Study, answer: &SensitivityAnswer<'_>, confidence: f64) -> String {
-    let SensitivityAnswer {
-        analyses, tornado, ..
-    } = answer;
-    let mut text = study
-        .plan
-        .file
-        .title
-        .clone()
-        .unwrap_or_else(|| "Study".to_owned());
+    let SensitivityAnswer { analyses, tornado, .. } = answer;
+    let mut text = study.plan.file.title.clone().unwrap_or_else(|| "Study".to_owned());
     text.push('\n');
     for analysis in analyses {
         if let Some(indices) = &analysis.indices {
@@ -106,22 +94,10 @@ fn readable(study: &Study, answer: &SensitivityAnswer<'_>, confidence: f64) -> S
         let title = format!("{} alone", analysis.name);
         let mut rows = table(&[&title, "10 %", "90 %", "at 10 %", "at 90 %"]);
         for (parameter, swing) in study.parameters().iter().zip(&tornado.swings) {
-            let [low, high] = swing
-                .values
-                .each_ref()
-                .map(|value| with_unit(parameter, value));
-            rows.add_row([
-                parameter.key.key.clone(),
-                low,
-                high,
-                at(&swing.outputs[0]),
-                at(&swing.outputs[1]),
-            ]);
+            let [low, high] = swing.values.each_ref().map(|value| with_unit(parameter, value));
+            rows.add_row([parameter.key.key.clone(), low, high, at(&swing.outputs[0]), at(&swing.outputs[1])]);
         }
-        text.push_str(&format!(
-            "{rows}\nat all medians: {}\n",
-            at(&tornado.middle)
-        ));
+        text.push_str(&format!("{rows}\nat all medians: {}\n", at(&tornado.middle)));
     }
     text
 }

@@ -11,9 +11,8 @@ use crate::sandbox::{Sandbox, number};
 #[test]
 fn a_fading_grinding_mark_is_not_fitted() {
     let sandbox = sandbox();
-    let command = format!(
-        "forecast cases/nominal.toml {MEASURED} --date-column date --traffic cases/traffic.toml --json"
-    );
+    let command =
+        format!("forecast cases/nominal.toml {MEASURED} --date-column date --traffic cases/traffic.toml --json");
     let document = sandbox.json(&command);
     let fit = &document["wear_fit"];
     assert_eq!(fit["paired"], true);
@@ -21,10 +20,7 @@ fn a_fading_grinding_mark_is_not_fitted() {
     // 2014-03-01 to 2015-10-01.
     assert_eq!(number(&fit["passages_between"]), 579.0 * 6000.0);
     assert!(fit["coefficient_kg_per_j"].is_null());
-    assert!(
-        fit["verdict"] == "against" || fit["verdict"] == "indistinct",
-        "{fit}"
-    );
+    assert!(fit["verdict"] == "against" || fit["verdict"] == "indistinct", "{fit}");
     let mark = &fit["bands"][0];
     assert!((number(&mark["wavelength_m"]) - 0.019_953).abs() < 1e-6);
     assert!((number(&mark["measured_change_db"]) + 7.8).abs() < 0.1);
@@ -38,9 +34,7 @@ fn a_fading_grinding_mark_is_not_fitted() {
 fn the_coefficient_of_two_dates_is_found() {
     let sandbox = sandbox();
     let forecast = |arguments: &str| {
-        sandbox.json(&format!(
-            "forecast cases/nominal.toml --traffic cases/traffic.toml --json {arguments}"
-        ))
+        sandbox.json(&format!("forecast cases/nominal.toml --traffic cases/traffic.toml --json {arguments}"))
     };
     let write = |name: &str, document: &Value, key: &str| {
         let mut text = "section,wavelength_m,level_db\n".to_owned();
@@ -53,9 +47,7 @@ fn the_coefficient_of_two_dates_is_found() {
         fs::write(sandbox.path(name), text).unwrap();
     };
     // Of one date, for a rail of several goes on as it was measured.
-    let future = forecast(&format!(
-        "{MEASURED} --where date=2015-10-01 --passages 8e6"
-    ));
+    let future = forecast(&format!("{MEASURED} --where date=2015-10-01 --passages 8e6"));
     write("now.csv", &future, "spectrum_now");
     write("then.csv", &future, "spectrum_then");
     let found = forecast("--spectrum then.csv --earlier now.csv --passages-between 4e6");
@@ -64,10 +56,7 @@ fn the_coefficient_of_two_dates_is_found() {
     let interval = &fit["coefficient_interval_kg_per_j"];
     let (low, high) = (number(&interval[0]), number(&interval[1]));
     assert!(low < 5e-9 && 5e-9 < high, "{fit}");
-    assert!(
-        (number(&fit["coefficient_kg_per_j"]) / 5e-9 - 1.0).abs() < 0.05,
-        "{fit}"
-    );
+    assert!((number(&fit["coefficient_kg_per_j"]) / 5e-9 - 1.0).abs() < 0.05, "{fit}");
 }
 
 /// Two profiles are as many records as they have places in common, whose growth tells the coefficient.
@@ -122,39 +111,22 @@ fn now_is_the_latest_date() {
                 R,2026-01-14,1,1,3,1\n\
                 R,2024-01-15,1,1,0,1\n";
     fs::write(sandbox.path("dated.csv"), text).unwrap();
-    let document = sandbox.json(
-        "forecast cases/nominal.toml --spectrum dated.csv --traffic cases/traffic.toml --json",
-    );
+    let document = sandbox.json("forecast cases/nominal.toml --spectrum dated.csv --traffic cases/traffic.toml --json");
     let at_50 = |rail: &Value| {
         let bands = rail["bands"].as_array().unwrap();
         let near = |row: &&Value| (number(&row["wavelength_m"]) - 0.05).abs() < 1e-3;
         number(&bands.iter().find(near).unwrap()["level_now_db"])
     };
-    let rails: Vec<f64> = document["rails"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(at_50)
-        .collect();
+    let rails: Vec<f64> = document["rails"].as_array().unwrap().iter().map(at_50).collect();
     // The mean of one level passes through its energy.
     let is = |found: f64, level: f64| (found - level).abs() < 1e-9;
     assert!(is(rails[0], 14.0) && is(rails[1], 3.0), "{rails:?}");
-    assert!(
-        document["remarks"]
-            .to_string()
-            .contains("now is the latest of each rail, 2026-01-15")
-    );
+    assert!(document["remarks"].to_string().contains("now is the latest of each rail, 2026-01-15"));
     // Nor does a limit hold for a mean of years.
     let document = sandbox.json("roughness dated.csv --json");
     let groups = document["groups"].as_array().unwrap();
-    let names: Vec<&str> = groups
-        .iter()
-        .map(|group| group["group"].as_str().unwrap())
-        .collect();
-    assert_eq!(
-        names,
-        ["date 2024-01-15", "date 2026-01-14", "date 2026-01-15"]
-    );
+    let names: Vec<&str> = groups.iter().map(|group| group["group"].as_str().unwrap()).collect();
+    assert_eq!(names, ["date 2024-01-15", "date 2026-01-14", "date 2026-01-15"]);
 }
 
 /// One record of each date gives a best fit and no claim; levels that stay have not fallen.
@@ -177,10 +149,7 @@ fn two_records_claim_no_coefficient() {
     let grown = sentence(3.0);
     assert!(grown.contains("no wear coefficient is claimed"), "{grown}");
     let same = sentence(0.0);
-    assert!(
-        same.contains("have not moved") && !same.contains("have fallen"),
-        "{same}"
-    );
+    assert!(same.contains("have not moved") && !same.contains("have fallen"), "{same}");
     let fallen = sentence(-3.0);
     assert!(fallen.contains("have fallen"), "{fallen}");
 }
@@ -209,13 +178,6 @@ fn welds_do_not_grow() {
         number(&bands.iter().find(near).unwrap()["level_now_db"])
     };
     assert!(level("--keep-defects") > level("") + 6.0);
-    let outcome =
-        sandbox.riffel("noise cases/metro.toml --speed \"80 km/h\" --roughness welds.csv");
-    assert!(
-        outcome
-            .text
-            .contains("2 welds, joints or squats: 17.0 m (-299 µm), 41.0 m (-300 µm)"),
-        "{}",
-        outcome.text
-    );
+    let outcome = sandbox.riffel("noise cases/metro.toml --speed \"80 km/h\" --roughness welds.csv");
+    assert!(outcome.text.contains("2 welds, joints or squats: 17.0 m (-299 µm), 41.0 m (-300 µm)"), "{}", outcome.text);
 }

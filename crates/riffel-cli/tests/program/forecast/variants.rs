@@ -10,19 +10,12 @@ use crate::sandbox::{Sandbox, number};
 #[test]
 fn variants_are_compared() {
     let sandbox = sandbox();
-    fs::write(
-        sandbox.path("dry.toml"),
-        "title = \"dry\"\n[contact]\nfriction = 0.6\ntractive_ratio = 0.2\n",
-    )
-    .unwrap();
+    fs::write(sandbox.path("dry.toml"), "title = \"dry\"\n[contact]\nfriction = 0.6\ntractive_ratio = 0.2\n").unwrap();
     fs::write(sandbox.path("slow.toml"), "[speed]\nfactor = 0.7\n").unwrap();
     let command = "compare cases/nominal.toml --with dry.toml --with slow.toml";
     let alone = sandbox.json(&format!("{command} --speed \"108 km/h\" --json"));
     let outcomes = alone["outcomes"].as_array().unwrap();
-    let titles: Vec<&str> = outcomes
-        .iter()
-        .filter_map(|o| o["title"].as_str())
-        .collect();
+    let titles: Vec<&str> = outcomes.iter().filter_map(|o| o["title"].as_str()).collect();
     assert_eq!(titles, ["as it is", "dry", "slow"]);
     // The ridge of the nominal case: 537 Hz, at 70 % of the speed 70 % of the wavelength.
     let wavelength = |index: usize| number(&outcomes[index]["fastest_wavelength_m"]);
@@ -50,24 +43,11 @@ fn what_cannot_act_is_not_given_as_no_change() {
     assert_eq!(pads["acts"], false);
     assert!(pads["change_of_fastest_growth"].is_null());
     let text = sandbox.riffel(compare).text;
-    assert!(
-        text.contains("cannot act") && !text.contains("+0 %") && !text.contains("-0 %"),
-        "{text}"
-    );
+    assert!(text.contains("cannot act") && !text.contains("+0 %") && !text.contains("-0 %"), "{text}");
     let sentence = "track.model = \"free-beam\" is a rail without supports";
-    assert!(
-        text.contains(sentence)
-            && pads["no_effect"]
-                .to_string()
-                .contains("rail without supports"),
-        "{text}"
-    );
+    assert!(text.contains(sentence) && pads["no_effect"].to_string().contains("rail without supports"), "{text}");
     // The values of the case itself, and one key of two.
-    fs::write(
-        sandbox.path("same.toml"),
-        "title = \"same\"\n[contact]\nfriction = 0.4\n",
-    )
-    .unwrap();
+    fs::write(sandbox.path("same.toml"), "title = \"same\"\n[contact]\nfriction = 0.4\n").unwrap();
     fs::write(
         sandbox.path("both.toml"),
         "title = \"both\"\n[wheel]\nmass = \"300 kg\"\n[track]\npad = { stiffness = \"80 MN/m\", damping = \"9 kNs/m\" }\n",
@@ -80,10 +60,7 @@ fn what_cannot_act_is_not_given_as_no_change() {
     assert!(compared["outcomes"][2]["change_of_fastest_growth"].is_number());
     let text = sandbox.riffel(compare).text;
     assert!(text.contains("changes nothing"), "{text}");
-    assert!(
-        text.contains("`track.pad.stiffness`") && text.contains("` have no effect, for"),
-        "{text}"
-    );
+    assert!(text.contains("`track.pad.stiffness`") && text.contains("` have no effect, for"), "{text}");
     // On a track with pads they act.
     let pads = "compare cases/discrete-supports.toml --with cases/soft-pads.toml --json";
     let acts = sandbox.json(pads);
@@ -107,10 +84,7 @@ fn what_friction_leaves_as_it_was_is_said() {
     let rate = |arguments: &str| {
         let compared = sandbox.json(&format!("compare cases/nominal.toml {arguments} --json"));
         let outcome = &compared["outcomes"][1];
-        (
-            number(&outcome["fastest_growth_rate_per_passage"]),
-            outcome["hold"].clone(),
-        )
+        (number(&outcome["fastest_growth_rate_per_passage"]), outcome["hold"].clone())
     };
     let mut rates = Vec::new();
     for hold in ["force", "ratio", "creepage"] {
@@ -124,24 +98,15 @@ fn what_friction_leaves_as_it_was_is_said() {
     assert!(rates[0] > 1.2 * rates[1], "{rates:?}");
     assert_eq!(rate("--with less.toml"), (rates[1], "ratio".into()));
     // The case gives the creepage: that is what stays.
-    let by_creepage = format!(
-        "--with less.toml --set contact.creepage={}",
-        point["creepage"]
-    );
+    let by_creepage = format!("--with less.toml --set contact.creepage={}", point["creepage"]);
     assert_eq!(rate(&by_creepage).1, "creepage");
-    let text = sandbox
-        .riffel("compare cases/nominal.toml --with less.toml")
-        .text;
+    let text = sandbox.riffel("compare cases/nominal.toml --with less.toml").text;
     assert!(text.contains("held") && text.contains("ratio"), "{text}");
     assert!(text.contains("\"less\" keeps the tractive ratio"), "{text}");
     let asked = sandbox.riffel("compare cases/nominal.toml --with less.toml --hold ratio");
     assert!(!asked.text.contains("keeps the tractive ratio"));
     // Wet leaves: the force asked for is more than friction can carry.
-    fs::write(
-        sandbox.path("wet.toml"),
-        "title = \"wet\"\n[contact]\nfriction = 0.03\n",
-    )
-    .unwrap();
+    fs::write(sandbox.path("wet.toml"), "title = \"wet\"\n[contact]\nfriction = 0.03\n").unwrap();
     let outcome = sandbox.riffel("compare cases/nominal.toml --with wet.toml --hold force");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
     let text = outcome.text.replace("\n  │ ", " ");
@@ -159,18 +124,13 @@ fn a_comparison_is_under_the_traffic_that_the_map_names() {
     let compared = sandbox.json("compare cases/metro.toml --with cases/soft-pads.toml --json");
     let [fastest, own] = [&map["under_traffic"]["fastest"], &compared["outcomes"][0]];
     assert_eq!(own["fastest_wavelength_m"], fastest["wavelength_m"]);
-    assert_eq!(
-        own["fastest_growth_rate_per_passage"],
-        fastest["growth_rate_per_passage"]
-    );
+    assert_eq!(own["fastest_growth_rate_per_passage"], fastest["growth_rate_per_passage"]);
     let words = "under the usual traffic of a metro (40–70 km/h, 6000 axles a day)";
     assert_eq!(compared["speeds"], words);
     // Numbers between zero and minus one keep their sign in German.
     let printed = |language: &str| {
         let compare = "compare cases/metro.toml --with cases/soft-pads.toml";
-        sandbox
-            .riffel(&format!("--language {language} {compare}"))
-            .text
+        sandbox.riffel(&format!("--language {language} {compare}")).text
     };
     let minus = |text: &str| text.matches(" -0").count();
     assert!(minus(&printed("en")) > 0);

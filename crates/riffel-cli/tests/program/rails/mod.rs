@@ -33,11 +33,7 @@ fn two_kilometres() -> String {
     for row in 0..400_000 {
         let x = 5e-3 * f64::from(row);
         let corrugated = (CORRUGATED.0..CORRUGATED.1).contains(&x);
-        let wave = if corrugated {
-            AMPLITUDE * (TAU * x / WAVELENGTH).sin()
-        } else {
-            0.0
-        };
+        let wave = if corrugated { AMPLITUDE * (TAU * x / WAVELENGTH).sin() } else { 0.0 };
         let (high, low) = (noise(x, 1.7), wave + noise(x, 2.3));
         writeln!(text, "{x:.3},{high:.3},{low:.3}").unwrap();
     }
@@ -57,11 +53,7 @@ fn a_clean_rail_does_not_excuse_the_other() {
     for row in 0..100_000 {
         let x = 1e-3 * f64::from(row);
         let wave = 20.0 * (TAU * x / 0.05).sin();
-        let low = if (50.0..55.5).contains(&x) {
-            wave
-        } else {
-            0.05 * wave
-        };
+        let low = if (50.0..55.5).contains(&x) { wave } else { 0.05 * wave };
         writeln!(text, "{x:.3},{:.4},{low:.4}", 0.05 * wave).unwrap();
     }
     fs::write(sandbox.path("rails.csv"), text).unwrap();
@@ -74,12 +66,7 @@ fn a_clean_rail_does_not_excuse_the_other() {
     // Windows of 1 m are over 7 µm while a quarter of them is corrugated: 0.25 m more at either end.
     let share = number(&verdicts[0]["share_over_limit"]);
     assert!((0.055..0.062).contains(&share), "{share}");
-    assert!(
-        verdicts[0]["sentence"]
-            .as_str()
-            .unwrap()
-            .starts_with("rail low: Grassie")
-    );
+    assert!(verdicts[0]["sentence"].as_str().unwrap().starts_with("rail low: Grassie"));
     assert_eq!(verdicts[1]["rail"], "high");
     assert_eq!(verdicts[1]["within"], true);
     // Each list says of which rail it speaks, the worst first.
@@ -96,55 +83,30 @@ fn a_clean_rail_does_not_excuse_the_other() {
 
     let alone = sandbox.json("roughness rails.csv --limit grassie-1999 --rail low --json");
     assert_eq!(list(&alone, "verdicts").len(), 1);
-    assert_eq!(
-        number(&list(&alone, "verdicts")[0]["share_over_limit"]),
-        share
-    );
+    assert_eq!(number(&list(&alone, "verdicts")[0]["share_over_limit"]), share);
     let other = sandbox.json("roughness rails.csv --limit grassie-1999 --rail high --json");
     assert_eq!(other["verdicts"][0]["within"], true);
     // No part of the record but the bad one, and no place outside it.
-    let there = sandbox.json(
-        "roughness rails.csv --limit grassie-1999 --rail low --from \"51 m\" --to \"54 m\" --json",
-    );
+    let there =
+        sandbox.json("roughness rails.csv --limit grassie-1999 --rail low --from \"51 m\" --to \"54 m\" --json");
     assert!((number(&there["length_m"]) - 3.0).abs() < 2e-3);
     assert_eq!(number(&there["verdicts"][0]["share_over_limit"]), 1.0);
 
     let outcome = sandbox.riffel("roughness rails.csv --limit grassie-1999 -o out");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    assert!(
-        outcome
-            .text
-            .contains("worst is rail low, over 1 of 1 limits"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("worst is rail low, over 1 of 1 limits"), "{}", outcome.text);
     for name in ["grind.csv", "blocks.csv", "spectrum.csv"] {
         let text = fs::read_to_string(sandbox.path(&format!("out/{name}"))).unwrap();
         assert!(text.starts_with("rail,"), "{name}: {text}");
-        assert!(
-            text.lines().nth(1).unwrap().starts_with("low,"),
-            "{name}: {text}"
-        );
+        assert!(text.lines().nth(1).unwrap().starts_with("low,"), "{name}: {text}");
     }
     for (arguments, part) in [
         ("roughness rails.csv --rail middle", "there are high, low"),
-        (
-            "roughness rails.csv --from 200",
-            "reaches from 0.000 m to 100.000 m",
-        ),
+        ("roughness rails.csv --from 200", "reaches from 0.000 m to 100.000 m"),
         ("roughness rails.csv --from 60 --to 50", "must rise"),
-        (
-            "roughness rails.csv --from 60 --to 60.5",
-            "no stretch of 1 m",
-        ),
-        (
-            "diagnose cases/nominal.toml --roughness rails.csv --rail middle",
-            "there are high, low",
-        ),
-        (
-            "report --roughness rails.csv --rail middle",
-            "there are high, low",
-        ),
+        ("roughness rails.csv --from 60 --to 60.5", "no stretch of 1 m"),
+        ("diagnose cases/nominal.toml --roughness rails.csv --rail middle", "there are high, low"),
+        ("report --roughness rails.csv --rail middle", "there are high, low"),
         ("report cases/nominal.toml --rail low", "--roughness"),
     ] {
         let outcome = sandbox.riffel(&format!("{arguments} -o none"));
@@ -172,19 +134,10 @@ fn grinding_is_a_list_of_what_a_train_can_do() {
     let grind = &document["grind"];
     let sections = list(grind, "sections");
     assert_eq!(sections.len(), 2, "{grind}");
-    assert!(
-        (number(&sections[0]["from_m"]) - 296.5).abs() < 1.0,
-        "{grind}"
-    );
-    assert!(
-        (number(&sections[0]["to_m"]) - 502.0).abs() < 1.0,
-        "{grind}"
-    );
+    assert!((number(&sections[0]["from_m"]) - 296.5).abs() < 1.0, "{grind}");
+    assert!((number(&sections[0]["to_m"]) - 502.0).abs() < 1.0, "{grind}");
     let end = &sections[1];
-    assert!(
-        (number(&end["from_m"]) - 990.0).abs() < 0.01
-            && (number(&end["to_m"]) - 1000.0).abs() < 0.01
-    );
+    assert!((number(&end["from_m"]) - 990.0).abs() < 0.01 && (number(&end["to_m"]) - 1000.0).abs() < 0.01);
     let total = number(&grind["total_m"]);
     assert!((total - 215.5).abs() < 2.0, "{total}");
     assert!((number(&grind["share_of_length"]) - total / 1000.0).abs() < 1e-6);
@@ -219,27 +172,18 @@ fn a_stretch_of_a_long_kilometre_is_named() {
     assert_eq!(section["stretch"], 2, "{grind}");
     assert!((number(&grind["total_m"]) - length).abs() < 1e-9);
     let share = length / 820.0;
-    for told in [
-        &grind["share_of_length"],
-        &document["rails"][0]["grind_share_of_length"],
-    ] {
+    for told in [&grind["share_of_length"], &document["rails"][0]["grind_share_of_length"]] {
         assert!((number(told) - share).abs() < 1e-4, "{told} {share}");
     }
     let csv = fs::read_to_string(sandbox.path("out/grind.csv")).unwrap();
     let (head, row) = csv.trim_end().split_once('\n').unwrap();
     assert!(head.ends_with(",stretch") && row.ends_with(",2"), "{csv}");
     let worst = &list(&document, "sections")[0];
-    assert_eq!(
-        (number(&worst["from_m"]), &worst["stretch"]),
-        (380.0, &2.into())
-    );
+    assert_eq!((number(&worst["from_m"]), &worst["stretch"]), (380.0, &2.into()));
     let said = sandbox.riffel("roughness long.csv -o again").text;
     assert!(said.contains("left, stretch 2"), "{said}");
     assert!(said.contains("at worst 380–500 m on stretch 2"), "{said}");
-    assert!(
-        said.contains("in all 12.") && said.contains(" m of line to grind, 1.5 % of"),
-        "{said}"
-    );
+    assert!(said.contains("in all 12.") && said.contains(" m of line to grind, 1.5 % of"), "{said}");
     let kept = sandbox.riffel("network ingest store out/blocks.csv --line A --date 2026-01-31");
     assert_eq!(kept.status, Some(0), "{}", kept.text);
 }
@@ -250,18 +194,12 @@ fn a_report_shows_the_moving_rms_of_each_rail() {
     let sandbox = Sandbox::new();
     fs::write(sandbox.path("line.csv"), two_kilometres()).unwrap();
     let drawn = |limit: &str| {
-        let outcome = sandbox.riffel(&format!(
-            "report --roughness line.csv --limit {limit} -o report.html"
-        ));
+        let outcome = sandbox.riffel(&format!("report --roughness line.csv --limit {limit} -o report.html"));
         assert_eq!(outcome.status, Some(0), "{}", outcome.text);
         let html = fs::read_to_string(sandbox.path("report.html")).unwrap();
         assert!(html.contains("nearest to them is rail low"));
         let (_, strip) = html.split_once("Moving RMS along the line").unwrap();
-        strip
-            .split_once("Spectrum and limits")
-            .unwrap()
-            .0
-            .to_owned()
+        strip.split_once("Spectrum and limits").unwrap().0.to_owned()
     };
     let strip = drawn("grassie-1999");
     let place = |rail: &str| strip.find(&format!(">{rail}<")).unwrap();
@@ -276,8 +214,7 @@ fn a_report_shows_the_moving_rms_of_each_rail() {
 fn a_local_corrugation_is_diagnosed_where_it_is() {
     let sandbox = Sandbox::new();
     fs::write(sandbox.path("line.csv"), two_kilometres()).unwrap();
-    let document = sandbox
-        .json("diagnose cases/nominal.toml --roughness line.csv --speed \"108 km/h\" --json");
+    let document = sandbox.json("diagnose cases/nominal.toml --roughness line.csv --speed \"108 km/h\" --json");
     let findings = list(&document, "dominant_wavelengths");
     assert_eq!(findings.len(), 1, "{findings:?}");
     let finding = &findings[0];
@@ -286,48 +223,30 @@ fn a_local_corrugation_is_diagnosed_where_it_is() {
     assert!((number(&finding["wavelength_m"]) / WAVELENGTH - 1.0).abs() < 0.01);
     // Ends known to a metre are 0.1 dB; noise and the window have the rest.
     let level = 10.0 * (AMPLITUDE.powi(2) / 2.0).log10();
-    assert!(
-        (number(&finding["level_db"]) - level).abs() < 0.4,
-        "{finding}"
-    );
+    assert!((number(&finding["level_db"]) - level).abs() < 0.4, "{finding}");
     let places = list(finding, "places");
     assert_eq!(places.len(), 1);
-    assert!(
-        (number(&places[0]["from_m"]) - CORRUGATED.0).abs() < 1.0,
-        "{places:?}"
-    );
-    assert!(
-        (number(&places[0]["to_m"]) - CORRUGATED.1).abs() < 1.0,
-        "{places:?}"
-    );
+    assert!((number(&places[0]["from_m"]) - CORRUGATED.0).abs() < 1.0, "{places:?}");
+    assert!((number(&places[0]["to_m"]) - CORRUGATED.1).abs() < 1.0, "{places:?}");
     // The other rail has nothing of it there.
     let rails = list(finding, "rails");
     let high = rails.iter().find(|rail| rail["name"] == "high").unwrap();
     assert!(number(&high["level_db"]) < 0.0, "{rails:?}");
     assert_eq!(finding["candidates"][0]["mechanism"], "growth ridge");
 
-    let clean = sandbox.json(
-        "diagnose cases/nominal.toml --roughness line.csv --rail high --speed \"108 km/h\" --json",
-    );
+    let clean =
+        sandbox.json("diagnose cases/nominal.toml --roughness line.csv --rail high --speed \"108 km/h\" --json");
     assert!(list(&clean, "dominant_wavelengths").is_empty());
-    let beyond = sandbox.json(
-        "diagnose cases/nominal.toml --roughness line.csv --to \"1.1 km\" --speed \"108 km/h\" --json",
-    );
+    let beyond =
+        sandbox.json("diagnose cases/nominal.toml --roughness line.csv --to \"1.1 km\" --speed \"108 km/h\" --json");
     assert!(list(&beyond, "dominant_wavelengths").is_empty());
     let outcome = sandbox.riffel(
         "diagnose cases/nominal.toml --roughness line.csv --from \"1 km\" --to \"1.5 km\" --speed \"108 km/h\" -o out",
     );
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    assert!(
-        outcome.sentence().contains("rail low, 1200."),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.sentence().contains("rail low, 1200."), "{}", outcome.text);
     let table = fs::read_to_string(sandbox.path("out/places.csv")).unwrap();
-    assert!(
-        table.lines().nth(1).unwrap().starts_with("low,0.055"),
-        "{table}"
-    );
+    assert!(table.lines().nth(1).unwrap().starts_with("low,0.055"), "{table}");
 }
 
 /// The course of a place is that of the place, and not of the rail.
@@ -339,18 +258,8 @@ fn a_local_course_is_that_of_its_place() {
         for row in 0..60_000 {
             let x = 5e-3 * f64::from(row);
             let there = (100.0..140.0).contains(&x);
-            let wave = if there {
-                amplitude * (TAU * x / WAVELENGTH).sin()
-            } else {
-                0.0
-            };
-            writeln!(
-                text,
-                "{x:.3},{:.3},{:.3}",
-                noise(x, 1.7),
-                wave + noise(x, 2.3)
-            )
-            .unwrap();
+            let wave = if there { amplitude * (TAU * x / WAVELENGTH).sin() } else { 0.0 };
+            writeln!(text, "{x:.3},{:.3},{:.3}", noise(x, 1.7), wave + noise(x, 2.3)).unwrap();
         }
         fs::write(sandbox.path(name), text).unwrap();
     }
@@ -361,10 +270,7 @@ fn a_local_course_is_that_of_its_place() {
     let finding = &document["dominant_wavelengths"][0];
     assert_eq!(finding["rail"], "right");
     // 20 lg 2 = 6.02 dB.
-    assert!(
-        (number(&finding["course"]["slope_db"]) - 6.02).abs() < 0.2,
-        "{finding}"
-    );
+    assert!((number(&finding["course"]["slope_db"]) - 6.02).abs() < 0.2, "{finding}");
     let levels = list(&finding["course"], "levels_db");
     assert!((number(&levels[1]) - 15.05).abs() < 0.6, "{levels:?}");
 }
@@ -377,14 +283,12 @@ fn each_rail_is_forecast_from_its_own_levels() {
     for row in 0..20_000 {
         let x = 2e-3 * f64::from(row);
         // Waves of 20–85 mm, so gentle that the wheel reaches every trough: levels go with heights.
-        let wave =
-            |index: i32| (TAU * x / (0.02 * 1.05f64.powi(index)) + f64::from(index * index)).sin();
+        let wave = |index: i32| (TAU * x / (0.02 * 1.05f64.powi(index)) + f64::from(index * index)).sin();
         let height = 0.15 * (0..30).map(wave).sum::<f64>();
         writeln!(text, "{x:.3},{height:.4},{:.4}", 2.0 * height).unwrap();
     }
     fs::write(sandbox.path("rails.csv"), text).unwrap();
-    let command =
-        "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rails.csv --json";
+    let command = "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rails.csv --json";
     let both = sandbox.json(command);
     assert_eq!(both["rail"], "low");
     assert_eq!(both["inputs"]["records"], 2);
@@ -396,24 +300,15 @@ fn each_rail_is_forecast_from_its_own_levels() {
         assert_eq!(rail["rail"], name);
         let alone = sandbox.json(&format!("{command} --rail {name}"));
         assert_eq!(alone["rail"], name);
-        assert_eq!(
-            alone["rails"].as_array().unwrap(),
-            std::slice::from_ref(rail)
-        );
+        assert_eq!(alone["rails"].as_array().unwrap(), std::slice::from_ref(rail));
         assert_eq!(alone["months_to_limit"], rail["months_to_limit"]);
         assert_eq!(alone["bands"], rail["bands"]);
     }
     // 20 lg 2 = 6.02 dB between the rails; heights are written to 0.1 nm.
-    for (low, high) in list(&rails[0], "bands")
-        .iter()
-        .zip(list(&rails[1], "bands"))
-    {
+    for (low, high) in list(&rails[0], "bands").iter().zip(list(&rails[1], "bands")) {
         let more = number(&low["level_now_db"]) - number(&high["level_now_db"]);
         assert!((more - 6.0206).abs() < 0.01, "{more}");
-        assert_eq!(
-            low["growth_rate_per_passage"],
-            high["growth_rate_per_passage"]
-        );
+        assert_eq!(low["growth_rate_per_passage"], high["growth_rate_per_passage"]);
     }
     for key in ["months_to_limit", "limit_reached", "bands"] {
         assert_eq!(both[key], rails[0][key]);
@@ -429,20 +324,12 @@ fn each_rail_is_forecast_from_its_own_levels() {
     }
     let table = fs::read_to_string(sandbox.path("out/bands.csv")).unwrap();
     assert!(table.starts_with("rail,wavelength_m,"), "{table}");
-    let of: Vec<&str> = table
-        .lines()
-        .skip(1)
-        .filter_map(|row| row.split(',').next())
-        .collect();
+    let of: Vec<&str> = table.lines().skip(1).filter_map(|row| row.split(',').next()).collect();
     assert_eq!(of, [["low"; 7], ["high"; 7]].concat());
     let picture = fs::read_to_string(sandbox.path("out/forecast.svg")).unwrap();
     assert!(picture.contains("rail low now"));
 
-    fs::write(
-        sandbox.path("damp.toml"),
-        "title = \"damp\"\n[wear]\ncoefficient = 1.25e-9\n",
-    )
-    .unwrap();
+    fs::write(sandbox.path("damp.toml"), "title = \"damp\"\n[wear]\ncoefficient = 1.25e-9\n").unwrap();
     let compare = "compare cases/nominal.toml --traffic cases/traffic.toml --with damp.toml --spectrum rails.csv";
     let compared = sandbox.json(&format!("{compare} --json"));
     for outcome in list(&compared, "outcomes") {

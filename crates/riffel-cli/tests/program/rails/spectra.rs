@@ -22,10 +22,7 @@ fn rails_of_a_table_are_judged_one_by_one() {
     let one = sandbox.json("roughness levels.csv --limit iso-3095-2013 --rail R --json");
     assert_eq!(one["verdicts"][0]["within"], true);
     assert_eq!(list(&one, "verdicts").len(), 1);
-    for (arguments, part) in [
-        ("--rail M", "there are R, L"),
-        ("--from 10", "has no positions"),
-    ] {
+    for (arguments, part) in [("--rail M", "there are R, L"), ("--from 10", "has no positions")] {
         let outcome = sandbox.riffel(&format!("roughness levels.csv {arguments}"));
         assert_eq!(outcome.status, Some(2), "{}", outcome.text);
         assert!(outcome.sentence().contains(part), "{}", outcome.text);
@@ -39,8 +36,7 @@ fn rails_of_a_table_are_forecast_one_by_one() {
     // The limit is −1.1 dB at 50 mm. The mean energy of 1.0 and −20 dB of rail L is −2.0 dB; that of all four −5 dB.
     let text = "site;Schiene;wavelength_mm;level_db\nA;R;50;-9\nB;R;50;-9\nA;L;50;1\nB;L;50;-20\n";
     fs::write(sandbox.path("levels.csv"), text).unwrap();
-    let command =
-        "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum levels.csv --json";
+    let command = "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum levels.csv --json";
     let both = sandbox.json(command);
     assert_eq!(both["rail"], "L");
     let mean = 10.0 * ((10_f64.powf(0.1) + 10_f64.powi(-2)) / 2.0).log10();
@@ -59,13 +55,7 @@ fn rails_of_a_table_are_forecast_one_by_one() {
     fs::write(sandbox.path("far.csv"), text).unwrap();
     let far = sandbox.json(&command.replace("levels", "far"));
     assert_eq!(list(&far, "rails").len(), 1);
-    assert!(
-        far["remarks"]
-            .to_string()
-            .contains("rail R has no band between 20 and 80 mm"),
-        "{}",
-        far["remarks"]
-    );
+    assert!(far["remarks"].to_string().contains("rail R has no band between 20 and 80 mm"), "{}", far["remarks"]);
 }
 
 /// Of two rails in a table of levels one has a wave; it is found on that one, as if the rail were alone.
@@ -75,25 +65,13 @@ fn rails_of_a_table_are_diagnosed_one_by_one() {
     let mut text = "section,rail,date,wavelength_mm,level_db\n".to_owned();
     for (year, wave) in [(2024, 10.0), (2025, 14.0)] {
         for (place, section) in ["A", "B", "C", "D"].iter().enumerate() {
-            for (index, wavelength) in [20.0, 25.0, 31.5, 40.0, 50.0, 63.0, 80.0, 100.0]
-                .iter()
-                .enumerate()
-            {
+            for (index, wavelength) in [20.0, 25.0, 31.5, 40.0, 50.0, 63.0, 80.0, 100.0].iter().enumerate() {
                 // A smooth rail whose sections scatter by half a decibel, now up, now down.
-                let sign = if (place + index) % 2 == 0 {
-                    0.25
-                } else {
-                    -0.25
-                };
+                let sign = if (place + index) % 2 == 0 { 0.25 } else { -0.25 };
                 let smooth = -12.0 + 1.5 * index as f64 + sign;
                 let peak = if *wavelength == 50.0 { wave } else { 0.0 };
                 writeln!(text, "{section},R,{year}-05-01,{wavelength},{smooth:.2}").unwrap();
-                writeln!(
-                    text,
-                    "{section},L,{year}-05-01,{wavelength},{:.2}",
-                    smooth + peak
-                )
-                .unwrap();
+                writeln!(text, "{section},L,{year}-05-01,{wavelength},{:.2}", smooth + peak).unwrap();
             }
         }
     }
@@ -124,9 +102,5 @@ fn rails_of_a_table_are_diagnosed_one_by_one() {
     let smooth = sandbox.json(&format!("{command} --rail R"));
     assert!(list(&smooth, "dominant_wavelengths").is_empty());
     let outcome = sandbox.riffel(&format!("{} -o out", command.replace(" --json", "")));
-    assert!(
-        outcome.text.contains("rail L, 600 Hz") && outcome.text.contains("(L "),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("rail L, 600 Hz") && outcome.text.contains("(L "), "{}", outcome.text);
 }

@@ -30,9 +30,7 @@ fn table(kind: &str, write: Writing) -> String {
         let rows = (0..count).map(|at| row(at) + "\n");
         format!("{head}\n{}", rows.collect::<String>())
     };
-    let bands = [
-        200.0, 160.0, 125.0, 100.0, 80.0, 63.0, 50.0, 40.0, 31.5, 25.0, 20.0,
-    ];
+    let bands = [200.0, 160.0, 125.0, 100.0, 80.0, 63.0, 50.0, 40.0, 31.5, 25.0, 20.0];
     match kind {
         "profile" => rows("x_m,left_um,right_um", 2800, &|row| {
             let (x, left) = (5e-3 * row as f64, smooth(row));
@@ -42,28 +40,20 @@ fn table(kind: &str, write: Writing) -> String {
             let left = -12.0 - row as f64;
             format!("{},{left},{}", bands[row], write(row, 0.5 * rough(row)))
         }),
-        "run" => rows(
-            "time_s,acceleration_left_m_per_s2,acceleration_right_m_per_s2,speed_km_per_h",
-            8000,
-            &|row| {
-                let (time, left) = (5e-4 * row as f64, smooth(row));
-                format!("{time:.4},{left:.3},{},72.0", write(row, 4.0 * rough(row)))
-            },
-        ),
+        "run" => rows("time_s,acceleration_left_m_per_s2,acceleration_right_m_per_s2,speed_km_per_h", 8000, &|row| {
+            let (time, left) = (5e-4 * row as f64, smooth(row));
+            format!("{time:.4},{left:.3},{},72.0", write(row, 4.0 * rough(row)))
+        }),
         "blocks" => rows("rail,from_m,to_m,rms_30_to_100_mm_um", 60, &|row| {
             let rms = write(row, 20.0 + row as f64);
             format!("right,{},{},{rms}", 10 * row, 10 * row + 10)
         }),
-        _ => rows(
-            "passages,wavelength_mm,level_db,standard_error_db",
-            16,
-            &|row| {
-                let (passages, level) = (1_000_000 * (row / 8), 0.4 * rough(row % 8));
-                let grown = level + 3.0 * (row / 8) as f64;
-                let level = write(row, grown);
-                format!("{passages},{},{level},0.5", bands[row % 8])
-            },
-        ),
+        _ => rows("passages,wavelength_mm,level_db,standard_error_db", 16, &|row| {
+            let (passages, level) = (1_000_000 * (row / 8), 0.4 * rough(row % 8));
+            let grown = level + 3.0 * (row / 8) as f64;
+            let level = write(row, grown);
+            format!("{passages},{},{level},0.5", bands[row % 8])
+        }),
     }
 }
 
@@ -71,38 +61,14 @@ fn table(kind: &str, write: Writing) -> String {
 const COMMANDS: [(&str, &str); 18] = [
     ("profile", "roughness rail.csv --json"),
     ("levels", "roughness rail.csv --json"),
-    (
-        "profile",
-        "diagnose cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" --json",
-    ),
-    (
-        "levels",
-        "diagnose cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" --json",
-    ),
-    (
-        "profile",
-        "noise cases/main-line.toml --roughness rail.csv --speed \"100 km/h\" --json",
-    ),
-    (
-        "levels",
-        "noise cases/main-line.toml --roughness rail.csv --speed \"100 km/h\" --json",
-    ),
-    (
-        "levels",
-        "noise cases/main-line.toml --roughness plain.csv --before rail.csv --speed \"100 km/h\" --json",
-    ),
-    (
-        "profile",
-        "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rail.csv --json",
-    ),
-    (
-        "levels",
-        "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rail.csv --json",
-    ),
-    (
-        "levels",
-        "forecast cases/nominal.toml --traffic cases/traffic.toml --ground rail.csv --json",
-    ),
+    ("profile", "diagnose cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" --json"),
+    ("levels", "diagnose cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" --json"),
+    ("profile", "noise cases/main-line.toml --roughness rail.csv --speed \"100 km/h\" --json"),
+    ("levels", "noise cases/main-line.toml --roughness rail.csv --speed \"100 km/h\" --json"),
+    ("levels", "noise cases/main-line.toml --roughness plain.csv --before rail.csv --speed \"100 km/h\" --json"),
+    ("profile", "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rail.csv --json"),
+    ("levels", "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rail.csv --json"),
+    ("levels", "forecast cases/nominal.toml --traffic cases/traffic.toml --ground rail.csv --json"),
     (
         "profile",
         "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum plain.csv --earlier rail.csv --dates 2025-06-01,2026-06-01 --json",
@@ -115,23 +81,11 @@ const COMMANDS: [(&str, &str); 18] = [
         "profile",
         "compare cases/nominal.toml --traffic cases/traffic.toml --with cases/soft-pads.toml --spectrum rail.csv --json",
     ),
-    (
-        "profile",
-        "simulate cases/nominal.toml --profile rail.csv --rail right --speed \"20 m/s\" --json",
-    ),
-    (
-        "profile",
-        "report cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" -o report.html",
-    ),
+    ("profile", "simulate cases/nominal.toml --profile rail.csv --rail right --speed \"20 m/s\" --json"),
+    ("profile", "report cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" -o report.html"),
     ("run", "axlebox rail.csv --case cases/main-line.toml --json"),
-    (
-        "blocks",
-        "network ingest store rail.csv --line A --date 2026-01-01 --json",
-    ),
-    (
-        "dated levels",
-        "calibrate set/case.toml --with rail.csv --traffic set/traffic.toml --dry-run --json",
-    ),
+    ("blocks", "network ingest store rail.csv --line A --date 2026-01-01 --json"),
+    ("dated levels", "calibrate set/case.toml --with rail.csv --traffic set/traffic.toml --dry-run --json"),
 ];
 
 #[test]
@@ -149,9 +103,7 @@ fn no_command_loses_a_rail_by_its_cells() {
         fs::write(sandbox.path("rail.csv"), table(kind, write)).unwrap();
         let outcome = sandbox.riffel(command);
         let found = match kind {
-            "blocks" if outcome.status == Some(0) => {
-                sandbox.riffel("network worst store --json").text
-            }
+            "blocks" if outcome.status == Some(0) => sandbox.riffel("network worst store --json").text,
             _ => outcome.text.clone(),
         };
         (outcome.status, found, outcome.sentence())
@@ -170,13 +122,8 @@ fn no_command_loses_a_rail_by_its_cells() {
             let (status, _, sentence) = told(kind, command, write);
             let parts = [["line 5", "*\""], ["line 2", "µm\""]][way];
             let is_named = parts.iter().all(|part| sentence.contains(part));
-            assert!(
-                status == Some(2) && is_named,
-                "{kind}, {command}, way {way}: {sentence}"
-            );
-            assert!(
-                !sandbox.path("report.html").exists() && !sandbox.path("store/surveys").exists()
-            );
+            assert!(status == Some(2) && is_named, "{kind}, {command}, way {way}: {sentence}");
+            assert!(!sandbox.path("report.html").exists() && !sandbox.path("store/surveys").exists());
         }
     }
 }

@@ -9,14 +9,7 @@ use serde_json::Value;
 use crate::sandbox::{Sandbox, number};
 
 /// Bands of a table, and their levels in 2024.
-const LEVELS: [(f64, f64); 6] = [
-    (20.0, -12.0),
-    (25.0, -11.0),
-    (31.5, -10.0),
-    (40.0, -9.0),
-    (50.0, -8.0),
-    (63.0, -7.0),
-];
+const LEVELS: [(f64, f64); 6] = [(20.0, -12.0), (25.0, -11.0), (31.5, -10.0), (40.0, -9.0), (50.0, -8.0), (63.0, -7.0)];
 
 /// Levels of three years that rise by 4 dB a year.
 fn levels(dates: [&str; 3]) -> String {
@@ -46,10 +39,7 @@ const COMMANDS: [&str; 9] = [
 fn a_column_of_dates_that_is_not_read_is_refused_by_every_command() {
     let sandbox = Sandbox::new();
     for (dates, part) in [
-        (
-            ["06/01/2024", "06/01/2025", "06/01/2026"],
-            "may be two dates",
-        ),
+        (["06/01/2024", "06/01/2025", "06/01/2026"], "may be two dates"),
         (["Jun 2024", "Jun 2025", "Jun 2026"], "is no date"),
     ] {
         fs::write(sandbox.path("rail.csv"), levels(dates)).unwrap();
@@ -57,10 +47,7 @@ fn a_column_of_dates_that_is_not_read_is_refused_by_every_command() {
             let outcome = sandbox.riffel(&command.replace("FILE", "rail.csv"));
             let sentence = outcome.sentence();
             assert_eq!(outcome.status, Some(2), "{command}: {sentence}");
-            assert!(
-                sentence.contains("column `date`") && sentence.contains(part),
-                "{command}: {sentence}"
-            );
+            assert!(sentence.contains("column `date`") && sentence.contains(part), "{command}: {sentence}");
         }
     }
 }
@@ -69,23 +56,15 @@ fn a_column_of_dates_that_is_not_read_is_refused_by_every_command() {
 #[test]
 fn the_days_of_a_spreadsheet_are_dates() {
     let sandbox = Sandbox::new();
-    for (name, dates) in [
-        ("plain.csv", ["2024-06-01", "2025-06-01", "2026-06-01"]),
-        ("days.csv", ["45444", "45809", "46174"]),
-    ] {
+    for (name, dates) in
+        [("plain.csv", ["2024-06-01", "2025-06-01", "2026-06-01"]), ("days.csv", ["45444", "45809", "46174"])]
+    {
         fs::write(sandbox.path(name), levels(dates)).unwrap();
     }
     for command in [COMMANDS[1], COMMANDS[4]] {
         let answer = |name: &str| {
             let mut answer = sandbox.json(&command.replace("FILE", name));
-            for key in [
-                "inputs",
-                "spectrum",
-                "file",
-                "remarks",
-                "warnings",
-                "roughness",
-            ] {
+            for key in ["inputs", "spectrum", "file", "remarks", "warnings", "roughness"] {
                 answer.as_object_mut().unwrap().remove(key);
             }
             if let Some(fit) = answer.get_mut("wear_fit").and_then(Value::as_object_mut) {
@@ -106,12 +85,7 @@ fn profile(date: &str, wave: f64) -> String {
     for sample in 0..2000u32 {
         let x = 5e-3 * f64::from(sample);
         let step = f64::from(sample.wrapping_mul(2_654_435_761) >> 16) / 65_536.0 - 0.5;
-        writeln!(
-            text,
-            "{date},{x:.3},{:.3}",
-            wave * (TAU * x / 0.05).sin() + step
-        )
-        .unwrap();
+        writeln!(text, "{date},{x:.3},{:.3}", wave * (TAU * x / 0.05).sin() + step).unwrap();
     }
     text
 }
@@ -148,18 +122,9 @@ fn the_survey_before_grinding_leads_no_answer() {
     let judged = sandbox.json("roughness both.csv --json");
     assert_eq!(judged["rails"].as_array().unwrap().len(), 1);
     assert_eq!(judged["rails"][0]["name"], "height");
-    assert!(
-        judged["verdicts"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .all(|one| one["within"] == true)
-    );
+    assert!(judged["verdicts"].as_array().unwrap().iter().all(|one| one["within"] == true));
     let told = judged["warnings"].to_string();
-    assert!(
-        told.contains("2026-06-01, and before it stands that of 2025-06-01"),
-        "{told}"
-    );
+    assert!(told.contains("2026-06-01, and before it stands that of 2025-06-01"), "{told}");
     // A rail that grows: the former date is the earlier record of a diagnosis and of a forecast.
     let grown = profile("2025-06-01", 8.0) + &profile("2026-06-01", 16.0);
     fs::write(sandbox.path("grown.csv"), format!("{head}{grown}")).unwrap();
@@ -168,16 +133,8 @@ fn the_survey_before_grinding_leads_no_answer() {
     // 20 lg 2 in 365 days; steps of half a micrometre are 30 dB lower.
     let slope = number(&course["slope_db"]);
     assert!((slope - 20.0 * 2f64.log10()).abs() < 0.1, "{course}");
-    let told = sandbox.riffel(
-        &COMMANDS[4]
-            .replace("FILE", "grown.csv")
-            .replace(" --json", " -o forecast"),
-    );
-    assert!(
-        told.text.contains("between 1 and 1 records"),
-        "{}",
-        told.text
-    );
+    let told = sandbox.riffel(&COMMANDS[4].replace("FILE", "grown.csv").replace(" --json", " -o forecast"));
+    assert!(told.text.contains("between 1 and 1 records"), "{}", told.text);
 }
 
 /// One line in two columns of rails and dates: rails are rails, dates are dates.
@@ -198,9 +155,8 @@ fn rails_are_rails_and_dates_are_dates() {
     fs::write(sandbox.path("rails.csv"), text).unwrap();
     let judged = sandbox.json("roughness rails.csv --json");
     assert_eq!(judged["worst_rail"], "right");
-    let names: Vec<&str> = (judged["rails"].as_array().unwrap().iter())
-        .map(|rail| rail["name"].as_str().unwrap())
-        .collect();
+    let names: Vec<&str> =
+        (judged["rails"].as_array().unwrap().iter()).map(|rail| rail["name"].as_str().unwrap()).collect();
     assert_eq!(names, ["right", "left"]);
     // By whatever name the rail is asked for.
     for name in ["left", "links", "L", "1"] {
@@ -216,29 +172,18 @@ fn growth_is_that_of_one_device() {
     let dates = ["2024-06-01", "2025-06-01", "2025-06-01", "2026-06-01"];
     let with = |devices: [(&str, f64); 4]| {
         let mut text = "device;date;wavelength_mm;level_db\n".to_owned();
-        for ((device, offset), (date, year)) in
-            devices.iter().zip(dates.iter().zip([0.0, 1.0, 1.0, 2.0]))
-        {
+        for ((device, offset), (date, year)) in devices.iter().zip(dates.iter().zip([0.0, 1.0, 1.0, 2.0])) {
             // A device measures once a day.
             if text.contains(&format!("{device};{date}")) {
                 continue;
             }
             for (wavelength, level) in LEVELS {
-                writeln!(
-                    text,
-                    "{device};{date};{wavelength};{}",
-                    level + 4.0 * year + offset
-                )
-                .unwrap();
+                writeln!(text, "{device};{date};{wavelength};{}", level + 4.0 * year + offset).unwrap();
             }
         }
         fs::write(sandbox.path("rail.csv"), text).unwrap();
         let command = |at: usize| COMMANDS[at].replace("FILE", "rail.csv");
-        let told = |at: usize| {
-            sandbox
-                .riffel(&command(at).replace(" --json", " -o out"))
-                .sentence()
-        };
+        let told = |at: usize| sandbox.riffel(&command(at).replace(" --json", " -o out")).sentence();
         let told = [told(0), told(2), told(4)];
         (sandbox.json(&command(4))["wear_fit"]["bands"].clone(), told)
     };
@@ -246,41 +191,24 @@ fn growth_is_that_of_one_device() {
     assert!(!told.concat().contains("column `device`"), "{told:?}");
     let (t1, t2) = (("T1", 0.0), ("T2", 3.0));
     let (of_both, told) = with([t1, t1, t2, t2]);
-    assert!(
-        told[0].contains("changes along the dates, from T1 to T2"),
-        "{}",
-        told[0]
-    );
+    assert!(told[0].contains("changes along the dates, from T1 to T2"), "{}", told[0]);
     for told in &told[1..] {
         assert!(told.contains("levels of T1 count +3.0 dB"), "{told}");
     }
-    for (one, both) in bands
-        .as_array()
-        .unwrap()
-        .iter()
-        .zip(of_both.as_array().unwrap())
-    {
+    for (one, both) in bands.as_array().unwrap().iter().zip(of_both.as_array().unwrap()) {
         let change = |band: &Value| number(&band["measured_change_db"]);
         // 4 dB a year over two years.
         assert!((change(one) - 8.0).abs() < 1e-9 && (change(both) - 8.0).abs() < 1e-9);
     }
     let (none, told) = with([t1, t1, t1, t2]);
-    assert!(
-        none.is_null() && told[2].contains("T1 is left out of growth"),
-        "{none} {}",
-        told[2]
-    );
+    assert!(none.is_null() && told[2].contains("T1 is left out of growth"), "{none} {}", told[2]);
 }
 
 /// What was before, of a rail of which nothing is known now, is one too many.
 #[test]
 fn an_earlier_record_is_refused_beside_a_ground_rail() {
     let sandbox = Sandbox::new();
-    fs::write(
-        sandbox.path("rail.csv"),
-        levels(["2024-06-01", "2025-06-01", "2026-06-01"]),
-    )
-    .unwrap();
+    fs::write(sandbox.path("rail.csv"), levels(["2024-06-01", "2025-06-01", "2026-06-01"])).unwrap();
     let forecast = "forecast cases/nominal.toml --traffic cases/traffic.toml";
     for option in [
         "--earlier rail.csv",
@@ -292,11 +220,7 @@ fn an_earlier_record_is_refused_beside_a_ground_rail() {
     ] {
         let outcome = sandbox.riffel(&format!("{forecast} --from-limit=-6 {option}"));
         assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-        assert!(
-            outcome.sentence().contains("--spectrum"),
-            "{}",
-            outcome.text
-        );
+        assert!(outcome.sentence().contains("--spectrum"), "{}", outcome.text);
     }
     // Nor is a record taken of which nobody says when it was.
     for command in [

@@ -39,11 +39,7 @@ fn check_wave(document: &Value, clothes: &str) {
         let near = |row: &&Value| (number(&row["wavelength_m"]) / wavelength - 1.0).abs() < 0.1;
         number(&rows.iter().find(near).unwrap()["level_db"])
     };
-    assert!(
-        (level(0.05) - 23.01).abs() < 0.1,
-        "{clothes}: {}",
-        level(0.05)
-    );
+    assert!((level(0.05) - 23.01).abs() < 0.1, "{clothes}: {}", level(0.05));
     assert!(level(0.0315) < 3.0 && level(0.08) < 3.0, "{clothes}");
 }
 
@@ -70,14 +66,7 @@ fn the_same_rail_comes_out_of_all_clothes() {
     let um = |height: f64| format!("{:.4}", 1e6 * height);
     let mm = |height: f64| format!("{:.7}", 1e3 * height);
     let clothes: Vec<(&str, Vec<u8>, &str)> = vec![
-        (
-            "heights in mm by a remark",
-            table("# heights in mm\n", &rail, |x, h| {
-                format!("{x:.3},{}", mm(h))
-            })
-            .into(),
-            "",
-        ),
+        ("heights in mm by a remark", table("# heights in mm\n", &rail, |x, h| format!("{x:.3},{}", mm(h))).into(), ""),
         (
             "heights in mm by an argument",
             table("", &rail, |x, h| format!("{x:.3} {}", mm(h))).into(),
@@ -85,11 +74,9 @@ fn the_same_rail_comes_out_of_all_clothes() {
         ),
         (
             "units in a line of their own, Windows-1252, CRLF, trailing semicolons",
-            table(
-                "Messfahrt 12; Gleis 2\nWeg;H\u{f6}he;\n[m];[\u{b5}m];\n",
-                &rail,
-                |x, h| format!("{};{};\r", comma(format!("{x:.3}")), comma(um(h))),
-            )
+            table("Messfahrt 12; Gleis 2\nWeg;H\u{f6}he;\n[m];[\u{b5}m];\n", &rail, |x, h| {
+                format!("{};{};\r", comma(format!("{x:.3}")), comma(um(h)))
+            })
             .chars()
             .map(|letter| letter as u8)
             .collect(),
@@ -97,34 +84,22 @@ fn the_same_rail_comes_out_of_all_clothes() {
         ),
         (
             "UTF-16 with tabulators",
-            utf_16(&table("Abszisse [m]\tHöhe [mm]\n", &rail, |x, h| {
-                format!("{x:.3}\t{}", mm(h))
-            })),
+            utf_16(&table("Abszisse [m]\tHöhe [mm]\n", &rail, |x, h| format!("{x:.3}\t{}", mm(h)))),
             "",
         ),
         (
             "lines that end in carriage returns alone",
-            table("position (m),height (µm)\n", &rail, |x, h| {
-                format!("{x:.3},{}", um(h))
-            })
-            .replace('\n', "\r")
-            .into(),
+            table("position (m),height (µm)\n", &rail, |x, h| format!("{x:.3},{}", um(h))).replace('\n', "\r").into(),
             "",
         ),
         (
             "quotes and a byte order mark",
-            table("\u{feff}\"Position, m\",\"Height, um\"\n", &rail, |x, h| {
-                format!("\"{x:.3}\",\"{}\"", um(h))
-            })
-            .into(),
+            table("\u{feff}\"Position, m\",\"Height, um\"\n", &rail, |x, h| format!("\"{x:.3}\",\"{}\"", um(h))).into(),
             "",
         ),
         (
             "fixed width",
-            table("  Position [m]    Height [um]\n", &rail, |x, h| {
-                format!("{x:14.3}{:>15}", um(h))
-            })
-            .into(),
+            table("  Position [m]    Height [um]\n", &rail, |x, h| format!("{x:14.3}{:>15}", um(h))).into(),
             "",
         ),
         (
@@ -172,22 +147,13 @@ fn the_same_rail_comes_out_of_all_clothes() {
             .into(),
             "",
         ),
-        (
-            "height before position",
-            table("", &rail, |x, h| format!("{};{x:.3}", um(h))).into(),
-            "",
-        ),
+        ("height before position", table("", &rail, |x, h| format!("{};{x:.3}", um(h))).into(), ""),
         (
             "an encoder that jitters by 0.25 mm rms, with places where it goes back",
             {
-                let uneven: Vec<(f64, f64)> = rail
-                    .iter()
-                    .map(|(x, _)| at(x + 0.35e-3 * (1e3 * x * 78.233).sin()))
-                    .collect();
-                table("position m,height um\n", &uneven, |x, h| {
-                    format!("{x:.5},{}", um(h))
-                })
-                .into()
+                let uneven: Vec<(f64, f64)> =
+                    rail.iter().map(|(x, _)| at(x + 0.35e-3 * (1e3 * x * 78.233).sin())).collect();
+                table("position m,height um\n", &uneven, |x, h| format!("{x:.5},{}", um(h))).into()
             },
             "",
         ),
@@ -211,47 +177,17 @@ fn values_unlike_any_rail_get_no_verdict() {
     let sandbox = Sandbox::new();
     let rail = rail();
     let write = |name: &str, text: String| fs::write(sandbox.path(name), text).unwrap();
-    write(
-        "mm.csv",
-        table("", &rail, |x, h| format!("{x:.3},{:.7}", 1e3 * h)),
-    );
-    write(
-        "um.csv",
-        table("position m,height mm\n", &rail, |x, h| {
-            format!("{x:.3},{:.4}", 1e6 * h)
-        }),
-    );
-    write(
-        "step.csv",
-        table("x m,z um\n", &rail, |x, h| {
-            format!("{:.0},{:.4}", 1e3 * x, 1e6 * h)
-        }),
-    );
-    write(
-        "two.csv",
-        table("# heights in mm\nposition_m,height_um\n", &rail, |x, h| {
-            format!("{x:.3},{:.4}", 1e6 * h)
-        }),
-    );
-    write(
-        "level.csv",
-        "wavelength_mm,level_db\n31.5,-118\n40,-110\n50,-105\n".to_owned(),
-    );
-    write(
-        "alone.txt",
-        table("", &rail, |_, h| format!("{:.4}", 1e6 * h)),
-    );
+    write("mm.csv", table("", &rail, |x, h| format!("{x:.3},{:.7}", 1e3 * h)));
+    write("um.csv", table("position m,height mm\n", &rail, |x, h| format!("{x:.3},{:.4}", 1e6 * h)));
+    write("step.csv", table("x m,z um\n", &rail, |x, h| format!("{:.0},{:.4}", 1e3 * x, 1e6 * h)));
+    write("two.csv", table("# heights in mm\nposition_m,height_um\n", &rail, |x, h| format!("{x:.3},{:.4}", 1e6 * h)));
+    write("level.csv", "wavelength_mm,level_db\n31.5,-118\n40,-110\n50,-105\n".to_owned());
+    write("alone.txt", table("", &rail, |_, h| format!("{:.4}", 1e6 * h)));
     for (arguments, words) in [
         ("roughness mm.csv", "look like mm"),
         ("roughness mm.csv", "--height-unit mm"),
-        (
-            "diagnose cases/nominal.toml --roughness mm.csv",
-            "look like mm",
-        ),
-        (
-            "forecast cases/nominal.toml --spectrum mm.csv --traffic cases/traffic.toml",
-            "look like mm",
-        ),
+        ("diagnose cases/nominal.toml --roughness mm.csv", "look like mm"),
+        ("forecast cases/nominal.toml --spectrum mm.csv --traffic cases/traffic.toml", "look like mm"),
         ("report --roughness mm.csv", "look like mm"),
         ("roughness um.csv", "look like um"),
         ("roughness step.csv", "--position-unit mm"),
@@ -269,15 +205,6 @@ fn values_unlike_any_rail_get_no_verdict() {
     }
     let insisted = sandbox.riffel("roughness mm.csv --height-unit um --json");
     assert_eq!(insisted.status, Some(0), "{}", insisted.text);
-    assert!(
-        insisted.text.contains("no rail is so smooth"),
-        "{}",
-        insisted.text
-    );
-    assert!(
-        !sandbox
-            .list(".")
-            .iter()
-            .any(|name| name.ends_with("-roughness"))
-    );
+    assert!(insisted.text.contains("no rail is so smooth"), "{}", insisted.text);
+    assert!(!sandbox.list(".").iter().any(|name| name.ends_with("-roughness")));
 }

@@ -11,18 +11,8 @@ use crate::sandbox::{Sandbox, number};
 fn dated(dates: &[&str]) -> String {
     let mut text = "date;wavelength_mm;level_db\n".to_owned();
     for (place, date) in dates.iter().enumerate() {
-        for (wavelength, level) in [
-            ("31,5", 2.0),
-            ("40", 3.0),
-            ("50", 20.0),
-            ("63", 3.0),
-            ("80", 2.0),
-        ] {
-            let level = if wavelength == "50" {
-                level - 3.0 * place as f64
-            } else {
-                level
-            };
+        for (wavelength, level) in [("31,5", 2.0), ("40", 3.0), ("50", 20.0), ("63", 3.0), ("80", 2.0)] {
+            let level = if wavelength == "50" { level - 3.0 * place as f64 } else { level };
             text += &format!("{date};{wavelength};{}\n", comma(format!("{level:.1}")));
         }
     }
@@ -33,10 +23,8 @@ fn dated(dates: &[&str]) -> String {
 fn dates_are_sorted_as_dates() {
     let sandbox = Sandbox::new();
     // In the order of the file the level would rise.
-    let mut rows: Vec<String> = dated(&["05.11.2023", "02.03.2024 09:30", "01.10.2024"])
-        .lines()
-        .map(str::to_owned)
-        .collect();
+    let mut rows: Vec<String> =
+        dated(&["05.11.2023", "02.03.2024 09:30", "01.10.2024"]).lines().map(str::to_owned).collect();
     rows[1..].reverse();
     fs::write(sandbox.path("dated.csv"), rows.join("\n")).unwrap();
     let document = sandbox.json("diagnose cases/nominal.toml --roughness dated.csv --json");
@@ -44,40 +32,23 @@ fn dates_are_sorted_as_dates() {
     assert!(course.to_string().contains("2023-11-05"), "{course}");
     let slope = course.to_string();
     let first = slope.find("2023-11-05").unwrap();
-    assert!(
-        first < slope.find("2024-03-02").unwrap() && first < slope.find("2024-10-01").unwrap(),
-        "{course}"
-    );
+    assert!(first < slope.find("2024-03-02").unwrap() && first < slope.find("2024-10-01").unwrap(), "{course}");
     let outcome = sandbox.riffel("roughness dated.csv --by date -o out");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    assert!(
-        outcome.text.contains("falls every time"),
-        "{}",
-        outcome.text
-    );
+    assert!(outcome.text.contains("falls every time"), "{}", outcome.text);
     let chosen = sandbox.json("roughness dated.csv --where date=02.03.2024 --json");
     assert!((number(&chosen["spectrum"][2]["level_db"]) - 17.0).abs() < 1e-9);
 
     for (name, dates, words) in [
-        (
-            "open.csv",
-            &["03/04/2024", "05/06/2024"][..],
-            "may be two dates; write 2024-04-03 or 2024-03-04",
-        ),
-        (
-            "words.csv",
-            &["before grinding", "after grinding"],
-            "is no date",
-        ),
+        ("open.csv", &["03/04/2024", "05/06/2024"][..], "may be two dates; write 2024-04-03 or 2024-03-04"),
+        ("words.csv", &["before grinding", "after grinding"], "is no date"),
         ("short.csv", &["03.04.24", "05.06.24"], "two digits"),
     ] {
         fs::write(sandbox.path(name), dated(dates)).unwrap();
         for arguments in [
             format!("diagnose cases/nominal.toml --roughness {name}"),
             format!("roughness {name} --by date"),
-            format!(
-                "forecast cases/nominal.toml --spectrum {name} --traffic cases/traffic.toml --date-column date"
-            ),
+            format!("forecast cases/nominal.toml --spectrum {name} --traffic cases/traffic.toml --date-column date"),
         ] {
             let outcome = sandbox.riffel(&arguments);
             assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
@@ -85,15 +56,10 @@ fn dates_are_sorted_as_dates() {
             assert!(text.contains(words), "{arguments}: {text}");
         }
     }
-    let outcome = sandbox.riffel(
-        "diagnose cases/nominal.toml --roughness dated.csv --earlier dated.csv --dates 01.03.2024,15.06.2023",
-    );
+    let outcome = sandbox
+        .riffel("diagnose cases/nominal.toml --roughness dated.csv --earlier dated.csv --dates 01.03.2024,15.06.2023");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    assert!(
-        unwrapped(&outcome.text).contains("days that rise from each record to the next"),
-        "{}",
-        outcome.text
-    );
+    assert!(unwrapped(&outcome.text).contains("days that rise from each record to the next"), "{}", outcome.text);
 }
 
 #[test]
@@ -119,9 +85,5 @@ fn tables_with_a_column_for_each_band_are_read() {
     fs::write(sandbox.path("bare.csv"), bare).unwrap();
     let outcome = sandbox.riffel("roughness bare.csv");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    assert!(
-        unwrapped(&outcome.text).contains("have no unit"),
-        "{}",
-        outcome.text
-    );
+    assert!(unwrapped(&outcome.text).contains("have no unit"), "{}", outcome.text);
 }

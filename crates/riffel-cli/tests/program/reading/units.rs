@@ -20,9 +20,7 @@ fn lengths_of_the_inch_are_read_as_such() {
         ("x [dm],left (um)\n", 0.1, 1e-6),
         ("[ft],[mil]\n", 0.3048, 25.4e-6),
     ] {
-        let text = table(heading, &rail, |x, h| {
-            format!("{:.9},{:.9}", x / position, h / height)
-        });
+        let text = table(heading, &rail, |x, h| format!("{:.9},{:.9}", x / position, h / height));
         fs::write(sandbox.path("rail.csv"), text).unwrap();
         check_wave(&sandbox.json("roughness rail.csv --json"), heading);
     }
@@ -34,23 +32,15 @@ fn other_units_of_positions_and_heights_are_refused() {
     let sandbox = Sandbox::new();
     let rail = rail();
     for (heading, part) in [
-        (
-            "x [furlong],left_um",
-            "column 1, \"x [furlong]\", gives furlong",
-        ),
+        ("x [furlong],left_um", "column 1, \"x [furlong]\", gives furlong"),
         ("Weg [Fuss],left_um", "column 1, \"Weg [Fuss]\", gives Fuss"),
         ("x [hm],left_um", "column 1, \"x [hm]\", gives hm"),
         ("t_s,left_um", "column 1, \"t_s\", gives s"),
         ("x_m,left [°]", "column 2, \"left [°]\", gives °"),
         ("x_m,left [dB]", "column 2, \"left [dB]\", gives dB"),
-        (
-            "x_m,left [10 um]",
-            "column 2, \"left [10 um]\", gives 10 um",
-        ),
+        ("x_m,left [10 um]", "column 2, \"left [10 um]\", gives 10 um"),
     ] {
-        let text = table(&format!("{heading}\n"), &rail, |x, h| {
-            format!("{x:.3},{:.4}", 1e6 * h)
-        });
+        let text = table(&format!("{heading}\n"), &rail, |x, h| format!("{x:.3},{:.4}", 1e6 * h));
         fs::write(sandbox.path("rail.csv"), text).unwrap();
         let outcome = sandbox.riffel("roughness rail.csv -o out");
         let sentence = unwrapped(&outcome.text);
@@ -58,15 +48,8 @@ fn other_units_of_positions_and_heights_are_refused() {
         assert!(sentence.contains(part), "{heading}: {sentence}");
         assert!(!sandbox.path("out").exists());
         // Who knows better says so.
-        let said = if part.contains("column 1") {
-            "--position-unit m"
-        } else {
-            "--height-unit um"
-        };
-        check_wave(
-            &sandbox.json(&format!("roughness rail.csv --json {said}")),
-            heading,
-        );
+        let said = if part.contains("column 1") { "--position-unit m" } else { "--height-unit um" };
+        check_wave(&sandbox.json(&format!("roughness rail.csv --json {said}")), heading);
     }
 }
 
@@ -95,12 +78,7 @@ fn references_of_levels_are_converted_or_refused() {
         }
     }
     for (wavelength, size, level, part) in [
-        (
-            "wavelength_mm",
-            1e-3,
-            "level [dB re 20 uPa]",
-            "is in dB re 20 uPa",
-        ),
+        ("wavelength_mm", 1e-3, "level [dB re 20 uPa]", "is in dB re 20 uPa"),
         ("wavelength_mm", 1e-3, "level_nm", "is in nm"),
         ("wavelength_mm", 1e-3, "amplitude_um", "is in um"),
         ("wavelength_mm", 1e-3, "speed_kmh", "is in kmh"),

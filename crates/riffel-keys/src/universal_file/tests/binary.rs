@@ -6,13 +6,7 @@ use super::{POINTS, SMALL, SMALL_DATA, only_function, sentence};
 use crate::universal_file::read;
 
 /// A dataset 58b of the three points with abscissae of the given width.
-pub(in crate::universal_file) fn binary(
-    data_type: i32,
-    even: bool,
-    order: i32,
-    abscissa: usize,
-    end: &str,
-) -> Vec<u8> {
+pub(in crate::universal_file) fn binary(data_type: i32, even: bool, order: i32, abscissa: usize, end: &str) -> Vec<u8> {
     let double = data_type == 4 || data_type == 6;
     let mut data = Vec::new();
     let mut push = |value: f64, width| match (width, order) {
@@ -31,19 +25,10 @@ pub(in crate::universal_file) fn binary(
             push(imaginary, ordinate);
         }
     }
-    let name = format!(
-        "    58b{order:6}     2          11{:12}     0     0           0           0",
-        data.len()
-    );
-    let form = format!(
-        "{data_type:10}         3{:10}  2.00000e+01  2.00000e+01  0.00000e+00",
-        i32::from(even)
-    );
-    let header = SMALL.replacen("    58", &name, 1).replacen(
-        &SMALL[SMALL.find("         5  ").unwrap()..][..69],
-        &form,
-        1,
-    );
+    let name = format!("    58b{order:6}     2          11{:12}     0     0           0           0", data.len());
+    let form = format!("{data_type:10}         3{:10}  2.00000e+01  2.00000e+01  0.00000e+00", i32::from(even));
+    let header =
+        SMALL.replacen("    58", &name, 1).replacen(&SMALL[SMALL.find("         5  ").unwrap()..][..69], &form, 1);
     let header = &header[..header.find(SMALL_DATA).unwrap()];
     [header.as_bytes(), &data, end.as_bytes(), b"    -1\n"].concat()
 }
@@ -90,14 +75,9 @@ fn refuses_damaged_binary() {
         "         6         3 =>          62147483647 => line 9: the number of points is 2147483647, which takes 34359738352 bytes, but the closing -1 does not follow them",
         "         6         3 =>          5         3 => line 9: the number of points is 3, which takes 24 bytes, but the closing -1 does not follow them",
     ] {
-        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}")
-        };
+        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
         let bytes = binary(6, true, 1, 8, "");
-        let at = bytes
-            .windows(from.len())
-            .position(|window| window == from.as_bytes())
-            .unwrap();
+        let at = bytes.windows(from.len()).position(|window| window == from.as_bytes()).unwrap();
         let mut damaged = bytes.clone();
         damaged.splice(at..at + from.len(), to.bytes());
         assert_eq!(sentence(&damaged), expected);
@@ -110,8 +90,5 @@ fn refuses_binary_values_that_are_not_numbers() {
     let data = bytes.len() - b"    -1\n".len() - 48;
     let mut damaged = bytes.clone();
     damaged[data..data + 8].copy_from_slice(&f64::NAN.to_le_bytes());
-    assert_eq!(
-        sentence(&damaged),
-        "line 14: a value must be a finite number, not \"NaN\""
-    );
+    assert_eq!(sentence(&damaged), "line 14: a value must be a finite number, not \"NaN\"");
 }

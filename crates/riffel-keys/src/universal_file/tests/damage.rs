@@ -39,10 +39,7 @@ fn check(bytes: &[u8]) {
 fn damage() -> impl Strategy<Value = (Index, usize, Vec<u8>)> {
     let bytes = prop_oneof![
         prop::collection::vec(any::<u8>(), 0..8),
-        prop::collection::vec(
-            prop::sample::select(b"0123456789.+-eEdD \r\nb".to_vec()),
-            0..8
-        ),
+        prop::collection::vec(prop::sample::select(b"0123456789.+-eEdD \r\nb".to_vec()), 0..8),
         Just(b"    -1\n".to_vec()),
         Just(b"2147483647".to_vec()),
         Just("µ".as_bytes().to_vec()),

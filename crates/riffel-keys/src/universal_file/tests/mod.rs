@@ -35,9 +35,7 @@ pub(super) const FIXTURES: [&str; 11] = [
 ];
 
 fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../riffel-case/tests/universal-files")
-        .join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel-case/tests/universal-files").join(name)
 }
 
 pub(super) fn fixture(name: &str) -> Vec<u8> {
@@ -59,9 +57,7 @@ fn even() -> Vec<f64> {
 
 fn uneven() -> Vec<f64> {
     let exponent = |step| 2.0 * f64::from(step) / 99.0;
-    (0..100)
-        .map(|step| 20.0 * 10f64.powf(exponent(step)))
-        .collect()
+    (0..100).map(|step| 20.0 * 10f64.powf(exponent(step))).collect()
 }
 
 fn laplace(frequency: f64) -> Complex64 {
@@ -105,96 +101,16 @@ fn assert_near(read: &[Complex64], exact: impl Iterator<Item = Complex64>, toler
 fn reads_what_pyuff_writes() {
     type Row<'a> = (&'a str, fn(f64) -> Complex64, Vec<f64>, f64, i32, bool, f64);
     let cases: [Row<'_>; 10] = [
-        (
-            "receptance_double_even.uff",
-            receptance,
-            even(),
-            0.0,
-            8,
-            true,
-            DOUBLE,
-        ),
-        (
-            "receptance_double_uneven.uff",
-            receptance,
-            uneven(),
-            SINGLE,
-            8,
-            true,
-            DOUBLE,
-        ),
-        (
-            "receptance_binary_even.uff",
-            receptance,
-            even(),
-            0.0,
-            8,
-            true,
-            FORMULA,
-        ),
-        (
-            "receptance_binary_uneven.uff",
-            receptance,
-            uneven(),
-            FORMULA,
-            8,
-            true,
-            FORMULA,
-        ),
-        (
-            "mobility_single_even.uff",
-            mobility,
-            even(),
-            0.0,
-            11,
-            true,
-            SINGLE,
-        ),
-        (
-            "accelerance_single_uneven.uff",
-            accelerance,
-            uneven(),
-            SINGLE,
-            12,
-            true,
-            SINGLE,
-        ),
-        (
-            "modulus_double_even.uff",
-            modulus,
-            even(),
-            0.0,
-            8,
-            false,
-            DOUBLE,
-        ),
-        (
-            "modulus_double_uneven.uff",
-            modulus,
-            uneven(),
-            SINGLE,
-            8,
-            false,
-            DOUBLE,
-        ),
-        (
-            "modulus_single_even.uff",
-            modulus,
-            even(),
-            0.0,
-            8,
-            false,
-            SINGLE,
-        ),
-        (
-            "modulus_single_uneven.uff",
-            modulus,
-            uneven(),
-            SINGLE,
-            8,
-            false,
-            SINGLE,
-        ),
+        ("receptance_double_even.uff", receptance, even(), 0.0, 8, true, DOUBLE),
+        ("receptance_double_uneven.uff", receptance, uneven(), SINGLE, 8, true, DOUBLE),
+        ("receptance_binary_even.uff", receptance, even(), 0.0, 8, true, FORMULA),
+        ("receptance_binary_uneven.uff", receptance, uneven(), FORMULA, 8, true, FORMULA),
+        ("mobility_single_even.uff", mobility, even(), 0.0, 11, true, SINGLE),
+        ("accelerance_single_uneven.uff", accelerance, uneven(), SINGLE, 12, true, SINGLE),
+        ("modulus_double_even.uff", modulus, even(), 0.0, 8, false, DOUBLE),
+        ("modulus_double_uneven.uff", modulus, uneven(), SINGLE, 8, false, DOUBLE),
+        ("modulus_single_even.uff", modulus, even(), 0.0, 8, false, SINGLE),
+        ("modulus_single_uneven.uff", modulus, uneven(), SINGLE, 8, false, SINGLE),
     ];
     for (name, exact, frequencies, abscissa_tolerance, kind, complex, tolerance) in cases {
         let file = read(&fixture(name)).unwrap();
@@ -208,16 +124,9 @@ fn reads_what_pyuff_writes() {
         assert_eq!(function.complex, complex);
         assert_eq!(function.abscissa.len(), frequencies.len());
         for (read, exact) in function.abscissa.iter().zip(&frequencies) {
-            assert!(
-                (read - exact).abs() <= abscissa_tolerance * exact,
-                "{read} for {exact}"
-            );
+            assert!((read - exact).abs() <= abscissa_tolerance * exact, "{read} for {exact}");
         }
-        assert_near(
-            &function.ordinate,
-            frequencies.iter().map(|&f| exact(f)),
-            tolerance,
-        );
+        assert_near(&function.ordinate, frequencies.iter().map(|&f| exact(f)), tolerance);
     }
 }
 
@@ -240,24 +149,12 @@ fn formula_is_that_of_the_fixtures() {
 fn reads_several_datasets_and_units() {
     let file = read(&fixture("several.uff")).unwrap();
     let units = file.units.unwrap();
-    assert_eq!(
-        units,
-        Units {
-            length: 1000.0,
-            force: 1.0,
-            temperature: 1.0,
-            temperature_offset: 273.15,
-        }
-    );
+    assert_eq!(units, Units { length: 1000.0, force: 1.0, temperature: 1.0, temperature_offset: 273.15 });
     let [first, second] = <[Function; 2]>::try_from(file.functions).unwrap();
     assert_eq!((first.line, second.line), (17, 81));
     assert_eq!(first.title, "displacement over force");
     assert_eq!(first.load_case, 0);
-    let freedom = |node, direction| Freedom {
-        entity: "RAIL".to_owned(),
-        node,
-        direction,
-    };
+    let freedom = |node, direction| Freedom { entity: "RAIL".to_owned(), node, direction };
     assert_eq!(first.response, freedom(1, 3));
     assert_eq!(second.response, freedom(2, 3));
     assert_eq!(second.reference, freedom(1, -3));
@@ -272,11 +169,7 @@ fn reads_several_datasets_and_units() {
     assert_eq!(first.abscissa_axis, axis(18, 0, 0, "Frequency", "Hz"));
     assert_eq!(first.numerator, axis(8, 1, 0, "Displacement", "m"));
     assert_eq!(first.denominator, axis(13, 0, 1, "Force", "N"));
-    let si: Vec<Complex64> = first
-        .ordinate
-        .iter()
-        .map(|value| value / units.length * units.force)
-        .collect();
+    let si: Vec<Complex64> = first.ordinate.iter().map(|value| value / units.length * units.force).collect();
     assert_near(&si, even().into_iter().map(receptance), DOUBLE);
 }
 
@@ -328,14 +221,8 @@ fn reads_the_manners_of_writers() {
         SMALL.trim_end().to_owned(),
         format!("\n{SMALL}\n  \n"),
         SMALL.replace('e', "E"),
-        small_with(
-            SMALL_DATA,
-            "  1.00000D+00 -2.00000d+00  3.00000D+00 -4.00000D+00\n",
-        ),
-        small_with(
-            SMALL_DATA,
-            "            1          -2.          3.0        -4.00\n",
-        ),
+        small_with(SMALL_DATA, "  1.00000D+00 -2.00000d+00  3.00000D+00 -4.00000D+00\n"),
+        small_with(SMALL_DATA, "            1          -2.          3.0        -4.00\n"),
         small_with("-4.00000e+00\n", "-4.00000e+00  0.00000e+00  0.00000e+00\n"),
         format!("    -1\n    15\n         1         0\n        -1\n    -1\n{SMALL}"),
     ] {
@@ -348,15 +235,9 @@ fn reads_the_manners_of_writers() {
 /// Fields are columns: they may touch, and a large exponent displaces its letter.
 #[test]
 fn reads_fields_that_touch() {
-    let text = small_with(
-        SMALL_DATA,
-        "-0.10000E+001-2.0000000000-1.00000e-300-1.23450-100\n",
-    );
+    let text = small_with(SMALL_DATA, "-0.10000E+001-2.0000000000-1.00000e-300-1.23450-100\n");
     let function = only_function(read(text.as_bytes()).unwrap());
-    let expected = [
-        Complex64::new(-1.0, -2.0),
-        Complex64::new(-1e-300, -1.2345e-100),
-    ];
+    let expected = [Complex64::new(-1.0, -2.0), Complex64::new(-1e-300, -1.2345e-100)];
     assert_eq!(function.ordinate, expected);
 }
 
@@ -432,9 +313,7 @@ fn refuses_damaged_functions() {
         "  3.00000e+00 =>   3,00000e+00 => line 14: a value must be a finite number, not \"3,00000e+00\"",
         "         8    0 =>          8    m => line 11: the exponent of length must be a whole number within 32 bits, not \"m\"",
     ] {
-        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}")
-        };
+        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
         assert_eq!(sentence(small_with(from, to).as_bytes()), expected);
     }
 }
@@ -446,9 +325,7 @@ fn refuses_damaged_units() {
         "1.00000000000000000D+03 =>             millimetres => line 4: the factor of length must be a finite number, not \"millimetres\"",
         "  2.73149999999999980D+02\n =>  => line 5: the dataset ends where its temperature offset must stand",
     ] {
-        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}")
-        };
+        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
         let text = MILLIMETRES.replacen(from, to, 1);
         assert_eq!(sentence(text.as_bytes()), expected);
     }

@@ -26,19 +26,13 @@ impl Expected {
         let [n, s1, s2, s3, s4] = sums;
         if n < 6.0 {
             let weight = 1.0 / n.max(1.0);
-            return Self {
-                weights: [weight, 0.0, 0.0],
-                variance: weight,
-            };
+            return Self { weights: [weight, 0.0, 0.0], variance: weight };
         }
         // The first row of the inverse of [[n, s1, s2], [s1, s2, s3], [s2, s3, s4]], times its determinant.
         let row = [s2 * s4 - s3 * s3, s2 * s3 - s1 * s4, s1 * s3 - s2 * s2];
         let determinant = n * row[0] + s1 * row[1] + s2 * row[2];
         let weights = row.map(|cofactor| cofactor / determinant);
         // Squares of what turns weigh add up to the first of the row.
-        Self {
-            weights,
-            variance: weights[0],
-        }
+        Self { weights, variance: weights[0] }
     }
 }

@@ -32,13 +32,7 @@ impl Lines {
         let size = every * short;
         let scale = every as f64 / ((size * heights.len()) as f64).sqrt();
         lines.iter_mut().for_each(|line| *line *= scale);
-        Self {
-            step: 1.0 / (size as f64 * spacing),
-            lines,
-            size,
-            count: heights.len(),
-            spacing,
-        }
+        Self { step: 1.0 / (size as f64 * spacing), lines, size, count: heights.len(), spacing }
     }
 
     fn back(&self, mut lines: Vec<Complex64>) -> Vec<f64> {
@@ -83,8 +77,7 @@ impl Lines {
         let found = first_of_back(&even, steps.min(self.count));
         let share = |index: usize| (self.count - index) as f64 / self.count as f64;
         let all = found.iter().enumerate();
-        all.map(|(index, value)| value / found[0] / share(index))
-            .collect()
+        all.map(|(index, value)| value / found[0] / share(index)).collect()
     }
 
     fn band(&self, order: usize, circumference: f64) -> Range<usize> {
@@ -94,12 +87,7 @@ impl Lines {
     }
 
     /// Sum of the waves that each of some lines becomes when its course is moved by up to `turns` turns either way.
-    fn comb(
-        &self,
-        lines: Range<usize>,
-        circumference: f64,
-        turns: usize,
-    ) -> impl Iterator<Item = f64> {
+    fn comb(&self, lines: Range<usize>, circumference: f64, turns: usize) -> impl Iterator<Item = f64> {
         let all = (2 * turns + 1) as f64;
         // sin(all x)/sin x; the angle x grows from line to line by as much.
         let grows = 0.5 * TAU * self.step * circumference;
@@ -120,13 +108,11 @@ impl Lines {
         let compared: f64 = (1..=turns).map(compared).sum();
         let band = self.band(order, circumference);
         let lines = self.lines[band.clone()].iter();
-        let [all, repeating] = lines.zip(self.comb(band, circumference, turns)).fold(
-            [0.0; 2],
-            |[all, repeating], (line, share)| {
+        let [all, repeating] =
+            lines.zip(self.comb(band, circumference, turns)).fold([0.0; 2], |[all, repeating], (line, share)| {
                 let power = 2.0 * line.norm_sqr();
                 [all + power, repeating + power * share]
-            },
-        );
+            });
         [all, repeating / compared]
     }
 
@@ -138,10 +124,8 @@ impl Lines {
         let (mut sum, mut weights) = (0.0, 0.0);
         for &order in orders {
             let middle = (order as f64 / circumference / self.step).round() as usize;
-            let lines = (middle.saturating_sub(near)).max(1)
-                ..=(middle + near).min(self.lines.len().saturating_sub(2));
-            let Some(highest) = lines.max_by(|one, other| power(*one).total_cmp(&power(*other)))
-            else {
+            let lines = (middle.saturating_sub(near)).max(1)..=(middle + near).min(self.lines.len().saturating_sub(2));
+            let Some(highest) = lines.max_by(|one, other| power(*one).total_cmp(&power(*other))) else {
                 continue;
             };
             // The top of the parabola through the logarithms of three lines.
@@ -149,19 +133,11 @@ impl Lines {
             let [before, at, behind] = [highest - 1, highest, highest + 1].map(level);
             let bend = before - 2.0 * at + behind;
             let at = power(highest);
-            let top = if bend < 0.0 {
-                0.5 * (before - behind) / bend
-            } else {
-                0.0
-            };
+            let top = if bend < 0.0 { 0.5 * (before - behind) / bend } else { 0.0 };
             sum += at * order as f64 * (highest as f64 + top) * self.step;
             weights += at * (order as f64).powi(2);
         }
-        if sum > 0.0 {
-            weights / sum
-        } else {
-            circumference
-        }
+        if sum > 0.0 { weights / sum } else { circumference }
     }
 
     /// What repeats with the turn in the bands of orders, at the heights: what the turns to either side, up to 12 and itself left
@@ -212,10 +188,7 @@ impl Lines {
 /// transform takes less time.
 fn first_of_back(lines: &[f64], count: usize) -> Vec<f64> {
     let size = 2 * (lines.len() - 1);
-    let apart = (1..=size / (2 * count))
-        .rev()
-        .find(|apart| size.is_multiple_of(2 * apart))
-        .unwrap_or(1);
+    let apart = (1..=size / (2 * count)).rev().find(|apart| size.is_multiple_of(2 * apart)).unwrap_or(1);
     let mut found = vec![0.0; count];
     for first in 0..=apart / 2 {
         let all = (first..size).step_by(apart);

@@ -108,13 +108,7 @@ struct Turning {
 }
 
 impl Turning {
-    fn find(
-        lines: &[Lines],
-        index: usize,
-        felt: &FeltProfile,
-        nominal: f64,
-        supports: Option<f64>,
-    ) -> Option<Self> {
+    fn find(lines: &[Lines], index: usize, felt: &FeltProfile, nominal: f64, supports: Option<f64>) -> Option<Self> {
         let spacing = felt.profile.spacing();
         let turns = felt.profile.length() / nominal;
         if turns < LEAST_TURNS || nominal < 8.0 * spacing {
@@ -143,24 +137,15 @@ impl Turning {
             circumference *= nearest / *order as f64;
             *order = nearest as usize;
         }
-        let of_rail: Vec<usize> = orders
-            .iter()
-            .copied()
-            .filter(|&order| is_of_rail(lines, index, order, circumference, turns))
-            .collect();
+        let of_rail: Vec<usize> =
+            orders.iter().copied().filter(|&order| is_of_rail(lines, index, order, circumference, turns)).collect();
         let is_wheel = lines.len() > 1 || orders.len() >= LEAST_ORDERS;
         orders.retain(|order| !of_rail.contains(order));
         let supports = supports.filter(|_| lines.len() == 1);
         if orders.is_empty() || is_of_supports(&orders, circumference, supports) {
             return None;
         }
-        Some(Self {
-            circumference,
-            turns,
-            orders,
-            of_rail,
-            is_wheel,
-        })
+        Some(Self { circumference, turns, orders, of_rail, is_wheel })
     }
 
     /// The pattern, its course taken off the heights if it is the wheel's.
@@ -172,9 +157,7 @@ impl Turning {
         };
         // A flat that stands out of some waves is in all, and what does not repeat keeps its power.
         let taken: Vec<usize> = match self.orders.len() >= LEAST_ORDERS {
-            true => known_orders(felt, circumference)
-                .filter(|order| !self.of_rail.contains(order))
-                .collect(),
+            true => known_orders(felt, circumference).filter(|order| !self.of_rail.contains(order)).collect(),
             false => self.orders.clone(),
         };
         let course = lines.repeating(&taken, circumference, self.turns);
@@ -182,11 +165,7 @@ impl Turning {
         let steps = (circumference / felt.profile.spacing()).round() as usize;
         let left = felt.profile.heights().iter().zip(&course);
         let left = left.map(|(height, wheel)| height - wheel).collect();
-        let mut without = Some(Profile::new(
-            felt.profile.start(),
-            felt.profile.spacing(),
-            left,
-        )?);
+        let mut without = Some(Profile::new(felt.profile.start(), felt.profile.spacing(), left)?);
         if let Some(rail) = without.take_if(|_| self.is_wheel) {
             felt.profile = rail;
         }
@@ -208,9 +187,7 @@ fn standing_out(lines: &Lines, felt: &FeltProfile, circumference: f64, turns: us
         let [all, repeating] = lines.about(order, circumference, turns);
         repeating > ORDER_SHARE * all
     };
-    known_orders(felt, circumference)
-        .filter(stands_out)
-        .collect()
+    known_orders(felt, circumference).filter(stands_out).collect()
 }
 
 /// Orders of wavelengths that are known.
@@ -250,9 +227,7 @@ fn best_distance(lines: &Lines, about: f64) -> Option<(f64, f64)> {
     };
     let from = 2.0 * about * (1.0 - WORN);
     let count = (4.0 * about * WORN) as usize;
-    let mut best: Vec<(f64, f64)> = (0..=count)
-        .map(|step| judged(0.5 * (from + step as f64), 1))
-        .collect();
+    let mut best: Vec<(f64, f64)> = (0..=count).map(|step| judged(0.5 * (from + step as f64), 1)).collect();
     let mut multiples = 1;
     loop {
         best.sort_by(|one, other| other.1.total_cmp(&one.1));

@@ -13,19 +13,11 @@ const RAILS: u64 = 8;
 fn rail(seed: u64, is_corrugated: bool) -> Vec<f64> {
     let levels = (-19..=-5).map(|index| {
         let band = ThirdOctave::new(index);
-        let hump = if is_corrugated && index == -13 {
-            20.0
-        } else {
-            0.0
-        };
+        let hump = if is_corrugated && index == -13 { 20.0 } else { 0.0 };
         (band, 5.0 + 15.0 * (band.wavelength() / 0.1).log10() + hump)
     });
     let spectrum = Spectrum::new(levels).unwrap();
-    spectrum
-        .drawn(LENGTH, STEP, seed)
-        .unwrap()
-        .heights()
-        .to_vec()
+    spectrum.drawn(LENGTH, STEP, seed).unwrap().heights().to_vec()
 }
 
 fn with(rail: &[f64], wheel: impl Fn(f64) -> f64) -> FeltProfile {
@@ -54,13 +46,9 @@ fn polygon(radius: f64, order: usize, amplitude: f64) -> impl Fn(f64) -> f64 {
 
 /// The largest difference of levels between two rails [dB].
 fn difference(one: &Profile, other: &Profile) -> f64 {
-    let [one, other] = [one, other]
-        .map(|profile| Spectrum::of_record(std::slice::from_ref(profile), 0.3).unwrap());
+    let [one, other] = [one, other].map(|profile| Spectrum::of_record(std::slice::from_ref(profile), 0.3).unwrap());
     // Bands that the rail has.
-    let known = one
-        .levels()
-        .iter()
-        .filter(|level| (-18..=-6).contains(&level.band.index()));
+    let known = one.levels().iter().filter(|level| (-18..=-6).contains(&level.band.index()));
     let differences = known.map(|level| (level.level - other.level(level.band).unwrap()).abs());
     differences.fold(0.0, f64::max)
 }
@@ -68,9 +56,7 @@ fn difference(one: &Profile, other: &Profile) -> f64 {
 /// Each rail with and without corrugation; the wheel is up to 4 % smaller than its case says.
 fn rails() -> impl Iterator<Item = (u64, bool, f64)> {
     let of = |seed| [(seed, false), (seed, true)];
-    (0..RAILS)
-        .flat_map(of)
-        .map(|(seed, is_corrugated)| (seed, is_corrugated, RADIUS * (1.0 - 0.005 * seed as f64)))
+    (0..RAILS).flat_map(of).map(|(seed, is_corrugated)| (seed, is_corrugated, RADIUS * (1.0 - 0.005 * seed as f64)))
 }
 
 /// What the first of some wheels has, and the heights without it.
@@ -186,11 +172,7 @@ fn patterns_that_change_slowly_are_taken_off() {
             let (pattern, left) = found(felt.collect(), TAU * RADIUS);
             assert!(pattern.is_some_and(|one| one.is_wheel), "{kind}, {seed}");
             let error = difference(&left, &smooth);
-            let most = if kind == 3 && !is_corrugated {
-                0.8
-            } else {
-                0.2
-            };
+            let most = if kind == 3 && !is_corrugated { 0.8 } else { 0.2 };
             assert!(error < most, "{kind}, {seed}: {error} dB");
             records += 1;
         }

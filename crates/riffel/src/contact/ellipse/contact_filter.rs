@@ -41,20 +41,9 @@ impl ContactFilter {
     /// # Errors
     /// [`Error::OutOfRange`] unless both are positive.
     pub fn new(semi_axis_longitudinal: f64, semi_axis_lateral: f64) -> Result<Self, Error> {
-        Error::unless_positive(
-            "semi-axis of the patch along the rail",
-            semi_axis_longitudinal,
-            "m",
-        )?;
-        Error::unless_positive(
-            "semi-axis of the patch across the rail",
-            semi_axis_lateral,
-            "m",
-        )?;
-        Ok(Self {
-            semi_axis_longitudinal,
-            semi_axis_lateral,
-        })
+        Error::unless_positive("semi-axis of the patch along the rail", semi_axis_longitudinal, "m")?;
+        Error::unless_positive("semi-axis of the patch across the rail", semi_axis_lateral, "m")?;
+        Ok(Self { semi_axis_longitudinal, semi_axis_lateral })
     }
 
     /// The filter of a Hertz contact.
@@ -93,13 +82,7 @@ impl ContactFilter {
     /// # Errors
     /// [`Error::OutOfRange`] unless λ > 0 and α ≥ 0.
     pub fn uniform(&self, wavelength: f64, across: f64) -> Result<f64, Error> {
-        self.mean_square(wavelength, across, |angle| {
-            if angle == 0.0 {
-                1.0
-            } else {
-                2.0 * bessel_j1(angle) / angle
-            }
-        })
+        self.mean_square(wavelength, across, |angle| if angle == 0.0 { 1.0 } else { 2.0 * bessel_j1(angle) / angle })
     }
 
     /// |H|² = 1/(1 + (π/4)(ka)³) \[-\] at a wavelength λ \[m\]: the usual approximation of Remington's
@@ -117,12 +100,7 @@ impl ContactFilter {
     }
 
     /// Mean of the square of a factor f(κ) over the wave numbers across.
-    fn mean_square(
-        &self,
-        wavelength: f64,
-        across: f64,
-        factor: fn(f64) -> f64,
-    ) -> Result<f64, Error> {
+    fn mean_square(&self, wavelength: f64, across: f64, factor: fn(f64) -> f64) -> Result<f64, Error> {
         Error::unless_positive("wavelength", wavelength, "m")?;
         Error::unless_not_negative("ratio of the wave numbers across and along", across, "")?;
         let wavenumber = 2.0 * PI / wavelength;
@@ -147,11 +125,7 @@ impl ContactFilter {
 
 /// sin κ/κ.
 fn flat_punch(angle: f64) -> f64 {
-    if angle == 0.0 {
-        1.0
-    } else {
-        angle.sin() / angle
-    }
+    if angle == 0.0 { 1.0 } else { angle.sin() / angle }
 }
 
 /// J₁(x) by Bessel's integral, (1/π) ∫ cos(θ − x sin θ) dθ from 0 to π. The midpoint rule converges
@@ -181,12 +155,7 @@ mod tests {
     /// Abramowitz & Stegun (1964), table 9.1.
     #[test]
     fn bessel_function_is_that_of_the_table() {
-        for (x, exact) in [
-            (0.0, 0.0),
-            (1.0, 0.440_050_585_7),
-            (5.0, -0.327_579_137_6),
-            (10.0, 0.043_472_746_2),
-        ] {
+        for (x, exact) in [(0.0, 0.0), (1.0, 0.440_050_585_7), (5.0, -0.327_579_137_6), (10.0, 0.043_472_746_2)] {
             assert!((bessel_j1(x) - exact).abs() < 1e-10, "{x}");
         }
     }
@@ -220,11 +189,7 @@ mod tests {
         for wavelength in [5e-3, 20e-3, 80e-3] {
             let wavenumber = 2.0 * PI / wavelength;
             let square = filter().amplitude(wavenumber, 0.0).powi(2);
-            assert_relative_eq!(
-                filter().elastic(wavelength, 0.0).unwrap(),
-                square,
-                max_relative = 1e-12
-            );
+            assert_relative_eq!(filter().elastic(wavelength, 0.0).unwrap(), square, max_relative = 1e-12);
             let tiny = filter().elastic(wavelength, 1e-6).unwrap();
             assert!((tiny - square).abs() < 1e-9);
         }
@@ -269,11 +234,7 @@ mod tests {
         // The next term of J₁ is 3/(8z) of the first.
         assert_relative_eq!(mean, 4.0 / PI, max_relative = 2e-3);
         let short = 2.0 * PI / 300.0 * 6e-3;
-        assert_relative_eq!(
-            filter().approximate(short).unwrap(),
-            4.0 / PI / 300.0_f64.powi(3),
-            max_relative = 1e-6
-        );
+        assert_relative_eq!(filter().approximate(short).unwrap(), 4.0 / PI / 300.0_f64.powi(3), max_relative = 1e-6);
     }
 
     #[test]

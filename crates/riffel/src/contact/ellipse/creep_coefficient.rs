@@ -28,10 +28,7 @@ mod tests {
             // Quadratic interpolation of 1/C to ν = 0.3.
             let table = 1.0 / (-0.08 / at_000 + 0.96 / at_025 + 0.12 / at_050);
             let error = creep_coefficient(axis_ratio) / table - 1.0;
-            assert!(
-                (-0.10..0.05).contains(&error),
-                "a/b = {axis_ratio}: {error}"
-            );
+            assert!((-0.10..0.05).contains(&error), "a/b = {axis_ratio}: {error}");
         }
     }
 }

@@ -41,10 +41,7 @@ impl CurvatureFilter {
         let punch = PolynomialPunch::new(a / b);
         let of_one = punch.stiffness(1);
         let weight = |n| 9.0 * punch.stiffness(n) / of_one;
-        Ok(Self {
-            semi_axis: a,
-            weights: (1..=TERMS).map(weight).collect(),
-        })
+        Ok(Self { semi_axis: a, weights: (1..=TERMS).map(weight).collect() })
     }
 
     /// The filter of a Hertz contact.
@@ -52,10 +49,7 @@ impl CurvatureFilter {
     /// # Errors
     /// None for a contact that is one.
     pub fn of(contact: &HertzContact) -> Result<Self, Error> {
-        Self::new(
-            contact.semi_axis_longitudinal(),
-            contact.semi_axis_lateral(),
-        )
+        Self::new(contact.semi_axis_longitudinal(), contact.semi_axis_lateral())
     }
 
     /// Semi-axis a along the rail \[m\].
@@ -86,34 +80,10 @@ mod tests {
 
     /// ka, then Φ at a/b = 0.4, 1, 1.5874 and 4: the series in quadruple precision, elsewhere.
     const ELLIPSES: [[f64; 5]; 4] = [
-        [
-            0.05,
-            0.999763561711794,
-            0.9997500416621817,
-            0.9997395646681382,
-            0.9997182405794274,
-        ],
-        [
-            0.675,
-            0.9581673390527783,
-            0.9557946585354388,
-            0.9539575613956902,
-            0.9502156550443,
-        ],
-        [
-            1.5,
-            0.8157939658285669,
-            0.8056871451473648,
-            0.7978876914445431,
-            0.7819526537718988,
-        ],
-        [
-            4.0,
-            0.3645089269564344,
-            0.33816742538551814,
-            0.3182811302073263,
-            0.27661896654223167,
-        ],
+        [0.05, 0.999763561711794, 0.9997500416621817, 0.9997395646681382, 0.9997182405794274],
+        [0.675, 0.9581673390527783, 0.9557946585354388, 0.9539575613956902, 0.9502156550443],
+        [1.5, 0.8157939658285669, 0.8056871451473648, 0.7978876914445431, 0.7819526537718988],
+        [4.0, 0.3645089269564344, 0.33816742538551814, 0.3182811302073263, 0.27661896654223167],
     ];
 
     #[test]

@@ -83,10 +83,7 @@ impl EllipticContact {
     /// [`Error::OutOfRange`] unless the force is positive.
     pub fn under(&self, normal_force: f64) -> Result<Self, Error> {
         Error::unless_positive("normal force", normal_force, "N")?;
-        Ok(Self {
-            normal_force,
-            ..*self
-        })
+        Ok(Self { normal_force, ..*self })
     }
 
     /// Contact modulus E\* \[Pa\].
@@ -161,11 +158,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn body(longitudinal_curvature: f64, lateral_curvature: f64) -> ContactBody {
-        ContactBody {
-            material: ElasticMaterial::new(207e9, 0.3).unwrap(),
-            longitudinal_curvature,
-            lateral_curvature,
-        }
+        ContactBody { material: ElasticMaterial::new(207e9, 0.3).unwrap(), longitudinal_curvature, lateral_curvature }
     }
 
     fn on_rail(longitudinal: f64, lateral: f64, force: f64) -> EllipticContact {
@@ -177,10 +170,8 @@ mod tests {
     #[test]
     fn unlike_spheres_are_hertz() {
         let steel = body(1.0 / 0.3, 1.0 / 0.3);
-        let aluminium = ContactBody {
-            material: ElasticMaterial::new(70e9, 0.33).unwrap(),
-            ..body(1.0 / 0.2, 1.0 / 0.2)
-        };
+        let aluminium =
+            ContactBody { material: ElasticMaterial::new(70e9, 0.33).unwrap(), ..body(1.0 / 0.2, 1.0 / 0.2) };
         let contact = EllipticContact::new([steel, aluminium], 2e3).unwrap();
         let modulus = 1.0 / ((1.0 - 0.09) / 207e9 + (1.0 - 0.33 * 0.33) / 70e9);
         let radius = 0.12_f64;

@@ -68,10 +68,7 @@ impl EllipticIntegrals {
         // D/K = ½ + ½ Σ 2ⁿ cₙ²/k².
         let mut ratio = 0.5;
         for _ in 0..Self::MOST_STEPS {
-            (arithmetic, geometric) = (
-                0.5 * (arithmetic + geometric),
-                (arithmetic * geometric).sqrt(),
-            );
+            (arithmetic, geometric) = (0.5 * (arithmetic + geometric), (arithmetic * geometric).sqrt());
             ratio += weight * square_over_modulus;
             // The next difference is a quarter of the square of this one.
             if difference <= 1e-9 * arithmetic {
@@ -83,11 +80,7 @@ impl EllipticIntegrals {
             weight *= 2.0;
         }
         let first_kind = PI / (arithmetic + geometric);
-        Self {
-            first_kind,
-            d: first_kind * ratio,
-            complementary,
-        }
+        Self { first_kind, d: first_kind * ratio, complementary }
     }
 
     /// K \[-\], of the first kind.

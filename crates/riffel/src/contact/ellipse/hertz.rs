@@ -70,18 +70,9 @@ impl HertzContact {
         Error::unless_positive("longitudinal radius", radius, "m")?;
         let ratio = radius / self.transverse_radius;
         UnitEllipse::check_curvature_ratio(ratio.max(ratio.recip()))?;
-        let ellipse = self.ellipse.map(|_| {
-            UnitEllipse::new(
-                self.contact_modulus(),
-                1.0 / radius,
-                1.0 / self.transverse_radius,
-            )
-        });
-        Ok(Self {
-            longitudinal_radius: radius,
-            ellipse: ellipse.transpose()?,
-            ..self
-        })
+        let ellipse =
+            self.ellipse.map(|_| UnitEllipse::new(self.contact_modulus(), 1.0 / radius, 1.0 / self.transverse_radius));
+        Ok(Self { longitudinal_radius: radius, ellipse: ellipse.transpose()?, ..self })
     }
 
     /// The same contact where a wave adds the share κ of its curvature along the rail, on a wheel of the radius R/(1 + κ).
@@ -120,11 +111,7 @@ impl HertzContact {
     ) -> Result<Self, Error> {
         let contact = Self::new(material, rolling_radius, transverse_radius, normal_force)?;
         Ok(Self {
-            ellipse: Some(UnitEllipse::new(
-                contact.contact_modulus(),
-                1.0 / rolling_radius,
-                1.0 / transverse_radius,
-            )?),
+            ellipse: Some(UnitEllipse::new(contact.contact_modulus(), 1.0 / rolling_radius, 1.0 / transverse_radius)?),
             ..contact
         })
     }
@@ -137,11 +124,7 @@ impl HertzContact {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless all are positive.
-    pub fn radii_of_ellipse(
-        material: ElasticMaterial,
-        [a, b]: [f64; 2],
-        normal_force: f64,
-    ) -> Result<[f64; 2], Error> {
+    pub fn radii_of_ellipse(material: ElasticMaterial, [a, b]: [f64; 2], normal_force: f64) -> Result<[f64; 2], Error> {
         Error::unless_positive("semi-axis along the rail", a, "m")?;
         Error::unless_positive("semi-axis across the rail", b, "m")?;
         Error::unless_positive("normal force", normal_force, "N")?;
@@ -156,10 +139,7 @@ impl HertzContact {
     /// [`Error::OutOfRange`] unless it is positive.
     pub fn with_stiffness(self, stiffness: f64) -> Result<Self, Error> {
         Error::unless_positive("stiffness of the contact", stiffness, "N/m")?;
-        Ok(Self {
-            stiffening: self.stiffening * stiffness / self.stiffness(),
-            ..self
-        })
+        Ok(Self { stiffening: self.stiffening * stiffness / self.stiffness(), ..self })
     }
 
     /// The material of both bodies.
@@ -190,10 +170,7 @@ impl HertzContact {
     /// The same contact under another normal force \[N\], which must be positive; an exact one is
     /// not solved again, since its axis ratio does not depend on the load.
     pub(crate) fn under(&self, normal_force: f64) -> Self {
-        Self {
-            normal_force,
-            ..*self
-        }
+        Self { normal_force, ..*self }
     }
 
     /// Equivalent radius R_e \[m\] of the sphere on a plane whose patch has the same area πab:
@@ -302,16 +279,8 @@ mod tests {
             assert_relative_eq!(radii[0], along, max_relative = 1e-12);
             assert_relative_eq!(radii[1], across, max_relative = 1e-12);
             let stiffer = hertz.with_stiffness(1.3 * hertz.stiffness()).unwrap();
-            assert_relative_eq!(
-                stiffer.stiffness(),
-                1.3 * hertz.stiffness(),
-                max_relative = 1e-14
-            );
-            assert_relative_eq!(
-                stiffer.approach(),
-                hertz.approach() / 1.3,
-                max_relative = 1e-14
-            );
+            assert_relative_eq!(stiffer.stiffness(), 1.3 * hertz.stiffness(), max_relative = 1e-14);
+            assert_relative_eq!(stiffer.approach(), hertz.approach() / 1.3, max_relative = 1e-14);
             assert_relative_eq!(
                 stiffer.under(120e3).stiffness() / stiffer.stiffness(),
                 2f64.cbrt(),
@@ -319,11 +288,7 @@ mod tests {
             );
             let step = 1.0 + 1e-6;
             let slope = stiffer.under(60e3 * step).stiffness() - stiffer.stiffness();
-            assert_relative_eq!(
-                slope / 0.06,
-                stiffer.stiffness_derivative(),
-                max_relative = 1e-5
-            );
+            assert_relative_eq!(slope / 0.06, stiffer.stiffness_derivative(), max_relative = 1e-5);
         }
         assert!(HertzContact::radii_of_ellipse(steel, [0.0, 5e-3], 60e3).is_err());
         assert!(sphere(60e3).with_stiffness(f64::NAN).is_err());
@@ -338,11 +303,7 @@ mod tests {
         let contact = sphere(force);
         assert_relative_eq!(contact.semi_axis_longitudinal(), a, max_relative = 1e-14);
         assert_relative_eq!(contact.semi_axis_lateral(), a, max_relative = 1e-14);
-        assert_relative_eq!(
-            contact.stiffness(),
-            2.0 * contact_modulus * a,
-            max_relative = 1e-14
-        );
+        assert_relative_eq!(contact.stiffness(), 2.0 * contact_modulus * a, max_relative = 1e-14);
     }
 
     /// k_H = dP/dδ with δ ∝ P^{2/3}: central difference, step 1e-4, truncation 1e-9.
@@ -394,9 +355,7 @@ mod tests {
     #[test]
     fn exact_contact_is_that_of_two_bodies() {
         let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-        let contact = HertzContact::exact(steel, 0.46, 0.23, 50e3)
-            .unwrap()
-            .under(45e3);
+        let contact = HertzContact::exact(steel, 0.46, 0.23, 50e3).unwrap().under(45e3);
         let body = |longitudinal_curvature, lateral_curvature| ContactBody {
             material: steel,
             longitudinal_curvature,
@@ -405,21 +364,9 @@ mod tests {
         let bodies = [body(1.0 / 0.46, 0.0), body(0.0, 1.0 / 0.23)];
         let general = EllipticContact::new(bodies, 45e3).unwrap();
         assert_relative_eq!(contact.approach(), general.approach(), max_relative = 1e-14);
-        assert_relative_eq!(
-            contact.stiffness(),
-            general.stiffness(),
-            max_relative = 1e-14
-        );
-        assert_relative_eq!(
-            contact.semi_axis_lateral(),
-            general.semi_axis_lateral(),
-            max_relative = 1e-14
-        );
-        assert_relative_eq!(
-            contact.axis_ratio(),
-            general.axis_ratio(),
-            max_relative = 1e-14
-        );
+        assert_relative_eq!(contact.stiffness(), general.stiffness(), max_relative = 1e-14);
+        assert_relative_eq!(contact.semi_axis_lateral(), general.semi_axis_lateral(), max_relative = 1e-14);
+        assert_relative_eq!(contact.axis_ratio(), general.axis_ratio(), max_relative = 1e-14);
     }
 
     /// The section of a conical wheel along the rail, in the plane of the normal, is curved by cos γ/R: from its points.
@@ -430,18 +377,14 @@ mod tests {
             let radius = 0.46;
             // At the angle θ about the axle the cone r = R − y tan γ meets that plane at y; x ahead, h against the normal.
             let about = 1e-3_f64;
-            let y =
-                radius * (about.cos() - 1.0) / (angle.tan().recip() + angle.tan() * about.cos());
+            let y = radius * (about.cos() - 1.0) / (angle.tan().recip() + angle.tan() * about.cos());
             let (x, h) = ((radius - y * angle.tan()) * about.sin(), -y / angle.sin());
             let flatter = x * x / (2.0 * h);
             assert_relative_eq!(flatter, radius / angle.cos(), max_relative = 1e-6);
             let contact = HertzContact::exact(steel, radius, 0.3, 50e3).unwrap();
             let contact = contact.with_longitudinal_radius(flatter).unwrap();
             let alone = HertzContact::exact(steel, flatter, 0.3, 50e3).unwrap();
-            assert_eq!(
-                contact.semi_axis_longitudinal(),
-                alone.semi_axis_longitudinal()
-            );
+            assert_eq!(contact.semi_axis_longitudinal(), alone.semi_axis_longitudinal());
             assert_eq!(contact.rolling_radius(), radius);
         }
     }

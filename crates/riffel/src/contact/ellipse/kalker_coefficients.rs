@@ -67,11 +67,7 @@ impl KalkerCoefficients {
         let place = Place::of(axis_ratio);
         let weights = poisson_weights(poisson_ratio);
         let [c11, c22, c23, c33] = std::array::from_fn(|coefficient| {
-            weights
-                .iter()
-                .enumerate()
-                .map(|(column, weight)| weight * place.interpolate(coefficient, column))
-                .sum()
+            weights.iter().enumerate().map(|(column, weight)| weight * place.interpolate(coefficient, column)).sum()
         });
         Ok(Self { c11, c22, c23, c33 })
     }
@@ -102,19 +98,14 @@ impl Place {
     fn of(axis_ratio: f64) -> Self {
         let position = axis_ratio.log10() * ROWS_TO_A_DECADE as f64 + ROW_OF_THE_CIRCLE as f64;
         let row = (position.floor() as usize).clamp(2, COEFFICIENTS.len() - 4);
-        Self {
-            row,
-            fraction: position - row as f64,
-        }
+        Self { row, fraction: position - row as f64 }
     }
 
     /// One coefficient of one column: the Hermite cubic of ln C, with slopes by differences of
     /// fourth order.
     fn interpolate(&self, coefficient: usize, column: usize) -> f64 {
         let value = |row: usize| COEFFICIENTS[row][coefficient][column].ln();
-        let slope = |row: usize| {
-            (value(row - 2) - 8.0 * value(row - 1) + 8.0 * value(row + 1) - value(row + 2)) / 12.0
-        };
+        let slope = |row: usize| (value(row - 2) - 8.0 * value(row - 1) + 8.0 * value(row + 1) - value(row + 2)) / 12.0;
         let (t, rest) = (self.fraction, 1.0 - self.fraction);
         let (below, above) = (self.row, self.row + 1);
         let logarithm = rest * rest * ((1.0 + 2.0 * t) * value(below) + t * slope(below))
@@ -131,8 +122,7 @@ mod tests {
     use std::f64::consts::PI;
 
     fn all(poisson_ratio: f64, axis_ratio: f64) -> [f64; 4] {
-        let KalkerCoefficients { c11, c22, c23, c33 } =
-            KalkerCoefficients::new(poisson_ratio, axis_ratio).unwrap();
+        let KalkerCoefficients { c11, c22, c23, c33 } = KalkerCoefficients::new(poisson_ratio, axis_ratio).unwrap();
         [c11, c22, c23, c33]
     }
 
@@ -157,8 +147,7 @@ mod tests {
             let limits = [
                 PI * PI / (4.0 * compressed),
                 PI * PI / 4.0,
-                PI * g.sqrt() / (3.0 * compressed)
-                    * (1.0 + poisson_ratio * ((16.0 / g).ln() - 5.0)),
+                PI * g.sqrt() / (3.0 * compressed) * (1.0 + poisson_ratio * ((16.0 / g).ln() - 5.0)),
                 PI * PI / (16.0 * compressed * g),
             ];
             for (value, limit) in all(poisson_ratio, g).into_iter().zip(limits) {
@@ -176,11 +165,7 @@ mod tests {
         for poisson_ratio in [0.0, 0.2, 0.3, 0.5] {
             let [c11, _, c23, _] = all(poisson_ratio, 1.0 / g);
             let spin = (1.0 - poisson_ratio) * logarithm - 2.0 + 4.0 * poisson_ratio;
-            assert_relative_eq!(
-                c23,
-                2.0 * PI / (3.0 * g.powf(1.5) * spin),
-                max_relative = 1e-3
-            );
+            assert_relative_eq!(c23, 2.0 * PI / (3.0 * g.powf(1.5) * spin), max_relative = 1e-3);
             let reduced = logarithm - 2.0 * poisson_ratio;
             let limit = 2.0 * PI / (reduced * g) * (1.0 + (3.0 - 4.0_f64.ln()) / reduced);
             assert_relative_eq!(c11, limit, max_relative = 2.7 / (reduced * reduced));
@@ -189,15 +174,9 @@ mod tests {
 
     #[test]
     fn contacts_outside_the_table_are_refused() {
-        for (poisson_ratio, axis_ratio) in [
-            (-0.1, 1.0),
-            (0.51, 1.0),
-            (f64::NAN, 1.0),
-            (0.3, 0.0),
-            (0.3, -1.0),
-            (0.3, 320.0),
-            (0.3, f64::NAN),
-        ] {
+        for (poisson_ratio, axis_ratio) in
+            [(-0.1, 1.0), (0.51, 1.0), (f64::NAN, 1.0), (0.3, 0.0), (0.3, -1.0), (0.3, 320.0), (0.3, f64::NAN)]
+        {
             assert!(KalkerCoefficients::new(poisson_ratio, axis_ratio).is_err());
         }
         for end in [1.0 / 316.0, 316.0] {

@@ -25,9 +25,7 @@ pub(in crate::contact) struct PolynomialPunch {
 impl PolynomialPunch {
     /// On an ellipse of the aspect ratio a/b.
     pub(in crate::contact) fn new(aspect_ratio: f64) -> Self {
-        Self {
-            harmonics: harmonics(aspect_ratio.recip()),
-        }
+        Self { harmonics: harmonics(aspect_ratio.recip()) }
     }
 
     /// c_m of the degree n with their orders m, from the highest down.
@@ -45,11 +43,7 @@ impl PolynomialPunch {
                 let entry = 0.5 * (self.harmonics[difference] + self.harmonics[sum]);
                 let known = (0..column).map(|k| lower[row][k] * lower[column][k]);
                 let rest = entry - known.sum::<f64>();
-                lower[row][column] = if row == column {
-                    rest.sqrt()
-                } else {
-                    rest / lower[column][column]
-                };
+                lower[row][column] = if row == column { rest.sqrt() } else { rest / lower[column][column] };
             }
             let known = (0..row).map(|k| lower[row][k] * values[k]);
             values[row] = (1.0 - known.sum::<f64>()) / lower[row][row];
@@ -129,17 +123,10 @@ mod tests {
         for step in 1..400 {
             let z = 0.13 * f64::from(step);
             let (sine, cosine) = z.sin_cos();
-            let exact = [
-                sine / z,
-                (sine / z - cosine) / z,
-                ((3.0 / (z * z) - 1.0) * sine - 3.0 * cosine / z) / z,
-            ];
+            let exact = [sine / z, (sine / z - cosine) / z, ((3.0 / (z * z) - 1.0) * sine - 3.0 * cosine / z) / z];
             let got = spherical_bessel_functions(z);
             for (got, exact) in got.iter().zip(exact) {
-                assert!(
-                    (got - exact).abs() < 1e-12 / z.min(1.0),
-                    "{z}: {got} {exact}"
-                );
+                assert!((got - exact).abs() < 1e-12 / z.min(1.0), "{z}: {got} {exact}");
             }
         }
     }

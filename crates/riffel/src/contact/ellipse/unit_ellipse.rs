@@ -51,14 +51,8 @@ impl UnitEllipse {
         longitudinal_curvature: f64,
         lateral_curvature: f64,
     ) -> Result<Self, Error> {
-        unless_convex(
-            "combined curvature along the rolling direction",
-            longitudinal_curvature,
-        )?;
-        unless_convex(
-            "combined curvature across the rolling direction",
-            lateral_curvature,
-        )?;
+        unless_convex("combined curvature along the rolling direction", longitudinal_curvature)?;
+        unless_convex("combined curvature across the rolling direction", lateral_curvature)?;
         let least = longitudinal_curvature.min(lateral_curvature);
         let curvature_ratio = longitudinal_curvature.max(lateral_curvature) / least;
         Self::check_curvature_ratio(curvature_ratio)?;
@@ -67,16 +61,9 @@ impl UnitEllipse {
         let long = (3.0 * integrals.d() / (PI * contact_modulus * least)).cbrt();
         let short = long * axis_ratio;
         // The weaker curvature lies along the long axis.
-        let (longitudinal, lateral) = if longitudinal_curvature <= lateral_curvature {
-            (long, short)
-        } else {
-            (short, long)
-        };
-        Ok(Self {
-            longitudinal,
-            lateral,
-            approach: 1.5 * integrals.first_kind() / (PI * contact_modulus * long),
-        })
+        let (longitudinal, lateral) =
+            if longitudinal_curvature <= lateral_curvature { (long, short) } else { (short, long) };
+        Ok(Self { longitudinal, lateral, approach: 1.5 * integrals.first_kind() / (PI * contact_modulus * long) })
     }
 
     /// Combined curvatures along and across \[1/m\] of which semi-axes a along and b across \[m\] are the ellipse under a
@@ -133,12 +120,7 @@ fn unless_convex(quantity: &'static str, curvature: f64) -> Result<(), Error> {
     if curvature.is_finite() && curvature > 0.0 {
         return Ok(());
     }
-    Err(Error::OutOfRange {
-        quantity,
-        value: curvature,
-        unit: "1/m",
-        rule,
-    })
+    Err(Error::OutOfRange { quantity, value: curvature, unit: "1/m", rule })
 }
 
 /// q = d/c \[-\], the short over the long semi-axis, from the ratio κ_d/κ_c ≥ 1 of the curvatures.
@@ -170,11 +152,7 @@ fn newton_step(s: f64, logarithm: f64) -> f64 {
     let (b, d) = (integrals.b(), integrals.d());
     let modulus_squared = (1.0 - q) * (1.0 + q);
     // Below, the difference D − B is rounding; the slope needs only a few digits.
-    let c = if modulus_squared > 1e-6 {
-        (d - b) / modulus_squared
-    } else {
-        PI / 16.0
-    };
+    let c = if modulus_squared > 1e-6 { (d - b) / modulus_squared } else { PI / 16.0 };
     let slope = 2.0 + q * q * c / b - (d - c) / d;
     ((b / d).ln() + 2.0 * s - logarithm) / slope
 }
@@ -200,10 +178,7 @@ mod tests {
                 s -= newton_step(s, logarithm);
             }
             assert!(newton_step(s, logarithm).abs() < 1e-14, "{decade}");
-            assert!(
-                s <= logarithm / 1.5 + 1e-15 && s >= 0.5 * logarithm,
-                "{decade}"
-            );
+            assert!(s <= logarithm / 1.5 + 1e-15 && s >= 0.5 * logarithm, "{decade}");
         }
     }
 

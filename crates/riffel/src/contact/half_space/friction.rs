@@ -61,28 +61,20 @@ impl Friction<'_> {
             let slip = |part: usize, step: usize| self.forcing[part][step] - moved[part][step];
             let states: Vec<State> = (0..count)
                 .map(|index| {
-                    let w = [0, 1]
-                        .map(|part| tractions[part * count + index] + weight * slip(part, index));
+                    let w = [0, 1].map(|part| tractions[part * count + index] + weight * slip(part, index));
                     State::new(w, self.bound[index])
                 })
                 .collect();
-            let projected: Vec<f64> = [0, 1]
-                .into_iter()
-                .flat_map(|part| states.iter().map(move |state| state.projected[part]))
-                .collect();
-            let gaps: Vec<f64> = projected
-                .iter()
-                .zip(&tractions)
-                .map(|(projected, traction)| projected - traction)
-                .collect();
+            let projected: Vec<f64> =
+                [0, 1].into_iter().flat_map(|part| states.iter().map(move |state| state.projected[part])).collect();
+            let gaps: Vec<f64> =
+                projected.iter().zip(&tractions).map(|(projected, traction)| projected - traction).collect();
             reached = norm(&gaps) / norm(&projected);
             // Nothing at all is a solution as well.
             if reached <= self.tolerance || norm(&gaps) == 0.0 {
                 let slips = |step: usize| step >= count || states[step].slips;
                 let distance = [0, 1].map(|part| {
-                    (0..self.patch.steps.len())
-                        .map(|step| if slips(step) { slip(part, step) } else { 0.0 })
-                        .collect()
+                    (0..self.patch.steps.len()).map(|step| if slips(step) { slip(part, step) } else { 0.0 }).collect()
                 });
                 return Ok(Slip {
                     tractions: halves(&tractions).map(<[f64]>::to_vec),
@@ -104,8 +96,7 @@ impl Friction<'_> {
             };
             let inverse = strips.inverse(|index, part| states[index].diagonal(part, weight));
             let inverse = |values: &mut [f64]| inverse.solve(values);
-            let change =
-                gmres(product, inverse, &gaps, FORCING, MOST_PRODUCTS).map_err(|_| reached)?;
+            let change = gmres(product, inverse, &gaps, FORCING, MOST_PRODUCTS).map_err(|_| reached)?;
             for (index, &bound) in self.bound.iter().enumerate() {
                 let next = [index, count + index].map(|place| tractions[place] + change[place]);
                 // Back onto the disc: from beyond it the next step goes astray.
@@ -143,11 +134,7 @@ impl State {
         Self {
             slips,
             projected: w.map(|w| w * ratio),
-            direction: if size > 0.0 {
-                w.map(|w| w / size)
-            } else {
-                [1.0, 0.0]
-            },
+            direction: if size > 0.0 { w.map(|w| w / size) } else { [1.0, 0.0] },
             ratio: if slips && bound == 0.0 { 0.0 } else { ratio },
             share: if slips { 1.0 } else { 0.0 },
         }
@@ -167,10 +154,7 @@ impl State {
     pub(super) fn diagonal(&self, part: usize, weight: f64) -> Diagonal {
         let along = self.direction[part].powi(2);
         let turned = self.ratio * (1.0 - along) + (1.0 - self.share) * along;
-        Diagonal {
-            identity: 1.0 - turned,
-            difference: turned * weight,
-        }
+        Diagonal { identity: 1.0 - turned, difference: turned * weight }
     }
 
     /// dΠ of a change dw.

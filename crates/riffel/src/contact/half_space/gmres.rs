@@ -104,21 +104,11 @@ mod tests {
             )
         };
         let product = |x: &[Complex64]| -> Vec<Complex64> {
-            (0..x.len())
-                .map(|row| {
-                    (0..x.len())
-                        .map(|column| entry(row, column) * x[column])
-                        .sum()
-                })
-                .collect()
+            (0..x.len()).map(|row| (0..x.len()).map(|column| entry(row, column) * x[column]).sum()).collect()
         };
         let right: Vec<Complex64> = (0..20).map(|row| Complex64::new(1.0, row as f64)).collect();
         let solution = gmres(product, |_: &mut [Complex64]| (), &right, 1e-10, 20).unwrap();
-        let residual: Vec<Complex64> = product(&solution)
-            .iter()
-            .zip(&right)
-            .map(|(a, b)| a - b)
-            .collect();
+        let residual: Vec<Complex64> = product(&solution).iter().zip(&right).map(|(a, b)| a - b).collect();
         assert!(norm(&residual) < 1e-9 * norm(&right));
         assert!(gmres(product, |_: &mut [Complex64]| (), &right, 1e-10, 1).is_err());
     }

@@ -32,19 +32,12 @@ pub(super) struct GridSweep<'a> {
 }
 
 impl<'a> GridSweep<'a> {
-    pub(super) fn new(
-        grid: &'a Grid,
-        steady: &'a Slip,
-        creepages: Creepages,
-        inputs: &[Input],
-    ) -> Self {
+    pub(super) fn new(grid: &'a Grid, steady: &'a Slip, creepages: Creepages, inputs: &[Input]) -> Self {
         let basis = |&input| (input, Basis::default());
         Self {
             tangent: Tangent::new(grid, steady, creepages),
             convolution: Convolution::new(&grid.influence, &grid.patch),
-            on_waves: inputs
-                .contains(&Input::Profile)
-                .then(|| OnWaves::new(grid, steady)),
+            on_waves: inputs.contains(&Input::Profile).then(|| OnWaves::new(grid, steady)),
             bases: inputs.iter().map(basis).collect(),
         }
     }
@@ -72,12 +65,7 @@ impl<'a> GridSweep<'a> {
 
     /// The response to each input at a wavenumber \[rad/m\]; the residual reached if one does not converge.
     pub(super) fn at(&mut self, wavenumber: f64) -> Result<Vec<Response>, f64> {
-        let Self {
-            tangent,
-            convolution,
-            on_waves,
-            bases,
-        } = self;
+        let Self { tangent, convolution, on_waves, bases } = self;
         if let Some(on_waves) = on_waves {
             on_waves.prepare(wavenumber, tangent.grid, tangent.steady, convolution);
         }
@@ -166,20 +154,11 @@ impl Basis {
         let mut products: Vec<_> = self.members.iter().map(|m| with(&m.images)).collect();
         products.push(with(&images));
         self.products.push(products);
-        self.members.push(Member {
-            tractions,
-            here,
-            ahead,
-            images,
-        });
+        self.members.push(Member { tractions, here, ahead, images });
     }
 
     /// The shares of the members that together leave the least of a right-hand side, and what they leave.
-    fn nearest(
-        &self,
-        oscillation: &Oscillation,
-        right: &[Complex64],
-    ) -> (Vec<Complex64>, Vec<Complex64>) {
+    fn nearest(&self, oscillation: &Oscillation, right: &[Complex64]) -> (Vec<Complex64>, Vec<Complex64>) {
         let [here, ahead] = oscillation.difference();
         let factors = [Complex64::ONE, here, ahead];
         let sum = |terms: &dyn Fn(usize) -> Complex64| -> Complex64 { (0..TERMS).map(terms).sum() };
@@ -193,10 +172,8 @@ impl Basis {
                 row.iter().map(entry).collect()
             })
             .collect();
-        let with_right = self
-            .members
-            .iter()
-            .map(|member| sum(&|term| factors[term].conj() * dot(&member.images[term], right)));
+        let with_right =
+            self.members.iter().map(|member| sum(&|term| factors[term].conj() * dot(&member.images[term], right)));
         let shares = solve_hermitian(lower, with_right.collect());
         let mut rest = right.to_vec();
         for (member, share) in self.members.iter().zip(&shares) {
@@ -216,12 +193,7 @@ impl Basis {
     }
 
     /// The displacement over every step.
-    fn moved(
-        &self,
-        shares: &[Complex64],
-        oscillation: &Oscillation,
-        steps: usize,
-    ) -> Field<Complex64> {
+    fn moved(&self, shares: &[Complex64], oscillation: &Oscillation, steps: usize) -> Field<Complex64> {
         let [of_here, of_ahead] = oscillation.difference();
         [0, 1].map(|part| {
             let mut sum = vec![Complex64::ZERO; steps];
@@ -256,9 +228,7 @@ fn solve_hermitian(mut rows: Vec<Vec<Complex64>>, mut values: Vec<Complex64>) ->
         values[row] = (values[row] - known) / rows[row][row];
     }
     for row in (0..count).rev() {
-        let known: Complex64 = (row + 1..count)
-            .map(|place| rows[place][row].conj() * values[place])
-            .sum();
+        let known: Complex64 = (row + 1..count).map(|place| rows[place][row].conj() * values[place]).sum();
         values[row] = (values[row] - known) / rows[row][row].re;
     }
     values
@@ -280,14 +250,10 @@ mod tests {
             }
         };
         let rows = (0..5).map(|row| (0..=row).map(|column| full(row, column)).collect());
-        let values: Vec<Complex64> = (0..5)
-            .map(|row| Complex64::new(1.0, f64::from(row)))
-            .collect();
+        let values: Vec<Complex64> = (0..5).map(|row| Complex64::new(1.0, f64::from(row))).collect();
         let solution = solve_hermitian(rows.collect(), values.clone());
         for (row, value) in values.iter().enumerate() {
-            let image: Complex64 = (0..5)
-                .map(|column| full(row, column) * solution[column])
-                .sum();
+            let image: Complex64 = (0..5).map(|column| full(row, column) * solution[column]).sum();
             assert!((image - value).norm() < 1e-12);
         }
         assert!(solve_hermitian(Vec::new(), Vec::new()).is_empty());

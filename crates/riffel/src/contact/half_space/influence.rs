@@ -43,11 +43,7 @@ impl Influence {
         let spectra = [(0, false), (1, false), (2, true)].map(|(kernel, is_odd)| {
             transform.kernel(is_odd, |column, row| {
                 let is_asked_for = column <= across && row <= across;
-                if is_asked_for {
-                    at(column, row)[kernel]
-                } else {
-                    0.0
-                }
+                if is_asked_for { at(column, row)[kernel] } else { 0.0 }
             })
         });
         let [size, _] = transform.size();
@@ -115,8 +111,7 @@ impl<'a> Convolution<'a> {
             let kernels = xx[places.clone()].iter().zip(&yy[places.clone()]);
             let values = spectrum[places.clone()].iter().zip(opposite);
             let values = values.zip(kernels.zip(&xy[places.clone()]));
-            for (moved, ((value, opposite), ((xx, yy), xy))) in moved[places].iter_mut().zip(values)
-            {
+            for (moved, ((value, opposite), ((xx, yy), xy))) in moved[places].iter_mut().zip(values) {
                 let opposite = opposite.conj();
                 let x = 0.5 * xx * (value + opposite);
                 let y = 0.5 * yy * (value - opposite);
@@ -125,10 +120,7 @@ impl<'a> Convolution<'a> {
             }
         }
         let moved = self.gather(1);
-        [
-            moved.iter().map(|value| value.re).collect(),
-            moved.iter().map(|value| value.im).collect(),
-        ]
+        [moved.iter().map(|value| value.re).collect(), moved.iter().map(|value| value.im).collect()]
     }
 
     /// u(x) and u(x + dx) under real tractions.
@@ -148,34 +140,22 @@ impl<'a> Convolution<'a> {
         tractions: [&[f64]; 2],
         filter: impl Fn(Complex64) -> Complex64,
     ) -> [Field<f64>; 2] {
-        let complex = tractions.map(|part| -> Vec<Complex64> {
-            part.iter().map(|&traction| traction.into()).collect()
-        });
-        let both = self.filtered([&complex[0], &complex[1]], |x, _| {
-            (1.0 + Complex64::I * x) * filter(x)
-        });
+        let complex =
+            tractions.map(|part| -> Vec<Complex64> { part.iter().map(|&traction| traction.into()).collect() });
+        let both = self.filtered([&complex[0], &complex[1]], |x, _| (1.0 + Complex64::I * x) * filter(x));
         let parts: [fn(&Complex64) -> f64; 2] = [|value| value.re, |value| value.im];
-        parts.map(|part| {
-            both.each_ref()
-                .map(|field| field.iter().map(part).collect())
-        })
+        parts.map(|part| both.each_ref().map(|field| field.iter().map(part).collect()))
     }
 
     /// `here`·u(x) + `ahead`·u(x + dx) under complex tractions.
-    pub(super) fn complex(
-        &mut self,
-        tractions: [&[Complex64]; 2],
-        [here, ahead]: [Complex64; 2],
-    ) -> Field<Complex64> {
+    pub(super) fn complex(&mut self, tractions: [&[Complex64]; 2], [here, ahead]: [Complex64; 2]) -> Field<Complex64> {
         self.filtered(tractions, |x, _| here + ahead * x)
     }
 
     /// ∂u/∂y in the middle of every step, by central differences.
     pub(super) fn slope_across(&mut self, tractions: [&[Complex64]; 2]) -> Field<Complex64> {
         let dy = self.patch.dy;
-        self.filtered(tractions, |x, y| {
-            0.5 * (1.0 + x) * Complex64::new(0.0, y.im / dy)
-        })
+        self.filtered(tractions, |x, y| 0.5 * (1.0 + x) * Complex64::new(0.0, y.im / dy))
     }
 
     /// The displacement with a filter on its spectrum, a function of the phase factors from one element
@@ -254,9 +234,5 @@ fn rectangle(material: ElasticMaterial, x: f64, y: f64, (dx, dy): (f64, f64)) ->
 
 /// ln(s + r) for r² = s² + t², without cancellation for s < 0.
 fn logarithm(s: f64, t: f64, r: f64) -> f64 {
-    if s >= 0.0 {
-        (s + r).ln()
-    } else {
-        2.0 * t.abs().ln() - (r - s).ln()
-    }
+    if s >= 0.0 { (s + r).ln() } else { 2.0 * t.abs().ln() - (r - s).ln() }
 }

@@ -24,10 +24,7 @@ pub(super) enum Input {
 
 impl Oscillation<'_> {
     pub(super) fn forcing(&self, input: Input, on_waves: Option<&OnWaves>) -> Forcing {
-        let of_creepage = |slip: &dyn Fn((f64, f64)) -> [f64; 2]| Forcing {
-            slip: self.rigid(slip),
-            deformation: None,
-        };
+        let of_creepage = |slip: &dyn Fn((f64, f64)) -> [f64; 2]| Forcing { slip: self.rigid(slip), deformation: None };
         match input {
             Input::Longitudinal => of_creepage(&|_| [1.0, 0.0]),
             Input::Lateral => of_creepage(&|_| [0.0, 1.0]),
@@ -64,8 +61,8 @@ impl Oscillation<'_> {
                 let (x, y) = patch.steps[index].middle;
                 let (here, ahead) = (tangent.here[part][index], tangent.ahead[part][index]);
                 let along = x * (ahead - here) / patch.dx;
-                let carried = Complex64::new(0.0, self.wavenumber * patch.dx)
-                    * (along + y * tangent.across[part][index]);
+                let carried =
+                    Complex64::new(0.0, self.wavenumber * patch.dx) * (along + y * tangent.across[part][index]);
                 let stretched = of_here * here + of_ahead * ahead;
                 *slip += third * (carried - (ahead - here) - stretched);
             }

@@ -38,14 +38,13 @@ use self::input::Input;
 use self::patch::{Field, Patch};
 pub(super) use self::response_sweep::{FoundResponses, ResponseSweep};
 use super::{
-    Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, MeanState,
-    Oscillating, OscillatingCreepages, QuasiStatic, RollingContact,
+    Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, MeanState, Oscillating,
+    OscillatingCreepages, QuasiStatic, RollingContact,
 };
 use crate::{ElasticMaterial, Error};
 
 /// What to try where rolling does not converge.
-pub(super) const REMEDY: &str =
-    "try another grid (contact.grid) or a creepage further from full slip";
+pub(super) const REMEDY: &str = "try another grid (contact.grid) or a creepage further from full slip";
 
 /// A Hertz contact as half-spaces with Coulomb friction.
 ///
@@ -97,13 +96,11 @@ impl Grid {
 
     fn roll(&self, creepages: Creepages, start: Option<&Field<f64>>) -> Result<Slip, Error> {
         let slip = steady::rigid_slip(&self.patch, |x, y| creepages.rigid_slip(x, y));
-        steady::solve(&self.patch, &self.influence, &slip, &self.bound, start).map_err(|residual| {
-            Error::NotConverged {
-                problem: "steady rolling",
-                residual,
-                tolerance: steady::TOLERANCE,
-                remedy: REMEDY,
-            }
+        steady::solve(&self.patch, &self.influence, &slip, &self.bound, start).map_err(|residual| Error::NotConverged {
+            problem: "steady rolling",
+            residual,
+            tolerance: steady::TOLERANCE,
+            remedy: REMEDY,
         })
     }
 
@@ -115,9 +112,7 @@ impl Grid {
                 [0, 1].map(|part| tractions[part][index] / coarse.bound[index]);
         }
         [0, 1].map(|part| {
-            let share = |&(column, row): &(usize, usize)| {
-                shares[row / 2 * coarse.patch.across + column / 2][part]
-            };
+            let share = |&(column, row): &(usize, usize)| shares[row / 2 * coarse.patch.across + column / 2][part];
             let places = self.patch.places.iter().map(share).zip(&self.bound);
             places.map(|(share, bound)| share * bound).collect()
         })
@@ -220,11 +215,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// As [`roll`](Self::roll).
-    pub fn roll_near(
-        &self,
-        creepage: f64,
-        near: &HalfSpaceRolling,
-    ) -> Result<HalfSpaceRolling, Error> {
+    pub fn roll_near(&self, creepage: f64, near: &HalfSpaceRolling) -> Result<HalfSpaceRolling, Error> {
         Error::unless_not_negative("creepage", creepage, "")?;
         self.roll_from(Creepages::longitudinal(creepage), Some(near))
     }
@@ -237,11 +228,7 @@ impl HalfSpace {
         self.roll_from(creepages, None)
     }
 
-    fn roll_from(
-        &self,
-        creepages: Creepages,
-        start: Option<&HalfSpaceRolling>,
-    ) -> Result<HalfSpaceRolling, Error> {
+    fn roll_from(&self, creepages: Creepages, start: Option<&HalfSpaceRolling>) -> Result<HalfSpaceRolling, Error> {
         let coarse = start.map(|start| &start.coarse.tractions);
         let coarse = self.coarse.roll(creepages, coarse)?;
         let fine = match start {
@@ -251,10 +238,8 @@ impl HalfSpace {
                 self.fine.roll(creepages, Some(&start))?
             }
         };
-        let (by_fine, by_coarse) = (
-            self.fine.patch.forces(&fine.tractions),
-            self.coarse.patch.forces(&coarse.tractions),
-        );
+        let (by_fine, by_coarse) =
+            (self.fine.patch.forces(&fine.tractions), self.coarse.patch.forces(&coarse.tractions));
         let forces = by_fine.combine(2.0, by_coarse, -1.0);
         // Extrapolation may pass full slip by its own error.
         let limit = self.friction * self.hertz.normal_force();
@@ -262,8 +247,7 @@ impl HalfSpace {
         Ok(HalfSpaceRolling {
             creepages,
             forces: forces.combine(share, CreepForces::default(), 0.0),
-            spin_moment: 2.0 * self.fine.patch.moment(&fine.tractions)
-                - self.coarse.patch.moment(&coarse.tractions),
+            spin_moment: 2.0 * self.fine.patch.moment(&fine.tractions) - self.coarse.patch.moment(&coarse.tractions),
             fine,
             coarse,
         })
@@ -379,11 +363,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if the wavelength has fewer than six elements, [`Error::NotConverged`].
-    pub fn response(
-        &self,
-        state: &HalfSpaceRolling,
-        wavelength: f64,
-    ) -> Result<ContactResponse, Error> {
+    pub fn response(&self, state: &HalfSpaceRolling, wavelength: f64) -> Result<ContactResponse, Error> {
         let all = OscillatingCreepages::All.on_waves();
         self.sweep(state, all).at(wavelength)
     }
@@ -410,11 +390,7 @@ impl HalfSpace {
     }
 
     /// [`response`](Self::response) at wavelengths one after the other.
-    pub(super) fn sweep<'a>(
-        &'a self,
-        state: &'a HalfSpaceRolling,
-        oscillating: Oscillating,
-    ) -> ResponseSweep<'a> {
+    pub(super) fn sweep<'a>(&'a self, state: &'a HalfSpaceRolling, oscillating: Oscillating) -> ResponseSweep<'a> {
         use Input::{Lateral, Load, Longitudinal, Spin};
         let mut inputs = match oscillating.creepages {
             OscillatingCreepages::Longitudinal => vec![Load, Longitudinal],
@@ -453,17 +429,11 @@ impl HalfSpace {
     }
 
     /// The elements of the fine grid.
-    pub fn elements<'a>(
-        &'a self,
-        state: &'a HalfSpaceRolling,
-    ) -> impl Iterator<Item = ContactElement> + 'a {
+    pub fn elements<'a>(&'a self, state: &'a HalfSpaceRolling) -> impl Iterator<Item = ContactElement> + 'a {
         let centres = self.fine.patch.centres.iter().enumerate();
         centres.map(|(index, &centre)| ContactElement {
             centre,
-            traction: (
-                state.fine.tractions[0][index],
-                state.fine.tractions[1][index],
-            ),
+            traction: (state.fine.tractions[0][index], state.fine.tractions[1][index]),
             bound: self.fine.bound[index],
             slips: state.fine.slips[index],
         })

@@ -54,16 +54,10 @@ impl OnWaves {
         let mut convolution = Convolution::new(&grid.influence, patch);
         let slopes = convolution.slope_along(tractions);
         let whole = convolution.both_ends(tractions);
-        let [longer, shorter] = [0, 1]
-            .map(|index: usize| Convolution::new(&stretched[index], patch).both_ends(tractions));
-        let by_stretch = [0, 1].map(|end: usize| {
-            combined(
-                1.0 / (2.0 * STRETCH),
-                &longer[end],
-                -1.0 / (2.0 * STRETCH),
-                &shorter[end],
-            )
-        });
+        let [longer, shorter] =
+            [0, 1].map(|index: usize| Convolution::new(&stretched[index], patch).both_ends(tractions));
+        let by_stretch = [0, 1]
+            .map(|end: usize| combined(1.0 / (2.0 * STRETCH), &longer[end], -1.0 / (2.0 * STRETCH), &shorter[end]));
         let ends = by_stretch.into_iter().zip(whole).zip(slopes);
         // Bodies that grow by a factor move by it.
         let ends = ends.map(|((by_stretch, whole), slope)| Ends {
@@ -71,21 +65,11 @@ impl OnWaves {
             by_stretch,
             slope,
         });
-        Self {
-            patch: WavyPatch::new(grid.semi_axes),
-            ends: ends.collect(),
-            degrees: Vec::new(),
-        }
+        Self { patch: WavyPatch::new(grid.semi_axes), ends: ends.collect(), degrees: Vec::new() }
     }
 
     /// Make the fields of the degrees that a wave of this number \[rad/m\] needs.
-    pub(super) fn prepare(
-        &mut self,
-        wavenumber: f64,
-        grid: &Grid,
-        steady: &Slip,
-        convolution: &mut Convolution,
-    ) {
+    pub(super) fn prepare(&mut self, wavenumber: f64, grid: &Grid, steady: &Slip, convolution: &mut Convolution) {
         let count = self.patch.amplitudes(wavenumber).by_degree.len();
         for n in self.degrees.len() + 1..=count {
             let degree = self.one_degree(self.patch.degree(n), grid, steady, convolution);
@@ -93,31 +77,21 @@ impl OnWaves {
         }
     }
 
-    fn one_degree(
-        &self,
-        degree: Degree,
-        grid: &Grid,
-        steady: &Slip,
-        convolution: &mut Convolution,
-    ) -> OneDegree {
+    fn one_degree(&self, degree: Degree, grid: &Grid, steady: &Slip, convolution: &mut Convolution) -> OneDegree {
         let patch = &grid.patch;
         let half = 0.5 * patch.across as f64;
         // By columns of elements: at their centres, from that behind the first on, and between them.
         let at = |columns: f64| degree.along((columns - half) * patch.dx);
-        let centres: Vec<_> = (0..patch.across + 2)
-            .map(|index| at(index as f64 - 0.5))
-            .collect();
+        let centres: Vec<_> = (0..patch.across + 2).map(|index| at(index as f64 - 0.5)).collect();
         let middles: Vec<_> = (0..=patch.across).map(|index| at(index as f64)).collect();
         let weighted = |weight: &dyn Fn((f64, f64)) -> f64| {
             [0, 1].map(|part: usize| -> Vec<f64> {
                 let both = patch.places.iter().zip(&steady.tractions[part]);
-                both.map(|(place, traction)| weight(centres[place.0 + 1]) * traction)
-                    .collect()
+                both.map(|(place, traction)| weight(centres[place.0 + 1]) * traction).collect()
             })
         };
         let (displaced, grown) = (weighted(&|along| along.0), weighted(&|along| along.1));
-        let [displaced, grown] =
-            [&displaced, &grown].map(|field| [field[0].as_slice(), field[1].as_slice()]);
+        let [displaced, grown] = [&displaced, &grown].map(|field| [field[0].as_slice(), field[1].as_slice()]);
         // Both ends at once, as real and imaginary part.
         let by_displacement = convolution.slope_along(displaced);
         let by_growth = convolution.both_ends(grown);
@@ -137,16 +111,8 @@ impl OnWaves {
             })
         });
         let dilation = degree.stretch + degree.stretch_across;
-        let elements: Vec<f64> = patch
-            .places
-            .iter()
-            .map(|place| dilation + centres[place.0 + 1].1)
-            .collect();
-        let mut bound: Vec<f64> = patch
-            .centres
-            .iter()
-            .map(|&at| degree.growth_of_pressure(at))
-            .collect();
+        let elements: Vec<f64> = patch.places.iter().map(|place| dilation + centres[place.0 + 1].1).collect();
+        let mut bound: Vec<f64> = patch.centres.iter().map(|&at| degree.growth_of_pressure(at)).collect();
         // What the sum over elements leaves of the load goes evenly to all.
         let both = bound.iter().zip(&elements).zip(&grid.bound);
         let change: f64 = both.map(|((by, area), bound)| (by + area) * bound).sum();
@@ -154,18 +120,9 @@ impl OnWaves {
         bound.iter_mut().for_each(|by| *by -= share);
         let steps = patch.steps.iter().map(|step| {
             let (beside, slope) = middles[(step.end.0 + 1) as usize];
-            (
-                degree.stretch * step.middle.0 + beside,
-                degree.stretch + slope,
-            )
+            (degree.stretch * step.middle.0 + beside, degree.stretch + slope)
         });
-        OneDegree {
-            along: steps.collect(),
-            bound,
-            elements,
-            moved,
-            degree,
-        }
+        OneDegree { along: steps.collect(), bound, elements, moved, degree }
     }
 }
 
@@ -173,8 +130,7 @@ impl OnWaves {
 fn combined(factor: f64, one: &Field<f64>, other_factor: f64, other: &Field<f64>) -> Field<f64> {
     [0, 1].map(|part| {
         let both = one[part].iter().zip(&other[part]);
-        both.map(|(one, other)| factor * one + other_factor * other)
-            .collect()
+        both.map(|(one, other)| factor * one + other_factor * other).collect()
     })
 }
 
@@ -203,11 +159,8 @@ impl Oscillation<'_> {
         let (wavenumber, [of_here, of_ahead]) = (self.wavenumber, self.difference());
         let amplitudes = on_waves.patch.amplitudes(wavenumber);
         let by_degree = || amplitudes.by_degree.iter().zip(&on_waves.degrees);
-        let sum = |of: fn(&OneDegree) -> f64| -> Complex64 {
-            by_degree()
-                .map(|(amplitude, one)| amplitude * of(one))
-                .sum()
-        };
+        let sum =
+            |of: fn(&OneDegree) -> f64| -> Complex64 { by_degree().map(|(amplitude, one)| amplitude * of(one)).sum() };
         let turning = Complex64::new(0.0, wavenumber);
         // k times the shift of the patch and that of the centre of its pressure, the tilt's alone.
         let shift = amplitudes.semi_axis * sum(|one| one.degree.shift);
@@ -219,18 +172,10 @@ impl Oscillation<'_> {
         let across = sum(|one| one.degree.stretch_across);
         let spin = tangent.creepages.spin;
         // The sums of fields, degree by degree.
-        let along = summed(by_degree(), patch.steps.len(), |one, index| {
-            one.along[index].0
-        });
-        let slopes = summed(by_degree(), patch.steps.len(), |one, index| {
-            one.along[index].1
-        });
+        let along = summed(by_degree(), patch.steps.len(), |one, index| one.along[index].0);
+        let slopes = summed(by_degree(), patch.steps.len(), |one, index| one.along[index].1);
         let moved = [0, 1].map(|end: usize| {
-            [0, 1].map(|part: usize| {
-                summed(by_degree(), patch.steps.len(), |one, index| {
-                    one.moved[end][part][index]
-                })
-            })
+            [0, 1].map(|part: usize| summed(by_degree(), patch.steps.len(), |one, index| one.moved[end][part][index]))
         });
         let mut slip = [0, 1].map(|_| Vec::with_capacity(patch.steps.len()));
         let mut steps = Vec::with_capacity(patch.steps.len());

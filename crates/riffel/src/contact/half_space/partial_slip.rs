@@ -15,12 +15,7 @@ const LINES: usize = 8;
 /// the outermost rows there is no boundary to find, and the margin is that of the element itself.
 ///
 /// `weight` is the factor r of [`Friction::solve`](super::friction::Friction::solve) \[Pa/m\].
-pub(super) fn slipping_shares(
-    patch: &Patch,
-    steady: &Slip,
-    bound: &[f64],
-    weight: f64,
-) -> Vec<f64> {
+pub(super) fn slipping_shares(patch: &Patch, steady: &Slip, bound: &[f64], weight: f64) -> Vec<f64> {
     let slip = |step: usize| steady.distance[0][step].hypot(steady.distance[1][step]);
     let margins: Vec<f64> = (0..patch.len())
         .map(|index| {
@@ -41,9 +36,7 @@ pub(super) fn slipping_shares(
     let at = |column: isize, row: isize| {
         let inside = |place: isize, end: usize| (0..end as isize).contains(&place);
         let is_inside = inside(column, across + 1) && inside(row, across);
-        is_inside
-            .then(|| box_of_margins[row as usize * (across + 1) + column as usize])
-            .flatten()
+        is_inside.then(|| box_of_margins[row as usize * (across + 1) + column as usize]).flatten()
     };
     let share = |(&(column, row), &own): (&(usize, usize), &f64)| {
         let (column, row) = (column as isize + 1, row as isize);
@@ -95,14 +88,7 @@ mod tests {
             // Margin: 0.3 − x + 0.4y, as traction where it is negative and as slip where it is positive.
             let margin = |(x, y): (f64, f64)| place - x + 0.4 * y;
             let state = Slip {
-                tractions: [
-                    patch
-                        .centres
-                        .iter()
-                        .map(|&at| 10.0 + margin(at).min(0.0))
-                        .collect(),
-                    vec![0.0; count],
-                ],
+                tractions: [patch.centres.iter().map(|&at| 10.0 + margin(at).min(0.0)).collect(), vec![0.0; count]],
                 distance: [0, 1].map(|part| {
                     let slip = |step: usize| match patch.centres.get(step) {
                         Some(&at) if part == 0 => margin(at).max(0.0),

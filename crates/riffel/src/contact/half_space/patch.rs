@@ -60,20 +60,9 @@ impl Patch {
             .filter(|&(row, column)| inside(row).powi(2) + inside(column).powi(2) < 1.0)
             .count();
         let scale = (std::f64::consts::FRAC_PI_4 * (across * across) as f64 / count as f64).sqrt();
-        let (dx, dy) = (
-            2.0 * a * scale / across as f64,
-            2.0 * b * scale / across as f64,
-        );
-        let centre =
-            |index: usize, step: f64, semi: f64| (index as f64 + 0.5) * step - semi * scale;
-        let mut patch = Self {
-            across,
-            dx,
-            dy,
-            places: Vec::new(),
-            centres: Vec::new(),
-            steps: Vec::new(),
-        };
+        let (dx, dy) = (2.0 * a * scale / across as f64, 2.0 * b * scale / across as f64);
+        let centre = |index: usize, step: f64, semi: f64| (index as f64 + 0.5) * step - semi * scale;
+        let mut patch = Self { across, dx, dy, places: Vec::new(), centres: Vec::new(), steps: Vec::new() };
         for row in 0..across {
             for column in 0..across {
                 if inside(row).powi(2) + inside(column).powi(2) < 1.0 {
@@ -100,9 +89,7 @@ impl Patch {
         };
         for ((index, centre), &pressure) in grid.centres().enumerate().zip(state.pressures()) {
             if pressure > 0.0 {
-                patch
-                    .places
-                    .push((index % grid.columns(), index / grid.columns()));
+                patch.places.push((index % grid.columns(), index / grid.columns()));
                 patch.centres.push(centre);
             }
         }
@@ -122,18 +109,12 @@ impl Patch {
     /// Forces of tractions on the elements \[N\].
     pub(super) fn forces(&self, tractions: &Field<f64>) -> CreepForces {
         let sum = |part: usize| tractions[part].iter().sum::<f64>() * self.area();
-        CreepForces {
-            longitudinal: sum(0),
-            lateral: sum(1),
-        }
+        CreepForces { longitudinal: sum(0), lateral: sum(1) }
     }
 
     /// Moment of tractions on the elements about the normal \[Nm\].
     pub(super) fn moment(&self, tractions: &Field<f64>) -> f64 {
-        let elements = self
-            .centres
-            .iter()
-            .zip(tractions[0].iter().zip(&tractions[1]));
+        let elements = self.centres.iter().zip(tractions[0].iter().zip(&tractions[1]));
         let moments = elements.map(|(&(x, y), (along, across))| x * across - y * along);
         self.area() * moments.sum::<f64>()
     }
@@ -143,9 +124,7 @@ impl Patch {
     pub(super) fn pressure_of(&self, (a, b): (f64, f64)) -> Vec<f64> {
         let size = (self.dx / a, self.dy / b);
         let centres = self.centres.iter();
-        let mut pressure: Vec<f64> = centres
-            .map(|(x, y)| mean_pressure((x / a, y / b), size))
-            .collect();
+        let mut pressure: Vec<f64> = centres.map(|(x, y)| mean_pressure((x / a, y / b), size)).collect();
         // What elements with their centre outside would carry, half a per cent, goes to the others.
         let sum: f64 = pressure.iter().sum::<f64>() * self.area();
         let share = 2.0 / 3.0 * std::f64::consts::PI * a * b / sum;
@@ -158,9 +137,7 @@ impl Patch {
         let neighbour = |index: Option<usize>, of: usize| {
             index.filter(|&index| {
                 let of = self.places[of];
-                self.places
-                    .get(index)
-                    .is_some_and(|place| place.1 == of.1 && place.0.abs_diff(of.0) == 1)
+                self.places.get(index).is_some_and(|place| place.1 == of.1 && place.0.abs_diff(of.0) == 1)
             })
         };
         let step = |index: usize, back: bool| {
@@ -168,15 +145,8 @@ impl Patch {
             let side = if back { -0.5 } else { 0.5 };
             Step {
                 end: (column as isize - isize::from(back), row),
-                middle: (
-                    self.centres[index].0 + side * self.dx,
-                    self.centres[index].1,
-                ),
-                from: if back {
-                    Some(index)
-                } else {
-                    neighbour(Some(index + 1), index)
-                },
+                middle: (self.centres[index].0 + side * self.dx, self.centres[index].1),
+                from: if back { Some(index) } else { neighbour(Some(index + 1), index) },
                 to: (!back).then_some(index),
             }
         };

@@ -33,20 +33,12 @@ impl PatchRolling {
         let patch = Patch::under_pressure(state);
         Error::unless_positive("normal load", state.load(), "N")?;
         let pressures = state.pressures().iter().filter(|pressure| **pressure > 0.0);
-        let bound = patch
-            .centres
-            .iter()
-            .zip(pressures)
-            .map(|(&(x, y), pressure)| {
-                let friction = friction(x, y);
-                Error::unless_positive("coefficient of friction", friction, "")?;
-                Ok(friction * pressure)
-            });
-        Ok(Self {
-            bound: bound.collect::<Result<_, Error>>()?,
-            influence: Influence::new(material, &patch),
-            patch,
-        })
+        let bound = patch.centres.iter().zip(pressures).map(|(&(x, y), pressure)| {
+            let friction = friction(x, y);
+            Error::unless_positive("coefficient of friction", friction, "")?;
+            Ok(friction * pressure)
+        });
+        Ok(Self { bound: bound.collect::<Result<_, Error>>()?, influence: Influence::new(material, &patch), patch })
     }
 
     /// Steady rolling under a slip of the rigid bodies along and across per metre rolled \[-\] at a place of the grid \[m\]:
@@ -56,17 +48,10 @@ impl PatchRolling {
     /// [`Error::NotConverged`].
     pub fn roll(&self, slip: impl Fn(f64, f64) -> [f64; 2]) -> Result<PatchTractions<'_>, Error> {
         let rigid_slip = steady::rigid_slip(&self.patch, slip);
-        let slip = steady::solve(&self.patch, &self.influence, &rigid_slip, &self.bound, None)
-            .map_err(|residual| Error::NotConverged {
-                problem: "steady rolling",
-                residual,
-                tolerance: steady::TOLERANCE,
-                remedy: REMEDY,
-            })?;
-        Ok(PatchTractions {
-            patch: &self.patch,
-            tractions: slip.tractions,
-        })
+        let slip = steady::solve(&self.patch, &self.influence, &rigid_slip, &self.bound, None).map_err(|residual| {
+            Error::NotConverged { problem: "steady rolling", residual, tolerance: steady::TOLERANCE, remedy: REMEDY }
+        })?;
+        Ok(PatchTractions { patch: &self.patch, tractions: slip.tractions })
     }
 }
 

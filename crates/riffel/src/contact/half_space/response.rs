@@ -45,21 +45,12 @@ impl Response {
         let energy = at_wheel_and_rail.max(creepage * force);
         let of = |difference: f64, whole: f64| if whole > 0.0 { difference / whole } else { 0.0 };
         let differences = [
-            of(
-                size([0, 1].map(|part| fine.force[part] - coarse.force[part])),
-                force,
-            ),
+            of(size([0, 1].map(|part| fine.force[part] - coarse.force[part])), force),
             of((fine.dissipation - coarse.dissipation).norm(), energy),
-            of(
-                (fine.rail_dissipation - coarse.rail_dissipation).norm(),
-                energy,
-            ),
+            of((fine.rail_dissipation - coarse.rail_dissipation).norm(), energy),
         ];
         let share = differences.into_iter().fold(0.0, f64::max) + 1.0 / (3 * across) as f64;
-        GridError {
-            force: share * force,
-            energy: share * energy,
-        }
+        GridError { force: share * force, energy: share * energy }
     }
 }
 
@@ -89,20 +80,15 @@ impl<'a> Tangent<'a> {
         let shares = slipping_shares(patch, steady, &grid.bound, weight);
         let state = |(index, share): (usize, f64)| {
             let trial = [0, 1].map(|part| {
-                let slip = if steady.slips[index] {
-                    steady.distance[part][index]
-                } else {
-                    0.0
-                };
+                let slip = if steady.slips[index] { steady.distance[part][index] } else { 0.0 };
                 steady.tractions[part][index] + weight * slip
             });
             State::new(trial, grid.bound[index]).slipping_in_part(share)
         };
         let mut convolution = Convolution::new(influence, patch);
         let tractions = [0, 1].map(|part: usize| steady.tractions[part].as_slice());
-        let complex = tractions.map(|part| -> Vec<Complex64> {
-            part.iter().map(|&traction| traction.into()).collect()
-        });
+        let complex =
+            tractions.map(|part| -> Vec<Complex64> { part.iter().map(|&traction| traction.into()).collect() });
         Self {
             grid,
             steady,
@@ -120,11 +106,7 @@ impl<'a> Tangent<'a> {
         // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
         // middle of the step.
         let half = Complex64::cis(0.5 * wavenumber * self.grid.patch.dx);
-        Oscillation {
-            tangent: self,
-            wavenumber,
-            half,
-        }
+        Oscillation { tangent: self, wavenumber, half }
     }
 
     /// The projection's derivative dΠ of a change, x part first.
@@ -176,17 +158,11 @@ impl Oscillation<'_> {
     }
 
     /// The left-hand side for some tractions.
-    pub(super) fn product(
-        &self,
-        tractions: &[Complex64],
-        convolution: &mut Convolution,
-    ) -> Vec<Complex64> {
+    pub(super) fn product(&self, tractions: &[Complex64], convolution: &mut Convolution) -> Vec<Complex64> {
         let field = halves(tractions);
         let moved = convolution.complex(field, self.difference());
         let weight = self.tangent.weight;
-        let mut image = self
-            .tangent
-            .projected(|part, index| weight * moved[part][index] - field[part][index]);
+        let mut image = self.tangent.projected(|part, index| weight * moved[part][index] - field[part][index]);
         for (image, traction) in image.iter_mut().zip(tractions) {
             *image += traction;
         }
@@ -205,21 +181,13 @@ impl Oscillation<'_> {
     }
 
     /// What comes of the tractions and of the displacement that they cause over every step.
-    pub(super) fn response(
-        &self,
-        forcing: &Forcing,
-        tractions: &[Complex64],
-        moved: &Field<Complex64>,
-    ) -> Response {
+    pub(super) fn response(&self, forcing: &Forcing, tractions: &[Complex64], moved: &Field<Complex64>) -> Response {
         let (grid, steady) = (self.tangent.grid, self.tangent.steady);
         let (patch, half, wavenumber) = (&grid.patch, self.half, self.wavenumber);
         let deformation = forcing.deformation.as_ref();
         let field = halves(tractions);
-        let mut result = Response {
-            force: [Complex64::ZERO; 2],
-            dissipation: Complex64::ZERO,
-            rail_dissipation: Complex64::ZERO,
-        };
+        let mut result =
+            Response { force: [Complex64::ZERO; 2], dissipation: Complex64::ZERO, rail_dissipation: Complex64::ZERO };
         let area = patch.area();
         let parts = field.iter().zip(&steady.tractions);
         for (force, (changes, means)) in result.force.iter_mut().zip(parts) {

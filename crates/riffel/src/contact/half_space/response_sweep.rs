@@ -26,11 +26,7 @@ pub(in crate::contact) struct FoundResponses {
 }
 
 impl<'a> ResponseSweep<'a> {
-    pub(super) fn new(
-        contact: &'a HalfSpace,
-        state: &'a HalfSpaceRolling,
-        inputs: &[Input],
-    ) -> Self {
+    pub(super) fn new(contact: &'a HalfSpace, state: &'a HalfSpaceRolling, inputs: &[Input]) -> Self {
         let creepages = state.creepages;
         let sweep = |grid, steady| GridSweep::new(grid, steady, creepages, inputs);
         Self {
@@ -52,10 +48,7 @@ impl<'a> ResponseSweep<'a> {
 
     /// All that has been found since the beginning.
     pub(in crate::contact) fn found(&self) -> FoundResponses {
-        FoundResponses {
-            fine: self.fine.found(),
-            coarse: self.coarse.found(),
-        }
+        FoundResponses { fine: self.fine.found(), coarse: self.coarse.found() }
     }
 
     /// The response at a wavelength \[m\].
@@ -72,10 +65,7 @@ impl<'a> ResponseSweep<'a> {
                 force: response.force.map(|force| force * per_unit),
                 energy: response.dissipation * per_unit,
                 energy_at_rail: Some(response.rail_dissipation * per_unit),
-                error: Some(GridError {
-                    force: error.force * per_unit,
-                    energy: error.energy * per_unit,
-                }),
+                error: Some(GridError { force: error.force * per_unit, energy: error.energy * per_unit }),
             })
         };
         let load = self.contact.hertz.normal_force();
@@ -89,10 +79,7 @@ impl<'a> ResponseSweep<'a> {
     }
 
     /// Extrapolated responses to the inputs at a wavenumber \[rad/m\], and what the grid may miss of them.
-    pub(super) fn extrapolated(
-        &mut self,
-        wavenumber: f64,
-    ) -> Result<Vec<(Response, GridError)>, Error> {
+    pub(super) fn extrapolated(&mut self, wavenumber: f64) -> Result<Vec<(Response, GridError)>, Error> {
         let failure = |residual| Error::NotConverged {
             problem: "frequency response of rolling contact",
             residual,
@@ -103,13 +90,8 @@ impl<'a> ResponseSweep<'a> {
         let coarse = self.coarse.at(wavenumber).map_err(failure)?;
         // Creepage at the edge of the patch, a length for the spin: what energy is measured by where it vanishes.
         let hertz = &self.contact.hertz;
-        let reach = hertz
-            .semi_axis_longitudinal()
-            .max(hertz.semi_axis_lateral());
-        let creepage = self
-            .creepages
-            .magnitude()
-            .hypot(self.creepages.spin * reach);
+        let reach = hertz.semi_axis_longitudinal().max(hertz.semi_axis_lateral());
+        let creepage = self.creepages.magnitude().hypot(self.creepages.spin * reach);
         let across = self.contact.fine.patch.across;
         let both = fine.into_iter().zip(coarse);
         Ok(both

@@ -16,11 +16,7 @@ pub(super) trait Scalar: ComplexFloat<Real = f64> {
 
 /// Add a multiple of other values.
 pub(super) fn add_multiple<T: Scalar>(values: &mut [T], factor: T, others: &[T]) {
-    Arch::new().dispatch(AddMultiple {
-        values,
-        factor,
-        others,
-    });
+    Arch::new().dispatch(AddMultiple { values, factor, others });
 }
 
 /// The inner product Σāb.
@@ -102,24 +98,13 @@ macro_rules! scalar {
                 let [first, second, third, fourth] = sums;
                 let sum = simd.$plus(simd.$plus(first, second), simd.$plus(third, fourth));
                 let last = a_last.iter().zip(b_last);
-                last.fold(simd.$sum(sum), |sum, (&a, &b)| {
-                    sum + ComplexFloat::conj(a) * b
-                })
+                last.fold(simd.$sum(sum), |sum, (&a, &b)| sum + ComplexFloat::conj(a) * b)
             }
         }
     };
 }
 
-scalar!(
-    f64,
-    as_simd_f64s,
-    as_mut_simd_f64s,
-    splat_f64s,
-    mul_add_e_f64s,
-    mul_add_e_f64s,
-    add_f64s,
-    reduce_sum_f64s
-);
+scalar!(f64, as_simd_f64s, as_mut_simd_f64s, splat_f64s, mul_add_e_f64s, mul_add_e_f64s, add_f64s, reduce_sum_f64s);
 scalar!(
     Complex64,
     as_simd_c64s,
@@ -144,8 +129,7 @@ mod tests {
             let mut b: Vec<Complex64> = (0..length).map(|index| value(index, 1.9)).collect();
             let expected: Complex64 = a.iter().zip(&b).map(|(a, b)| a.conj() * b).sum();
             assert!((dot(&a, &b) - expected).norm() < 1e-13 * 40.0);
-            let (re_a, mut re_b): (Vec<f64>, Vec<f64>) =
-                a.iter().zip(&b).map(|(a, b)| (a.re, b.im)).unzip();
+            let (re_a, mut re_b): (Vec<f64>, Vec<f64>) = a.iter().zip(&b).map(|(a, b)| (a.re, b.im)).unzip();
             let expected: f64 = re_a.iter().zip(&re_b).map(|(a, b)| a * b).sum();
             assert!((dot(&re_a, &re_b) - expected).abs() < 1e-13 * 40.0);
             let factor = Complex64::new(0.3, -2.0);
@@ -154,11 +138,7 @@ mod tests {
             assert!(b.iter().zip(sums).all(|(b, sum)| (b - sum).norm() < 1e-14));
             let sums: Vec<f64> = re_a.iter().zip(&re_b).map(|(a, b)| b - 0.4 * a).collect();
             add_multiple(&mut re_b, -0.4, &re_a);
-            assert!(
-                re_b.iter()
-                    .zip(sums)
-                    .all(|(b, sum)| (b - sum).abs() < 1e-14)
-            );
+            assert!(re_b.iter().zip(sums).all(|(b, sum)| (b - sum).abs() < 1e-14));
         }
     }
 }

@@ -58,22 +58,14 @@ impl<'a, T: Scalar> Strips<'a, T> {
             };
             Factors::new(patch.across, entry)
         };
-        Self {
-            patch,
-            factors: [factors(0), factors(1)],
-        }
+        Self { patch, factors: [factors(0), factors(1)] }
     }
 
     /// `diagonal` gives the equation of an element and part.
-    pub(super) fn inverse(
-        &'a self,
-        diagonal: impl Fn(usize, usize) -> Diagonal,
-    ) -> StripInverse<'a, T> {
+    pub(super) fn inverse(&'a self, diagonal: impl Fn(usize, usize) -> Diagonal) -> StripInverse<'a, T> {
         let equations = [0, 1].map(|part| {
             let own = self.factors[part].own;
-            let diagonal: Vec<Diagonal> = (0..self.patch.len())
-                .map(|index| diagonal(index, part))
-                .collect();
+            let diagonal: Vec<Diagonal> = (0..self.patch.len()).map(|index| diagonal(index, part)).collect();
             let counts = |diagonal: &Diagonal| diagonal.difference * own > diagonal.identity;
             let mut runs = Vec::new();
             for row in self.patch.rows() {
@@ -91,24 +83,14 @@ impl<'a, T: Scalar> Strips<'a, T> {
                 scale: diagonal
                     .iter()
                     .map(|diagonal| {
-                        let Diagonal {
-                            identity,
-                            difference,
-                        } = *diagonal;
-                        if counts(diagonal) {
-                            difference.recip()
-                        } else {
-                            (identity + difference * own).recip()
-                        }
+                        let Diagonal { identity, difference } = *diagonal;
+                        if counts(diagonal) { difference.recip() } else { (identity + difference * own).recip() }
                     })
                     .collect(),
                 runs,
             }
         });
-        StripInverse {
-            strips: self,
-            equations,
-        }
+        StripInverse { strips: self, equations }
     }
 }
 
@@ -132,22 +114,14 @@ impl<T: Scalar> StripInverse<'_, T> {
                 }
             }
             let arch = Arch::new();
-            arch.dispatch(Lower {
-                factors,
-                block: &mut block,
-                lines,
-            });
+            arch.dispatch(Lower { factors, block: &mut block, lines });
             for (line, run) in equations.runs.iter().enumerate() {
                 let beyond = block.iter_mut().skip(line).step_by(lines);
                 for value in beyond.skip(run.elements.len()) {
                     *value = T::zero();
                 }
             }
-            arch.dispatch(Upper {
-                factors,
-                block: &mut block,
-                lines,
-            });
+            arch.dispatch(Upper { factors, block: &mut block, lines });
             for (line, run) in equations.runs.iter().enumerate() {
                 let solution = block.iter().skip(line).step_by(lines);
                 for (&solution, value) in solution.zip(&mut values[run.elements.clone()]) {
@@ -186,12 +160,7 @@ impl<T: Scalar> Factors<T> {
                 add_multiple(below, -above[column], lower);
             }
         }
-        Self {
-            size,
-            own: entry(0).abs(),
-            entries: (1 - end..end).map(entry).collect(),
-            values,
-        }
+        Self { size, own: entry(0).abs(), entries: (1 - end..end).map(entry).collect(), values }
     }
 
     /// Displacement of an element of a run by the others of its row, whose tractions are known.
@@ -199,9 +168,7 @@ impl<T: Scalar> Factors<T> {
         let entry = |cause: usize| self.entries[index + self.size - 1 - cause];
         (run.row.start..run.elements.start)
             .chain(run.elements.end..run.row.end)
-            .fold(T::zero(), |sum, cause| {
-                sum + entry(cause) * tractions[cause]
-            })
+            .fold(T::zero(), |sum, cause| sum + entry(cause) * tractions[cause])
     }
 }
 

@@ -88,22 +88,13 @@ impl TransientRolling {
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
-    pub fn with_room(
-        hertz: HertzContact,
-        friction: f64,
-        across: usize,
-        room: usize,
-    ) -> Result<Self, Error> {
+    pub fn with_room(hertz: HertzContact, friction: f64, across: usize, room: usize) -> Result<Self, Error> {
         Error::unless_positive("coefficient of friction", friction, "")?;
         // One element more on each side: all that the edge covers in part carry their share, so that nothing
         // jumps when the load moves it.
         let more = across + 2 * (1 + room);
         let wider = more as f64 / across as f64;
-        let patch = Patch::new(
-            wider * hertz.semi_axis_longitudinal(),
-            wider * hertz.semi_axis_lateral(),
-            more,
-        )?;
+        let patch = Patch::new(wider * hertz.semi_axis_longitudinal(), wider * hertz.semi_axis_lateral(), more)?;
         let influence = Influence::new(hertz.material(), &patch);
         let ones = vec![1.0; patch.len()];
         let moved = Convolution::new(&influence, &patch).real([&ones, &ones], [1.0, 0.0]);
@@ -114,10 +105,7 @@ impl TransientRolling {
             compliance: moved.iter().flatten().fold(0.0, |a: f64, b| a.max(b.abs())),
             tractions: nothing(patch.len()),
             guess: nothing(patch.len()),
-            displacement: Displacement {
-                rear: nothing(patch.steps.len()),
-                front: nothing(patch.steps.len()),
-            },
+            displacement: Displacement { rear: nothing(patch.steps.len()), front: nothing(patch.steps.len()) },
             influence,
             patch,
         })
@@ -146,12 +134,7 @@ impl TransientRolling {
 
     /// Lift the wheel off the rail: the next step begins without tractions.
     pub fn lift(&mut self) {
-        let fields = [
-            &mut self.tractions,
-            &mut self.guess,
-            &mut self.displacement.rear,
-            &mut self.displacement.front,
-        ];
+        let fields = [&mut self.tractions, &mut self.guess, &mut self.displacement.rear, &mut self.displacement.front];
         for part in fields.into_iter().flatten() {
             part.fill(0.0);
         }
@@ -170,11 +153,7 @@ impl TransientRolling {
     ///
     /// # Errors
     /// As [`shift`](Self::shift), and [`Error::OutOfRange`] unless |Q| < μP.
-    pub fn shift_to_force(
-        &mut self,
-        normal_force: f64,
-        force: f64,
-    ) -> Result<TransientStep, Error> {
+    pub fn shift_to_force(&mut self, normal_force: f64, force: f64) -> Result<TransientStep, Error> {
         self.step_to_force(normal_force, force, 0.0, Motion::Shift)
     }
 
@@ -182,11 +161,7 @@ impl TransientRolling {
     ///
     /// # Errors
     /// As [`shift`](Self::shift).
-    pub fn roll(
-        &mut self,
-        normal_force: f64,
-        creepages: Creepages,
-    ) -> Result<TransientStep, Error> {
+    pub fn roll(&mut self, normal_force: f64, creepages: Creepages) -> Result<TransientStep, Error> {
         self.step(normal_force, Motion::Roll(creepages))
     }
 
@@ -196,12 +171,7 @@ impl TransientRolling {
     ///
     /// # Errors
     /// As [`shift_to_force`](Self::shift_to_force).
-    pub fn roll_at_force(
-        &mut self,
-        normal_force: f64,
-        force: f64,
-        creepage: f64,
-    ) -> Result<TransientStep, Error> {
+    pub fn roll_at_force(&mut self, normal_force: f64, force: f64, creepage: f64) -> Result<TransientStep, Error> {
         let dx = self.patch.dx;
         self.step_to_force(normal_force, force, creepage * dx, |distance| {
             Motion::Roll(Creepages::longitudinal(distance / dx))
@@ -209,11 +179,7 @@ impl TransientRolling {
     }
 
     /// Roll on by one element under bounds of the tractions \[Pa\].
-    pub(super) fn roll_under(
-        &mut self,
-        bound: &[f64],
-        creepages: Creepages,
-    ) -> Result<TransientStep, Error> {
+    pub(super) fn roll_under(&mut self, bound: &[f64], creepages: Creepages) -> Result<TransientStep, Error> {
         let motion = Motion::Roll(creepages);
         let slip = self.solve(motion, bound, &self.guess)?;
         Ok(self.accept(slip, motion))
@@ -292,10 +258,7 @@ impl TransientRolling {
         let (mut forcing, before) = match motion {
             Motion::Shift(shift) => {
                 let steps = self.patch.steps.len();
-                (
-                    [vec![shift; steps], vec![0.0; steps]],
-                    &self.displacement.rear,
-                )
+                ([vec![shift; steps], vec![0.0; steps]], &self.displacement.rear)
             }
             Motion::Roll(creepages) => {
                 let slip = |x, y| creepages.rigid_slip(x, y);
@@ -316,14 +279,12 @@ impl TransientRolling {
             compliance: self.compliance,
             tolerance: TOLERANCE,
         };
-        friction
-            .solve(start)
-            .map_err(|residual| Error::NotConverged {
-                problem: "step of transient rolling",
-                residual,
-                tolerance: TOLERANCE,
-                remedy: REMEDY,
-            })
+        friction.solve(start).map_err(|residual| Error::NotConverged {
+            problem: "step of transient rolling",
+            residual,
+            tolerance: TOLERANCE,
+            remedy: REMEDY,
+        })
     }
 
     /// Take a solution as the new state.
@@ -338,8 +299,7 @@ impl TransientRolling {
             for part in 0..2 {
                 let old = before(step).map_or(0.0, |element| self.tractions[part][element]);
                 let new = step.to.map_or(0.0, |element| slip.tractions[part][element]);
-                along[(step.end.0 + 1) as usize] +=
-                    self.patch.area() * 0.5 * (old + new) * slip.distance[part][index];
+                along[(step.end.0 + 1) as usize] += self.patch.area() * 0.5 * (old + new) * slip.distance[part][index];
             }
         }
         let forces = self.patch.forces(&slip.tractions);
@@ -350,23 +310,13 @@ impl TransientRolling {
             front: convolution.real(tractions, [0.0, 1.0]),
         };
         // Rolling goes on, a shift does not.
-        let onward = if matches!(motion, Motion::Roll(_)) {
-            1.0
-        } else {
-            0.0
-        };
+        let onward = if matches!(motion, Motion::Roll(_)) { 1.0 } else { 0.0 };
         self.guess = [0, 1].map(|part| {
             let both = slip.tractions[part].iter().zip(&self.tractions[part]);
-            both.map(|(now, before)| now + onward * (now - before))
-                .collect()
+            both.map(|(now, before)| now + onward * (now - before)).collect()
         });
         self.tractions = slip.tractions;
-        TransientStep {
-            forces,
-            creepages,
-            dissipation: along.iter().sum(),
-            dissipation_along: along,
-        }
+        TransientStep { forces, creepages, dissipation: along.iter().sum(), dissipation_along: along }
     }
 }
 

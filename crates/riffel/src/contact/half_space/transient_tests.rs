@@ -28,10 +28,7 @@ fn largest(across: usize) -> TransientRolling {
 /// The same elements under the mean load, for what does not change in time.
 fn grid(contact: &TransientRolling) -> Grid {
     Grid {
-        semi_axes: (
-            hertz().semi_axis_longitudinal(),
-            hertz().semi_axis_lateral(),
-        ),
+        semi_axes: (hertz().semi_axis_longitudinal(), hertz().semi_axis_lateral()),
         material: contact.hertz.material(),
         patch: contact.patch.clone(),
         influence: Influence::new(contact.hertz.material(), &contact.patch),
@@ -44,8 +41,7 @@ fn grid(contact: &TransientRolling) -> Grid {
 fn cattaneo_shift(ratio: f64) -> f64 {
     let hertz = hertz();
     let (g, poisson) = (hertz.material().shear_modulus(), 0.3);
-    3.0 * LIMIT * (2.0 - poisson) / (8.0 * g * hertz.semi_axis_longitudinal())
-        * (1.0 - (1.0 - ratio).powf(2.0 / 3.0))
+    3.0 * LIMIT * (2.0 - poisson) / (8.0 * g * hertz.semi_axis_longitudinal()) * (1.0 - (1.0 - ratio).powf(2.0 / 3.0))
 }
 
 /// One per cent: elements that the edge covers in part are whole where they stick.
@@ -92,10 +88,7 @@ fn loop_of_shifts_dissipates_its_area() {
         place = next;
     }
     assert!(dissipated > 0.0);
-    assert!(
-        (work / dissipated - 1.0).abs() < 0.02,
-        "{work} {dissipated}"
-    );
+    assert!((work / dissipated - 1.0).abs() < 0.02, "{work} {dissipated}");
 }
 
 /// Rolling on at constant creepage ends in the steady state of the same grid, from which it differs by the
@@ -106,9 +99,7 @@ fn rolls_into_the_steady_state() {
     let mut contact = transient(16);
     let mut last = contact.shift(LOAD, 0.0).unwrap();
     for _ in 0..96 {
-        last = contact
-            .roll(LOAD, Creepages::longitudinal(creepage))
-            .unwrap();
+        last = contact.roll(LOAD, Creepages::longitudinal(creepage)).unwrap();
     }
     let grid = grid(&contact);
     let steady = grid.roll(Creepages::longitudinal(creepage), None).unwrap();
@@ -124,20 +115,14 @@ fn rolls_into_the_steady_state() {
 /// Lateral creepage and spin as well.
 #[test]
 fn rolls_into_the_steady_state_with_spin() {
-    let creepages = Creepages {
-        longitudinal: 5e-4,
-        lateral: -3e-4,
-        spin: 0.2,
-    };
+    let creepages = Creepages { longitudinal: 5e-4, lateral: -3e-4, spin: 0.2 };
     let mut contact = transient(16);
     let mut last = contact.shift(LOAD, 0.0).unwrap();
     for _ in 0..96 {
         last = contact.roll(LOAD, creepages).unwrap();
     }
     let grid = grid(&contact);
-    let forces = grid
-        .patch
-        .forces(&grid.roll(creepages, None).unwrap().tractions);
+    let forces = grid.patch.forces(&grid.roll(creepages, None).unwrap().tractions);
     assert!((last.forces.longitudinal - forces.longitudinal).abs() < 1e-4 * LIMIT);
     assert!((last.forces.lateral - forces.lateral).abs() < 1e-4 * LIMIT);
 }
@@ -169,11 +154,7 @@ fn loads_out_of_range_are_refused() {
 /// First harmonics of force, dissipation per metre and dissipation per metre that the rail receives, per
 /// unit of a relative oscillation of creepage and load, in the wave after some others, which let the
 /// beginning fade away.
-fn followed(
-    across: usize,
-    waves: usize,
-    input: impl Fn(f64) -> (f64, Creepages),
-) -> [Complex64; 4] {
+fn followed(across: usize, waves: usize, input: impl Fn(f64) -> (f64, Creepages)) -> [Complex64; 4] {
     let mut contact = largest(across);
     let per_wave = 2 * across;
     let (settling, steps) = (waves * per_wave, (waves + 1) * per_wave);
@@ -209,15 +190,8 @@ fn direct(across: usize, creepages: Creepages, input: Input) -> [Complex64; 4] {
     let grid = grid(&largest(across));
     let state = grid.roll(creepages, None).unwrap();
     let wavenumber = 2.0 * PI / (2.0 * across as f64 * grid.patch.dx);
-    let response = GridSweep::new(&grid, &state, creepages, &[input])
-        .at(wavenumber)
-        .unwrap()[0];
-    [
-        response.force[0],
-        response.force[1],
-        response.dissipation,
-        response.rail_dissipation,
-    ]
+    let response = GridSweep::new(&grid, &state, creepages, &[input]).at(wavenumber).unwrap()[0];
+    [response.force[0], response.force[1], response.dissipation, response.rail_dissipation]
 }
 
 /// The response to creepage at the frequency itself is what following an oscillation of 10 % through time
@@ -225,12 +199,7 @@ fn direct(across: usize, creepages: Creepages, input: Input) -> [Complex64; 4] {
 #[test]
 fn response_to_creepage_is_what_time_shows() {
     let (creepage, share) = (1e-3, 0.1);
-    let expected = followed(16, 3, |wave| {
-        (
-            LOAD,
-            Creepages::longitudinal(creepage * (1.0 + share * wave)),
-        )
-    });
+    let expected = followed(16, 3, |wave| (LOAD, Creepages::longitudinal(creepage * (1.0 + share * wave))));
     let got = direct(16, Creepages::longitudinal(creepage), Input::Longitudinal);
     for output in [0, 2, 3] {
         let expected = expected[output] / (share * creepage);
@@ -245,11 +214,7 @@ fn check_load(creepages: Creepages, force: usize) {
     let expected = followed(32, 3, |wave| (LOAD * (1.0 + share * wave), creepages));
     let got = direct(32, creepages, Input::Load);
     let of_energy = 0.08 * got[2].norm();
-    for (output, tolerance) in [
-        (force, 0.03 * got[force].norm()),
-        (2, of_energy),
-        (3, of_energy),
-    ] {
+    for (output, tolerance) in [(force, 0.03 * got[force].norm()), (2, of_energy), (3, of_energy)] {
         let error = (got[output] - expected[output] / share).norm();
         assert!(error < tolerance, "{output}: {error} {tolerance}");
     }
@@ -266,9 +231,6 @@ fn response_to_load_is_what_time_shows() {
 
 #[test]
 fn response_to_load_across_the_rail_is_what_time_shows() {
-    let creepages = Creepages {
-        lateral: 1e-3,
-        ..Creepages::default()
-    };
+    let creepages = Creepages { lateral: 1e-3, ..Creepages::default() };
     check_load(creepages, 1);
 }

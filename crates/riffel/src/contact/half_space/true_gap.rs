@@ -41,8 +41,7 @@ impl TransientRolling {
         let state = normal.under_load_near(normal_force, Some(approach))?;
         let patch = &self.patch;
         let pressures = patch.places.iter();
-        let pressures =
-            pressures.map(|(column, row)| state.pressures()[row * patch.across + column]);
+        let pressures = pressures.map(|(column, row)| state.pressures()[row * patch.across + column]);
         let bound: Vec<f64> = pressures.map(|pressure| self.friction * pressure).collect();
         let carried = bound.iter().sum::<f64>() * patch.area();
         if carried < (1.0 - 1e-9) * self.friction * state.load() {
@@ -58,11 +57,7 @@ impl TransientRolling {
     ///
     /// # Errors
     /// [`Error::NotConverged`].
-    pub fn roll_pressed(
-        &mut self,
-        pressed: &PressedOnRail,
-        creepages: Creepages,
-    ) -> Result<TransientStep, Error> {
+    pub fn roll_pressed(&mut self, pressed: &PressedOnRail, creepages: Creepages) -> Result<TransientStep, Error> {
         self.roll_under(&pressed.bound, creepages)
     }
 
@@ -103,9 +98,7 @@ mod tests {
         let pressed: Vec<PressedOnRail> = (0..PER_WAVE)
             .map(|index| {
                 let centre = (index as f64 + 0.5) * step;
-                contact
-                    .press_on(&mut normal, LOAD, |x| height(centre + x))
-                    .unwrap()
+                contact.press_on(&mut normal, LOAD, |x| height(centre + x)).unwrap()
             })
             .collect();
         let creepages = Creepages::longitudinal(state.creepage());
@@ -129,27 +122,14 @@ mod tests {
         }
         let curvature = 0.46 * wavenumber * wavenumber * AMPLITUDE;
         let oscillating = OscillatingCreepages::Longitudinal.on_waves();
-        let response = half_space
-            .responses(&state, &[TAU / wavenumber], oscillating, || ())
-            .remove(0)
-            .unwrap();
+        let response = half_space.responses(&state, &[TAU / wavenumber], oscillating, || ()).remove(0).unwrap();
         let by = response.by_curvature.unwrap();
         let steady = half_space.steady(&state);
         for (got, expected) in [
-            (
-                force[1] / force[0],
-                by.force[0] / steady.forces.longitudinal,
-            ),
-            (
-                energy[1] / energy[0],
-                by.at_rail(0.0) / steady.energy_per_metre(),
-            ),
+            (force[1] / force[0], by.force[0] / steady.forces.longitudinal),
+            (energy[1] / energy[0], by.at_rail(0.0) / steady.energy_per_metre()),
         ] {
-            assert!(
-                (got / curvature - expected).norm() < 0.03,
-                "{} {expected}",
-                got / curvature
-            );
+            assert!((got / curvature - expected).norm() < 0.03, "{} {expected}", got / curvature);
         }
     }
 }

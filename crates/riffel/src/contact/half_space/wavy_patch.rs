@@ -49,10 +49,7 @@ pub(super) struct Degree {
 impl WavyPatch {
     /// An ellipse of the semi-axes a and b \[m\].
     pub(super) fn new((a, b): (f64, f64)) -> Self {
-        Self {
-            semi_axes: (a, b),
-            punch: PolynomialPunch::new(a / b),
-        }
+        Self { semi_axes: (a, b), punch: PolynomialPunch::new(a / b) }
     }
 
     /// A wave of the number k \[rad/m\], zero for an endless one.
@@ -68,9 +65,7 @@ impl WavyPatch {
         let matters = |&n: &usize| (n as f64) < z + 2.0 || size(n).abs() > NOTHING;
         let orders = (1..functions.len()).take_while(matters);
         Amplitudes {
-            by_degree: orders
-                .map(|n| size(n) * Complex64::I.powu(n as u32))
-                .collect(),
+            by_degree: orders.map(|n| size(n) * Complex64::I.powu(n as u32)).collect(),
             semi_axis: z,
             pivot: Complex64::I * functions[0],
         }
@@ -174,9 +169,7 @@ mod tests {
         assert!((by_tilt * amplitudes.semi_axis * tilt.shift - Complex64::I).norm() < 1e-9);
         assert!((amplitudes.pivot - Complex64::I).norm() < 1e-9);
         assert!(tilt.growth_of_pressure((0.3 * a, 0.2 * b)).abs() < 1e-12);
-        let slope = |of: &dyn Fn(HertzContact) -> f64| {
-            (of(hertz(1e-3)).ln() - of(hertz(-1e-3)).ln()) / 2e-3
-        };
+        let slope = |of: &dyn Fn(HertzContact) -> f64| (of(hertz(1e-3)).ln() - of(hertz(-1e-3)).ln()) / 2e-3;
         let along = slope(&|hertz| hertz.semi_axis_longitudinal());
         let across = slope(&|hertz| hertz.semi_axis_lateral());
         let pressure = slope(&|hertz| hertz.peak_pressure());
@@ -187,10 +180,7 @@ mod tests {
             assert!((growth - pressure).norm() < 1e-5);
             for degree in [&tilt, &curvature] {
                 let (beside, slope) = degree.along(at.0);
-                assert!(
-                    beside.abs() < 1e-12 * a && slope.abs() < 1e-12,
-                    "{beside} {slope}"
-                );
+                assert!(beside.abs() < 1e-12 * a && slope.abs() < 1e-12, "{beside} {slope}");
             }
         }
     }
@@ -209,9 +199,7 @@ mod tests {
             for (index, amplitude) in patch.amplitudes(k).by_degree.into_iter().enumerate() {
                 let degree = patch.degree(index + 1);
                 let place = |index: u32| 2.0 * (f64::from(index) + 0.5) / f64::from(POINTS) - 1.0;
-                for (x, y) in
-                    (0..POINTS * POINTS).map(|index| (place(index % POINTS), place(index / POINTS)))
-                {
+                for (x, y) in (0..POINTS * POINTS).map(|index| (place(index % POINTS), place(index / POINTS))) {
                     let inside = 1.0 - x * x - y * y;
                     if inside <= 0.0 {
                         continue;

@@ -58,11 +58,7 @@ impl Carter2d {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless all values are positive and ν ≤ 0.5; zero is allowed for ν.
-    pub fn of_ellipse(
-        ellipse: CreepEllipse,
-        poisson_ratio: f64,
-        friction: f64,
-    ) -> Result<Self, Error> {
+    pub fn of_ellipse(ellipse: CreepEllipse, poisson_ratio: f64, friction: f64) -> Result<Self, Error> {
         ellipse.check()?;
         let line = LineContact {
             normal_force: ellipse.normal_force,
@@ -88,11 +84,7 @@ impl Carter2d {
                 rule: "must lie between 0 and 0.5",
             });
         }
-        Ok(Self {
-            line,
-            friction,
-            load_exponent,
-        })
+        Ok(Self { line, friction, load_exponent })
     }
 
     /// Half-length a of the contact under the normal force P > 0 \[N\], in metres.
@@ -104,8 +96,7 @@ impl Carter2d {
     pub fn saturation_creepage(&self, normal_force: f64) -> f64 {
         let line = self.line;
         let load_per_width = line.normal_force / (2.0 * line.half_width);
-        4.0 * self.friction * (1.0 - line.poisson_ratio) * load_per_width
-            / (PI * line.shear_modulus * line.half_length)
+        4.0 * self.friction * (1.0 - line.poisson_ratio) * load_per_width / (PI * line.shear_modulus * line.half_length)
             * self.growth(normal_force)
     }
 
@@ -125,8 +116,7 @@ impl Carter2d {
         let c = self.stick_half_length(normal_force, creepage);
         let growth = self.growth(normal_force);
         // The width grows as P^{1 − 2n}.
-        let width =
-            2.0 * self.line.half_width * normal_force / (self.line.normal_force * growth * growth);
+        let width = 2.0 * self.line.half_width * normal_force / (self.line.normal_force * growth * growth);
         let largest = 2.0 * self.friction * normal_force / (PI * a * width);
         let bow = |offset: f64, half: f64| (half * half - offset * offset).max(0.0).sqrt() / a;
         creepage.signum() * largest * (bow(x, a) - bow(x - a + c, c))
@@ -151,21 +141,14 @@ impl CreepLaw for Carter2d {
     fn forces(&self, normal_force: f64, creepages: Creepages) -> CreepForces {
         let stick = self.stick(normal_force, creepages.longitudinal);
         let force = self.friction * normal_force * (1.0 - stick * stick);
-        CreepForces {
-            longitudinal: force * creepages.longitudinal.signum(),
-            lateral: 0.0,
-        }
+        CreepForces { longitudinal: force * creepages.longitudinal.signum(), lateral: 0.0 }
     }
 
     fn derivatives(&self, normal_force: f64, creepages: Creepages) -> CreepDerivatives {
         let xi = creepages.longitudinal;
         let stick = self.stick(normal_force, xi);
-        let slope =
-            2.0 * self.friction * normal_force * stick / self.saturation_creepage(normal_force);
-        let longitudinal = |value| CreepForces {
-            longitudinal: value,
-            lateral: 0.0,
-        };
+        let slope = 2.0 * self.friction * normal_force * stick / self.saturation_creepage(normal_force);
+        let longitudinal = |value| CreepForces { longitudinal: value, lateral: 0.0 };
         let force = self.forces(normal_force, creepages).longitudinal;
         CreepDerivatives {
             // ξ_max ∝ P^n at constant ξ.
@@ -205,16 +188,8 @@ mod tests {
         let (law, force, xi) = (roller(), 35_780.0, 0.000_24);
         let ratio = law.forces(force, Creepages::longitudinal(xi)).longitudinal / (0.3 * force);
         assert_relative_eq!(ratio, 0.64, epsilon = 2e-4);
-        assert_relative_eq!(
-            law.stick_half_length(force, xi),
-            0.6e-3,
-            max_relative = 2e-4
-        );
-        assert_relative_eq!(
-            law.traction(force, 1.0, 0.0),
-            0.3 * 113.9e6,
-            max_relative = 2e-4
-        );
+        assert_relative_eq!(law.stick_half_length(force, xi), 0.6e-3, max_relative = 2e-4);
+        assert_relative_eq!(law.traction(force, 1.0, 0.0), 0.3 * 113.9e6, max_relative = 2e-4);
     }
 
     /// The traction integrates to the force, also away from the reference load. The midpoint rule at
@@ -222,21 +197,12 @@ mod tests {
     #[test]
     fn traction_integrates_to_the_force() {
         let ellipse = Carter2d::of_ellipse(ELLIPSE, 0.3, 0.4).unwrap();
-        for (law, width) in [
-            (roller(), 0.2),
-            (ellipse, PI / 2.0 * ELLIPSE.under(90e3).semi_axis_lateral),
-        ] {
+        for (law, width) in [(roller(), 0.2), (ellipse, PI / 2.0 * ELLIPSE.under(90e3).semi_axis_lateral)] {
             let (force, points) = (90e3, 4000);
             let xi = 0.4 * law.saturation_creepage(force);
             let step = 2.0 * law.half_length(force) / f64::from(points);
             let sum: f64 = (0..points)
-                .map(|i| {
-                    law.traction(
-                        force,
-                        xi,
-                        -law.half_length(force) + (f64::from(i) + 0.5) * step,
-                    )
-                })
+                .map(|i| law.traction(force, xi, -law.half_length(force) + (f64::from(i) + 0.5) * step))
                 .sum();
             let exact = law.forces(force, Creepages::longitudinal(xi)).longitudinal;
             assert_relative_eq!(sum * step * width, exact, max_relative = 1e-5);

@@ -29,11 +29,7 @@ impl Carter3d {
     /// [`Error::OutOfRange`] unless μ > 0.
     pub fn new(hertz: HertzContact, friction: f64) -> Result<Self, Error> {
         Error::unless_positive("coefficient of friction", friction, "")?;
-        Ok(Self {
-            hertz,
-            friction,
-            saturation_creepage: saturation_creepage(hertz, friction),
-        })
+        Ok(Self { hertz, friction, saturation_creepage: saturation_creepage(hertz, friction) })
     }
 
     /// Creep coefficient C₀₀ of the patch \[-\], equation (7).
@@ -63,16 +59,10 @@ fn saturation_creepage(hertz: HertzContact, friction: f64) -> f64 {
 /// A size along the direction of the creepages.
 fn along(creepages: Creepages, size: f64) -> CreepForces {
     if creepages.lateral == 0.0 {
-        return CreepForces {
-            longitudinal: size * creepages.longitudinal.signum(),
-            lateral: 0.0,
-        };
+        return CreepForces { longitudinal: size * creepages.longitudinal.signum(), lateral: 0.0 };
     }
     let per_creepage = size / creepages.magnitude();
-    CreepForces {
-        longitudinal: per_creepage * creepages.longitudinal,
-        lateral: per_creepage * creepages.lateral,
-    }
+    CreepForces { longitudinal: per_creepage * creepages.longitudinal, lateral: per_creepage * creepages.lateral }
 }
 
 impl CreepLaw for Carter3d {
@@ -83,11 +73,7 @@ impl CreepLaw for Carter3d {
     fn forces(&self, normal_force: f64, creepages: Creepages) -> CreepForces {
         let limit = self.friction * normal_force;
         let stick = 1.0 - creepages.magnitude() / self.saturation_under(normal_force);
-        let force = if stick > 0.0 {
-            limit * (1.0 - stick.powi(3))
-        } else {
-            limit
-        };
+        let force = if stick > 0.0 { limit * (1.0 - stick.powi(3)) } else { limit };
         along(creepages, force)
     }
 
@@ -112,21 +98,11 @@ impl CreepLaw for Carter3d {
             direction.combine(share * (slope - across), axis, across)
         };
         let full_slip = x >= 1.0;
-        let by_load = if full_slip {
-            self.friction
-        } else {
-            2.0 * self.friction * x * (1.0 - x / 2.0)
-        };
+        let by_load = if full_slip { self.friction } else { 2.0 * self.friction * x * (1.0 - x / 2.0) };
         CreepDerivatives {
             by_normal_force: along(creepages, by_load),
-            by_longitudinal: by(CreepForces {
-                longitudinal: 1.0,
-                lateral: 0.0,
-            }),
-            by_lateral: by(CreepForces {
-                longitudinal: 0.0,
-                lateral: 1.0,
-            }),
+            by_longitudinal: by(CreepForces { longitudinal: 1.0, lateral: 0.0 }),
+            by_lateral: by(CreepForces { longitudinal: 0.0, lateral: 1.0 }),
         }
     }
 
@@ -135,10 +111,7 @@ impl CreepLaw for Carter3d {
     }
 
     fn own_slope(&self) -> Option<OwnSlope> {
-        Some(OwnSlope {
-            creep_coefficient: self.creep_coefficient(),
-            saturation_creepage: self.saturation_creepage,
-        })
+        Some(OwnSlope { creep_coefficient: self.creep_coefficient(), saturation_creepage: self.saturation_creepage })
     }
 
     /// The inverse of equation (5).
@@ -168,11 +141,7 @@ mod tests {
         let law = law(50e3, 0.4);
         let error = QuasiStatic::new(law, 50e3, MeanState::creepage(0.008)).unwrap_err();
         assert!(error.to_string().contains("full slip begins at 0.7036 %"));
-        let oblique = Creepages {
-            longitudinal: 0.006,
-            lateral: 0.006,
-            spin: 0.0,
-        };
+        let oblique = Creepages { longitudinal: 0.006, lateral: 0.006, spin: 0.0 };
         // Beside its direction all slips: that is full sliding.
         let contact = QuasiStatic::new(law, 50e3, MeanState::Creepages(oblique)).unwrap();
         let sliding = crate::contact::FullSliding::new(0.4).unwrap();

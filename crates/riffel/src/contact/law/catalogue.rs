@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{
-    Carter2d, Carter3d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, FullSliding,
-    JohnsonVermeulen, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
+    Carter2d, Carter3d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, FullSliding, JohnsonVermeulen, Polach,
+    ShenHedrickElkins, SlopeReduction, TractionBound,
 };
 use crate::Error;
 use crate::contact::{HertzContact, KalkerCoefficients};
@@ -102,12 +102,7 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         lateral: true,
         spin: true,
         ends_in_sliding: true,
-        build: |on| {
-            Ok(Arc::new(ShenHedrickElkins::new(
-                on.ellipse()?,
-                on.friction,
-            )?))
-        },
+        build: |on| Ok(Arc::new(ShenHedrickElkins::new(on.ellipse()?, on.friction)?)),
     },
     CreepLawEntry {
         name: "polach",
@@ -131,12 +126,7 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         ends_in_sliding: false,
         build: |on| {
             let divisions = Fastsim::DEFAULT_DIVISIONS;
-            let law = Fastsim::new(
-                on.ellipse()?,
-                on.friction,
-                TractionBound::Parabolic,
-                divisions,
-            )?;
+            let law = Fastsim::new(on.ellipse()?, on.friction, TractionBound::Parabolic, divisions)?;
             Ok(Arc::new(law))
         },
     },
@@ -170,42 +160,23 @@ mod tests {
             speed: 1.0,
         };
         for (index, entry) in CATALOGUE.iter().enumerate() {
-            assert!(
-                CATALOGUE[..index]
-                    .iter()
-                    .all(|other| other.name != entry.name)
-            );
+            assert!(CATALOGUE[..index].iter().all(|other| other.name != entry.name));
             let law = entry.build(&inputs).unwrap();
             let force = law.forces(50e3, Creepages::longitudinal(0.05)).longitudinal;
-            assert!(
-                (15e3..=20e3 * (1.0 + 1e-12)).contains(&force),
-                "{}: {force}",
-                entry.name
-            );
+            assert!((15e3..=20e3 * (1.0 + 1e-12)).contains(&force), "{}: {force}", entry.name);
             let across = |lateral, spin| {
-                let creepages = Creepages {
-                    longitudinal: 1e-3,
-                    lateral,
-                    spin,
-                };
+                let creepages = Creepages { longitudinal: 1e-3, lateral, spin };
                 law.forces(50e3, creepages).lateral != 0.0
             };
             let knows = [across(1e-3, 0.0), across(0.0, 0.1)];
             assert_eq!(knows, [entry.lateral, entry.spin], "{}", entry.name);
-            let sliding = Creepages {
-                longitudinal: 0.05,
-                lateral: 0.05,
-                spin: 1.0,
-            };
+            let sliding = Creepages { longitudinal: 0.05, lateral: 0.05, spin: 1.0 };
             let about = QuasiStatic::new(law, 50e3, MeanState::Creepages(sliding)).unwrap();
             let slides = about.steady().tractive_ratio() > 1.0 - 1e-6;
             let ends = entry.ends_in_sliding || entry.name == "full-sliding";
             assert_eq!(slides, ends, "{}", entry.name);
-            let nothing = CreepLawInputs {
-                friction: -1.0,
-                falling_friction: FallingFriction::constant(-1.0),
-                ..inputs
-            };
+            let nothing =
+                CreepLawInputs { friction: -1.0, falling_friction: FallingFriction::constant(-1.0), ..inputs };
             assert!(entry.build(&nothing).is_err(), "{}", entry.name);
         }
     }

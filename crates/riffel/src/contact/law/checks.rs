@@ -27,9 +27,7 @@ pub(in crate::contact) fn derivatives_match(
     tolerance: f64,
 ) {
     let at = law.derivatives(force, creepages);
-    let central = |high: CreepForces, low: CreepForces, width: f64| {
-        high.combine(1.0 / width, low, -1.0 / width)
-    };
+    let central = |high: CreepForces, low: CreepForces, width: f64| high.combine(1.0 / width, low, -1.0 / width);
     let shifted = |xi: f64, eta: f64| Creepages {
         longitudinal: creepages.longitudinal + xi,
         lateral: creepages.lateral + eta,
@@ -42,65 +40,37 @@ pub(in crate::contact) fn derivatives_match(
     let rows = [
         (
             at.by_normal_force,
-            central(
-                law.forces(force + dp, creepages),
-                law.forces(force - dp, creepages),
-                2.0 * dp,
-            ),
+            central(law.forces(force + dp, creepages), law.forces(force - dp, creepages), 2.0 * dp),
             law.friction(),
         ),
         (
             at.by_longitudinal,
-            central(
-                law.forces(force, shifted(dx, 0.0)),
-                law.forces(force, shifted(-dx, 0.0)),
-                2.0 * dx,
-            ),
+            central(law.forces(force, shifted(dx, 0.0)), law.forces(force, shifted(-dx, 0.0)), 2.0 * dx),
             steepest,
         ),
         (
             at.by_lateral,
-            central(
-                law.forces(force, shifted(0.0, dx)),
-                law.forces(force, shifted(0.0, -dx)),
-                2.0 * dx,
-            ),
+            central(law.forces(force, shifted(0.0, dx)), law.forces(force, shifted(0.0, -dx)), 2.0 * dx),
             steepest,
         ),
     ];
     for (exact, difference, scale) in rows {
         let tolerance = (tolerance + 4.0 * step) * scale;
-        assert_relative_eq!(
-            exact.longitudinal,
-            difference.longitudinal,
-            epsilon = tolerance
-        );
+        assert_relative_eq!(exact.longitudinal, difference.longitudinal, epsilon = tolerance);
         assert_relative_eq!(exact.lateral, difference.lateral, epsilon = tolerance);
     }
 }
 
 /// |F| ≤ μP, and F is odd in the creepages.
-pub(in crate::contact) fn stays_below_friction(
-    law: &dyn CreepLaw,
-    force: f64,
-    creepages: Creepages,
-) {
+pub(in crate::contact) fn stays_below_friction(law: &dyn CreepLaw, force: f64, creepages: Creepages) {
     let forces = law.forces(force, creepages);
     assert!(forces.magnitude() <= law.friction() * force * (1.0 + 1e-12));
     let opposite = law.forces(
         force,
-        Creepages {
-            longitudinal: -creepages.longitudinal,
-            lateral: -creepages.lateral,
-            spin: -creepages.spin,
-        },
+        Creepages { longitudinal: -creepages.longitudinal, lateral: -creepages.lateral, spin: -creepages.spin },
     );
     let rounding = 1e-12 * law.friction() * force;
-    assert_relative_eq!(
-        forces.longitudinal,
-        -opposite.longitudinal,
-        epsilon = rounding
-    );
+    assert_relative_eq!(forces.longitudinal, -opposite.longitudinal, epsilon = rounding);
     assert_relative_eq!(forces.lateral, -opposite.lateral, epsilon = rounding);
 }
 
@@ -122,11 +92,7 @@ pub(in crate::contact) fn starts_linear(
     };
     let forces = law.forces(force, creepages);
     let tolerance = tolerance * small * linear.magnitude();
-    assert_relative_eq!(
-        forces.longitudinal,
-        small * linear.longitudinal,
-        epsilon = tolerance
-    );
+    assert_relative_eq!(forces.longitudinal, small * linear.longitudinal, epsilon = tolerance);
     assert_relative_eq!(forces.lateral, small * linear.lateral, epsilon = tolerance);
 }
 
@@ -143,11 +109,7 @@ pub(in crate::contact) fn grows_to_limit(law: &dyn CreepLaw, force: f64) {
     match limit {
         ForceLimit::FullSlip(creepage) => {
             assert_relative_eq!(at(creepage), law.friction() * force, max_relative = 1e-12);
-            assert_relative_eq!(
-                at(2.0 * creepage),
-                law.friction() * force,
-                max_relative = 1e-12
-            );
+            assert_relative_eq!(at(2.0 * creepage), law.friction() * force, max_relative = 1e-12);
         }
         ForceLimit::AdhesionMaximum(creepage) => assert!(at(1.02 * creepage) < last),
         ForceLimit::None => {}

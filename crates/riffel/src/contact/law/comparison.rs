@@ -2,8 +2,8 @@
 
 use super::checks::ELLIPSE;
 use super::{
-    Carter2d, CreepLaw, Creepages, FallingFriction, Fastsim, JohnsonVermeulen, Polach,
-    ShenHedrickElkins, SlopeReduction, TractionBound,
+    Carter2d, CreepLaw, Creepages, FallingFriction, Fastsim, JohnsonVermeulen, Polach, ShenHedrickElkins,
+    SlopeReduction, TractionBound,
 };
 
 /// Creepage and Q/μP of CONTACT at 50 kN, μ = 0.4, extrapolated over three grids, ±0.5 %.
@@ -31,13 +31,11 @@ const CONTACT: [[f64; 2]; 18] = [
 /// Lowest and highest deviation of Q/μP from CONTACT \[% of the local value\].
 fn deviation(law: &dyn CreepLaw) -> [f64; 2] {
     let limit = law.friction() * 50e3;
-    CONTACT
-        .iter()
-        .fold([f64::MAX, f64::MIN], |[low, high], &[xi, exact]| {
-            let ratio = law.forces(50e3, Creepages::longitudinal(xi)).longitudinal / limit;
-            let percent = 100.0 * (ratio / exact - 1.0);
-            [low.min(percent), high.max(percent)]
-        })
+    CONTACT.iter().fold([f64::MAX, f64::MIN], |[low, high], &[xi, exact]| {
+        let ratio = law.forces(50e3, Creepages::longitudinal(xi)).longitudinal / limit;
+        let percent = 100.0 * (ratio / exact - 1.0);
+        [low.min(percent), high.max(percent)]
+    })
 }
 
 /// The ranges that the laws' documentation states.
@@ -46,42 +44,15 @@ fn deviation_from_exact_theory_is_as_documented() {
     let coulomb = FallingFriction::constant(0.4);
     let fastsim = |bound| Fastsim::new(ELLIPSE, 0.4, bound, Fastsim::DEFAULT_DIVISIONS).unwrap();
     let laws: [(&str, &dyn CreepLaw, [f64; 2]); 6] = [
-        (
-            "Carter",
-            &Carter2d::of_ellipse(ELLIPSE, 0.3, 0.4).unwrap(),
-            [-27.39, 0.04],
-        ),
-        (
-            "Vermeulen and Johnson",
-            &JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap(),
-            [-2.24, 0.04],
-        ),
-        (
-            "Shen, Hedrick and Elkins",
-            &ShenHedrickElkins::new(ELLIPSE, 0.4).unwrap(),
-            [-2.24, 0.04],
-        ),
-        (
-            "Polach",
-            &Polach::new(ELLIPSE, coulomb, SlopeReduction::NONE, 20.0).unwrap(),
-            [-5.13, 6.75],
-        ),
-        (
-            "FASTSIM, parabolic",
-            &fastsim(TractionBound::Parabolic),
-            [-3.41, 0.13],
-        ),
-        (
-            "FASTSIM, elliptic",
-            &fastsim(TractionBound::Elliptic),
-            [-5.15, 6.87],
-        ),
+        ("Carter", &Carter2d::of_ellipse(ELLIPSE, 0.3, 0.4).unwrap(), [-27.39, 0.04]),
+        ("Vermeulen and Johnson", &JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap(), [-2.24, 0.04]),
+        ("Shen, Hedrick and Elkins", &ShenHedrickElkins::new(ELLIPSE, 0.4).unwrap(), [-2.24, 0.04]),
+        ("Polach", &Polach::new(ELLIPSE, coulomb, SlopeReduction::NONE, 20.0).unwrap(), [-5.13, 6.75]),
+        ("FASTSIM, parabolic", &fastsim(TractionBound::Parabolic), [-3.41, 0.13]),
+        ("FASTSIM, elliptic", &fastsim(TractionBound::Elliptic), [-5.15, 6.87]),
     ];
     for (name, law, [low, high]) in laws {
         let found = deviation(law);
-        assert!(
-            (found[0] - low).abs() < 0.06 && (found[1] - high).abs() < 0.06,
-            "{name}: {found:.2?} %"
-        );
+        assert!((found[0] - low).abs() < 0.06 && (found[1] - high).abs() < 0.06, "{name}: {found:.2?} %");
     }
 }

@@ -47,12 +47,7 @@ impl CreepEllipse {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless f₁₁, f₂₂ and P₀ are positive and f₂₃ is not negative.
-    pub fn of_coefficients(
-        longitudinal: f64,
-        lateral: f64,
-        spin: f64,
-        normal_force: f64,
-    ) -> Result<Self, Error> {
+    pub fn of_coefficients(longitudinal: f64, lateral: f64, spin: f64, normal_force: f64) -> Result<Self, Error> {
         let ellipse = Self {
             normal_force,
             semi_axis_longitudinal: 1.0,

@@ -40,33 +40,18 @@ impl CreepLaw for FullSliding {
             return CreepForces::default();
         }
         let factor = self.friction * normal_force / magnitude;
-        CreepForces {
-            longitudinal: factor * creepages.longitudinal,
-            lateral: factor * creepages.lateral,
-        }
+        CreepForces { longitudinal: factor * creepages.longitudinal, lateral: factor * creepages.lateral }
     }
 
     fn derivatives(&self, normal_force: f64, creepages: Creepages) -> CreepDerivatives {
         let magnitude = creepages.magnitude();
         // Across the slip alone: μP/|c| (I − ĉĉᵀ).
-        let (along, across) = (
-            creepages.longitudinal / magnitude,
-            creepages.lateral / magnitude,
-        );
+        let (along, across) = (creepages.longitudinal / magnitude, creepages.lateral / magnitude);
         let slope = self.friction * normal_force / magnitude;
         CreepDerivatives {
-            by_normal_force: CreepForces {
-                longitudinal: self.friction * along,
-                lateral: self.friction * across,
-            },
-            by_longitudinal: CreepForces {
-                longitudinal: slope * across * across,
-                lateral: -slope * along * across,
-            },
-            by_lateral: CreepForces {
-                longitudinal: -slope * along * across,
-                lateral: slope * along * along,
-            },
+            by_normal_force: CreepForces { longitudinal: self.friction * along, lateral: self.friction * across },
+            by_longitudinal: CreepForces { longitudinal: slope * across * across, lateral: -slope * along * across },
+            by_lateral: CreepForces { longitudinal: -slope * along * across, lateral: slope * along * along },
         }
     }
 

@@ -1,8 +1,6 @@
 //! The cubic law of Vermeulen and Johnson for an elliptic patch.
 
-use super::{
-    CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages, ForceLimit, ShenHedrickElkins,
-};
+use super::{CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages, ForceLimit, ShenHedrickElkins};
 use crate::Error;
 
 /// Creep law of Vermeulen & Johnson, longitudinal and lateral, without spin.
@@ -32,10 +30,7 @@ impl JohnsonVermeulen {
 
 /// Without spin Shen, Hedrick and Elkins is this law.
 fn without_spin(creepages: Creepages) -> Creepages {
-    Creepages {
-        spin: 0.0,
-        ..creepages
-    }
+    Creepages { spin: 0.0, ..creepages }
 }
 
 impl CreepLaw for JohnsonVermeulen {
@@ -48,8 +43,7 @@ impl CreepLaw for JohnsonVermeulen {
     }
 
     fn derivatives(&self, normal_force: f64, creepages: Creepages) -> CreepDerivatives {
-        self.cubic
-            .derivatives(normal_force, without_spin(creepages))
+        self.cubic.derivatives(normal_force, without_spin(creepages))
     }
 
     fn limit(&self, normal_force: f64) -> ForceLimit {

@@ -42,18 +42,12 @@ pub struct Creepages {
 impl Creepages {
     /// Longitudinal creepage ξ \[-\] alone.
     pub fn longitudinal(creepage: f64) -> Self {
-        Self {
-            longitudinal: creepage,
-            ..Self::default()
-        }
+        Self { longitudinal: creepage, ..Self::default() }
     }
 
     /// Slip of the rigid bodies along and across per metre rolled, (ξ − φy, η + φx), at a place of a flat patch \[m\].
     pub fn rigid_slip(self, x: f64, y: f64) -> [f64; 2] {
-        [
-            self.longitudinal - self.spin * y,
-            self.lateral + self.spin * x,
-        ]
+        [self.longitudinal - self.spin * y, self.lateral + self.spin * x]
     }
 
     /// Magnitude |ξ| of longitudinal and lateral creepage \[-\].
@@ -113,17 +107,10 @@ impl CreepDerivatives {
         by_longitudinal: CreepForces,
         by_lateral: CreepForces,
     ) -> Self {
-        let along_creepages = by_longitudinal.combine(
-            creepages.longitudinal / 3.0,
-            by_lateral,
-            creepages.lateral / 3.0,
-        );
+        let along_creepages =
+            by_longitudinal.combine(creepages.longitudinal / 3.0, by_lateral, creepages.lateral / 3.0);
         Self {
-            by_normal_force: forces.combine(
-                1.0 / normal_force,
-                along_creepages,
-                -1.0 / normal_force,
-            ),
+            by_normal_force: forces.combine(1.0 / normal_force, along_creepages, -1.0 / normal_force),
             by_longitudinal,
             by_lateral,
         }
@@ -192,10 +179,7 @@ pub trait CreepLaw: Send + Sync {
     /// Provided: bracketed between zero and the limit and bisected to rounding, some sixty forces.
     fn creepage(&self, normal_force: f64, tractive_ratio: f64) -> Option<f64> {
         let tangential_force = tractive_ratio * self.friction() * normal_force;
-        let force = |creepage: f64| {
-            self.forces(normal_force, Creepages::longitudinal(creepage))
-                .longitudinal
-        };
+        let force = |creepage: f64| self.forces(normal_force, Creepages::longitudinal(creepage)).longitudinal;
         let (mut low, mut high) = (0.0, self.limit(normal_force).creepage());
         if force(high) <= tangential_force {
             return None;

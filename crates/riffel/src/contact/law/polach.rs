@@ -19,11 +19,7 @@ pub struct FallingFriction {
 impl FallingFriction {
     /// Coulomb friction μ \[-\], the same at every slip velocity.
     pub fn constant(friction: f64) -> Self {
-        Self {
-            static_friction: friction,
-            limit_ratio: 1.0,
-            decay: 0.0,
-        }
+        Self { static_friction: friction, limit_ratio: 1.0, decay: 0.0 }
     }
 
     /// Coefficient of friction \[-\] at the slip velocity w ≥ 0 \[m/s\].
@@ -51,10 +47,7 @@ pub struct SlopeReduction {
 
 impl SlopeReduction {
     /// k_A = k_S = 1.
-    pub const NONE: Self = Self {
-        adhesion: 1.0,
-        slip: 1.0,
-    };
+    pub const NONE: Self = Self { adhesion: 1.0, slip: 1.0 };
 }
 
 /// Creep law of Polach, longitudinal and lateral, at a constant speed V.
@@ -92,18 +85,11 @@ impl Polach {
         speed: f64,
     ) -> Result<Self, Error> {
         ellipse.check()?;
-        Error::unless_positive(
-            "static coefficient of friction",
-            friction.static_friction,
-            "",
-        )?;
+        Error::unless_positive("static coefficient of friction", friction.static_friction, "")?;
         Error::unless_not_negative("decay of friction", friction.decay, "s/m")?;
         Error::unless_positive("speed", speed, "m/s")?;
         unless_fraction("limit ratio of friction", friction.limit_ratio)?;
-        unless_fraction(
-            "reduction factor in the area of adhesion",
-            reduction.adhesion,
-        )?;
+        unless_fraction("reduction factor in the area of adhesion", reduction.adhesion)?;
         unless_fraction("reduction factor in the area of slip", reduction.slip)?;
         if reduction.slip > reduction.adhesion {
             return Err(Error::OutOfRange {
@@ -113,12 +99,7 @@ impl Polach {
                 rule: "must not exceed the one in the area of adhesion",
             });
         }
-        Ok(Self {
-            ellipse,
-            friction,
-            reduction,
-            speed,
-        })
+        Ok(Self { ellipse, friction, reduction, speed })
     }
 
     /// f(ε) = k_A ε/(1 + (k_A ε)²) + arctan(k_S ε), and its slope; f tends to π/2.
@@ -126,17 +107,12 @@ impl Polach {
         let SlopeReduction { adhesion, slip } = self.reduction;
         let (z, y) = (adhesion * epsilon, slip * epsilon);
         let bell = 1.0 / (1.0 + z * z);
-        [
-            (z * bell + y.atan()).min(FRAC_PI_2),
-            adhesion * (1.0 - z * z) * bell * bell + slip / (1.0 + y * y),
-        ]
+        [(z * bell + y.atan()).min(FRAC_PI_2), adhesion * (1.0 - z * z) * bell * bell + slip / (1.0 + y * y)]
     }
 
     /// ∂Q/∂ξ \[N\] in pure longitudinal creepage.
     fn longitudinal_slope(&self, normal_force: f64, creepage: f64) -> f64 {
-        self.derivatives(normal_force, Creepages::longitudinal(creepage))
-            .by_longitudinal
-            .longitudinal
+        self.derivatives(normal_force, Creepages::longitudinal(creepage)).by_longitudinal.longitudinal
     }
 }
 
@@ -144,12 +120,7 @@ fn unless_fraction(quantity: &'static str, value: f64) -> Result<(), Error> {
     if value > 0.0 && value <= 1.0 {
         return Ok(());
     }
-    Err(Error::OutOfRange {
-        quantity,
-        value,
-        unit: "",
-        rule: "must be greater than 0 and at most 1",
-    })
+    Err(Error::OutOfRange { quantity, value, unit: "", rule: "must be greater than 0 and at most 1" })
 }
 
 impl CreepLaw for Polach {
@@ -168,10 +139,7 @@ impl CreepLaw for Polach {
         let limit = self.friction.at(self.speed * creepage) * normal_force;
         let [value, _] = self.curve(PI * linear / (4.0 * limit));
         let force = limit * value / FRAC_PI_2;
-        CreepForces {
-            longitudinal: force * xi / creepage,
-            lateral: force * eta / creepage,
-        }
+        CreepForces { longitudinal: force * xi / creepage, lateral: force * eta / creepage }
     }
 
     fn derivatives(&self, normal_force: f64, creepages: Creepages) -> CreepDerivatives {
@@ -182,14 +150,8 @@ impl CreepLaw for Polach {
             let reduction = 0.5 * (self.reduction.adhesion + self.reduction.slip);
             return CreepDerivatives {
                 by_normal_force: CreepForces::default(),
-                by_longitudinal: CreepForces {
-                    longitudinal: reduction * stiffness_x,
-                    lateral: 0.0,
-                },
-                by_lateral: CreepForces {
-                    longitudinal: 0.0,
-                    lateral: reduction * stiffness_y,
-                },
+                by_longitudinal: CreepForces { longitudinal: reduction * stiffness_x, lateral: 0.0 },
+                by_lateral: CreepForces { longitudinal: 0.0, lateral: reduction * stiffness_y },
             };
         }
         let linear = (stiffness_x * xi).hypot(stiffness_y * eta);
@@ -214,10 +176,7 @@ impl CreepLaw for Polach {
         // ε ∝ P^{−1/3}, because the linear force grows as P^{2/3}.
         let by_load = friction * (value - epsilon * slope / 3.0) / FRAC_PI_2;
         CreepDerivatives {
-            by_normal_force: CreepForces {
-                longitudinal: by_load * cos,
-                lateral: by_load * sin,
-            },
+            by_normal_force: CreepForces { longitudinal: by_load * cos, lateral: by_load * sin },
             by_longitudinal: along(xi, stiffness_x, [sin * sin, -sin * cos]),
             by_lateral: along(eta, stiffness_y, [-sin * cos, cos * cos]),
         }
@@ -253,55 +212,34 @@ impl CreepLaw for Polach {
 
 #[cfg(test)]
 mod tests {
-    use super::super::checks::{
-        ELLIPSE, derivatives_match, grows_to_limit, starts_linear, stays_below_friction,
-    };
+    use super::super::checks::{ELLIPSE, derivatives_match, grows_to_limit, starts_linear, stays_below_friction};
     use super::*;
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 
     fn falling(static_friction: f64) -> FallingFriction {
-        FallingFriction {
-            static_friction,
-            limit_ratio: 0.4,
-            decay: 0.6,
-        }
+        FallingFriction { static_friction, limit_ratio: 0.4, decay: 0.6 }
     }
 
     #[test]
     fn falling_friction_makes_a_maximum_and_constant_friction_none() {
         let new = |friction| Polach::new(ELLIPSE, friction, SlopeReduction::NONE, 20.0).unwrap();
-        let ForceLimit::AdhesionMaximum(creepage) = new(falling(0.4)).limit(50e3) else {
-            panic!("no maximum")
-        };
+        let ForceLimit::AdhesionMaximum(creepage) = new(falling(0.4)).limit(50e3) else { panic!("no maximum") };
         assert!(creepage > 1e-3 && creepage < 0.1, "{creepage}");
-        assert_eq!(
-            new(FallingFriction::constant(0.4)).limit(50e3),
-            ForceLimit::None
-        );
+        assert_eq!(new(FallingFriction::constant(0.4)).limit(50e3), ForceLimit::None);
     }
 
     #[test]
     fn a_stiffer_area_of_slip_is_refused() {
-        let reduction = SlopeReduction {
-            adhesion: 0.3,
-            slip: 0.4,
-        };
+        let reduction = SlopeReduction { adhesion: 0.3, slip: 0.4 };
         let error = Polach::new(ELLIPSE, falling(0.3), reduction, 20.0).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .contains("must not exceed the one in the area of adhesion")
-        );
+        assert!(error.to_string().contains("must not exceed the one in the area of adhesion"));
     }
 
     /// The scan for the limit ends, also where its first step would be lost to rounding.
     #[test]
     fn the_limit_is_found_in_bounded_time() {
-        let reduction = SlopeReduction {
-            adhesion: 1.0,
-            slip: 1.0,
-        };
+        let reduction = SlopeReduction { adhesion: 1.0, slip: 1.0 };
         for friction in [5e-324, 1e-320, 1e-300, 1e-12] {
             let friction = FallingFriction::constant(friction);
             let law = Polach::new(ELLIPSE, friction, reduction, 1.0).unwrap();

@@ -53,22 +53,15 @@ impl CreepLaw for ShenHedrickElkins {
             0.0 => 0.0,
             _ => shortening_slope(u) / (magnitude * limit),
         };
-        let along = |linear_slope: CreepForces| {
-            linear_slope.combine(shortening(u), linear, bend * linear.dot(linear_slope))
-        };
+        let along =
+            |linear_slope: CreepForces| linear_slope.combine(shortening(u), linear, bend * linear.dot(linear_slope));
         let [by_longitudinal, by_lateral] = ellipse.linear_slopes();
         CreepDerivatives::of_ellipse(
             normal_force,
             creepages,
             self.forces(normal_force, creepages),
-            along(CreepForces {
-                longitudinal: by_longitudinal,
-                lateral: 0.0,
-            }),
-            along(CreepForces {
-                longitudinal: 0.0,
-                lateral: by_lateral,
-            }),
+            along(CreepForces { longitudinal: by_longitudinal, lateral: 0.0 }),
+            along(CreepForces { longitudinal: 0.0, lateral: by_lateral }),
         )
     }
 
@@ -80,20 +73,12 @@ impl CreepLaw for ShenHedrickElkins {
 
 /// s(u), the saturated force over the linear one.
 fn shortening(u: f64) -> f64 {
-    if u < 3.0 {
-        1.0 - u / 3.0 + u * u / 27.0
-    } else {
-        1.0 / u
-    }
+    if u < 3.0 { 1.0 - u / 3.0 + u * u / 27.0 } else { 1.0 / u }
 }
 
 /// ds/du.
 fn shortening_slope(u: f64) -> f64 {
-    if u < 3.0 {
-        2.0 * u / 27.0 - 1.0 / 3.0
-    } else {
-        -1.0 / (u * u)
-    }
+    if u < 3.0 { 2.0 * u / 27.0 - 1.0 / 3.0 } else { -1.0 / (u * u) }
 }
 
 #[cfg(test)]

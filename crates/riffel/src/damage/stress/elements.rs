@@ -22,9 +22,7 @@ pub struct ElementStress {
 }
 
 /// Depths of the planes.
-const DEPTHS: [f64; 16] = [
-    0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.75, 0.9, 1.2, 1.6, 2.0,
-];
+const DEPTHS: [f64; 16] = [0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.75, 0.9, 1.2, 1.6, 2.0];
 /// How far the points reach along and across, in semi-axes.
 const REACH: [f64; 2] = [2.0, 1.5];
 /// Cells over a semi-axis.
@@ -92,8 +90,7 @@ impl ElementStress {
                     std::array::from_fn(|i| (a[i] + b[i] - c[i] - d[i]) / TAU)
                 })
                 .collect();
-            let points =
-                (0..axes[1].2).flat_map(|row| (0..axes[0].2).map(move |column| [column, row]));
+            let points = (0..axes[1].2).flat_map(|row| (0..axes[0].2).map(move |column| [column, row]));
             points
                 .map(|point| {
                     check();
@@ -111,10 +108,7 @@ impl ElementStress {
                 .collect()
         };
         let planes: Vec<Vec<StressTensor>> = DEPTHS.par_iter().map(|&depth| plane(depth)).collect();
-        Self {
-            axes,
-            stresses: planes.concat(),
-        }
+        Self { axes, stresses: planes.concat() }
     }
 
     /// At a place x, y, z, all in a; beyond the points as at the last of them.
@@ -149,9 +143,7 @@ impl ElementStress {
 fn corner_stress([x, y, z]: [f64; 3], poisson_ratio: f64) -> [f64; 12] {
     let [xx, yy, zz, xy, yz, zx] = along([x, y, z], poisson_ratio);
     let across = along([y, x, z], poisson_ratio);
-    [
-        xx, yy, zz, xy, yz, zx, across[1], across[0], across[2], across[3], across[5], across[4],
-    ]
+    [xx, yy, zz, xy, yz, zx, across[1], across[0], across[2], across[3], across[5], across[4]]
 }
 
 fn along([x, y, z]: [f64; 3], nu: f64) -> StressTensor {

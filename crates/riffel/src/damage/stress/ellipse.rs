@@ -81,10 +81,7 @@ struct Integrals {
 impl EllipseStress {
     /// That of a/b under a Poisson's ratio.
     pub fn of_ratio(ratio: f64, poisson_ratio: f64) -> Self {
-        Self {
-            b: ratio.recip(),
-            poisson_ratio,
-        }
+        Self { b: ratio.recip(), poisson_ratio }
     }
 
     /// b/a.
@@ -143,9 +140,7 @@ impl EllipseStress {
             root(i) - 2.0 * p[i] * p[i] * twice(i, i) - p[o] * p[o] * twice(i, o) - z * first[i]
         };
         let phi_xy = -x * y * twice(0, 1);
-        let f_iii = |i: usize| {
-            3.0 * p[i] * (second(i, i) - z * twice(i, i)) - p[i] * p[i] * p[i] * edge_twice(i)
-        };
+        let f_iii = |i: usize| 3.0 * p[i] * (second(i, i) - z * twice(i, i)) - p[i] * p[i] * p[i] * edge_twice(i);
         let f_iij = |i: usize| {
             let o = 1 - i;
             p[o] * (second(i, o) - z * twice(i, o)) - p[i] * p[i] * p[o] * edge(i)
@@ -155,18 +150,15 @@ impl EllipseStress {
             p[i] * (second(i, o) - z * twice(i, o) - p[o] * p[o] * edge(o))
         };
         let zphi_iii = |i: usize| {
-            -3.0 * p[i] * z * twice(i, i) - p[i] * p[i] * p[i] * edge_twice(i)
-                + p[i] * p[i] * by_place(i, i) * alpha(i)
+            -3.0 * p[i] * z * twice(i, i) - p[i] * p[i] * p[i] * edge_twice(i) + p[i] * p[i] * by_place(i, i) * alpha(i)
         };
         let zphi_iij = |i: usize| {
             let o = 1 - i;
-            -p[o] * z * twice(i, o) - p[i] * p[i] * p[o] * edge(i)
-                + p[i] * p[i] * by_place(o, i) * alpha(i)
+            -p[o] * z * twice(i, o) - p[i] * p[i] * p[o] * edge(i) + p[i] * p[i] * by_place(o, i) * alpha(i)
         };
         let zphi_ijj = |i: usize| {
             let o = 1 - i;
-            -p[i] * z * twice(i, o) - p[i] * p[o] * p[o] * edge(o)
-                + p[i] * p[o] * by_place(o, i) * alpha(o)
+            -p[i] * z * twice(i, o) - p[i] * p[o] * p[o] * edge(o) + p[i] * p[o] * by_place(o, i) * alpha(o)
         };
 
         let nu = self.poisson_ratio;
@@ -196,11 +188,7 @@ impl EllipseStress {
         let along = traction(0);
         let [yy, xx, zz, xy, zx, yz] = traction(1);
         let scaled = |stress: StressTensor| stress.map(|value| scale * value);
-        UnitStress {
-            normal: scaled(normal),
-            along: scaled(along),
-            across: scaled([xx, yy, zz, xy, yz, zx]),
-        }
+        UnitStress { normal: scaled(normal), along: scaled(along), across: scaled([xx, yy, zz, xy, yz, zx]) }
     }
 }
 
@@ -235,12 +223,7 @@ impl Integrals {
             let (base, per_s) = (1.0 - c * u, s.recip());
             let other = base.recip();
             let (square, twice) = (u * u, 2.0 * u);
-            let n = [
-                square * base,
-                square,
-                square * other,
-                square * other * other,
-            ];
+            let n = [square * base, square, square * other, square * other * other];
             let by_u = [
                 twice * base - c * square,
                 twice,
@@ -343,17 +326,10 @@ mod tests {
             let mut worst = 0.0_f64;
             for step in 0..8000 {
                 let at = |by: f64| (f64::from(step) * by).fract();
-                let place = [
-                    4.0 * at(0.618_033_988_7) - 2.0,
-                    4.0 * at(0.754_877_666_2) - 2.0,
-                    2.0 * at(0.569_840_290_9),
-                ];
+                let place =
+                    [4.0 * at(0.618_033_988_7) - 2.0, 4.0 * at(0.754_877_666_2) - 2.0, 2.0 * at(0.569_840_290_9)];
                 let (one, other) = (ellipse.at(place), ellipse.nearly_at(place));
-                for (one, other) in [
-                    (one.normal, other.normal),
-                    (one.along, other.along),
-                    (one.across, other.across),
-                ] {
+                for (one, other) in [(one.normal, other.normal), (one.along, other.along), (one.across, other.across)] {
                     for (one, other) in one.iter().zip(other) {
                         worst = worst.max((one - other).abs());
                     }

@@ -44,9 +44,7 @@ impl Field {
         // Stresses xy and zx turn over with x, xy and yz with y; all with a traction that does.
         let flip = |stress: &mut [f64; 6], sign: f64, shears: [usize; 2]| {
             stress.iter_mut().for_each(|part| *part *= sign);
-            shears
-                .into_iter()
-                .for_each(|part| stress[part] = -stress[part]);
+            shears.into_iter().for_each(|part| stress[part] = -stress[part]);
         };
         if x < 0.0 {
             flip(&mut unit.normal, 1.0, [3, 5]);

@@ -47,12 +47,7 @@ impl StressMaximum {
     ///
     /// Method: a grid, then closer and closer about the best point. At the
     /// surface over angles, for its stress has a root at the edge.
-    pub fn find(
-        ellipse: &EllipseStress,
-        traction: &Traction,
-        measure: StressMeasure,
-        depth: Depth,
-    ) -> Self {
+    pub fn find(ellipse: &EllipseStress, traction: &Traction, measure: StressMeasure, depth: Depth) -> Self {
         match depth {
             Depth::Surface => {
                 // x = sin α, y = cos α sin β: its root √(1 − x² − y²) is cos α cos β.
@@ -61,10 +56,7 @@ impl StressMaximum {
                     // The edge itself has no field; this close the root of what is left is 1e-6.
                     let inside = 1.0 - 1e-12;
                     let place = place.map(|value| inside * value);
-                    Self {
-                        value: measure.of(&traction.stress(ellipse, place)),
-                        place,
-                    }
+                    Self { value: measure.of(&traction.stress(ellipse, place)), place }
                 };
                 let quarter = std::f64::consts::FRAC_PI_2;
                 search(at, [[-quarter, quarter]; 2], [24, 12])
@@ -74,10 +66,7 @@ impl StressMaximum {
                 let (from, to) = (Self::FLOOR * smaller, 1.5 * smaller.sqrt());
                 let at = |[x, y, z]: [f64; 3]| {
                     let place = [x, y, z];
-                    Self {
-                        value: measure.of(&traction.stress(ellipse, place)),
-                        place,
-                    }
+                    Self { value: measure.of(&traction.stress(ellipse, place)), place }
                 };
                 search(at, [[-1.3, 1.3], [-0.9, 0.9], [from, to]], [14, 6, 10])
             }
@@ -105,11 +94,8 @@ fn search<const N: usize>(
             })
         })
     };
-    let step: [f64; N] =
-        std::array::from_fn(|axis| (bounds[axis][1] - bounds[axis][0]) / steps[axis] as f64);
-    let mut found: Vec<([f64; N], StressMaximum)> = grid(steps, bounds)
-        .map(|place| (place, at(place)))
-        .collect();
+    let step: [f64; N] = std::array::from_fn(|axis| (bounds[axis][1] - bounds[axis][0]) / steps[axis] as f64);
+    let mut found: Vec<([f64; N], StressMaximum)> = grid(steps, bounds).map(|place| (place, at(place))).collect();
     found.sort_by(|one, other| other.1.value.total_cmp(&one.1.value));
     let mut begun: Vec<([f64; N], StressMaximum)> = Vec::new();
     for start in found {
@@ -125,10 +111,7 @@ fn search<const N: usize>(
         for _ in 0..16 {
             let inside = std::array::from_fn(|axis| {
                 let [low, high] = bounds[axis];
-                [
-                    (best.0[axis] - half[axis]).max(low),
-                    (best.0[axis] + half[axis]).min(high),
-                ]
+                [(best.0[axis] - half[axis]).max(low), (best.0[axis] + half[axis]).min(high)]
             });
             for place in grid([4; N], inside) {
                 let found = at(place);
@@ -140,10 +123,7 @@ fn search<const N: usize>(
         }
     }
     let values = begun.into_iter().map(|(_, found)| found);
-    let least = StressMaximum {
-        value: 0.0,
-        place: [0.0; 3],
-    };
+    let least = StressMaximum { value: 0.0, place: [0.0; 3] };
     values.fold(least, |best, found| match found.value > best.value {
         true => found,
         false => best,
@@ -165,16 +145,10 @@ mod tests {
         };
         let below = of(0.0, Depth::Below);
         // Johnson gives two digits.
-        assert!(
-            (below.value - 0.62).abs() < 5e-3 && (below.place[2] - 0.48).abs() < 5e-3,
-            "{below:?}"
-        );
+        assert!((below.value - 0.62).abs() < 5e-3 && (below.place[2] - 0.48).abs() < 5e-3, "{below:?}");
         assert!(!below.is_at_floor(&ellipse) && !of(0.0, Depth::Surface).is_at_floor(&ellipse));
         let (surface, floor) = (of(0.6, Depth::Surface), of(0.6, Depth::Below));
-        assert!(
-            floor.is_at_floor(&ellipse) && floor.value < surface.value,
-            "{floor:?} {surface:?}"
-        );
+        assert!(floor.is_at_floor(&ellipse) && floor.value < surface.value, "{floor:?} {surface:?}");
         assert!(!surface.is_at_floor(&ellipse));
     }
 }

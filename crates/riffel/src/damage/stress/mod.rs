@@ -28,9 +28,7 @@ pub(super) fn elastic_limit(ratio: f64, poisson_ratio: f64, friction: f64) -> [f
     let at = largest(friction);
     // At the largest value its place does not count.
     let stress = ellipse.at(at.place);
-    let by_friction = StressMeasure::VonMises.slope(
-        &Traction::full_slip(friction, [1.0, 0.0]).stress(&ellipse, at.place),
-        &stress.along,
-    );
+    let by_friction = StressMeasure::VonMises
+        .slope(&Traction::full_slip(friction, [1.0, 0.0]).stress(&ellipse, at.place), &stress.along);
     [3f64.sqrt() / at.value, -by_friction / at.value]
 }

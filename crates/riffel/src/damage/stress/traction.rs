@@ -28,11 +28,7 @@ enum Stick {
 impl Traction {
     /// Full slip of a coefficient of friction; the direction is that of the force on the rail, forward in braking, of length one.
     pub fn full_slip(friction: f64, direction: [f64; 2]) -> Self {
-        Self {
-            friction,
-            direction,
-            stick: Stick::None,
-        }
+        Self { friction, direction, stick: Stick::None }
     }
 
     /// Partial slip at a tractive ratio Q/μP (Vermeulen & Johnson 1964): less μp₀ a′/a over a similar ellipse, a′/a = (1 − τ)^(1/3),
@@ -72,11 +68,7 @@ impl Traction {
             .collect();
         let size = half_space.element_size().map(|size| size / a);
         let stress = ElementStress::new(&lacking, size, hertz.material().poisson_ratio());
-        Self {
-            friction: half_space.friction(),
-            direction,
-            stick: Stick::Elements(Arc::new(stress)),
-        }
+        Self { friction: half_space.friction(), direction, stick: Stick::Elements(Arc::new(stress)) }
     }
 
     /// Stress over p₀ under pressure and traction, at x/a, y/b and z/a.
@@ -146,12 +138,7 @@ fn inner(c: f64, [x, y, z]: [f64; 3]) -> [f64; 3] {
     [(x - (1.0 - c)) / c, y / c, z / c]
 }
 
-fn less_elements(
-    stress: &mut StressTensor,
-    elements: &ElementStress,
-    ellipse: &EllipseStress,
-    [x, y, z]: [f64; 3],
-) {
+fn less_elements(stress: &mut StressTensor, elements: &ElementStress, ellipse: &EllipseStress, [x, y, z]: [f64; 3]) {
     let lacking = elements.at([x, y * ellipse.across_over_along(), z]);
     for (stress, lacking) in stress.iter_mut().zip(lacking) {
         *stress -= lacking;

@@ -11,8 +11,7 @@ use super::dominant::{MOST, harmonic};
 use super::{DominantWavelength, FineSpectrum};
 use crate::Error;
 use crate::roughness::{
-    BandPass, PIT_DEPTH, Profile, RailDefect, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
-    moving_rms,
+    BandPass, PIT_DEPTH, Profile, RailDefect, SpikeCriterion, WHEEL_RADIUS, WavelengthBand, moving_rms,
 };
 
 /// Length of the windows in which a dominant wavelength is looked for \[m\]: five segments of 10 m, of which nine
@@ -113,11 +112,7 @@ impl CleanRail {
         for stretch in &mut on_wheel {
             stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH);
         }
-        Self {
-            on_rail: stretches,
-            on_wheel,
-            defects: Vec::new(),
-        }
+        Self { on_rail: stretches, on_wheel, defects: Vec::new() }
     }
 
     /// The welds, joints and squats that were replaced by straight lines ([`Profile::bridge_defects`]), in order.
@@ -146,13 +141,9 @@ impl CleanRail {
     /// The spectrum between two positions \[m\]; None where less than half of that length was measured.
     pub fn spectrum_between(&self, from: f64, to: f64) -> Option<FineSpectrum> {
         let stretches = self.on_wheel.iter();
-        let parts: Vec<Profile> = stretches
-            .filter_map(|stretch| stretch.between(from, to))
-            .collect();
+        let parts: Vec<Profile> = stretches.filter_map(|stretch| stretch.between(from, to)).collect();
         let length: f64 = parts.iter().map(Profile::length).sum();
-        (length >= 0.5 * (to - from))
-            .then(|| FineSpectrum::of_record(&parts).ok())
-            .flatten()
+        (length >= 0.5 * (to - from)).then(|| FineSpectrum::of_record(&parts).ok()).flatten()
     }
 
     /// The wavelengths that stand out, along the whole rail or on a part of it; the most prominent first, six at
@@ -205,29 +196,20 @@ impl CleanRail {
             let part = |of: &[Profile]| {
                 let profile = &of[stretch];
                 let heights = profile.heights()[samples.clone()].to_vec();
-                let part =
-                    Profile::new(profile.position(samples.start), profile.spacing(), heights);
+                let part = Profile::new(profile.position(samples.start), profile.spacing(), heights);
                 part.and_then(|part| FineSpectrum::of_record(&[part])).ok()
             };
             // The rail itself is looked at where the wheel sees something.
-            let wheel =
-                part(&self.on_wheel).filter(|wheel| !wheel.dominant_among(count).is_empty());
+            let wheel = part(&self.on_wheel).filter(|wheel| !wheel.dominant_among(count).is_empty());
             let both = wheel.and_then(|wheel| Some(on_both(&part(&self.on_rail)?, &wheel, count)));
             let samples = samples.clone();
-            both.unwrap_or_default().into_iter().map(move |peak| Seed {
-                peak,
-                stretch,
-                samples: samples.clone(),
-            })
+            both.unwrap_or_default().into_iter().map(move |peak| Seed { peak, stretch, samples: samples.clone() })
         });
         let mut seeds: Vec<Seed> = seeds.collect();
         seeds.sort_by(|a, b| b.peak.prominence.total_cmp(&a.peak.prominence));
         let mut groups: Vec<Vec<Seed>> = Vec::new();
         for seed in seeds {
-            match groups
-                .iter_mut()
-                .find(|group| overlap(&group[0].peak, &seed.peak))
-            {
+            match groups.iter_mut().find(|group| overlap(&group[0].peak, &seed.peak)) {
                 Some(group) => group.push(seed),
                 None => groups.push(vec![seed]),
             }
@@ -296,10 +278,7 @@ impl CleanRail {
             .filter(|(stretch, samples)| lasts(&filtered_rails[*stretch][samples.clone()], wave))
             .map(|(stretch, samples)| {
                 let profile = &self.on_wheel[stretch];
-                let (from, to) = (
-                    profile.position(samples.start),
-                    profile.position(samples.end),
-                );
+                let (from, to) = (profile.position(samples.start), profile.position(samples.end));
                 let level = self.level(from, to, peak);
                 Place { from, to, level }
             })
@@ -313,10 +292,7 @@ impl CleanRail {
         let spectrum = self.spectrum_between(from, to);
         spectrum.map_or(f64::NEG_INFINITY, |spectrum| {
             let own = peak_near(&spectrum, peak);
-            own.map_or_else(
-                || spectrum.level_between(peak.from, peak.to).0,
-                |own| own.level,
-            )
+            own.map_or_else(|| spectrum.level_between(peak.from, peak.to).0, |own| own.level)
         })
     }
 
@@ -334,11 +310,7 @@ impl CleanRail {
             let first = self.on_wheel.first()?;
             let last = self.on_wheel.last()?;
             return Some(LocatedWavelength {
-                places: vec![Place {
-                    from: first.start(),
-                    to: last.start() + last.length(),
-                    level: along.level,
-                }],
+                places: vec![Place { from: first.start(), to: last.start() + last.length(), level: along.level }],
                 peak: along,
                 all_along: true,
             });
@@ -393,9 +365,7 @@ fn smoothed(heights: &[f64], window: usize) -> Vec<f64> {
     let window = window.clamp(1, heights.len());
     let rms = moving_rms(heights, window);
     let before = (window - 1) / 2;
-    (0..heights.len())
-        .map(|index| rms[index.saturating_sub(before).min(rms.len() - 1)].powi(2))
-        .collect()
+    (0..heights.len()).map(|index| rms[index.saturating_sub(before).min(rms.len() - 1)].powi(2)).collect()
 }
 
 /// Whether a filtered wave lasts over a place, or for twenty waves: moving power over three waves against its mean. `wave` is its length
@@ -413,9 +383,7 @@ fn mean(values: &[f64]) -> f64 {
 
 fn highest(values: &[f64]) -> usize {
     let places = 0..values.len();
-    places
-        .max_by(|&a, &b| values[a].total_cmp(&values[b]))
-        .unwrap_or(0)
+    places.max_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0)
 }
 
 /// The samples around a highest one on which the power is more than half of its mean over all of them.
@@ -426,10 +394,7 @@ fn around(power: &[f64], at: usize) -> Range<usize> {
     for _ in 0..ROUNDS {
         let low = |value: &f64| *value < 0.5 * mean;
         let from = power[..at].iter().rposition(low).map_or(0, |low| low + 1);
-        let to = power[at..]
-            .iter()
-            .position(low)
-            .map_or(power.len(), |low| at + low.max(1));
+        let to = power[at..].iter().position(low).map_or(power.len(), |low| at + low.max(1));
         if place == (from..to) {
             break;
         }
@@ -445,10 +410,7 @@ fn runs(power: &[f64], window: Range<usize>, enough: f64) -> Vec<Range<usize>> {
     let mut runs = Vec::new();
     let mut next = window.start;
     while let Some(at) = (next..window.end).find(|&at| !is_low(&power[at])) {
-        let from = power[..at]
-            .iter()
-            .rposition(is_low)
-            .map_or(0, |low| low + 1);
+        let from = power[..at].iter().rposition(is_low).map_or(0, |low| low + 1);
         let low = power[at..].iter().position(is_low);
         let to = low.map_or(power.len(), |low| at + low);
         runs.push(from..to);

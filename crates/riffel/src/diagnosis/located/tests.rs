@@ -9,20 +9,9 @@ fn rail(length: f64, seed: u64, waves: &[(f64, f64, f64, f64)]) -> CleanRail {
         seed,
         sinusoids: waves
             .iter()
-            .map(|&(wavelength, amplitude, from, to)| Sinusoid {
-                wavelength,
-                amplitude,
-                phase: 0.3,
-                from,
-                to,
-            })
+            .map(|&(wavelength, amplitude, from, to)| Sinusoid { wavelength, amplitude, phase: 0.3, from, to })
             .collect(),
-        noise: Some(ColouredNoise {
-            level: -10.0,
-            wavelength: 0.1,
-            slope: 10.0,
-            longest: 3.0,
-        }),
+        noise: Some(ColouredNoise { level: -10.0, wavelength: 0.1, slope: 10.0, longest: 3.0 }),
         ..Recipe::default()
     };
     let profile = Profile::new(5000.0, 2e-3, recipe.heights().unwrap()).unwrap();
@@ -33,9 +22,7 @@ fn rail(length: f64, seed: u64, waves: &[(f64, f64, f64, f64)]) -> CleanRail {
 /// dB of the level, and noise and the window take 0.3 dB.
 #[test]
 fn a_local_corrugation_is_found_with_its_level_and_place() {
-    let found = rail(2000.0, 1, &[(0.0559, 7.77e-6, 1213.0, 1253.0)])
-        .dominant()
-        .unwrap();
+    let found = rail(2000.0, 1, &[(0.0559, 7.77e-6, 1213.0, 1253.0)]).dominant().unwrap();
     assert_eq!(found.len(), 1, "{found:?}");
     let one = &found[0];
     assert!(!one.all_along && one.places.len() == 1, "{one:?}");
@@ -43,26 +30,16 @@ fn a_local_corrugation_is_found_with_its_level_and_place() {
     let expected = 10.0 * (7.77f64.powi(2) / 2.0).log10();
     assert!((one.peak.level - expected).abs() < 0.4, "{one:?}");
     let place = one.places[0];
-    assert!(
-        (place.from - 6213.0).abs() < 1.0 && (place.to - 6253.0).abs() < 1.0,
-        "{one:?}"
-    );
+    assert!((place.from - 6213.0).abs() < 1.0 && (place.to - 6253.0).abs() < 1.0, "{one:?}");
 }
 
 /// Two places of one wavelength, and another wavelength all along.
 #[test]
 fn places_are_told_from_what_is_everywhere() {
-    let found = rail(
-        600.0,
-        2,
-        &[
-            (0.0559, 8e-6, 100.0, 130.0),
-            (0.0559, 4e-6, 400.0, 460.0),
-            (0.0312, 3e-6, 0.0, 600.0),
-        ],
-    )
-    .dominant()
-    .unwrap();
+    let found =
+        rail(600.0, 2, &[(0.0559, 8e-6, 100.0, 130.0), (0.0559, 4e-6, 400.0, 460.0), (0.0312, 3e-6, 0.0, 600.0)])
+            .dominant()
+            .unwrap();
     assert_eq!(found.len(), 2, "{found:?}");
     let near = |wavelength: f64| {
         let near = |one: &&LocatedWavelength| (one.peak.wavelength / wavelength - 1.0).abs() < 0.01;
@@ -70,17 +47,10 @@ fn places_are_told_from_what_is_everywhere() {
     };
     let local = near(0.0559);
     assert_eq!(local.places.len(), 2, "{local:?}");
-    for (place, (from, to, amplitude)) in local
-        .places
-        .iter()
-        .zip([(5100.0, 5130.0, 8.0f64), (5400.0, 5460.0, 4.0)])
-    {
+    for (place, (from, to, amplitude)) in local.places.iter().zip([(5100.0, 5130.0, 8.0f64), (5400.0, 5460.0, 4.0)]) {
         let level = 10.0 * (amplitude.powi(2) / 2.0).log10();
         assert!((place.level - level).abs() < 0.5, "{local:?}");
-        assert!(
-            (place.from - from).abs() < 1.0 && (place.to - to).abs() < 1.0,
-            "{local:?}"
-        );
+        assert!((place.from - from).abs() < 1.0 && (place.to - to).abs() < 1.0, "{local:?}");
     }
     let everywhere = near(0.0312);
     assert!(everywhere.all_along, "{everywhere:?}");
@@ -115,16 +85,11 @@ fn a_harmonic_that_the_wheel_makes_is_no_finding() {
 /// Two thirds of a rail are no whole: the place is told, with the level there.
 #[test]
 fn a_wave_on_two_thirds_is_not_all_along() {
-    let found = rail(200.0, 6, &[(0.06, 8e-6, 20.0, 150.0)])
-        .dominant()
-        .unwrap();
+    let found = rail(200.0, 6, &[(0.06, 8e-6, 20.0, 150.0)]).dominant().unwrap();
     let one = &found[0];
     assert!(!one.all_along, "{found:?}");
     let (place, level) = (one.places[0], 10.0 * 32f64.log10());
-    assert!(
-        (place.from - 5020.0).abs() < 1.0 && (place.to - 5150.0).abs() < 1.0,
-        "{one:?}"
-    );
+    assert!((place.from - 5020.0).abs() < 1.0 && (place.to - 5150.0).abs() < 1.0, "{one:?}");
     assert!((place.level - level).abs() < 0.5, "{one:?}");
 }
 
@@ -159,22 +124,14 @@ fn welds_are_no_wave() {
 /// the corrugation, all along or on a third, or there is none.
 #[test]
 fn dips_make_no_wavelength() {
-    for (seed, length, count) in [
-        (11, 60.0, 1),
-        (12, 120.0, 2),
-        (13, 250.0, 5),
-        (14, 120.0, 12),
-    ] {
+    for (seed, length, count) in [(11, 60.0, 1), (12, 120.0, 2), (13, 250.0, 5), (14, 120.0, 12)] {
         for (amplitude, from, to) in [(0.0, 0.0, 1.0), (4e-6, 0.0, 1.0), (15e-6, 0.5, 0.83)] {
             let waves = (0.047, amplitude, from * length, to * length);
             let profile = rail(length, seed, &[waves]).on_rail.swap_remove(0);
             let mut heights = profile.heights().to_vec();
             for dip in 0..count {
                 let share = f64::from(dip) / f64::from(count);
-                let (at, long) = (
-                    length * (share + 0.31 / f64::from(count)),
-                    0.05 + 0.25 * share,
-                );
+                let (at, long) = (length * (share + 0.31 / f64::from(count)), 0.05 + 0.25 * share);
                 for (index, height) in heights.iter_mut().enumerate() {
                     let u = (index as f64 * 2e-3 - at) / long;
                     let shape = (1.0 - 2.0 * u.abs()).max(0.0);
@@ -217,9 +174,8 @@ fn corrugation_in_bursts_is_found() {
         }
         let one = &found[0];
         assert!((one.peak.wavelength / 0.05 - 1.0).abs() < 0.01, "{one:?}");
-        let (from, to) = (one.places.iter()).fold((f64::MAX, 0.0), |(from, to), place| {
-            (f64::min(from, place.from), f64::max(to, place.to))
-        });
+        let (from, to) = (one.places.iter())
+            .fold((f64::MAX, 0.0), |(from, to), place| (f64::min(from, place.from), f64::max(to, place.to)));
         assert!((from - 5060.0).abs() < 3.0, "{one:?}");
         let end = 5060.0 + apart * f64::from(bursts);
         assert!((to - end).abs() < 5.0, "{one:?}");
@@ -229,42 +185,27 @@ fn corrugation_in_bursts_is_found() {
 /// A rail too short for windows tells the place as well.
 #[test]
 fn a_short_rail_has_places() {
-    let found = rail(80.0, 3, &[(0.05, 10e-6, 20.0, 32.0)])
-        .dominant()
-        .unwrap();
+    let found = rail(80.0, 3, &[(0.05, 10e-6, 20.0, 32.0)]).dominant().unwrap();
     let one = &found[0];
     assert!(!one.all_along, "{found:?}");
     let place = one.places[0];
-    assert!(
-        (place.from - 5020.0).abs() < 1.0 && (place.to - 5032.0).abs() < 1.0,
-        "{one:?}"
-    );
+    assert!((place.from - 5020.0).abs() < 1.0 && (place.to - 5032.0).abs() < 1.0, "{one:?}");
 }
 
 /// Windows ask many times, and answer by chance no more often than one spectrum does.
 #[test]
 fn noise_has_no_place() {
-    let found: usize = (0..10)
-        .map(|seed| rail(1000.0, 100 + seed, &[]).dominant().unwrap().len())
-        .sum();
+    let found: usize = (0..10).map(|seed| rail(1000.0, 100 + seed, &[]).dominant().unwrap().len()).sum();
     assert_eq!(found, 0);
 }
 
 /// Power of one over ten, smoothed over two, falls to half at its ends.
 #[test]
 fn a_place_ends_where_the_power_is_halved() {
-    let heights: Vec<f64> = (0..100)
-        .map(|index| if (40..60).contains(&index) { 1.0 } else { 0.0 })
-        .collect();
+    let heights: Vec<f64> = (0..100).map(|index| if (40..60).contains(&index) { 1.0 } else { 0.0 }).collect();
     let power = smoothed(&heights, 5);
     let place = around(&power, highest(&power));
     assert_eq!(place, 40..60);
-    assert_eq!(
-        runs(&[1.0, 2.0, 0.0, 3.0, 0.0, 1.0], 1..5, 1.0),
-        [0..2, 3..4]
-    );
-    assert_eq!(
-        joined(vec![(0, 70..80), (0, 40..60), (1, 0..5)], 10),
-        [(0, 40..80), (1, 0..5)]
-    );
+    assert_eq!(runs(&[1.0, 2.0, 0.0, 3.0, 0.0, 1.0], 1..5, 1.0), [0..2, 3..4]);
+    assert_eq!(joined(vec![(0, 70..80), (0, 40..60), (1, 0..5)], 10), [(0, 40..80), (1, 0..5)]);
 }

@@ -65,16 +65,12 @@ impl System {
         let size = unknowns * count;
         let rolls = of.contacts.iter().any(Contact::rolls);
         let rolling: Vec<(f64, Rail)> = match rolls {
-            true => (of.contacts.iter())
-                .map(|contact| (of.position + contact.along, contact.rail))
-                .collect(),
+            true => (of.contacts.iter()).map(|contact| (of.position + contact.along, contact.rail)).collect(),
             false => Vec::new(),
         };
         let places = |from: f64| -> Vec<Place> {
             let places = of.contacts.iter();
-            places
-                .flat_map(|contact| contact.places(from + contact.along))
-                .collect()
+            places.flat_map(|contact| contact.places(from + contact.along)).collect()
         };
         let mut wheelsets: Vec<f64> = Vec::new();
         let excitation = of.contacts.iter().map(|contact| match of.comb {
@@ -90,8 +86,7 @@ impl System {
         let excitation: Vec<usize> = excitation.collect();
         let columns = 1 + excitation.iter().max().copied().unwrap_or(0);
         let force_shares = of.contacts.iter();
-        let force_shares =
-            force_shares.flat_map(|contact| [0, 1, NORMAL].map(|axis| contact.force_share(axis)));
+        let force_shares = force_shares.flat_map(|contact| [0, 1, NORMAL].map(|axis| contact.force_share(axis)));
         Self {
             arch,
             lanes,
@@ -105,9 +100,7 @@ impl System {
             wheels: vec![Complex64::ZERO; places_count * places_count],
             receptances: vec![0.0; 2 * size * size * lanes],
             equations: Equations::new(size, columns, lanes),
-            hubs: (of.contacts.iter())
-                .map(|contact| (contact.along, contact.rail))
-                .collect(),
+            hubs: (of.contacts.iter()).map(|contact| (contact.along, contact.rail)).collect(),
             direction: (of.hubs.as_ref()).map(|_| vec![0.0; 2 * count * columns * lanes]),
             excitation,
             creepages: vec![0.0; 2 * 2 * of.contacts.len() * lanes],
@@ -151,13 +144,7 @@ impl System {
     }
 
     /// The same with all damage whose rate depends on the amplitude, at the wavelength \[m\] of the lane.
-    pub(crate) fn equivalent(
-        &mut self,
-        of: &Loop,
-        wavelength: f64,
-        speed: f64,
-        lane: usize,
-    ) -> Complex64 {
+    pub(crate) fn equivalent(&mut self, of: &Loop, wavelength: f64, speed: f64, lane: usize) -> Complex64 {
         let mut sum = self.normalized_dissipation(lane);
         if !of.depends_on_amplitude() {
             return sum;
@@ -181,12 +168,7 @@ impl System {
 
     /// The determinant of the equations at an angular frequency \[rad/s\] and a speed \[m/s\], over that of the
     /// normal forces alone on rails and wheels without friction.
-    pub(super) fn determinant(
-        &mut self,
-        of: &Loop,
-        angular_frequency: f64,
-        speed: f64,
-    ) -> Complex64 {
+    pub(super) fn determinant(&mut self, of: &Loop, angular_frequency: f64, speed: f64) -> Complex64 {
         let answers = self.answers(of, &[2.0 * PI * speed / angular_frequency]);
         self.turn(of, &answers, speed);
         let whole = self.equations.determinant(0);
@@ -209,10 +191,8 @@ impl System {
 
     /// Receptances of track and wheels in the axes of the track.
     pub(super) fn receptances(&mut self, of: &Loop, angular_frequency: f64, speed: f64) {
-        of.track
-            .receptance_matrix(angular_frequency, speed, &self.on_track, &mut self.track);
-        of.wheels
-            .receptance_matrix(angular_frequency, speed, &self.on_wheels, &mut self.wheels);
+        of.track.receptance_matrix(angular_frequency, speed, &self.on_track, &mut self.track);
+        of.wheels.receptance_matrix(angular_frequency, speed, &self.on_wheels, &mut self.wheels);
         if !self.rolling.is_empty() {
             let track = &of.track;
             track.roll_matrix(angular_frequency, speed, &self.rolling, &mut self.rolls);
@@ -236,8 +216,7 @@ impl System {
                     let profile = of.amplitude * source.profile * source.phase(wavenumber);
                     let load = source.rolling.steady().normal_force;
                     let along = self.track[3 * to * size + 3 * from] + of_hubs[to * count + from];
-                    slips[self.excitation[from]] +=
-                        wavenumber * wavenumber * load * along * profile;
+                    slips[self.excitation[from]] += wavenumber * wavenumber * load * along * profile;
                 }
             }
             for (column, slip) in slips.into_iter().enumerate() {
@@ -274,10 +253,7 @@ impl System {
     fn gather_forces(&mut self, lane: usize) {
         let (lanes, size) = (self.lanes, self.size());
         let rows = self.receptances.chunks_exact_mut(2 * lanes * size);
-        let ours = self
-            .track
-            .chunks_exact(size)
-            .zip(self.wheels.chunks_exact(size));
+        let ours = self.track.chunks_exact(size).zip(self.wheels.chunks_exact(size));
         for (row, (track, wheels)) in rows.zip(ours) {
             let entries = row.chunks_exact_mut(2 * lanes).zip(&self.force_shares);
             for ((entry, share), (track, wheels)) in entries.zip(track.iter().zip(wheels)) {
@@ -349,10 +325,8 @@ impl System {
             let unknown = self.unknowns * index + axis;
             self.equations.unknown_of_lane(unknown, column, lane)
         };
-        let mut force: [Complex64; 3] =
-            std::array::from_fn(|axis| contact.force_share(axis) * of_unknown(axis));
-        let [along, across] =
-            [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, lane));
+        let mut force: [Complex64; 3] = std::array::from_fn(|axis| contact.force_share(axis) * of_unknown(axis));
+        let [along, across] = [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, lane));
         let wavenumber = 2.0 * PI / wavelength;
         let (mut creepage, mut spin) = ([along, across], Complex64::ZERO);
         let mut shift = Complex64::ZERO;
@@ -370,14 +344,7 @@ impl System {
             force[NORMAL] -= by_shift.normal_force * on_wheel;
         }
         let phase = contact.phase(wavenumber);
-        Moved {
-            force,
-            creepage,
-            spin,
-            shift,
-            phase,
-            profile: of.amplitude * contact.profile * phase,
-        }
+        Moved { force, creepage, spin, shift, phase, profile: of.amplitude * contact.profile * phase }
     }
 
     /// A contact as the equations solved leave it at the wavelength \[m\] of the first lane.
@@ -391,14 +358,7 @@ impl System {
         let receptance = self.track[(3 * index + NORMAL) * (self.size() + 1)];
         let oscillation = moved.oscillation(&derivatives, receptance, wavelength);
         let damage = contact.damage_state(&oscillation, moved.force, under);
-        let Moved {
-            force,
-            mut creepage,
-            mut spin,
-            shift,
-            phase,
-            profile,
-        } = moved;
+        let Moved { force, mut creepage, mut spin, shift, phase, profile } = moved;
         let wave = contact.wave_state(wavelength, profile);
         if let Some(wave) = wave {
             for (creepage, of_wave) in creepage.iter_mut().zip(wave.creepage) {
@@ -429,13 +389,7 @@ impl System {
     }
 
     /// Normal force P₁ \[N\] of a contact as the equations solved leave it at the wavelength of a lane.
-    pub(crate) fn normal_force(
-        &self,
-        of: &Loop,
-        index: usize,
-        wavelength: f64,
-        lane: usize,
-    ) -> Complex64 {
+    pub(crate) fn normal_force(&self, of: &Loop, index: usize, wavelength: f64, lane: usize) -> Complex64 {
         let contact = &of.contacts[index];
         let column = self.excitation[index];
         let of_unknown = |axis: usize| {
@@ -473,11 +427,8 @@ impl System {
 
     /// Receptance matrices of track and wheel at the first contact and the point asked last.
     pub(super) fn at_first(&self) -> [[[Complex64; 3]; 3]; 2] {
-        [&self.track, &self.wheels].map(|matrix| {
-            std::array::from_fn(|row| {
-                std::array::from_fn(|column| matrix[row * self.size() + column])
-            })
-        })
+        [&self.track, &self.wheels]
+            .map(|matrix| std::array::from_fn(|row| std::array::from_fn(|column| matrix[row * self.size() + column])))
     }
 
     /// A number of those that lie by lanes.

@@ -40,12 +40,7 @@ impl Moved {
     }
 
     /// What laws of damage take.
-    pub(super) fn oscillation(
-        &self,
-        of: &Derivatives,
-        receptance: Complex64,
-        wavelength: f64,
-    ) -> Oscillation {
+    pub(super) fn oscillation(&self, of: &Derivatives, receptance: Complex64, wavelength: f64) -> Oscillation {
         Oscillation {
             demand: self.sum(of, |by| by.demand),
             wear: self.sum(of, |by| by.at_rail),

@@ -36,28 +36,16 @@ impl TrafficGrowth {
     /// bands.
     pub fn new(bands: Vec<ThirdOctave>, mut vehicles: Vec<VehicleGrowth>) -> Result<Self, Error> {
         let lines = LINES_PER_BAND * bands.len();
-        let wrong = |quantity, value: usize, rule| Error::OutOfRange {
-            quantity,
-            value: value as f64,
-            unit: "",
-            rule,
-        };
+        let wrong = |quantity, value: usize, rule| Error::OutOfRange { quantity, value: value as f64, unit: "", rule };
         if bands.is_empty() {
             return Err(wrong("number of bands", 0, "must be one or more"));
         }
         if vehicles.is_empty() {
             return Err(wrong("number of vehicles", 0, "must be one or more"));
         }
-        if let Some(other) = vehicles
-            .iter()
-            .find(|vehicle| vehicle.growth.rates.len() != lines)
-        {
+        if let Some(other) = vehicles.iter().find(|vehicle| vehicle.growth.rates.len() != lines) {
             let count = other.growth.rates.len();
-            return Err(wrong(
-                "number of lines of a vehicle",
-                count,
-                "must be that of the bands",
-            ));
+            return Err(wrong("number of lines of a vehicle", count, "must be that of the bands"));
         }
         let sum: f64 = vehicles.iter().map(|vehicle| vehicle.share).sum();
         Error::unless_positive("sum of the shares of the axle passages", sum, "")?;
@@ -65,17 +53,10 @@ impl TrafficGrowth {
             vehicle.share /= sum;
         }
         let rate = |line: usize| {
-            let rates = vehicles
-                .iter()
-                .map(|vehicle| vehicle.share * vehicle.growth.rates[line]);
+            let rates = vehicles.iter().map(|vehicle| vehicle.share * vehicle.growth.rates[line]);
             rates.sum()
         };
-        Ok(Self {
-            rates: (0..lines).map(rate).collect(),
-            bands,
-            vehicles,
-            measured: Vec::new(),
-        })
+        Ok(Self { rates: (0..lines).map(rate).collect(), bands, vehicles, measured: Vec::new() })
     }
 
     /// The traffic where each band that was measured grows as it did, in place of what the model says; times of the growth are axle
@@ -122,22 +103,17 @@ impl TrafficGrowth {
     pub fn fastest(&self, shortest: f64) -> Option<(f64, f64, bool)> {
         let lines = self.wavelengths();
         let courses = self.vehicles.iter();
-        let courses: Vec<(f64, GrowthCourse)> = courses
-            .map(|vehicle| (vehicle.share, vehicle.course_over(&lines)))
-            .collect();
+        let courses: Vec<(f64, GrowthCourse)> =
+            courses.map(|vehicle| (vehicle.share, vehicle.course_over(&lines))).collect();
         let inside = |wavelength: &&f64| **wavelength >= shortest;
         let places = courses.iter().flat_map(|(_, course)| &course.wavelengths);
         let mut places: Vec<f64> = places.filter(inside).copied().collect();
         places.sort_by(f64::total_cmp);
         let rate = |wavelength: f64| {
             let rates = courses.iter();
-            rates
-                .map(|(share, course)| share * course.at(wavelength))
-                .sum::<f64>()
+            rates.map(|(share, course)| share * course.at(wavelength)).sum::<f64>()
         };
-        let rates = places
-            .iter()
-            .map(|&wavelength| (wavelength, rate(wavelength)));
+        let rates = places.iter().map(|&wavelength| (wavelength, rate(wavelength)));
         let (wavelength, rate) = rates.max_by(|a, b| a.1.total_cmp(&b.1))?;
         let at_edge = [places.first(), places.last()].contains(&Some(&wavelength));
         Some((wavelength, rate, at_edge))
@@ -171,15 +147,11 @@ impl TrafficGrowth {
         let rates = rates.map(|(index, (amplitude, _))| {
             let mean = lines_of(band).map(|line| {
                 let rates = self.vehicles.iter();
-                rates
-                    .map(|vehicle| vehicle.share * vehicle.rate_at(index, line))
-                    .sum()
+                rates.map(|vehicle| vehicle.share * vehicle.rate_at(index, line)).sum()
             });
             (*amplitude, mean.collect())
         });
-        Some(RatesByAmplitude {
-            rates: rates.collect(),
-        })
+        Some(RatesByAmplitude { rates: rates.collect() })
     }
 
     /// Wheels under which a band of the loop, by its place, flows and hardens.

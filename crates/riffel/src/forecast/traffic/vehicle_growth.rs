@@ -69,9 +69,7 @@ impl VehicleGrowth {
         let far = |state: &&(f64, &[(Loop, f64)])| (state.0 - speeds.mean()).abs();
         let nearest = states.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
         let places = nearest.map_or(&[][..], |state| state.1);
-        let wheel_load = places
-            .first()
-            .map_or(0.0, |(feedback, _)| feedback.steady().normal_force);
+        let wheel_load = places.first().map_or(0.0, |(feedback, _)| feedback.steady().normal_force);
         Error::unless_positive("wheel load", wheel_load, "N")?;
         let depths = places.iter();
         let depths = depths.map(|(feedback, weight)| weight * feedback.mean_wear().depth);
@@ -81,16 +79,12 @@ impl VehicleGrowth {
             None => rates_by_amplitude(states, &lines, &speeds)?,
             Some(_) => {
                 let others = states.iter().map(|(speed, places)| {
-                    let places = places.iter().map(|(feedback, weight)| {
-                        (feedback.clone().without_flow_that_hardens(), *weight)
-                    });
+                    let places =
+                        places.iter().map(|(feedback, weight)| (feedback.clone().without_flow_that_hardens(), *weight));
                     (*speed, places.collect::<Vec<_>>())
                 });
                 let others: Vec<_> = others.collect();
-                let others: Vec<_> = others
-                    .iter()
-                    .map(|(at, places)| (*at, &places[..]))
-                    .collect();
+                let others: Vec<_> = others.iter().map(|(at, places)| (*at, &places[..])).collect();
                 let rates = rates_by_amplitude(&others, &lines, &speeds)?;
                 match rates.is_empty() {
                     true => vec![(1.0, MeanGrowth::between(&others, &lines, &speeds).rates)],
@@ -107,9 +101,7 @@ impl VehicleGrowth {
             by_amplitude,
             hardening: hardening.into_iter().collect(),
             cracks: Cracks::of(states, bands, &speeds),
-            bounded_by_wear: places
-                .iter()
-                .all(|(feedback, _)| feedback.mean_wear().bounds_growth),
+            bounded_by_wear: places.iter().all(|(feedback, _)| feedback.mean_wear().bounds_growth),
             speeds,
             course: None,
         })
@@ -118,16 +110,13 @@ impl VehicleGrowth {
     /// The vehicle with its narrow lines of growth over a window of wavelengths, where it runs at no more than
     /// [`FEW`](Self::FEW) speeds. `places` as in [`MeanGrowth::compute`].
     pub fn with_course(mut self, places: &[(Loop, f64)], window: Axis) -> Self {
-        let few = self
-            .speeds
-            .listed()
-            .filter(|speeds| speeds.len() <= Self::FEW);
+        let few = self.speeds.listed().filter(|speeds| speeds.len() <= Self::FEW);
         self.course = few.map(|speeds| {
             GrowthCourse::of(window, |wavelength| {
                 let of = |(speed, share): &(f64, f64)| {
-                    let rates = places.iter().map(|(feedback, weight)| {
-                        weight * feedback.complex_growth_rate(wavelength, *speed).re
-                    });
+                    let rates = places
+                        .iter()
+                        .map(|(feedback, weight)| weight * feedback.complex_growth_rate(wavelength, *speed).re);
                     share * rates.sum::<f64>()
                 };
                 speeds.iter().map(of).sum()
@@ -138,10 +127,7 @@ impl VehicleGrowth {
 
     /// Its course with the lines \[m\] beside the window of that; the lines alone where it has none.
     pub(super) fn course_over(&self, lines: &[f64]) -> GrowthCourse {
-        let mut over = GrowthCourse {
-            wavelengths: Vec::new(),
-            rates: Vec::new(),
-        };
+        let mut over = GrowthCourse { wavelengths: Vec::new(), rates: Vec::new() };
         let mut add = |wavelengths: &[f64], rates: &[f64]| {
             over.wavelengths.extend(wavelengths);
             over.rates.extend(rates);
@@ -184,21 +170,16 @@ impl VehicleGrowth {
             Error::unless_positive("share of a part of a vehicle", *part, "")?;
             *part /= sum;
         }
-        let mean_of = |value: &dyn Fn(&Self) -> f64| -> f64 {
-            parts.iter().map(|(part, it)| part * value(it)).sum()
-        };
+        let mean_of = |value: &dyn Fn(&Self) -> f64| -> f64 { parts.iter().map(|(part, it)| part * value(it)).sum() };
         let wheel_load = mean_of(&|it| it.wheel_load);
         let lines = parts.first().map_or(0, |part| part.1.growth.rates.len());
         let force = |line: usize| {
-            let ratios = parts
-                .iter()
-                .map(|(_, it)| it.growth.squared_force_per_amplitude[line] / it.wheel_load.powi(2));
+            let ratios =
+                parts.iter().map(|(_, it)| it.growth.squared_force_per_amplitude[line] / it.wheel_load.powi(2));
             ratios.fold(0.0, f64::max) * wheel_load.powi(2)
         };
         let growth = MeanGrowth {
-            rates: (0..lines)
-                .map(|line| mean_of(&|it| it.growth.rates[line]))
-                .collect(),
+            rates: (0..lines).map(|line| mean_of(&|it| it.growth.rates[line])).collect(),
             squared_force_per_amplitude: (0..lines).map(force).collect(),
             rate_error: mean_of(&|it| it.growth.rate_error),
             speeds: parts.iter().map(|part| part.1.growth.speeds).sum(),
@@ -220,12 +201,7 @@ impl VehicleGrowth {
         let hardening = hardening.collect();
         let cracks = Cracks::mean(parts.iter().map(|(part, it)| (*part, it.cracks.as_ref())));
         if let [(_, alone)] = &mut parts[..] {
-            return Ok(Self {
-                name: name.to_owned(),
-                share,
-                speeds,
-                ..alone.clone()
-            });
+            return Ok(Self { name: name.to_owned(), share, speeds, ..alone.clone() });
         }
         Ok(Self {
             name: name.to_owned(),
@@ -320,16 +296,12 @@ pub(super) fn rates_by_amplitude(
     let at = |step: u32| {
         let amplitude = FIRST * 10f64.powf(f64::from(step) / 10.0);
         let states = states.iter().map(|(speed, places)| {
-            let places = places.iter().map(|(feedback, weight)| {
-                Ok((feedback.clone().with_amplitude(amplitude)?, *weight))
-            });
+            let places =
+                places.iter().map(|(feedback, weight)| Ok((feedback.clone().with_amplitude(amplitude)?, *weight)));
             Ok((*speed, places.collect::<Result<Vec<_>, Error>>()?))
         });
         let states = states.collect::<Result<Vec<_>, Error>>()?;
-        let states: Vec<_> = states
-            .iter()
-            .map(|(at, places)| (*at, &places[..]))
-            .collect();
+        let states: Vec<_> = states.iter().map(|(at, places)| (*at, &places[..])).collect();
         Ok((amplitude, MeanGrowth::between(&states, lines, speeds).rates))
     };
     (0..=STEPS).map(at).collect()

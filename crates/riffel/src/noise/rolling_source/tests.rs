@@ -12,20 +12,12 @@ const SPACING: f64 = 0.6;
 
 fn rail() -> Beam {
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
-    EulerBernoulliBeam::new(steel, 3.038e-5, 60.2)
-        .unwrap()
-        .into()
+    EulerBernoulliBeam::new(steel, 3.038e-5, 60.2).unwrap().into()
 }
 
 fn support(pad: f64) -> Support {
-    let pad = Layer::new(pad, 0.0)
-        .unwrap()
-        .with_loss_factor(0.25)
-        .unwrap();
-    let ballast = Layer::new(50e6, 0.0)
-        .unwrap()
-        .with_loss_factor(1.0)
-        .unwrap();
+    let pad = Layer::new(pad, 0.0).unwrap().with_loss_factor(0.25).unwrap();
+    let ballast = Layer::new(50e6, 0.0).unwrap().with_loss_factor(1.0).unwrap();
     Support::two_layer(pad, 150.0, ballast).unwrap()
 }
 
@@ -37,8 +29,7 @@ fn feedback(track: Arc<dyn crate::Receptance>) -> Loop {
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
     let hertz = HertzContact::new(steel, 0.46, 0.3, 50e3).unwrap();
     let law = Carter3d::new(hertz, 0.4).unwrap();
-    let contact =
-        QuasiStatic::new(law, hertz.normal_force(), MeanState::TractiveRatio(0.1)).unwrap();
+    let contact = QuasiStatic::new(law, hertz.normal_force(), MeanState::TractiveRatio(0.1)).unwrap();
     OneWheel {
         track,
         wheel: Arc::new(RigidMass::new(600.0).unwrap()),
@@ -64,11 +55,7 @@ fn source<'a>(feedback: &'a Loop, decay: RailDecay<'a>, pad: f64) -> RollingSour
         feedback,
         decay,
         rail: OscillatingCylinder::of_rail(0.15, 76.7e-4).unwrap(),
-        sleepers: Some(Sleepers {
-            support: support(pad),
-            face: Piston::new(0.3).unwrap(),
-            spacing: SPACING,
-        }),
+        sleepers: Some(Sleepers { support: support(pad), face: Piston::new(0.3).unwrap(), spacing: SPACING }),
         wheel: OscillatingSphere::of_wheel(0.46, 0.135).unwrap(),
         wheel_modes: None,
         air: Air::default(),
@@ -77,9 +64,7 @@ fn source<'a>(feedback: &'a Loop, decay: RailDecay<'a>, pad: f64) -> RollingSour
 
 fn powers(source: &RollingSource<'_>, level: f64) -> Vec<SoundPower> {
     let excitation = excitation(level);
-    FrequencyBand::all()
-        .filter_map(|band| source.power(&excitation, band).unwrap())
-        .collect()
+    FrequencyBand::all().filter_map(|band| source.power(&excitation, band).unwrap()).collect()
 }
 
 /// What rail and sleepers radiate comes out of what the force puts into the rail: in every band, on pads from soft to
@@ -93,10 +78,7 @@ fn no_more_is_radiated_than_put_in() {
         assert_eq!(powers.len(), 18);
         for power in powers {
             assert!(power.rail > 0.0 && power.sleepers > 0.0 && power.wheel > 0.0);
-            assert!(
-                power.rail + power.sleepers < 0.2 * power.into_rail,
-                "{power:?}"
-            );
+            assert!(power.rail + power.sleepers < 0.2 * power.into_rail, "{power:?}");
         }
     }
 }
@@ -108,11 +90,7 @@ fn sound_follows_roughness() {
     let feedback = feedback(Arc::new(even_track(300e6)));
     let source = source(&feedback, RailDecay::Track(&track), 300e6);
     for (quiet, loud) in powers(&source, 0.0).iter().zip(powers(&source, 10.0)) {
-        for (quiet, loud) in [
-            (quiet.rail, loud.rail),
-            (quiet.sleepers, loud.sleepers),
-            (quiet.wheel, loud.wheel),
-        ] {
+        for (quiet, loud) in [(quiet.rail, loud.rail), (quiet.sleepers, loud.sleepers), (quiet.wheel, loud.wheel)] {
             assert!((loud / quiet - 10.0).abs() < 1e-9);
         }
     }
@@ -127,17 +105,7 @@ fn decay_rates_stand_for_the_track() {
     let by_track = powers(&source(&feedback, RailDecay::Track(&track), 300e6), 0.0);
     let rates = crate::receptance::DecayRate::of_track(&track);
     let rates = FrequencyBand::all().zip(rates.iter().map(|rate| rate.decay_rate));
-    let by_rates = powers(
-        &source(
-            &feedback,
-            RailDecay::Rates {
-                rates: rates.collect(),
-                track: None,
-            },
-            300e6,
-        ),
-        0.0,
-    );
+    let by_rates = powers(&source(&feedback, RailDecay::Rates { rates: rates.collect(), track: None }, 300e6), 0.0);
     for (track, rates) in by_track.iter().zip(by_rates) {
         let apart = 10.0 * (rates.rail / track.rail).log10();
         assert!(apart.abs() < 0.6, "{:?}: {apart} dB", track.band);
@@ -151,10 +119,7 @@ fn pads_shift_sound_from_sleepers_to_rail() {
         let track = even_track(pad);
         let feedback = feedback(Arc::new(even_track(pad)));
         let source = source(&feedback, RailDecay::Track(&track), pad);
-        source
-            .power(&excitation(0.0), FrequencyBand::new(30))
-            .unwrap()
-            .unwrap()
+        source.power(&excitation(0.0), FrequencyBand::new(30)).unwrap().unwrap()
     };
     let (soft, stiff) = (of(100e6), of(800e6));
     assert!(soft.rail > 1.5 * stiff.rail);
@@ -172,11 +137,8 @@ fn discrete_supports_close_together_are_even() {
     let periodic = PeriodicTrack::new(rail(), support, spacing).unwrap();
     let even = even_track(300e6);
     let feedback = feedback(Arc::new(even_track(300e6)));
-    let [periodic, even] = [
-        RailDecay::Track(&periodic as &dyn CrossReceptance),
-        RailDecay::Track(&even),
-    ]
-    .map(|decay| powers(&source(&feedback, decay, 300e6), 0.0));
+    let [periodic, even] = [RailDecay::Track(&periodic as &dyn CrossReceptance), RailDecay::Track(&even)]
+        .map(|decay| powers(&source(&feedback, decay, 300e6), 0.0));
     for (periodic, even) in periodic.iter().zip(even) {
         // Grids of places reach 10 m here, 40 m there.
         if even.band <= FrequencyBand::new(28) {
@@ -189,13 +151,6 @@ fn discrete_supports_close_together_are_even() {
 #[test]
 fn bands_without_roughness_or_decay_are_left_out() {
     let feedback = feedback(Arc::new(even_track(300e6)));
-    let one = source(
-        &feedback,
-        RailDecay::Rates {
-            rates: vec![(FrequencyBand::new(30), 1.0)],
-            track: None,
-        },
-        300e6,
-    );
+    let one = source(&feedback, RailDecay::Rates { rates: vec![(FrequencyBand::new(30), 1.0)], track: None }, 300e6);
     assert_eq!(powers(&one, 0.0).len(), 1);
 }

@@ -5,12 +5,10 @@ mod overlap;
 mod tests;
 
 use super::contact_surface::PatchSurface;
-use super::{
-    ContactGap, ContactSurface, ProfileError, ShapeFault, WheelsetContact, WheelsetOnTrack,
-};
+use super::{ContactGap, ContactSurface, ProfileError, ShapeFault, WheelsetContact, WheelsetOnTrack};
 use crate::contact::{
-    ContactBody, ContactGrid, CreepForces, Creepages, EllipticContact, GapStrip, NormalContact,
-    NormalState, PatchRolling, PenetrationState, VirtualPenetration,
+    ContactBody, ContactGrid, CreepForces, Creepages, EllipticContact, GapStrip, NormalContact, NormalState,
+    PatchRolling, PenetrationState, VirtualPenetration,
 };
 use crate::{ElasticMaterial, Error, Rail};
 use overlap::{Overlap, ends_of, grid_over};
@@ -76,36 +74,20 @@ impl WheelsetOnTrack {
         let touch = [on.on_track[0], rail.sign() * on.on_track[1]];
         let hertz = || {
             let along = on.contact_angle.cos() / on.rolling_radius;
-            let wheel = ContactBody {
-                material,
-                longitudinal_curvature: along,
-                lateral_curvature: -on.wheel_curvature,
-            };
-            let rail = ContactBody {
-                material,
-                longitudinal_curvature: 0.0,
-                lateral_curvature: on.rail_curvature,
-            };
+            let wheel = ContactBody { material, longitudinal_curvature: along, lateral_curvature: -on.wheel_curvature };
+            let rail = ContactBody { material, longitudinal_curvature: 0.0, lateral_curvature: on.rail_curvature };
             EllipticContact::new([wheel, rail], normal_force).ok()
         };
         // The plane where they first touch tells the approach, and that the place of the plane under load.
         let first = self.gap_at(contact, rail, touch, None)?;
         let about = Guess::new(&first, material, normal_force, on.rolling_radius)?;
-        let approach = about
-            .solve(&first, ContactSurface::Flat, FIRST_ELEMENTS)?
-            .state
-            .approach();
+        let approach = about.solve(&first, ContactSurface::Flat, FIRST_ELEMENTS)?.state.approach();
         let overlap = Overlap::new(&first, &about.strips, approach);
         let place = first.on_rail(overlap.y).ok_or_else(|| beside(rail))?;
         let place = [touch[0] + overlap.x, place];
         let gap = self.gap_at(contact, rail, place, Some(overlap.inclination))?;
         let guess = Guess::new(&gap, material, normal_force, on.rolling_radius)?;
-        let Solved {
-            surface,
-            middle,
-            contact,
-            state,
-        } = guess.solve(&gap, surface, elements)?;
+        let Solved { surface, middle, contact, state } = guess.solve(&gap, surface, elements)?;
         Ok(LoadedContact {
             material,
             gap,
@@ -134,12 +116,7 @@ const MOST_LIMITS: usize = 60;
 
 impl Guess {
     /// `radius` is that of the wheel \[m\].
-    fn new(
-        gap: &ContactGap,
-        material: ElasticMaterial,
-        normal_force: f64,
-        radius: f64,
-    ) -> Result<Self, Error> {
+    fn new(gap: &ContactGap, material: ElasticMaterial, normal_force: f64, radius: f64) -> Result<Self, Error> {
         Error::unless_positive("normal load", normal_force, "N")?;
         // The approach of a sphere; sharper edges take more, by the cube root of their radius.
         let modulus = material.youngs_modulus() / (2.0 * (1.0 - material.poisson_ratio().powi(2)));
@@ -147,16 +124,10 @@ impl Guess {
         let mut limit = 4.0 * sphere;
         for _ in 0..MOST_LIMITS {
             let strips = gap.strips(limit);
-            let fast =
-                VirtualPenetration::new([material; 2], strips.clone())?.under_load(normal_force)?;
+            let fast = VirtualPenetration::new([material; 2], strips.clone())?.under_load(normal_force)?;
             let furthest = REACHES[REACHES.len() - 1] * fast.approach;
             if furthest <= limit {
-                return Ok(Self {
-                    material,
-                    normal_force,
-                    strips,
-                    fast,
-                });
+                return Ok(Self { material, normal_force, strips, fast });
             }
             limit = 1.2 * furthest;
         }
@@ -168,12 +139,7 @@ impl Guess {
         })
     }
 
-    fn solve(
-        &self,
-        gap: &ContactGap,
-        surface: ContactSurface,
-        elements: usize,
-    ) -> Result<Solved, Error> {
+    fn solve(&self, gap: &ContactGap, surface: ContactSurface, elements: usize) -> Result<Solved, Error> {
         let mut failed = None;
         for reach in REACHES {
             let [along, across] = ends_of(&self.strips, reach * self.fast.approach);
@@ -184,12 +150,7 @@ impl Guess {
             let near = VirtualPenetration::PENETRATION * self.fast.approach;
             match contact.under_load_near(self.normal_force, Some(near)) {
                 Ok(state) if is_free(&state) => {
-                    return Ok(Solved {
-                        surface,
-                        middle,
-                        contact,
-                        state,
-                    });
+                    return Ok(Solved { surface, middle, contact, state });
                 }
                 Ok(state) => {
                     let grid = state.grid();
@@ -202,10 +163,7 @@ impl Guess {
                 Err(error) => return Err(error),
             }
         }
-        Err(failed.unwrap_or(Error::GridTooSmall {
-            length: 0.0,
-            width: 0.0,
-        }))
+        Err(failed.unwrap_or(Error::GridTooSmall { length: 0.0, width: 0.0 }))
     }
 }
 
@@ -265,11 +223,7 @@ fn normal_contact(
         materials,
         grid,
         |x, y| gap.along_normal(x + along, surface.at(y + across).y),
-        |row| {
-            surface
-                .at(first + row as f64 * grid.dy() + across)
-                .inclination
-        },
+        |row| surface.at(first + row as f64 * grid.dy() + across).inclination,
     )
 }
 
@@ -310,10 +264,7 @@ impl LoadedContact {
         let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         for ((x, y), _) in self.under_pressure() {
             for (ends, (place, step)) in ends.iter_mut().zip([(x, grid.dx()), (y, grid.dy())]) {
-                *ends = [
-                    ends[0].min(place - 0.5 * step),
-                    ends[1].max(place + 0.5 * step),
-                ];
+                *ends = [ends[0].min(place - 0.5 * step), ends[1].max(place + 0.5 * step)];
             }
         }
         ends
@@ -358,8 +309,7 @@ impl LoadedContact {
         let [_, [low, high]] = self.ends();
         // Within the outermost elements, where the pressure has vanished.
         let ends = [low + 0.5 * grid.dy(), high - 0.5 * grid.dy()];
-        self.gap
-            .inclination_over(ends.map(|length| self.surface.at(length).y))
+        self.gap.inclination_over(ends.map(|length| self.surface.at(length).y))
     }
 
     /// Contact stiffness dP/dδ \[N/m\], the wheelset where it is, by central differences over ±5 % of the load. Cost: twice
@@ -390,19 +340,14 @@ impl LoadedContact {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if a coefficient of friction is not positive, [`Error::NotConverged`].
-    pub fn roll(
-        &self,
-        creepages: Creepages,
-        friction: impl Fn(f64, f64) -> f64,
-    ) -> Result<(CreepForces, f64), Error> {
+    pub fn roll(&self, creepages: Creepages, friction: impl Fn(f64, f64) -> f64) -> Result<(CreepForces, f64), Error> {
         let [along, across] = self.middle;
         let on = |state: &NormalState| {
             let friction = |x: f64, y: f64| friction(x + along, y + across);
             let rolling = PatchRolling::new(self.material, state, friction)?;
             let mut sums = [0.0; 3];
-            for ((x, y), [longitudinal, lateral]) in rolling
-                .roll(|x, y| self.rigid_slip(creepages, x + along, y + across))?
-                .forces()
+            for ((x, y), [longitudinal, lateral]) in
+                rolling.roll(|x, y| self.rigid_slip(creepages, x + along, y + across))?.forces()
             {
                 let (x, place) = (x + along, self.surface.at(y + across));
                 let lateral = lateral * place.inclination.cos();
@@ -414,24 +359,13 @@ impl LoadedContact {
             Ok::<[f64; 3], Error>(sums)
         };
         let grid = self.state.grid();
-        let half = ContactGrid::new(
-            grid.columns() / 2,
-            grid.rows() / 2,
-            2.0 * grid.dx(),
-            2.0 * grid.dy(),
-        )?;
+        let half = ContactGrid::new(grid.columns() / 2, grid.rows() / 2, 2.0 * grid.dx(), 2.0 * grid.dy())?;
         let near = VirtualPenetration::PENETRATION * self.state.approach();
         let coarse = normal_contact(&self.gap, &self.surface, self.material, half, self.middle)?
             .under_load_near(self.state.load(), Some(near))?;
         let (fine, coarse) = (on(&self.state)?, on(&coarse)?);
         let [longitudinal, lateral, moment] = [0, 1, 2].map(|part| 2.0 * fine[part] - coarse[part]);
-        Ok((
-            CreepForces {
-                longitudinal,
-                lateral,
-            },
-            moment,
-        ))
+        Ok((CreepForces { longitudinal, lateral }, moment))
     }
 
     /// Slip of the rigid bodies along and across the surface per metre rolled at a place of it, see [`roll`](Self::roll).
@@ -441,9 +375,6 @@ impl LoadedContact {
         let place = self.surface.at(y);
         let (sine, cosine) = place.inclination.sin_cos();
         let [longitudinal, lateral] = creepages.rigid_slip(x, place.y);
-        [
-            longitudinal - rolling * place.depth,
-            lateral * cosine - self.gap.side() * rolling * sine * x,
-        ]
+        [longitudinal - rolling * place.depth, lateral * cosine - self.gap.side() * rolling * sine * x]
     }
 }

@@ -31,11 +31,7 @@ impl Overlap {
                 *sum += weight * value;
             }
         }
-        Self {
-            x: sums[1] / sums[0],
-            y: sums[2] / sums[0],
-            inclination: sums[3] / sums[0],
-        }
+        Self { x: sums[1] / sums[0], y: sums[2] / sums[0], inclination: sums[3] / sums[0] }
     }
 }
 
@@ -44,10 +40,7 @@ pub(super) fn ends_of(strips: &[GapStrip], limit: f64) -> [[f64; 2]; 2] {
     let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for strip in strips.iter().filter(|strip| strip.gap < limit) {
         let half = (2.0 * (limit - strip.gap) / strip.curvature).sqrt();
-        for (ends, [low, high]) in ends
-            .iter_mut()
-            .zip([[strip.x - half, strip.x + half], [strip.y; 2]])
-        {
+        for (ends, [low, high]) in ends.iter_mut().zip([[strip.x - half, strip.x + half], [strip.y; 2]]) {
             *ends = [ends[0].min(low), ends[1].max(high)];
         }
     }
@@ -55,10 +48,7 @@ pub(super) fn ends_of(strips: &[GapStrip], limit: f64) -> [[f64; 2]; 2] {
 }
 
 /// A grid over a rectangle, and its middle: elements nearly square, even numbers of them.
-pub(super) fn grid_over(
-    ends: [[f64; 2]; 2],
-    elements: usize,
-) -> Result<(ContactGrid, [f64; 2]), Error> {
+pub(super) fn grid_over(ends: [[f64; 2]; 2], elements: usize) -> Result<(ContactGrid, [f64; 2]), Error> {
     let [length, width] = ends.map(|[low, high]| high - low);
     let even = |count: f64| {
         let least = 16.max(elements / 2) as f64;

@@ -20,9 +20,7 @@ fn circles() -> WheelsetOnTrack {
         range.map(|index| point(1e-3 * f64::from(index))).collect()
     };
     let wheel = points(-65..=40, |x| -11.0 * (x + 0.035).min(0.0).powi(2));
-    let rail = points(-16..=30, |x| {
-        (RAIL_RADIUS * RAIL_RADIUS - x * x).sqrt() - RAIL_RADIUS
-    });
+    let rail = points(-16..=30, |x| (RAIL_RADIUS * RAIL_RADIUS - x * x).sqrt() - RAIL_RADIUS);
     let [wheel, rail] = [wheel, rail].map(|points| Profile::through(&points).unwrap());
     WheelsetOnTrack {
         wheels: Wheels::new([&wheel, &wheel], [0.46; 2], 1.36, -0.07).unwrap(),
@@ -47,9 +45,7 @@ fn a_wheel_of_circles_is_that_of_hertz() {
     let contact = wheelset.contact(0.0, 0.0).unwrap();
     let exact = HertzContact::exact(steel(), 0.46, RAIL_RADIUS, 50e3).unwrap();
     for rail in Rail::BOTH {
-        let loaded = wheelset
-            .under_load(&contact, rail, steel(), 50e3, ContactSurface::Flat, 48)
-            .unwrap();
+        let loaded = wheelset.under_load(&contact, rail, steel(), 50e3, ContactSurface::Flat, 48).unwrap();
         for (x, y) in [(3e-3, 0.0), (0.0, 4e-3), (-2e-3, 3e-3)] {
             let parabola = x * x / 0.92 + 0.5 * y * y / RAIL_RADIUS;
             assert_relative_eq!(loaded.gap().at(x, y), parabola, max_relative = 3e-4);
@@ -57,33 +53,15 @@ fn a_wheel_of_circles_is_that_of_hertz() {
         let state = loaded.state();
         assert_relative_eq!(state.load(), 50e3, max_relative = 1e-12);
         assert_relative_eq!(state.approach(), exact.approach(), max_relative = 5e-4);
-        assert_relative_eq!(
-            state.peak_pressure(),
-            exact.peak_pressure(),
-            max_relative = 3e-3
-        );
-        assert_relative_eq!(
-            loaded.stiffness().unwrap(),
-            exact.stiffness(),
-            max_relative = 3e-3
-        );
-        let area =
-            std::f64::consts::PI * exact.semi_axis_longitudinal() * exact.semi_axis_lateral();
+        assert_relative_eq!(state.peak_pressure(), exact.peak_pressure(), max_relative = 3e-3);
+        assert_relative_eq!(loaded.stiffness().unwrap(), exact.stiffness(), max_relative = 3e-3);
+        let area = std::f64::consts::PI * exact.semi_axis_longitudinal() * exact.semi_axis_lateral();
         assert_relative_eq!(state.contact_area(), area, max_relative = 0.03);
         let [a, b] = loaded.equivalent_semi_axes();
         assert_relative_eq!(a, exact.semi_axis_longitudinal(), max_relative = 3e-3);
         assert_relative_eq!(b, exact.semi_axis_lateral(), max_relative = 3e-3);
-        assert_relative_eq!(
-            loaded.hertz().unwrap().approach(),
-            exact.approach(),
-            max_relative = 1e-3
-        );
-        assert!(
-            loaded
-                .centre_of_pressure()
-                .iter()
-                .all(|place| place.abs() < 1e-6)
-        );
+        assert_relative_eq!(loaded.hertz().unwrap().approach(), exact.approach(), max_relative = 1e-3);
+        assert!(loaded.centre_of_pressure().iter().all(|place| place.abs() < 1e-6));
         // 2b over the radius of the rail, less the elements at the rim.
         let turn = 2.0 * exact.semi_axis_lateral() / RAIL_RADIUS;
         assert_relative_eq!(loaded.inclination().unwrap(), turn, max_relative = 0.06);
@@ -96,39 +74,15 @@ fn a_wheel_of_circles_is_that_of_hertz() {
 fn an_ellipse_rolls_as_a_half_space() {
     let wheelset = circles();
     let contact = wheelset.contact(0.0, 0.0).unwrap();
-    let loaded = wheelset
-        .under_load(
-            &contact,
-            Rail::Right,
-            steel(),
-            50e3,
-            ContactSurface::Flat,
-            40,
-        )
-        .unwrap();
+    let loaded = wheelset.under_load(&contact, Rail::Right, steel(), 50e3, ContactSurface::Flat, 40).unwrap();
     let hertz = HertzContact::exact(steel(), 0.46, RAIL_RADIUS, 50e3).unwrap();
     let half_space = HalfSpace::new(hertz, 0.3, 40).unwrap();
-    for creepages in [
-        Creepages::longitudinal(1e-3),
-        Creepages {
-            longitudinal: -6e-4,
-            lateral: 5e-4,
-            spin: 0.4,
-        },
-    ] {
+    for creepages in [Creepages::longitudinal(1e-3), Creepages { longitudinal: -6e-4, lateral: 5e-4, spin: 0.4 }] {
         let (forces, moment) = loaded.roll(creepages, |_, _| 0.3).unwrap();
         let other = half_space.roll_with(creepages).unwrap();
         let off = forces.combine(1.0, other.forces(), -1.0);
-        assert!(
-            off.magnitude() < 0.015 * 15e3,
-            "{forces:?} {:?}",
-            other.forces()
-        );
-        assert!(
-            (moment - other.spin_moment()).abs() < 0.5,
-            "{moment} {}",
-            other.spin_moment()
-        );
+        assert!(off.magnitude() < 0.015 * 15e3, "{forces:?} {:?}", other.forces());
+        assert!((moment - other.spin_moment()).abs() < 0.5, "{moment} {}", other.spin_moment());
     }
     // Full sliding takes the friction of each place: half of it on one side.
     let halved = |_: f64, y: f64| if y < 0.0 { 0.15 } else { 0.3 };
@@ -143,38 +97,14 @@ fn contact_under_load_is_symmetric() {
     let (shift, yaw) = (2.3e-3, 0.004);
     let one = wheelset.contact(shift, yaw).unwrap();
     let other = wheelset.contact(-shift, -yaw).unwrap();
-    let one = wheelset
-        .under_load(&one, Rail::Right, steel(), 60e3, ContactSurface::Flat, 32)
-        .unwrap();
-    let other = wheelset
-        .under_load(&other, Rail::Left, steel(), 60e3, ContactSurface::Flat, 32)
-        .unwrap();
-    assert_relative_eq!(
-        one.state().approach(),
-        other.state().approach(),
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        one.gap().on_track()[1],
-        -other.gap().on_track()[1],
-        max_relative = 1e-9
-    );
+    let one = wheelset.under_load(&one, Rail::Right, steel(), 60e3, ContactSurface::Flat, 32).unwrap();
+    let other = wheelset.under_load(&other, Rail::Left, steel(), 60e3, ContactSurface::Flat, 32).unwrap();
+    assert_relative_eq!(one.state().approach(), other.state().approach(), max_relative = 1e-9);
+    assert_relative_eq!(one.gap().on_track()[1], -other.gap().on_track()[1], max_relative = 1e-9);
     assert!((one.gap().on_track()[0] - other.gap().on_track()[0]).abs() < 1e-9);
-    assert_relative_eq!(
-        one.centre_of_pressure()[1],
-        -other.centre_of_pressure()[1],
-        max_relative = 1e-6
-    );
-    let creepages = Creepages {
-        longitudinal: 5e-4,
-        lateral: 4e-4,
-        spin: 0.2,
-    };
-    let mirrored = Creepages {
-        longitudinal: 5e-4,
-        lateral: -4e-4,
-        spin: -0.2,
-    };
+    assert_relative_eq!(one.centre_of_pressure()[1], -other.centre_of_pressure()[1], max_relative = 1e-6);
+    let creepages = Creepages { longitudinal: 5e-4, lateral: 4e-4, spin: 0.2 };
+    let mirrored = Creepages { longitudinal: 5e-4, lateral: -4e-4, spin: -0.2 };
     let (right, right_moment) = one.roll(creepages, |_, _| 0.35).unwrap();
     let (left, left_moment) = other.roll(mirrored, |_, _| 0.35).unwrap();
     assert_relative_eq!(right.longitudinal, left.longitudinal, max_relative = 1e-4);
@@ -195,16 +125,7 @@ fn fast_patch_beside_the_exact_one() {
     };
     for millimetre in [-6, -4, -1, 1, 3, 5] {
         let contact = wheelset.contact(1e-3 * f64::from(millimetre), 0.0).unwrap();
-        let loaded = wheelset
-            .under_load(
-                &contact,
-                Rail::Right,
-                steel(),
-                60e3,
-                ContactSurface::Flat,
-                32,
-            )
-            .unwrap();
+        let loaded = wheelset.under_load(&contact, Rail::Right, steel(), 60e3, ContactSurface::Flat, 32).unwrap();
         let (exact, fast) = (loaded.state(), loaded.fast());
         let errors = [
             fast.approach / exact.approach() - 1.0,
@@ -215,10 +136,7 @@ fn fast_patch_beside_the_exact_one() {
             assert!(error.abs() < limit, "{millimetre} mm: {errors:?}");
         }
         // It is not the exact one in disguise.
-        assert!(
-            errors[0] < -0.02 && errors[1] < -0.05,
-            "{millimetre} mm: {errors:?}"
-        );
+        assert!(errors[0] < -0.02 && errors[1] < -0.05, "{millimetre} mm: {errors:?}");
     }
 }
 
@@ -226,25 +144,9 @@ fn fast_patch_beside_the_exact_one() {
 fn loads_and_grids_that_cannot_be_are_refused() {
     let wheelset = circles();
     let contact = wheelset.contact(0.0, 0.0).unwrap();
-    for (load, elements) in [
-        (0.0, 48),
-        (-1.0, 48),
-        (f64::NAN, 48),
-        (50e3, 8),
-        (50e3, 500),
-    ] {
-        let loaded = wheelset.under_load(
-            &contact,
-            Rail::Left,
-            steel(),
-            load,
-            ContactSurface::Flat,
-            elements,
-        );
-        assert!(
-            matches!(loaded.err(), Some(ProfileError::Contact(_))),
-            "{load} {elements}"
-        );
+    for (load, elements) in [(0.0, 48), (-1.0, 48), (f64::NAN, 48), (50e3, 8), (50e3, 500)] {
+        let loaded = wheelset.under_load(&contact, Rail::Left, steel(), load, ContactSurface::Flat, elements);
+        assert!(matches!(loaded.err(), Some(ProfileError::Contact(_))), "{load} {elements}");
     }
 }
 
@@ -253,20 +155,14 @@ fn loads_and_grids_that_cannot_be_are_refused() {
 fn a_curved_surface_that_turns_little_is_flat() {
     let wheelset = circles();
     let contact = wheelset.contact(0.0, 0.0).unwrap();
-    let [flat, curved] = [ContactSurface::Flat, ContactSurface::Curved].map(|surface| {
-        wheelset
-            .under_load(&contact, Rail::Right, steel(), 50e3, surface, 32)
-            .unwrap()
-    });
+    let [flat, curved] = [ContactSurface::Flat, ContactSurface::Curved]
+        .map(|surface| wheelset.under_load(&contact, Rail::Right, steel(), 50e3, surface, 32).unwrap());
     assert_relative_eq!(curved.state().load(), 50e3, max_relative = 1e-9);
     for (one, other) in [
         (flat.state().approach(), curved.state().approach()),
         (flat.state().peak_pressure(), curved.state().peak_pressure()),
         (flat.stiffness().unwrap(), curved.stiffness().unwrap()),
-        (
-            flat.equivalent_semi_axes()[1],
-            curved.equivalent_semi_axes()[1],
-        ),
+        (flat.equivalent_semi_axes()[1], curved.equivalent_semi_axes()[1]),
     ] {
         assert_relative_eq!(one, other, max_relative = 1e-3);
     }
@@ -279,38 +175,25 @@ fn slip_on_the_curved_surface_is_that_of_rigid_bodies() {
     let wheelset = nominal();
     let contact = wheelset.contact(-4e-3, 0.0).unwrap();
     for rail in Rail::BOTH {
-        let loaded = wheelset
-            .under_load(&contact, rail, steel(), 80e3, ContactSurface::Curved, 16)
-            .unwrap();
+        let loaded = wheelset.under_load(&contact, rail, steel(), 80e3, ContactSurface::Curved, 16).unwrap();
         let side = rail.sign();
         let (sine, cosine) = loaded.gap.contact_angle().sin_cos();
         let radius = loaded.rolling_radius;
         // Axle to the right, and down.
         let axle = [0.0, cosine, side * sine];
         let down = [0.0, -side * sine, cosine];
-        let creepages = Creepages {
-            spin: -side * sine / radius,
-            ..Creepages::default()
-        };
+        let creepages = Creepages { spin: -side * sine / radius, ..Creepages::default() };
         let [_, [low, high]] = loaded.ends();
         assert!(loaded.inclination().unwrap() > 0.02);
         for (x, y) in [(3e-3, low), (-2e-3, high), (0.0, 0.5 * (low + high))] {
             let place = loaded.surface.at(y);
-            let from_centre = [
-                x + radius * down[0],
-                place.y + radius * down[1],
-                place.depth + radius * down[2],
-            ];
+            let from_centre = [x + radius * down[0], place.y + radius * down[1], place.depth + radius * down[2]];
             let turning = [
                 axle[1] * from_centre[2] - axle[2] * from_centre[1],
                 axle[2] * from_centre[0] - axle[0] * from_centre[2],
                 axle[0] * from_centre[1] - axle[1] * from_centre[0],
             ];
-            let slip = [
-                1.0 - turning[0] / radius,
-                -turning[1] / radius,
-                -turning[2] / radius,
-            ];
+            let slip = [1.0 - turning[0] / radius, -turning[1] / radius, -turning[2] / radius];
             let (rise, across) = place.inclination.sin_cos();
             let expected = [slip[0], across * slip[1] - side * rise * slip[2]];
             let found = loaded.rigid_slip(creepages, x, y);
@@ -330,26 +213,12 @@ fn the_curved_surface_is_symmetric() {
     let one = wheelset.contact(-3e-3, 0.002).unwrap();
     let other = wheelset.contact(3e-3, -0.002).unwrap();
     let pressed = |contact: &WheelsetContact, rail| {
-        wheelset
-            .under_load(contact, rail, steel(), 60e3, ContactSurface::Curved, 24)
-            .unwrap()
+        wheelset.under_load(contact, rail, steel(), 60e3, ContactSurface::Curved, 24).unwrap()
     };
     let (one, other) = (pressed(&one, Rail::Right), pressed(&other, Rail::Left));
-    assert_relative_eq!(
-        one.state().approach(),
-        other.state().approach(),
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        one.centre_of_pressure()[1],
-        -other.centre_of_pressure()[1],
-        epsilon = 1e-9
-    );
-    let creepages = |side: f64| Creepages {
-        longitudinal: 5e-4,
-        lateral: side * 4e-4,
-        spin: side * 0.2,
-    };
+    assert_relative_eq!(one.state().approach(), other.state().approach(), max_relative = 1e-9);
+    assert_relative_eq!(one.centre_of_pressure()[1], -other.centre_of_pressure()[1], epsilon = 1e-9);
+    let creepages = |side: f64| Creepages { longitudinal: 5e-4, lateral: side * 4e-4, spin: side * 0.2 };
     let (right, right_moment) = one.roll(creepages(1.0), |_, _| 0.35).unwrap();
     let (left, left_moment) = other.roll(creepages(-1.0), |_, _| 0.35).unwrap();
     assert_relative_eq!(right.longitudinal, left.longitudinal, max_relative = 1e-4);

@@ -99,11 +99,7 @@ pub(super) struct Stand {
 impl Stand {
     /// The point of the outline of a point of the profile.
     pub(super) fn outline(&self, point: &ProfilePoint, rolling_radius: f64) -> Option<Outline> {
-        let attitude = Attitude {
-            lateral_shift: self.lateral_shift,
-            yaw: self.yaw,
-            roll: self.roll,
-        };
+        let attitude = Attitude { lateral_shift: self.lateral_shift, yaw: self.yaw, roll: self.roll };
         outline_of(point, rolling_radius, self.half_spacing, &attitude)
     }
 }
@@ -148,11 +144,7 @@ impl WheelsetOnTrack {
             let wheel = self.wheel(rail);
             Some(wheel.rolling_radius - wheel.profile.at(touch.x_wheel)?.height)
         });
-        let failed = |rail: Rail| ProfileError::NoContact {
-            lateral_shift,
-            yaw: 0.0,
-            rail,
-        };
+        let failed = |rail: Rail| ProfileError::NoContact { lateral_shift, yaw: 0.0, rail };
         Ok(right.ok_or_else(|| failed(Rail::Right))? - left.ok_or_else(|| failed(Rail::Left))?)
     }
 
@@ -165,11 +157,7 @@ impl WheelsetOnTrack {
     ///
     /// # Errors
     /// [`ProfileError::NoContact`] where a wheel has left its rail.
-    pub fn contact_at_rail_level(
-        &self,
-        shift: f64,
-        yaw: f64,
-    ) -> Result<WheelsetContact, ProfileError> {
+    pub fn contact_at_rail_level(&self, shift: f64, yaw: f64) -> Result<WheelsetContact, ProfileError> {
         let radius = self.wheels.wheels[1].rolling_radius;
         let of_roll = |roll: f64| (shift + radius * roll.sin(), radius * roll.cos());
         self.rolled(of_roll, yaw)
@@ -204,17 +192,9 @@ impl WheelsetOnTrack {
     }
 
     /// Contact at the roll at which both wheels touch, with the lateral shift of the axle \[m\] and its slope over that roll.
-    fn rolled(
-        &self,
-        shift_of_roll: impl Fn(f64) -> (f64, f64),
-        yaw: f64,
-    ) -> Result<WheelsetContact, ProfileError> {
+    fn rolled(&self, shift_of_roll: impl Fn(f64) -> (f64, f64), yaw: f64) -> Result<WheelsetContact, ProfileError> {
         let shift_without_roll = shift_of_roll(0.0).0;
-        let failed = |rail: Rail| ProfileError::NoContact {
-            lateral_shift: shift_without_roll,
-            yaw,
-            rail,
-        };
+        let failed = |rail: Rail| ProfileError::NoContact { lateral_shift: shift_without_roll, yaw, rail };
         let mut roll = 0.0_f64;
         let mut near = [Vec::new(), Vec::new()];
         let mut scanned = roll;
@@ -235,9 +215,7 @@ impl WheelsetOnTrack {
             let rate = |rail: Rail, touch: &Touch| {
                 let attitude = attitude(rail, lateral_shift, yaw, roll);
                 let outline = self.outline(rail, touch.x_wheel, &attitude);
-                outline.map(|outline| {
-                    -outline.slope * outline.down - outline.across + outline.slope * shift_slope
-                })
+                outline.map(|outline| -outline.slope * outline.down - outline.across + outline.slope * shift_slope)
             };
             let slope = match (rate(Rail::Right, &right[0]), rate(Rail::Left, &left[0])) {
                 (Some(right), Some(left)) => right + left,
@@ -262,26 +240,14 @@ impl WheelsetOnTrack {
             // Flanges are steep: a step of the roll leaves the neighbourhood in which slopes hold.
             roll -= step.clamp(-5e-3, 5e-3);
             if roll.abs() > 0.2 {
-                return Err(failed(if shift_without_roll > 0.0 {
-                    Rail::Left
-                } else {
-                    Rail::Right
-                }));
+                return Err(failed(if shift_without_roll > 0.0 { Rail::Left } else { Rail::Right }));
             }
         }
-        Err(failed(if shift_without_roll > 0.0 {
-            Rail::Right
-        } else {
-            Rail::Left
-        }))
+        Err(failed(if shift_without_roll > 0.0 { Rail::Right } else { Rail::Left }))
     }
 
     /// Rail and wheel of a contact on one side, and how the wheel stands there.
-    pub(super) fn standing(
-        &self,
-        contact: &WheelsetContact,
-        rail: Rail,
-    ) -> (&Profile, Arc<SampledWheel>, Stand) {
+    pub(super) fn standing(&self, contact: &WheelsetContact, rail: Rail) -> (&Profile, Arc<SampledWheel>, Stand) {
         let attitude = attitude(rail, contact.lateral_shift, contact.yaw, contact.roll);
         let stand = Stand {
             lateral_shift: attitude.lateral_shift,
@@ -291,21 +257,12 @@ impl WheelsetOnTrack {
             half_spacing: self.wheels.half_spacing,
         };
         let index = place(rail);
-        (
-            &self.track.rails[index].profile,
-            Arc::clone(&self.wheels.wheels[index]),
-            stand,
-        )
+        (&self.track.rails[index].profile, Arc::clone(&self.wheels.wheels[index]), stand)
     }
 
     fn outline(&self, rail: Rail, x_wheel: f64, attitude: &Attitude) -> Option<Outline> {
         let wheel = self.wheel(rail);
-        outline_of(
-            &wheel.profile.at(x_wheel)?,
-            wheel.rolling_radius,
-            self.wheels.half_spacing,
-            attitude,
-        )
+        outline_of(&wheel.profile.at(x_wheel)?, wheel.rolling_radius, self.wheels.half_spacing, attitude)
     }
 
     fn wheel(&self, rail: Rail) -> &SampledWheel {
@@ -314,52 +271,29 @@ impl WheelsetOnTrack {
 
     /// Local minima of the gap, the least first, all within [`SECOND`]; none where the wheel misses the rail. `near` are the
     /// samples that may touch at any roll close by; empty, all are looked through, and those are handed back.
-    fn touches(
-        &self,
-        rail: Rail,
-        attitude: &Attitude,
-        near: &mut Vec<usize>,
-    ) -> Option<Vec<Touch>> {
+    fn touches(&self, rail: Rail, attitude: &Attitude, near: &mut Vec<usize>) -> Option<Vec<Touch>> {
         let wheel = self.wheel(rail);
         let placed = &self.track.rails[place(rail)];
         let gap = |index: usize| {
             let point = &wheel.samples[index];
-            let outline = outline_of(
-                point,
-                wheel.rolling_radius,
-                self.wheels.half_spacing,
-                attitude,
-            )?;
+            let outline = outline_of(point, wheel.rolling_radius, self.wheels.half_spacing, attitude)?;
             Some(-placed.height(attitude.lateral_shift + outline.across)? - outline.down)
         };
         let gaps: Vec<(usize, f64)> = match &near[..] {
-            [] => (0..wheel.samples.len())
-                .filter_map(|index| Some((index, gap(index)?)))
-                .collect(),
-            near => near
-                .iter()
-                .filter_map(|&index| Some((index, gap(index)?)))
-                .collect(),
+            [] => (0..wheel.samples.len()).filter_map(|index| Some((index, gap(index)?))).collect(),
+            near => near.iter().filter_map(|&index| Some((index, gap(index)?))).collect(),
         };
-        let least = gaps
-            .iter()
-            .fold(f64::INFINITY, |least, (_, gap)| f64::min(least, *gap));
+        let least = gaps.iter().fold(f64::INFINITY, |least, (_, gap)| f64::min(least, *gap));
         if near.is_empty() {
-            near.extend(
-                gaps.iter()
-                    .filter(|(_, gap)| gap - least < REACH)
-                    .map(|(index, _)| index),
-            );
+            near.extend(gaps.iter().filter(|(_, gap)| gap - least < REACH).map(|(index, _)| index));
         }
         // Samples may lie above the minimum between them by some micrometres on flanges.
         let mut touches: Vec<Touch> = Vec::new();
         let within = |&(_, gap): &(usize, f64), beyond: f64| gap <= least + beyond;
         for (place, entry) in gaps.iter().enumerate() {
             let index = entry.0;
-            let beside =
-                |other: Option<&(usize, f64)>| other.map_or(f64::INFINITY, |other| other.1);
-            let is_lowest = entry.1
-                <= beside(place.checked_sub(1).and_then(|before| gaps.get(before)))
+            let beside = |other: Option<&(usize, f64)>| other.map_or(f64::INFINITY, |other| other.1);
+            let is_lowest = entry.1 <= beside(place.checked_sub(1).and_then(|before| gaps.get(before)))
                 && entry.1 <= beside(gaps.get(place + 1));
             // Measured profiles are uneven: where the gap is flat, minima stand closer than samples.
             if within(entry, FLAT) || (is_lowest && within(entry, SECOND + 2e-5)) {
@@ -372,9 +306,7 @@ impl WheelsetOnTrack {
         let first = *touches.first()?;
         let mut apart: Vec<Touch> = vec![first];
         for touch in touches {
-            let is_new = apart
-                .iter()
-                .all(|known| (known.x_wheel - touch.x_wheel).abs() > 1e-6);
+            let is_new = apart.iter().all(|known| (known.x_wheel - touch.x_wheel).abs() > 1e-6);
             if is_new && touch.height - first.height <= SECOND {
                 apart.push(touch);
             }
@@ -383,14 +315,7 @@ impl WheelsetOnTrack {
     }
 
     /// The minima of the gap between two lateral coordinates of the wheel: where wheel and rail have one slope.
-    fn refine(
-        &self,
-        rail: Rail,
-        attitude: &Attitude,
-        low: f64,
-        high: f64,
-        touches: &mut Vec<Touch>,
-    ) {
+    fn refine(&self, rail: Rail, attitude: &Attitude, low: f64, high: f64, touches: &mut Vec<Touch>) {
         const PARTS: usize = 4;
         let placed = &self.track.rails[place(rail)];
         let at = |x_wheel: f64| {
@@ -407,11 +332,8 @@ impl WheelsetOnTrack {
             if low_slope > 0.0 || high_slope < 0.0 {
                 continue;
             }
-            let x_wheel = falling_to_rising(
-                |x| Some(at(x)?.0),
-                [part(index), part(index + 1)],
-                [low_slope, high_slope],
-            );
+            let x_wheel =
+                falling_to_rising(|x| Some(at(x)?.0), [part(index), part(index + 1)], [low_slope, high_slope]);
             if let Some((x_wheel, (_, height))) = x_wheel.and_then(|x| Some((x, at(x)?))) {
                 touches.push(Touch { height, x_wheel });
             }
@@ -441,19 +363,13 @@ impl WheelsetOnTrack {
             on_track: [outline.ahead, rail.sign() * across, height + outline.down],
             rail_curvature: -on_rail.curvature,
             wheel_curvature: -on_wheel.curvature,
-            second: touches
-                .get(1)
-                .map(|second| (second.height - touch.height, second.x_wheel)),
+            second: touches.get(1).map(|second| (second.height - touch.height, second.x_wheel)),
         })
     }
 }
 
 /// The zero of a slope that rises from one place to another, by Illinois' rule of false position.
-fn falling_to_rising(
-    slope: impl Fn(f64) -> Option<f64>,
-    ends: [f64; 2],
-    slopes: [f64; 2],
-) -> Option<f64> {
+fn falling_to_rising(slope: impl Fn(f64) -> Option<f64>, ends: [f64; 2], slopes: [f64; 2]) -> Option<f64> {
     let ([mut low, mut high], [mut low_slope, mut high_slope]) = (ends, slopes);
     let mut middle = 0.5 * (low + high);
     let mut last = 0.0;

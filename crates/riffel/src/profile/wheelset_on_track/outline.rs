@@ -26,11 +26,7 @@ pub(in crate::profile) struct Outline {
 /// A left wheel is the right one of the mirrored wheelset.
 pub(super) fn attitude(rail: Rail, lateral_shift: f64, yaw: f64, roll: f64) -> Attitude {
     let side = rail.sign();
-    Attitude {
-        lateral_shift: side * lateral_shift,
-        yaw: (side * yaw).sin_cos(),
-        roll: (side * roll).sin_cos(),
-    }
+    Attitude { lateral_shift: side * lateral_shift, yaw: (side * yaw).sin_cos(), roll: (side * roll).sin_cos() }
 }
 
 /// R = Rx(roll) Rz(yaw) on the point of the wheel whose normal has no component along the track: with r the radius over
@@ -51,10 +47,7 @@ pub(super) fn outline_of(
     let ahead_cosine = (1.0 - ahead_sine * ahead_sine).sqrt();
     let lateral = half_spacing + point.x;
     let forward = radius * ahead_sine;
-    let (ahead, across) = (
-        forward * yaw_cosine - lateral * yaw_sine,
-        forward * yaw_sine + lateral * yaw_cosine,
-    );
+    let (ahead, across) = (forward * yaw_cosine - lateral * yaw_sine, forward * yaw_sine + lateral * yaw_cosine);
     let down = radius * ahead_cosine;
     // The normal (0, −r'/cos ψ, cos θ), rolled.
     let (normal_across, normal_down) = (-radius_slope / yaw_cosine, ahead_cosine);

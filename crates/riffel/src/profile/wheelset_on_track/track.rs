@@ -27,10 +27,7 @@ impl PlacedRail {
         let [low, high] = profile.range();
         let count = ((high - low) / RAIL_STEP) as usize;
         let heights = (0..=count).filter_map(|index| profile.at(low + RAIL_STEP * index as f64));
-        Self {
-            heights: heights.map(|point| point.height).collect(),
-            profile,
-        }
+        Self { heights: heights.map(|point| point.height).collect(), profile }
     }
 
     /// Height between samples; none beside the rail.
@@ -52,16 +49,9 @@ impl Track {
     /// # Errors
     /// [`ProfileError`] for a rail that ends above the height of the gauge or is drawn upside down, and a gauge that
     /// makes the rails overlap.
-    pub fn new(
-        rails: [&Profile; 2],
-        gauge: f64,
-        gauge_height: f64,
-        inclination: f64,
-    ) -> Result<Self, ProfileError> {
+    pub fn new(rails: [&Profile; 2], gauge: f64, gauge_height: f64, inclination: f64) -> Result<Self, ProfileError> {
         let [left, right] = rails.map(|rail| placed(rail, gauge, gauge_height, inclination));
-        Ok(Self {
-            rails: [Arc::new(left?), Arc::new(right?)],
-        })
+        Ok(Self { rails: [Arc::new(left?), Arc::new(right?)] })
     }
 }
 
@@ -77,15 +67,11 @@ pub(super) fn placed(
     if crown.x - low < 1e-3 || high - crown.x < 1e-3 {
         return Err(ProfileError::Shape(ShapeFault::CrownAtEnd));
     }
-    let inner = turned
-        .inner_face(crown.height - gauge_height)
-        .ok_or(ProfileError::GaugeHeight { gauge_height })?;
+    let inner = turned.inner_face(crown.height - gauge_height).ok_or(ProfileError::GaugeHeight { gauge_height })?;
     if 0.5 * gauge + low - inner <= 0.0 {
         return Err(ProfileError::Gauge { gauge });
     }
-    Ok(PlacedRail::new(
-        turned.moved([0.5 * gauge - inner, -crown.height]),
-    ))
+    Ok(PlacedRail::new(turned.moved([0.5 * gauge - inner, -crown.height])))
 }
 
 pub(super) fn place(rail: Rail) -> usize {

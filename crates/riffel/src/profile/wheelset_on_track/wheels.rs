@@ -45,10 +45,7 @@ impl Wheels {
                 profile: profile.clone(),
             }))
         };
-        Ok(Self {
-            wheels: [sampled(0)?, sampled(1)?],
-            half_spacing: 0.5 * flange_back_distance - flange_back_position,
-        })
+        Ok(Self { wheels: [sampled(0)?, sampled(1)?], half_spacing: 0.5 * flange_back_distance - flange_back_position })
     }
 
     /// Distance of the datum circles \[m\].
@@ -58,9 +55,7 @@ impl Wheels {
 }
 
 fn check_wheel(profile: &Profile) -> Result<(), ProfileError> {
-    let origin = profile
-        .at(0.0)
-        .ok_or(ProfileError::Shape(ShapeFault::NoDatumCircle))?;
+    let origin = profile.at(0.0).ok_or(ProfileError::Shape(ShapeFault::NoDatumCircle))?;
     // A flange hangs 25 mm or more below the datum circle; trams have 15.
     const LEAST_FLANGE: f64 = 5e-3;
     let samples = profile.sampled(WHEEL_STEP);
@@ -68,9 +63,7 @@ fn check_wheel(profile: &Profile) -> Result<(), ProfileError> {
         let there = samples.iter().filter(|point| point.x * side > 0.0);
         there.fold(origin.height, |least: f64, point| least.min(point.height))
     };
-    let highest = samples
-        .iter()
-        .fold(origin.height, |most: f64, point| most.max(point.height));
+    let highest = samples.iter().fold(origin.height, |most: f64, point| most.max(point.height));
     let (inside, outside) = (origin.height - lowest(-1.0), origin.height - lowest(1.0));
     if inside > LEAST_FLANGE && inside > outside {
         return Ok(());

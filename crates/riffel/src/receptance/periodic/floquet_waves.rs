@@ -30,18 +30,14 @@ impl FloquetWaves {
         let shifted = rail.shifted_cosine();
         let sine = rail.sine(spacing);
         // 1 + k Ĝ = 0 for c − 1, Ĝ by the quotient rule of divided differences.
-        let product = shifted.first * shifted.second
-            + stiffness * (sine.slope * shifted.second - sine.second * shifted.slope);
+        let product =
+            shifted.first * shifted.second + stiffness * (sine.slope * shifted.second - sine.second * shifted.slope);
         let roots = match rail.count {
             1 => [product, Complex64::ZERO],
             _ => {
                 let half = 0.5 * (shifted.first + shifted.second + stiffness * sine.slope);
                 let root = square_root(half * half - product);
-                let larger = if (half.conj() * root).re >= 0.0 {
-                    half + root
-                } else {
-                    half - root
-                };
+                let larger = if (half.conj() * root).re >= 0.0 { half + root } else { half - root };
                 [larger, product / larger]
             }
         };
@@ -51,14 +47,9 @@ impl FloquetWaves {
                 1 => Complex64::ONE,
                 _ => shifted.second - root,
             };
-            let farther = if first.norm_sqr() > second.norm_sqr() {
-                first
-            } else {
-                second
-            };
+            let farther = if first.norm_sqr() > second.norm_sqr() { first } else { second };
             let [first, second, slope] = [first, second, shifted.slope].map(|part| part / farther);
-            let slope_of_sum =
-                sine.slope * second * second - sine.second * (first + second) * slope;
+            let slope_of_sum = sine.slope * second * second - sine.second * (first + second) * slope;
             let sinh_mu = outgoing_sinh(root, slope_of_sum);
             FloquetWave {
                 multiplier: (root + 1.0 + sinh_mu).inv(),
@@ -66,18 +57,13 @@ impl FloquetWaves {
                 norm: (slope_of_sum * sinh_mu).inv(),
             }
         };
-        Self {
-            rail,
-            waves: roots.map(wave),
-        }
+        Self { rail, waves: roots.map(wave) }
     }
 
     /// Factors ρ by which the waves change from one bay to the next, |ρ| ≤ 1: one for a bar, two for
     /// a beam. |ρ| = 1 for a wave that runs without loss.
     pub fn multipliers(&self) -> impl Iterator<Item = Complex64> {
-        self.waves[..self.rail.count]
-            .iter()
-            .map(|wave| wave.multiplier)
+        self.waves[..self.rail.count].iter().map(|wave| wave.multiplier)
     }
 
     /// Displacement at `to` per force at `from` \[m/N\], both \[m\] from the support at x = 0.
@@ -102,9 +88,7 @@ impl FloquetWaves {
                 return self.between(&station, &self.station(to));
             }
             let within = place.within;
-            let like = |shape: &&(f64, [Complex64; 2])| {
-                (shape.0 - within).abs() <= ALIKE * self.rail.spacing
-            };
+            let like = |shape: &&(f64, [Complex64; 2])| (shape.0 - within).abs() <= ALIKE * self.rail.spacing;
             let shapes = match known.iter().find(like) {
                 Some(shape) => shape.1,
                 None => {
@@ -121,9 +105,7 @@ impl FloquetWaves {
             };
             let bays = (place.bay - station.place.bay) as i32;
             let waves = waves.iter().zip(shapes);
-            waves
-                .map(|(wave, shape)| shape * wave.multiplier.powi(bays))
-                .sum()
+            waves.map(|(wave, shape)| shape * wave.multiplier.powi(bays)).sum()
         };
         to.iter().map(value).collect()
     }
@@ -131,19 +113,12 @@ impl FloquetWaves {
     /// A place \[m\] from the support at x = 0, for as many receptances as start or end there.
     pub(in crate::receptance) fn station(&self, along: f64) -> Station {
         let place = InBay::new(along, self.rail.spacing);
-        Station {
-            sines: self.rail.sines(place.within),
-            place,
-        }
+        Station { sines: self.rail.sines(place.within), place }
     }
 
     /// Displacement at one place per force at another \[m/N\].
     pub(in crate::receptance) fn between(&self, one: &Station, other: &Station) -> Complex64 {
-        let (left, right) = if one.place <= other.place {
-            (one, other)
-        } else {
-            (other, one)
-        };
+        let (left, right) = if one.place <= other.place { (one, other) } else { (other, one) };
         let bays = right.place.bay - left.place.bay;
         self.waves[..self.rail.count]
             .iter()
@@ -172,10 +147,7 @@ pub(in crate::receptance) struct InBay {
 impl InBay {
     pub(in crate::receptance) fn new(along: f64, spacing: f64) -> Self {
         let bay = (along / spacing).floor();
-        Self {
-            bay,
-            within: (along - bay * spacing).clamp(0.0, spacing),
-        }
+        Self { bay, within: (along - bay * spacing).clamp(0.0, spacing) }
     }
 }
 
@@ -190,8 +162,7 @@ impl FloquetWave {
     /// φ± with the factor of the wave, ρ or 1/ρ.
     fn shape(&self, [rest, gone]: &[OverWaves; 2], multiplier: Complex64) -> Complex64 {
         let [second, slope] = self.distance;
-        (rest.slope + multiplier * gone.slope) * second
-            - (rest.second + multiplier * gone.second) * slope
+        (rest.slope + multiplier * gone.slope) * second - (rest.second + multiplier * gone.second) * slope
     }
 }
 
@@ -230,10 +201,9 @@ struct RailInBay {
 impl RailInBay {
     pub(in crate::receptance) fn new(free: &Waves, spacing: f64) -> Self {
         let (propagation, transfer) = match free {
-            Waves::Bar(wave) => (
-                [wave.propagation, Complex64::ZERO],
-                [wave.amplitude * wave.propagation, Complex64::ZERO],
-            ),
+            Waves::Bar(wave) => {
+                ([wave.propagation, Complex64::ZERO], [wave.amplitude * wave.propagation, Complex64::ZERO])
+            }
             Waves::Beam { waves, transfer } => (waves.map(|wave| wave.propagation), *transfer),
         };
         let squares = propagation.map(|alpha| alpha * alpha);
@@ -259,11 +229,7 @@ impl RailInBay {
             })),
         };
         match self.count {
-            1 => OverWaves {
-                second: Complex64::ONE,
-                slope: Complex64::ZERO,
-                ..cosine
-            },
+            1 => OverWaves { second: Complex64::ONE, slope: Complex64::ZERO, ..cosine },
             _ => cosine,
         }
     }
@@ -280,11 +246,7 @@ impl RailInBay {
         let [constant, linear] = self.transfer;
         if self.count == 1 {
             let value = constant * sine.first;
-            return OverWaves {
-                first: value,
-                second: Complex64::ZERO,
-                slope: value,
-            };
+            return OverWaves { first: value, second: Complex64::ZERO, slope: value };
         }
         let q = self.squares.map(|z| constant + linear * z);
         OverWaves {
@@ -300,11 +262,7 @@ impl RailInBay {
     }
 
     fn over_waves(&self, [first, second]: [Complex64; 2]) -> OverWaves {
-        OverWaves {
-            first,
-            second,
-            slope: (first - second) / (self.squares[0] - self.squares[1]),
-        }
+        OverWaves { first, second, slope: (first - second) / (self.squares[0] - self.squares[1]) }
     }
 
     /// Σ aₙzⁿ from n = `first_power` on, with aₙ₊₁/aₙ = x²/((m + 1)(m + 2)), m rising by two from `m`: the series
@@ -317,11 +275,7 @@ impl RailInBay {
         let mut powers = self.squares.map(|z| z.powu(first_power));
         let mut difference = Complex64::from(f64::from(first_power));
         let mut m = m;
-        let mut sum = OverWaves {
-            first: Complex64::ZERO,
-            second: Complex64::ZERO,
-            slope: Complex64::ZERO,
-        };
+        let mut sum = OverWaves { first: Complex64::ZERO, second: Complex64::ZERO, slope: Complex64::ZERO };
         for _ in 0..TERMS {
             sum.first += coefficient * powers[0];
             sum.second += coefficient * powers[1];
@@ -345,11 +299,7 @@ pub(in crate::receptance) struct AlongBay {
 impl AlongBay {
     pub(in crate::receptance) fn new(free: &Waves, spacing: f64) -> Self {
         let rail = RailInBay::new(free, spacing);
-        Self {
-            shifted: rail.shifted_cosine(),
-            sine: rail.sine(spacing),
-            rail,
-        }
+        Self { shifted: rail.shifted_cosine(), sine: rail.sine(spacing), rail }
     }
 
     /// Displacement by forces e^{ikx} along a beam without supports, where they are one \[m²/N\]:
@@ -380,15 +330,7 @@ pub(in crate::receptance) fn outgoing_sinh(shifted: Complex64, slope: Complex64)
         // μ = iθ. A little damping, k + i0, moves c by i0 dc/dk, of the sign of 1/Ĝ'; the outgoing
         // wave is the one it makes decay: sin θ has the sign of Re dc/dk.
         let travelling = Complex64::new(0.0, (1.0 - c.re * c.re).sqrt());
-        return if slope.re >= 0.0 {
-            travelling
-        } else {
-            -travelling
-        };
+        return if slope.re >= 0.0 { travelling } else { -travelling };
     }
-    if (c.conj() * sinh).re >= 0.0 {
-        sinh
-    } else {
-        -sinh
-    }
+    if (c.conj() * sinh).re >= 0.0 { sinh } else { -sinh }
 }

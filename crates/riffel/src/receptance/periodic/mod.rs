@@ -55,12 +55,7 @@ impl<R: Waveguide> PeriodicTrack<R> {
     /// [`Error::OutOfRange`] unless the spacing is positive and at most 10 m.
     pub fn new(rail: R, support: Support, spacing: f64) -> Result<Self, Error> {
         check_spacing(spacing)?;
-        Ok(Self {
-            rail,
-            support,
-            spacing,
-            position: 0.0,
-        })
+        Ok(Self { rail, support, spacing, position: 0.0 })
     }
 
     /// The same track under a load that far from a support \[m\].
@@ -81,11 +76,7 @@ impl<R: Waveguide> PeriodicTrack<R> {
     /// The Floquet waves at the angular frequency ω > 0 \[rad/s\].
     pub fn floquet_waves(&self, angular_frequency: f64) -> FloquetWaves {
         let free = self.rail.waves(angular_frequency, Complex64::ZERO);
-        FloquetWaves::new(
-            &free,
-            self.support_stiffness(angular_frequency),
-            self.spacing,
-        )
+        FloquetWaves::new(&free, self.support_stiffness(angular_frequency), self.spacing)
     }
 }
 
@@ -98,8 +89,7 @@ impl PeriodicTrack<Beam> {
 
 impl<R: Waveguide> Receptance for PeriodicTrack<R> {
     fn receptance(&self, angular_frequency: f64, _speed: f64) -> Complex64 {
-        self.floquet_waves(angular_frequency)
-            .receptance(self.position, self.position)
+        self.floquet_waves(angular_frequency).receptance(self.position, self.position)
     }
 
     fn worth_tabulating(&self) -> bool {

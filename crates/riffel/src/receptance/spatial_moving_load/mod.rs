@@ -68,12 +68,7 @@ impl SpatialMovingLoad {
         let even = track.spread(spacing)?;
         let down = MovingLoadTrack::new(even.rail().vertical, even.supports().vertical);
         down.check_steady_load(speed)?;
-        Ok(Self {
-            track: *track,
-            even,
-            spacing,
-            speed,
-        })
+        Ok(Self { track: *track, even, spacing, speed })
     }
 
     /// Support spacing d \[m\].
@@ -91,12 +86,7 @@ impl SpatialMovingLoad {
     ///
     /// # Errors
     /// [`Error::UndampedWaves`] where the quadrature does not converge: a wave runs on without loss.
-    pub fn harmonics(
-        &self,
-        angular_frequency: f64,
-        places: &[Place],
-        most: usize,
-    ) -> Result<HarmonicMatrices, Error> {
+    pub fn harmonics(&self, angular_frequency: f64, places: &[Place], most: usize) -> Result<HarmonicMatrices, Error> {
         let w = angular_frequency.max(AT_REST);
         let mut alongs: Vec<f64> = Vec::new();
         for place in places {
@@ -107,10 +97,7 @@ impl SpatialMovingLoad {
         let rail = self.track.rail();
         let supports = self.track.supports();
         let of = |motion: Motion| self.along_bay(&motion, w, &alongs, most);
-        let down = supports
-            .vertical
-            .map(|_| of(Motion::Down(rail.vertical)))
-            .transpose()?;
+        let down = supports.vertical.map(|_| of(Motion::Down(rail.vertical))).transpose()?;
         let across = match (rail.lateral, rail.twist) {
             (Some(bending), Some(twist)) => Some(Motion::Twisting(TwistingRail { bending, twist })),
             (Some(bending), None) => supports.lateral.map(|_| Motion::Across(bending)),
@@ -141,9 +128,7 @@ impl SpatialMovingLoad {
             }
             matrix
         });
-        Ok(HarmonicMatrices {
-            matrices: matrices.collect(),
-        })
+        Ok(HarmonicMatrices { matrices: matrices.collect() })
     }
 
     /// The answer at x₀ + Vt + ξ_a to an impulse at x₀ + ξ_b, which comes at t = 0, as transfer functions: those of
@@ -157,15 +142,8 @@ impl SpatialMovingLoad {
         places: &[Place],
         most: usize,
     ) -> Result<HarmonicMatrices, Error> {
-        let mirrored: Vec<Place> = places
-            .iter()
-            .map(|place| Place {
-                along: -place.along,
-                ..*place
-            })
-            .collect();
-        let HarmonicMatrices { mut matrices } =
-            self.harmonics(angular_frequency, &mirrored, most)?;
+        let mirrored: Vec<Place> = places.iter().map(|place| Place { along: -place.along, ..*place }).collect();
+        let HarmonicMatrices { mut matrices } = self.harmonics(angular_frequency, &mirrored, most)?;
         matrices.reverse();
         let count = places.len();
         for matrix in &mut matrices {
@@ -184,20 +162,12 @@ impl SpatialMovingLoad {
         let mut matrix = vec![Complex64::ZERO; places.len() * places.len()];
         let w = angular_frequency.max(AT_REST);
         self.even.receptance_matrix(w, 0.0, places, &mut matrix);
-        HarmonicMatrices {
-            matrices: vec![matrix],
-        }
+        HarmonicMatrices { matrices: vec![matrix] }
     }
 
     /// Ĥ_n of one motion between all distances without the even track at rest: by n, place of the displacement and place of
     /// the force.
-    fn along_bay(
-        &self,
-        motion: &Motion,
-        w: f64,
-        alongs: &[f64],
-        most: usize,
-    ) -> Result<Vec<LateralReceptance>, Error> {
+    fn along_bay(&self, motion: &Motion, w: f64, alongs: &[f64], most: usize) -> Result<Vec<LateralReceptance>, Error> {
         /// Steps to 2π/d at first, and how often it is cut in three.
         const STEPS: f64 = 32.0;
         const CUTS: u32 = 5;
@@ -221,10 +191,7 @@ impl SpatialMovingLoad {
         };
         let count = (2 * most + 1) * alongs.len() * alongs.len();
         let mut harmonics = vec![LateralReceptance::default(); 2 * most + 1];
-        let turns: Vec<Complex64> = alongs
-            .iter()
-            .map(|along| Complex64::cis(turn * along))
-            .collect();
+        let turns: Vec<Complex64> = alongs.iter().map(|along| Complex64::cis(turn * along)).collect();
         let mut phases = vec![[Complex64::ZERO; 2]; alongs.len()];
         let sums = quadrature.integrals(
             w,
@@ -262,20 +229,11 @@ impl SpatialMovingLoad {
             },
         )?;
         let matrices = sums.chunks_exact(4);
-        Ok(matrices
-            .map(|entries| [[entries[0], entries[1]], [entries[2], entries[3]]])
-            .collect())
+        Ok(matrices.map(|entries| [[entries[0], entries[1]], [entries[2], entries[3]]]).collect())
     }
 
     /// The integrands of all n at one wavenumber, but for the phases of the places.
-    fn at_wavenumber(
-        &self,
-        motion: &Motion,
-        even: &FewWaves,
-        k: f64,
-        w: f64,
-        harmonics: &mut [LateralReceptance],
-    ) {
+    fn at_wavenumber(&self, motion: &Motion, even: &FewWaves, k: f64, w: f64, harmonics: &mut [LateralReceptance]) {
         let felt = w - k * self.speed;
         let felt_size = felt.abs().max(AT_REST);
         let free = motion.waves(felt_size, None);
@@ -302,11 +260,7 @@ impl SpatialMovingLoad {
             }
         }
         let rest = of_wave(even, k);
-        for (entry, rest) in harmonics[most as usize]
-            .iter_mut()
-            .flatten()
-            .zip(rest.iter().flatten())
-        {
+        for (entry, rest) in harmonics[most as usize].iter_mut().flatten().zip(rest.iter().flatten()) {
             *entry -= rest;
         }
     }
@@ -355,13 +309,10 @@ impl Motion {
         };
         let along_first = |supports: &Supports| self.stiffness(supports, w)[0][0];
         match self {
-            Self::Down(rail) | Self::Across(rail) => {
-                beam(rail, supports.map_or(Complex64::ZERO, along_first))
-            }
+            Self::Down(rail) | Self::Across(rail) => beam(rail, supports.map_or(Complex64::ZERO, along_first)),
             Self::Twisting(rail) => {
                 let width = rail.twist.section().foot_width;
-                let foundation =
-                    supports.map_or(Foundation::NONE, |supports| supports.under_foot(w, width));
+                let foundation = supports.map_or(Foundation::NONE, |supports| supports.under_foot(w, width));
                 let mut few = FewWaves::default();
                 for wave in rail.waves(w, &foundation).as_slice() {
                     few.push(*wave);
@@ -412,11 +363,7 @@ fn of_wave(waves: &FewWaves, k: f64) -> LateralReceptance {
     let mut sum = LateralReceptance::default();
     for wave in waves.iter() {
         let alpha = wave.propagation;
-        add_wave(
-            &mut sum,
-            wave,
-            2.0 * wave.amplitude * alpha / (alpha * alpha + k * k),
-        );
+        add_wave(&mut sum, wave, 2.0 * wave.amplitude * alpha / (alpha * alpha + k * k));
     }
     sum
 }
@@ -430,11 +377,7 @@ fn of_supports(waves: &FewWaves, k: f64, spacing: f64) -> LateralReceptance {
         let (sinh, cosh) = (0.5 * (half - half.inv()), 0.5 * (half + half.inv()));
         // cosh αd − cos kd without cancellation.
         let distance = 2.0 * (sinh * sinh + half_sine * half_sine);
-        add_wave(
-            &mut sum,
-            wave,
-            wave.amplitude * 2.0 * sinh * cosh / distance,
-        );
+        add_wave(&mut sum, wave, wave.amplitude * 2.0 * sinh * cosh / distance);
     }
     sum
 }
@@ -455,15 +398,10 @@ fn add(sum: &mut LateralReceptance, other: &LateralReceptance) {
 }
 
 fn product(one: &LateralReceptance, other: &LateralReceptance) -> LateralReceptance {
-    [0, 1].map(|row| {
-        [0, 1].map(|column| one[row][0] * other[0][column] + one[row][1] * other[1][column])
-    })
+    [0, 1].map(|row| [0, 1].map(|column| one[row][0] * other[0][column] + one[row][1] * other[1][column]))
 }
 
 fn inverse([[a, b], [c, d]]: &LateralReceptance) -> LateralReceptance {
     let determinant = (a * d - b * c).inv();
-    [
-        [d * determinant, -b * determinant],
-        [-c * determinant, a * determinant],
-    ]
+    [[d * determinant, -b * determinant], [-c * determinant, a * determinant]]
 }

@@ -1,7 +1,7 @@
 use super::*;
 use crate::receptance::{
-    Bar, ContactPoint, EulerBernoulliBeam, FloquetWaves, Layer, MovingLoadOnSupports,
-    PeriodicTrack, ShearSection, SpatialRail, Structure, Support, Twist, TwistSection,
+    Bar, ContactPoint, EulerBernoulliBeam, FloquetWaves, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection,
+    SpatialRail, Structure, Support, Twist, TwistSection,
 };
 use crate::{Direction, ElasticMaterial, Rail};
 
@@ -12,15 +12,8 @@ fn steel() -> ElasticMaterial {
 }
 
 fn beam(second_moment: f64, damping: f64) -> Beam {
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient: 0.4,
-        shear_modulus: 79.6e9,
-        density: 7850.0,
-    };
-    Beam::timoshenko(steel(), second_moment, 60.2, shear)
-        .and_then(|rail| rail.with_damping(damping))
-        .unwrap()
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
+    Beam::timoshenko(steel(), second_moment, 60.2, shear).and_then(|rail| rail.with_damping(damping)).unwrap()
 }
 
 fn layer(stiffness: f64, damping: f64) -> Layer {
@@ -47,35 +40,20 @@ fn track_of(twists: bool, across: Beam) -> SpatialTrack {
         lateral: Some(across),
         twist: twists.then(|| {
             let twist = Twist::new(steel(), section);
-            twist
-                .and_then(|twist| twist.with_loss_factor(0.02))
-                .unwrap()
+            twist.and_then(|twist| twist.with_loss_factor(0.02)).unwrap()
         }),
         longitudinal: Some(Bar::new(steel(), 7.67e-3, 60.2).unwrap()),
         ..beam(3.04e-5, 3e3).into()
     };
     let down = Support::two_layer(layer(300e6, 40e3), 150.0, layer(80e6, 80e3)).unwrap();
     let sideways = Support::one_layer(layer(40e6, 25e3));
-    let supports = Supports {
-        vertical: Some(down),
-        lateral: Some(sideways),
-        longitudinal: Some(sideways),
-    };
-    let contact = ContactPoint {
-        height: 0.124,
-        lateral_offset: 0.010,
-    };
-    SpatialTrack::discrete(rail, supports, SPACING)
-        .unwrap()
-        .with_contact(Rail::Right, contact)
+    let supports = Supports { vertical: Some(down), lateral: Some(sideways), longitudinal: Some(sideways) };
+    let contact = ContactPoint { height: 0.124, lateral_offset: 0.010 };
+    SpatialTrack::discrete(rail, supports, SPACING).unwrap().with_contact(Rail::Right, contact)
 }
 
 fn places(along: f64) -> [Place; 3] {
-    Direction::ALL.map(|direction| Place {
-        along,
-        rail: Rail::Right,
-        direction,
-    })
+    Direction::ALL.map(|direction| Place { along, rail: Rail::Right, direction })
 }
 
 /// Downward it is the moving load of one axis, to the quadratures of both.
@@ -114,10 +92,7 @@ fn slow_loads_are_loads_at_rest() {
         let both: Vec<Place> = [0.0, -1.3].into_iter().flat_map(places).collect();
         let harmonics = moving.harmonics(TAU * hertz, &both, 12).unwrap();
         let place = 0.13;
-        let there = both.iter().map(|at| Place {
-            along: at.along + place,
-            ..*at
-        });
+        let there = both.iter().map(|at| Place { along: at.along + place, ..*at });
         let there: Vec<Place> = there.collect();
         let mut expected = vec![Complex64::ZERO; 36];
         track.receptance_matrix(TAU * hertz, 0.0, &there, &mut expected);
@@ -126,19 +101,15 @@ fn slow_loads_are_loads_at_rest() {
         for row in 0..6 {
             for column in 0..6 {
                 let entry = row * 6 + column;
-                let sum: Complex64 = (-12..=12)
-                    .map(|n| at(n, entry) * Complex64::cis(TAU * n as f64 * place / SPACING))
-                    .sum();
+                let sum: Complex64 =
+                    (-12..=12).map(|n| at(n, entry) * Complex64::cis(TAU * n as f64 * place / SPACING)).sum();
                 let size = (expected[row * 7].norm() * expected[column * 7].norm()).sqrt();
                 let error = (sum - expected[entry]).norm() / size;
                 let left = match row % 3 == 0 {
                     true => 3.0 * sideways.norm() * SPACING / (12.0 * 207e9 * 7.67e-3),
                     false => 1e-3 + 30.0 * at(12, entry).norm() / size,
                 };
-                assert!(
-                    error < left,
-                    "{twists} {hertz} Hz, {row} {column}: {error:e} {left:e}"
-                );
+                assert!(error < left, "{twists} {hertz} Hz, {row} {column}: {error:e} {left:e}");
             }
         }
     }
@@ -200,18 +171,14 @@ fn moving_loads_from_loads_at_rest() {
         for i in -200..=200 {
             let shift = f64::from(i) * dw;
             let from = lateral(place);
-            let places: Vec<Place> = (-450..=450)
-                .map(|j| lateral(place + along + speed * f64::from(j) * dt))
-                .collect();
+            let places: Vec<Place> = (-450..=450).map(|j| lateral(place + along + speed * f64::from(j) * dt)).collect();
             for (place, j) in places.iter().zip(-450..) {
                 let turn = Complex64::from_polar(dt * dw / TAU, shift * f64::from(j) * dt);
                 sum += turn * track.cross_receptance(w + shift, 0.0, *place, from);
             }
         }
         let at_rest = track.cross_receptance(w, 0.0, lateral(place + along), lateral(place));
-        let size = track
-            .cross_receptance(w, 0.0, lateral(place), lateral(place))
-            .norm();
+        let size = track.cross_receptance(w, 0.0, lateral(place), lateral(place)).norm();
         let error = (sum - expected).norm() / size;
         assert!((at_rest - expected).norm() > 0.02 * size);
         assert!(error < 5e-3, "{to}: {error:e}");

@@ -29,12 +29,7 @@ pub struct SpatialRail {
 impl From<Beam> for SpatialRail {
     /// A rail that bends downward only.
     fn from(vertical: Beam) -> Self {
-        Self {
-            vertical,
-            lateral: None,
-            twist: None,
-            longitudinal: None,
-        }
+        Self { vertical, lateral: None, twist: None, longitudinal: None }
     }
 }
 
@@ -159,11 +154,7 @@ impl Supports {
     /// # Errors
     /// [`Error::OutOfRange`] unless the spacing is positive.
     pub fn per_metre(&self, spacing: f64) -> Result<Self, Error> {
-        let spread = |support: &Option<Support>| {
-            support
-                .map(|support| support.per_metre(spacing))
-                .transpose()
-        };
+        let spread = |support: &Option<Support>| support.map(|support| support.per_metre(spacing)).transpose();
         Ok(Self {
             vertical: spread(&self.vertical)?,
             lateral: spread(&self.lateral)?,
@@ -174,9 +165,7 @@ impl Supports {
     /// What they take across the track and against rotation of a foot of the width given \[m\].
     pub(super) fn under_foot(&self, w: f64, foot_width: f64) -> Foundation {
         Foundation {
-            lateral: self
-                .lateral
-                .map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w)),
+            lateral: self.lateral.map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w)),
             roll: self.vertical.map_or(Complex64::ZERO, |support| {
                 let pad = support.pad().dynamic_stiffness(Complex64::new(0.0, w));
                 pad * (foot_width * foot_width / 12.0)
@@ -193,12 +182,7 @@ impl SpatialTrack {
 
     /// A rail on supports whose values are per metre.
     pub fn continuous(rail: SpatialRail, supports: Supports) -> Self {
-        Self {
-            rail,
-            supports,
-            spacing: None,
-            contacts: [ContactPoint::default(); 2],
-        }
+        Self { rail, supports, spacing: None, contacts: [ContactPoint::default(); 2] }
     }
 
     /// A rail on supports, values per support, every `spacing` \[m\].
@@ -235,10 +219,7 @@ impl SpatialTrack {
                 rule: "must be zero, or large enough for warping to reach from one support to the next: EI_w > GJ d^2/10^4",
             });
         }
-        Ok(Self {
-            spacing: Some(spacing),
-            ..Self::continuous(rail, supports)
-        })
+        Ok(Self { spacing: Some(spacing), ..Self::continuous(rail, supports) })
     }
 
     /// The same with wheels touching one of the rails at the given point; by default at the height of the shear centre,
@@ -250,11 +231,7 @@ impl SpatialTrack {
 
     /// The same track with its supports spread evenly, one to a length \[m\].
     pub(super) fn spread(&self, spacing: f64) -> Result<Self, Error> {
-        Ok(Self {
-            supports: self.supports.per_metre(spacing)?,
-            spacing: None,
-            ..*self
-        })
+        Ok(Self { supports: self.supports.per_metre(spacing)?, spacing: None, ..*self })
     }
 
     /// Distance of the supports \[m\], where they are discrete.
@@ -273,17 +250,10 @@ impl SpatialTrack {
     }
 
     pub(super) fn waves(&self, w: f64, alongs: Vec<f64>) -> SpatialWaves {
-        let Supports {
-            vertical,
-            lateral,
-            longitudinal,
-        } = self.supports;
+        let Supports { vertical, lateral, longitudinal } = self.supports;
         SpatialWaves {
             vertical: self.axis(w, &self.rail.vertical, vertical, &alongs),
-            longitudinal: self
-                .rail
-                .longitudinal
-                .map(|bar| self.axis(w, &bar, longitudinal, &alongs)),
+            longitudinal: self.rail.longitudinal.map(|bar| self.axis(w, &bar, longitudinal, &alongs)),
             lateral: self.rail.lateral.map(|bending| match self.rail.twist {
                 None => LateralWaves::Bending(self.axis(w, &bending, lateral, &alongs)),
                 Some(twist) => self.twisting(w, &TwistingRail { bending, twist }, &alongs),
@@ -292,13 +262,7 @@ impl SpatialTrack {
         }
     }
 
-    fn axis(
-        &self,
-        w: f64,
-        rail: &impl Waveguide,
-        support: Option<Support>,
-        alongs: &[f64],
-    ) -> AxisWaves {
+    fn axis(&self, w: f64, rail: &impl Waveguide, support: Option<Support>, alongs: &[f64]) -> AxisWaves {
         let stiffness = support.map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w));
         match self.spacing.filter(|_| support.is_some()) {
             Some(spacing) => {
@@ -306,10 +270,7 @@ impl SpatialTrack {
                 let stations = alongs.iter().map(|&along| waves.station(along)).collect();
                 AxisWaves::Discrete { waves, stations }
             }
-            None => AxisWaves::Even {
-                waves: rail.waves(w, stiffness),
-                point: rail.point_receptance(w, stiffness),
-            },
+            None => AxisWaves::Even { waves: rail.waves(w, stiffness), point: rail.point_receptance(w, stiffness) },
         }
     }
 
@@ -357,24 +318,12 @@ impl SpatialTrack {
 }
 
 impl Structure for SpatialTrack {
-    fn cross_receptance(
-        &self,
-        angular_frequency: f64,
-        _speed: f64,
-        at: Place,
-        from: Place,
-    ) -> Complex64 {
+    fn cross_receptance(&self, angular_frequency: f64, _speed: f64, at: Place, from: Place) -> Complex64 {
         let waves = self.waves(angular_frequency, vec![from.along, at.along]);
         self.entry(&waves.motions(0, 1), at, from)
     }
 
-    fn roll_matrix(
-        &self,
-        angular_frequency: f64,
-        _speed: f64,
-        places: &[(f64, Rail)],
-        matrix: &mut [Complex64],
-    ) {
+    fn roll_matrix(&self, angular_frequency: f64, _speed: f64, places: &[(f64, Rail)], matrix: &mut [Complex64]) {
         let alongs = places.iter().map(|(along, _)| *along).collect();
         let waves = self.waves(angular_frequency, alongs);
         let rows = matrix.chunks_exact_mut(4 * places.len()).enumerate();
@@ -392,13 +341,7 @@ impl Structure for SpatialTrack {
         }
     }
 
-    fn receptance_matrix(
-        &self,
-        angular_frequency: f64,
-        _speed: f64,
-        places: &[Place],
-        matrix: &mut [Complex64],
-    ) {
+    fn receptance_matrix(&self, angular_frequency: f64, _speed: f64, places: &[Place], matrix: &mut [Complex64]) {
         let count = places.len();
         // The axes of one contact stand beside each other.
         let mut contacts = Vec::with_capacity(count);

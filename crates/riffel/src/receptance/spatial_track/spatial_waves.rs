@@ -25,24 +25,15 @@ pub(in crate::receptance) struct Motions {
 
 /// Waves of one motion of the rail.
 pub(super) enum AxisWaves {
-    Even {
-        waves: Waves,
-        point: Complex64,
-    },
-    Discrete {
-        waves: FloquetWaves,
-        stations: Vec<Station>,
-    },
+    Even { waves: Waves, point: Complex64 },
+    Discrete { waves: FloquetWaves, stations: Vec<Station> },
 }
 
 /// Waves of bending across the track and twist.
 pub(super) enum LateralWaves {
     Bending(AxisWaves),
     Even(CoupledWaves),
-    Discrete {
-        waves: Box<CoupledFloquet>,
-        stations: Vec<CoupledStation>,
-    },
+    Discrete { waves: Box<CoupledFloquet>, stations: Vec<CoupledStation> },
 }
 
 impl SpatialWaves {
@@ -52,21 +43,12 @@ impl SpatialWaves {
         let along_axis = |axis: &AxisWaves| axis.receptance(alongs, from, to);
         Motions {
             vertical: along_axis(&self.vertical),
-            longitudinal: self
-                .longitudinal
-                .as_ref()
-                .map_or(Complex64::ZERO, along_axis),
+            longitudinal: self.longitudinal.as_ref().map_or(Complex64::ZERO, along_axis),
             lateral: match &self.lateral {
                 None => LateralReceptance::default(),
-                Some(LateralWaves::Bending(axis)) => {
-                    [[along_axis(axis), Complex64::ZERO], [Complex64::ZERO; 2]]
-                }
-                Some(LateralWaves::Even(waves)) => {
-                    waves.receptance((alongs[to] - alongs[from]).abs())
-                }
-                Some(LateralWaves::Discrete { waves, stations }) => {
-                    waves.between(&stations[from], &stations[to])
-                }
+                Some(LateralWaves::Bending(axis)) => [[along_axis(axis), Complex64::ZERO], [Complex64::ZERO; 2]],
+                Some(LateralWaves::Even(waves)) => waves.receptance((alongs[to] - alongs[from]).abs()),
+                Some(LateralWaves::Discrete { waves, stations }) => waves.between(&stations[from], &stations[to]),
             },
         }
     }
@@ -81,9 +63,7 @@ impl AxisWaves {
                     return *point;
                 }
                 let waves = waves.as_slice().iter();
-                waves
-                    .map(|wave| wave.amplitude * (-wave.propagation * distance).exp())
-                    .sum()
+                waves.map(|wave| wave.amplitude * (-wave.propagation * distance).exp()).sum()
             }
             Self::Discrete { waves, stations } => waves.between(&stations[from], &stations[to]),
         }

@@ -9,9 +9,9 @@ use super::few_lines::KeptLines;
 use super::judged_section::{Piece, pieces};
 use super::method_a::RecordLevels;
 use super::{
-    BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, Profile,
-    RailDefect, RmsLimit, SectionSpectrum, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS,
-    WavelengthBand, grind_sections, level, mean_square, stretch_numbers,
+    BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, Profile, RailDefect, RmsLimit,
+    SectionSpectrum, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand, grind_sections, level,
+    mean_square, stretch_numbers,
 };
 use crate::Error;
 
@@ -140,10 +140,7 @@ impl RailAnalysis {
         let mut blocks = Vec::new();
         let (mut over_limit, mut defects) = (Vec::new(), Vec::new());
         let end = |stretch: &Profile| stretch.start() + stretch.length();
-        let ends: Vec<(f64, f64)> = stretches
-            .iter()
-            .map(|stretch| (stretch.start(), end(stretch)))
-            .collect();
+        let ends: Vec<(f64, f64)> = stretches.iter().map(|stretch| (stretch.start(), end(stretch))).collect();
         for (stretch, number) in stretches.iter_mut().zip(stretch_numbers(&ends)) {
             if settings.felt.is_none() {
                 spikes += stretch.remove_spikes(SpikeCriterion::EN_15610).len();
@@ -184,9 +181,7 @@ impl RailAnalysis {
             section_spectra,
             segment_length: levels.segment_length,
             segments: levels.segments,
-            bands: summaries
-                .filter_map(|(band, statistics)| summary(*band, statistics, spacing, settings))
-                .collect(),
+            bands: summaries.filter_map(|(band, statistics)| summary(*band, statistics, spacing, settings)).collect(),
             blocks,
             over_limit,
             stretches: ends,
@@ -198,10 +193,7 @@ impl RailAnalysis {
         let bands = joined_bands(&parts);
         let spectrum = joined_spectrum(&parts)?;
         let all = || parts.iter();
-        let (spikes, pits) = (
-            all().map(|part| part.spikes).sum(),
-            all().map(|part| part.pits).sum(),
-        );
+        let (spikes, pits) = (all().map(|part| part.spikes).sum(), all().map(|part| part.pits).sum());
         let segments = all().map(|part| part.segments).sum();
         let segment_length = all().map(|part| part.segment_length).fold(0.0, f64::max);
         let mut joined = Self {
@@ -225,18 +217,14 @@ impl RailAnalysis {
             joined.stretches.extend(part.stretches);
             let number = stretch_numbers(&joined.stretches).get(first).copied();
             let shift = number.unwrap_or(1) - 1;
-            joined
-                .section_spectra
-                .extend(part.section_spectra.into_iter().map(|section| {
-                    let stretch = section.stretch + shift;
-                    SectionSpectrum { stretch, ..section }
-                }));
-            joined
-                .over_limit
-                .extend(part.over_limit.into_iter().map(|over| {
-                    let stretch = over.stretch + shift;
-                    GrindSection { stretch, ..over }
-                }));
+            joined.section_spectra.extend(part.section_spectra.into_iter().map(|section| {
+                let stretch = section.stretch + shift;
+                SectionSpectrum { stretch, ..section }
+            }));
+            joined.over_limit.extend(part.over_limit.into_iter().map(|over| {
+                let stretch = over.stretch + shift;
+                GrindSection { stretch, ..over }
+            }));
         }
         Some(joined)
     }
@@ -282,11 +270,7 @@ impl RailAnalysis {
 }
 
 /// The levels of bands that are not too short to be known.
-fn record_levels(
-    stretches: &[Profile],
-    settings: &AnalysisSettings,
-    kept: &KeptLines,
-) -> Result<RecordLevels, Error> {
+fn record_levels(stretches: &[Profile], settings: &AnalysisSettings, kept: &KeptLines) -> Result<RecordLevels, Error> {
     let shortest = settings.felt.map_or(0.0, |felt| felt.from());
     RecordLevels::new(stretches, shortest, settings.longest_wavelength, kept)
 }
@@ -304,20 +288,13 @@ fn section_spectra(
     }
     let numbers = stretch_numbers(ends);
     let levels = |piece: &Piece| {
-        let &Piece {
-            stretch, from, to, ..
-        } = piece;
+        let &Piece { stretch, from, to, .. } = piece;
         let own = stretches.iter().zip(&numbers);
         let own = own.filter(|(_, number)| **number == stretch);
         let parts = own.filter_map(|(stretch, _)| stretch.between(from, to));
         let parts: Vec<Profile> = parts.collect();
         let levels = record_levels(&parts, settings, kept).ok()?;
-        Some(SectionSpectrum {
-            stretch,
-            from,
-            to,
-            spectrum: known(levels.spectrum, settings).ok()?,
-        })
+        Some(SectionSpectrum { stretch, from, to, spectrum: known(levels.spectrum, settings).ok()? })
     };
     pieces.par_iter().filter_map(levels).collect()
 }
@@ -335,16 +312,11 @@ fn known(spectrum: Spectrum, settings: &AnalysisSettings) -> Result<Spectrum, Er
 }
 
 /// Statistics of each band; None where the stretch is too short or its samples too far apart.
-fn band_statistics(
-    stretch: &Profile,
-    settings: &AnalysisSettings,
-) -> Result<Vec<Option<BandStatistics>>, Error> {
+fn band_statistics(stretch: &Profile, settings: &AnalysisSettings) -> Result<Vec<Option<BandStatistics>>, Error> {
     let spacing = stretch.spacing();
     let length = stretch.length();
     let fits = |band: &WavelengthBand| {
-        let is_felt = settings
-            .felt
-            .is_none_or(|felt| felt.from() <= band.from() && band.to() <= felt.to());
+        let is_felt = settings.felt.is_none_or(|felt| felt.from() <= band.from() && band.to() <= felt.to());
         is_felt && band.fits_into(length) && BandPass::resolves(*band, spacing)
     };
     let samples = |length: f64| (length / spacing).round().max(1.0) as usize;
@@ -362,9 +334,7 @@ fn band_statistics(
         .collect();
     let mut found = BandStatistics::of_profile(stretch, &fitting)?.into_iter();
     let bands = settings.bands.iter();
-    Ok(bands
-        .map(|band| fits(band).then(|| found.next()).flatten())
-        .collect())
+    Ok(bands.map(|band| fits(band).then(|| found.next()).flatten()).collect())
 }
 
 /// Mean squares of each band that any part has, weighted by the length of the parts that have it.
@@ -374,12 +344,9 @@ fn joined_spectrum(parts: &[RailAnalysis]) -> Option<Spectrum> {
     bands.sort();
     bands.dedup();
     let means = bands.into_iter().map(|band| {
-        let having = parts
-            .iter()
-            .filter_map(|part| Some((part.length(), part.spectrum.level(band)?)));
-        let (length, sum) = having.fold((0.0, 0.0), |(length, sum), (own, level)| {
-            (length + own, sum + own * mean_square(level))
-        });
+        let having = parts.iter().filter_map(|part| Some((part.length(), part.spectrum.level(band)?)));
+        let (length, sum) =
+            having.fold((0.0, 0.0), |(length, sum), (own, level)| (length + own, sum + own * mean_square(level)));
         (band, level(sum / length))
     });
     Spectrum::new(means).ok()
@@ -402,10 +369,7 @@ fn joined_bands(parts: &[RailAnalysis]) -> Vec<BandSummary> {
             moving_rms_max: band.moving_rms_max.max(own.moving_rms_max),
             peak_to_peak_max: band.peak_to_peak_max.max(own.peak_to_peak_max),
             limit: band.limit,
-            share_over_limit: band
-                .share_over_limit
-                .zip(own.share_over_limit)
-                .map(|(one, other)| mean(one, other)),
+            share_over_limit: band.share_over_limit.zip(own.share_over_limit).map(|(one, other)| mean(one, other)),
         };
     }
     joined.sort_by(|a, b| a.band.from().total_cmp(&b.band.from()));
@@ -422,10 +386,7 @@ fn block_rows<'a>(
     (0..samples.div_ceil(block)).map(move |index| BlockRms {
         from: stretch.position(index * block),
         to: stretch.position(((index + 1) * block).min(samples)),
-        rms: statistics
-            .iter()
-            .map(|band| band.as_ref().map(|band| band.block_rms[index]))
-            .collect(),
+        rms: statistics.iter().map(|band| band.as_ref().map(|band| band.block_rms[index])).collect(),
         moving_rms_max: statistics
             .iter()
             .map(|band| band.as_ref().map(|band| band.block_moving_rms_max[index]))
@@ -463,16 +424,9 @@ fn summary(
 ) -> Option<BandSummary> {
     let samples: usize = statistics.iter().map(|stretch| stretch.samples).sum();
     let window = statistics.iter().map(|stretch| stretch.window).max()?;
-    let sum: f64 = statistics
-        .iter()
-        .map(|stretch| stretch.samples as f64 * stretch.mean_square)
-        .sum();
-    let over: usize = statistics
-        .iter()
-        .map(BandStatistics::samples_over_limit)
-        .sum();
-    let largest =
-        |value: fn(&BandStatistics) -> f64| statistics.iter().map(value).fold(0.0, f64::max);
+    let sum: f64 = statistics.iter().map(|stretch| stretch.samples as f64 * stretch.mean_square).sum();
+    let over: usize = statistics.iter().map(BandStatistics::samples_over_limit).sum();
+    let largest = |value: fn(&BandStatistics) -> f64| statistics.iter().map(value).fold(0.0, f64::max);
     let limit = settings.limit.as_ref().and_then(|limit| limit.of(band));
     Some(BandSummary {
         band,

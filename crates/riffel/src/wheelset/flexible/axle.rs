@@ -42,11 +42,7 @@ impl Axle {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless there is a segment and every value is positive.
-    pub fn new(
-        material: ElasticMaterial,
-        density: f64,
-        segments: Vec<Segment>,
-    ) -> Result<Self, Error> {
+    pub fn new(material: ElasticMaterial, density: f64, segments: Vec<Segment>) -> Result<Self, Error> {
         Error::unless_positive("axle density", density, "kg/m3")?;
         if segments.is_empty() {
             return Err(Error::OutOfRange {
@@ -83,10 +79,7 @@ impl Axle {
                 rule: "must be above 0 and at most 1",
             });
         }
-        Ok(Self {
-            shear_coefficient,
-            ..self
-        })
+        Ok(Self { shear_coefficient, ..self })
     }
 
     /// The same with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
@@ -95,10 +88,7 @@ impl Axle {
     /// [`Error::OutOfRange`] if it is negative.
     pub fn with_loss_factor(self, loss_factor: f64) -> Result<Self, Error> {
         Error::unless_not_negative("axle loss factor", loss_factor, "")?;
-        Ok(Self {
-            loss_factor,
-            ..self
-        })
+        Ok(Self { loss_factor, ..self })
     }
 
     /// Length \[m\].

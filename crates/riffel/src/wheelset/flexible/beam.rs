@@ -86,8 +86,7 @@ impl Section<2> for BeamSection {
     /// The larger root of k⁴ − (ρA/κGA + ρI/EI)ω²k² − (ρA/EI)ω² = 0, an upper bound below the cut-on of the second wave
     /// and above it too.
     fn wavenumber(&self, w2: f64) -> f64 {
-        let linear = w2
-            * (self.mass * self.shear_compliance + self.rotary_inertia * self.bending_compliance);
+        let linear = w2 * (self.mass * self.shear_compliance + self.rotary_inertia * self.bending_compliance);
         let constant = w2 * self.mass * self.bending_compliance;
         (0.5 * (linear + (linear * linear + 4.0 * constant).sqrt())).sqrt()
     }

@@ -23,24 +23,14 @@ pub(super) struct Node<const N: usize> {
 
 impl<const N: usize> Node<N> {
     pub(super) fn bare(place: f64) -> Self {
-        Self {
-            place,
-            inertia: [0.0; N],
-            stiffness: [0.0; N],
-            damping: [0.0; N],
-            coupled: Vec::new(),
-        }
+        Self { place, inertia: [0.0; N], stiffness: [0.0; N], damping: [0.0; N], coupled: Vec::new() }
     }
 
     /// Dynamic stiffness.
     #[inline]
     pub(super) fn dynamic_stiffness(&self, w: f64) -> [Complex64; N] {
-        let mut stiffness: [Complex64; N] = std::array::from_fn(|i| {
-            Complex64::new(
-                self.stiffness[i] - w * w * self.inertia[i],
-                w * self.damping[i],
-            )
-        });
+        let mut stiffness: [Complex64; N] =
+            std::array::from_fn(|i| Complex64::new(self.stiffness[i] - w * w * self.inertia[i], w * self.damping[i]));
         for coupled in &self.coupled {
             let spring = Complex64::new(coupled.stiffness, w * coupled.damping);
             let inertia = -w * w * coupled.polar_inertia;
@@ -88,21 +78,14 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
         let spans = nodes.windows(2).map(|ends| {
             let length = ends[1].place - ends[0].place;
             let section = section(0.5 * (ends[0].place + ends[1].place));
-            let known = kinds
-                .iter()
-                .position(|(other, known)| *other == section && (known - length).abs() < SAME);
+            let known = kinds.iter().position(|(other, known)| *other == section && (known - length).abs() < SAME);
             known.unwrap_or_else(|| {
                 kinds.push((section, length));
                 kinds.len() - 1
             })
         });
         let spans = spans.collect();
-        Self {
-            nodes,
-            kinds,
-            spans,
-            elasticity: Complex64::new(1.0, loss_factor),
-        }
+        Self { nodes, kinds, spans, elasticity: Complex64::new(1.0, loss_factor) }
     }
 
     /// The same without loss, with nodes no further apart than a phase \[rad\] of the shortest wave at ω.
@@ -115,8 +98,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
             }
             node
         };
-        let (mut nodes, mut kinds, mut spans) =
-            (vec![lossless(&self.nodes[0])], Vec::new(), Vec::new());
+        let (mut nodes, mut kinds, mut spans) = (vec![lossless(&self.nodes[0])], Vec::new(), Vec::new());
         let counts: Vec<usize> = self
             .kinds
             .iter()
@@ -134,12 +116,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
             nodes.push(lossless(&self.nodes[index + 1]));
             spans.extend(std::iter::repeat_n(kind, counts[kind]));
         }
-        Self {
-            nodes,
-            kinds,
-            spans,
-            elasticity: Complex64::ONE,
-        }
+        Self { nodes, kinds, spans, elasticity: Complex64::ONE }
     }
 
     /// Section and length of a span.

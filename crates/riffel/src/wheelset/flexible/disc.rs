@@ -33,11 +33,7 @@ impl Disc {
     pub(super) fn check(&self, axle_length: f64) -> Result<(), Error> {
         Error::unless_not_negative("mass of a disc", self.mass, "kg")?;
         Error::unless_not_negative("polar inertia of a disc", self.polar_inertia, "kg m2")?;
-        Error::unless_not_negative(
-            "diametral inertia of a disc",
-            self.diametral_inertia,
-            "kg m2",
-        )?;
+        Error::unless_not_negative("diametral inertia of a disc", self.diametral_inertia, "kg m2")?;
         let half = 0.5 * axle_length;
         if !(-half..=half).contains(&self.position) {
             return Err(Error::OutOfRange {
@@ -49,16 +45,8 @@ impl Disc {
         }
         if let Some(coupled) = &self.coupled {
             Error::unless_positive("coupled inertia", coupled.polar_inertia, "kg m2")?;
-            Error::unless_positive(
-                "stiffness of a coupled inertia",
-                coupled.stiffness,
-                "N m/rad",
-            )?;
-            Error::unless_not_negative(
-                "damping of a coupled inertia",
-                coupled.damping,
-                "N m s/rad",
-            )?;
+            Error::unless_positive("stiffness of a coupled inertia", coupled.stiffness, "N m/rad")?;
+            Error::unless_not_negative("damping of a coupled inertia", coupled.damping, "N m s/rad")?;
         }
         Ok(())
     }

@@ -107,13 +107,7 @@ impl FlexibleWheelset {
         }
         discs.iter().try_for_each(|disc| disc.check(length))?;
         let motions = Motions::new(&axle, &discs, contacts, suspension.as_ref());
-        Ok(Self {
-            axle,
-            discs,
-            contacts,
-            suspension,
-            motions,
-        })
+        Ok(Self { axle, discs, contacts, suspension, motions })
     }
 
     /// The axle.
@@ -133,25 +127,19 @@ impl FlexibleWheelset {
 
     /// Mass and moments of inertia about the middle of the axle, what is coupled through springs included.
     pub fn rigid_body(&self) -> RigidBody {
-        let mut body = RigidBody {
-            mass: 0.0,
-            roll_inertia: 0.0,
-            spin_inertia: 0.0,
-        };
+        let mut body = RigidBody { mass: 0.0, roll_inertia: 0.0, spin_inertia: 0.0 };
         let ends = self.axle.joints();
         for (segment, ends) in self.axle.segments.iter().zip(ends.windows(2)) {
             let per_length = self.axle.density * segment.area();
             let turning = self.axle.density * segment.second_moment();
             body.mass += per_length * segment.length;
-            body.roll_inertia +=
-                per_length * (ends[1].powi(3) - ends[0].powi(3)) / 3.0 + turning * segment.length;
+            body.roll_inertia += per_length * (ends[1].powi(3) - ends[0].powi(3)) / 3.0 + turning * segment.length;
             body.spin_inertia += 2.0 * turning * segment.length;
         }
         for disc in &self.discs {
             body.mass += disc.mass;
             body.roll_inertia += disc.diametral_inertia + disc.mass * disc.position.powi(2);
-            body.spin_inertia +=
-                disc.polar_inertia + disc.coupled.map_or(0.0, |coupled| coupled.polar_inertia);
+            body.spin_inertia += disc.polar_inertia + disc.coupled.map_or(0.0, |coupled| coupled.polar_inertia);
         }
         body
     }
@@ -170,12 +158,7 @@ impl FlexibleWheelset {
 }
 
 impl Motions {
-    fn new(
-        axle: &Axle,
-        discs: &[Disc],
-        geometry: ContactGeometry,
-        suspension: Option<&Suspension>,
-    ) -> Self {
+    fn new(axle: &Axle, discs: &[Disc], geometry: ContactGeometry, suspension: Option<&Suspension>) -> Self {
         /// Places closer than this are one \[m\].
         const SAME: f64 = 1e-9;
         let mut places = axle.joints();
@@ -190,9 +173,7 @@ impl Motions {
         places.dedup_by(|later, earlier| *later - *earlier < SAME);
         let nearest = |place: f64| {
             let distance = |index: &usize| (places[*index] - place).abs();
-            (0..places.len())
-                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-                .unwrap_or(0)
+            (0..places.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
         };
 
         let bending = |direction| {
@@ -256,10 +237,7 @@ impl Wheelset for FlexibleWheelset {
         let (motions, w) = (&self.motions, angular_frequency);
         let contacts = motions.contacts;
         let vertical = motions.vertical.between(contacts, w);
-        let horizontal = motions
-            .horizontal
-            .as_ref()
-            .map(|chain| chain.between(contacts, w));
+        let horizontal = motions.horizontal.as_ref().map(|chain| chain.between(contacts, w));
         let sections = SectionReceptances {
             forward: entry(horizontal.as_ref().unwrap_or(&vertical), 0, 0),
             downward: entry(&vertical, 0, 0),
@@ -274,11 +252,7 @@ impl Wheelset for FlexibleWheelset {
     fn hubs(&self, angular_frequency: f64) -> Option<Between> {
         let motions = &self.motions;
         let bending = motions.horizontal.as_ref().unwrap_or(&motions.vertical);
-        Some(entry(
-            &bending.between(motions.contacts, angular_frequency),
-            0,
-            0,
-        ))
+        Some(entry(&bending.between(motions.contacts, angular_frequency), 0, 0))
     }
 }
 
@@ -292,23 +266,11 @@ mod tests {
     /// Wheels at the ends of a shaft without mass, which leaves its stiffness GJ/s from either wheel to the middle; and that
     /// stiffness.
     fn torsion(coupled: Option<CoupledInertia>) -> (FlexibleWheelset, f64) {
-        let segment = Segment {
-            length: 1.5,
-            diameter: 0.16,
-        };
+        let segment = Segment { length: 1.5, diameter: 0.16 };
         let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
         let axle = Axle::new(steel, 1e-9, vec![segment]).unwrap();
-        let wheel = |position| Disc {
-            position,
-            mass: 330.0,
-            polar_inertia: INERTIA,
-            diametral_inertia: 20.0,
-            coupled,
-        };
-        let contacts = ContactGeometry {
-            contact_spacing: 1.5,
-            rolling_radius: 0.46,
-        };
+        let wheel = |position| Disc { position, mass: 330.0, polar_inertia: INERTIA, diametral_inertia: 20.0, coupled };
+        let contacts = ContactGeometry { contact_spacing: 1.5, rolling_radius: 0.46 };
         let wheelset = FlexibleWheelset::new(axle, vec![wheel(-0.75), wheel(0.75)], contacts);
         let stiffness = steel.shear_modulus() * 2.0 * segment.second_moment() / 0.75;
         (wheelset.unwrap(), stiffness)
@@ -333,10 +295,7 @@ mod tests {
             let free = -1.0 / (INERTIA * w * w);
             assert!((alike / free - 1.0).norm() < 1e-11, "{alike} {free}");
             let expected = (stiffness - INERTIA * w * w).recip();
-            assert!(
-                (opposite / expected - 1.0).norm() < 1e-11,
-                "{opposite} {expected}"
-            );
+            assert!((opposite / expected - 1.0).norm() < 1e-11, "{opposite} {expected}");
         }
         let [_, resonant] = patterns(&wheelset, natural);
         assert!(resonant.norm() * stiffness > 1e10, "{resonant}");
@@ -384,21 +343,14 @@ mod tests {
     /// Two absorbers without damping on two wheels add two torsional modes to the first, none of which is missed.
     #[test]
     fn modes_of_absorbers_are_counted() {
-        let coupled = CoupledInertia {
-            polar_inertia: 4.0,
-            stiffness: 4.0 * 400f64.powi(2),
-            damping: 10.0,
-        };
+        let coupled = CoupledInertia { polar_inertia: 4.0, stiffness: 4.0 * 400f64.powi(2), damping: 10.0 };
         let (wheelset, stiffness) = torsion(Some(coupled));
         let modes = wheelset.natural_modes(1e3).unwrap();
-        let modes = modes
-            .iter()
-            .filter(|mode| matches!(mode.name, ModeName::Torsion { .. }));
+        let modes = modes.iter().filter(|mode| matches!(mode.name, ModeName::Torsion { .. }));
         let got: Vec<f64> = modes.map(|mode| mode.angular_frequency).collect();
         // Alike: I and I_a on the spring between them; opposite: with the shaft, two roots.
         let square = coupled.stiffness * (1.0 / INERTIA + 1.0 / coupled.polar_inertia);
-        let sum =
-            (stiffness + coupled.stiffness) / INERTIA + coupled.stiffness / coupled.polar_inertia;
+        let sum = (stiffness + coupled.stiffness) / INERTIA + coupled.stiffness / coupled.polar_inertia;
         let product = stiffness * coupled.stiffness / (INERTIA * coupled.polar_inertia);
         let root = (0.25 * sum * sum - product).sqrt();
         let mut expected = [square, 0.5 * sum - root, 0.5 * sum + root].map(f64::sqrt);

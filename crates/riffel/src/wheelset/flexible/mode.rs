@@ -27,21 +27,15 @@ impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
         const BESIDE: f64 = 1e-9;
         let w = natural * (1.0 + BESIDE);
         let cuts = chain.cuts(w);
-        let loads: Vec<[Complex64; N]> = chain
-            .nodes
-            .iter()
-            .map(|node| node.dynamic_stiffness(w))
-            .collect();
+        let loads: Vec<[Complex64; N]> = chain.nodes.iter().map(|node| node.dynamic_stiffness(w)).collect();
         let last = chain.spans.len();
         // Dynamic stiffness left and right of each node, without it, and how a motion goes on outward.
         let (mut left, mut outward_left) = (vec![Square::ZERO; last + 1], vec![Square::ZERO; last]);
         for span in 0..last {
             let transfer = &cuts[chain.spans[span]].transfer;
-            (left[span + 1], outward_left[span]) =
-                transfer.across(left[span].plus_diagonal(&loads[span]));
+            (left[span + 1], outward_left[span]) = transfer.across(left[span].plus_diagonal(&loads[span]));
         }
-        let (mut right, mut outward_right) =
-            (vec![Square::ZERO; last + 1], vec![Square::ZERO; last]);
+        let (mut right, mut outward_right) = (vec![Square::ZERO; last + 1], vec![Square::ZERO; last]);
         for span in (0..last).rev() {
             let transfer = &cuts[chain.spans[span]].transfer;
             let beyond = right[span + 1].plus_diagonal(&loads[span + 1]);
@@ -49,21 +43,12 @@ impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
             (right[span], outward_right[span]) = (stiffness.mirrored(), back.mirrored());
         }
 
-        let answers =
-            (0..=last).map(|node| (left[node].plus_diagonal(&loads[node]) + right[node]).inverse());
+        let answers = (0..=last).map(|node| (left[node].plus_diagonal(&loads[node]) + right[node]).inverse());
         let strongest = answers.enumerate().flat_map(|(node, answer)| {
-            (0..N).map(move |i| {
-                (
-                    node,
-                    answer.0[i][i].norm(),
-                    std::array::from_fn(|j| answer.0[j][i]),
-                )
-            })
+            (0..N).map(move |i| (node, answer.0[i][i].norm(), std::array::from_fn(|j| answer.0[j][i])))
         });
         let (source, _, motion) =
-            strongest
-                .max_by(|a, b| a.1.total_cmp(&b.1))
-                .unwrap_or((0, 0.0, [Complex64::ZERO; N]));
+            strongest.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0, [Complex64::ZERO; N]));
 
         let mut displacements = vec![motion; last + 1];
         for span in (0..source).rev() {
@@ -74,34 +59,16 @@ impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
         }
         // Right of each node.
         let internal = |node: usize| {
-            let stiffness = if node < source {
-                left[node].plus_diagonal(&loads[node])
-            } else {
-                right[node]
-            };
+            let stiffness = if node < source { left[node].plus_diagonal(&loads[node]) } else { right[node] };
             let load = stiffness.apply(&displacements[node]);
-            if node < source {
-                load
-            } else {
-                load.map(|value| -value)
-            }
+            if node < source { load } else { load.map(|value| -value) }
         };
-        let states = (0..=last)
-            .map(|node| (displacements[node], internal(node)))
-            .collect();
+        let states = (0..=last).map(|node| (displacements[node], internal(node))).collect();
         Self::normalised(chain.clone(), natural, states)
     }
 
-    fn normalised(
-        chain: Chain<S, N>,
-        natural: f64,
-        states: Vec<([Complex64; N], [Complex64; N])>,
-    ) -> Self {
-        let mut mode = Self {
-            chain,
-            natural,
-            states,
-        };
+    fn normalised(chain: Chain<S, N>, natural: f64, states: Vec<([Complex64; N], [Complex64; N])>) -> Self {
+        let mut mode = Self { chain, natural, states };
         let factor = mode.generalised_mass().sqrt().recip();
         for (displacement, load) in &mut mode.states {
             *displacement = displacement.map(|value| value * factor);
@@ -138,24 +105,18 @@ impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
     pub(super) fn mass_of_node(&self, index: usize) -> f64 {
         let node = &self.chain.nodes[index];
         let displacement = self.states[index].0.map(|value| value.re);
-        let own = node
-            .inertia
+        let own = node.inertia.iter().zip(displacement).map(|(inertia, d)| inertia * d * d);
+        let coupled = node
+            .coupled
             .iter()
-            .zip(displacement)
-            .map(|(inertia, d)| inertia * d * d);
-        let coupled = node.coupled.iter().map(|coupled| {
-            coupled.polar_inertia * (displacement[0] * self.amplification(coupled)).powi(2)
-        });
+            .map(|coupled| coupled.polar_inertia * (displacement[0] * self.amplification(coupled)).powi(2));
         own.sum::<f64>() + coupled.sum::<f64>()
     }
 
     /// Momentum of what sits at a node in its first displacement, over ω.
     pub(super) fn momentum_of_node(&self, index: usize) -> f64 {
         let node = &self.chain.nodes[index];
-        let coupled = node
-            .coupled
-            .iter()
-            .map(|coupled| coupled.polar_inertia * self.amplification(coupled));
+        let coupled = node.coupled.iter().map(|coupled| coupled.polar_inertia * self.amplification(coupled));
         (node.inertia[0] + coupled.sum::<f64>()) * self.states[index].0[0].re
     }
 
@@ -172,10 +133,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
             let inertia = section.inertia();
             let at = |(share, weight): (f64, f64)| {
                 let displacement = self.within(span, share);
-                let squares = inertia
-                    .iter()
-                    .zip(displacement)
-                    .map(|(inertia, d)| inertia * d * d);
+                let squares = inertia.iter().zip(displacement).map(|(inertia, d)| inertia * d * d);
                 weight * length * squares.sum::<f64>()
             };
             GAUSS.into_iter().map(at).sum::<f64>()
@@ -205,8 +163,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
         let (Some(first), Some(last)) = (self.chain.nodes.first(), self.chain.nodes.last()) else {
             return true;
         };
-        let place =
-            |step: usize| first.place + (last.place - first.place) * step as f64 / PLACES as f64;
+        let place = |step: usize| first.place + (last.place - first.place) * step as f64 / PLACES as f64;
         let product = |step: usize| self.at(place(step))[0] * self.at(place(PLACES - step))[0];
         (0..=PLACES).map(product).sum::<f64>() > 0.0
     }

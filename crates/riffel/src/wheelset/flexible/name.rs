@@ -75,16 +75,8 @@ impl fmt::Display for ModeName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::RigidBody(motion) => write!(f, "rigid body: {motion}"),
-            Self::Bending {
-                symmetric,
-                order,
-                plane,
-            } => {
-                let symmetry = if symmetric {
-                    "symmetric"
-                } else {
-                    "antisymmetric"
-                };
+            Self::Bending { symmetric, order, plane } => {
+                let symmetry = if symmetric { "symmetric" } else { "antisymmetric" };
                 write!(f, "{} {symmetry} bending", Ordinal(order))?;
                 f.write_str(match plane {
                     BendingPlane::Both => "",

@@ -42,10 +42,7 @@ impl NaturalMode {
     /// How often the frequency occurs by this mode: twice for one in both planes.
     pub fn multiplicity(&self) -> usize {
         match self.name {
-            ModeName::Bending {
-                plane: BendingPlane::Both,
-                ..
-            } => 2,
+            ModeName::Bending { plane: BendingPlane::Both, .. } => 2,
             _ => 1,
         }
     }
@@ -63,10 +60,7 @@ impl NaturalMode {
             Shape::Torsion(mode) => [rotation[1]] = mode.at(place),
             Shape::Stretch(mode) => [displacement[1]] = mode.at(place),
         }
-        SectionMotion {
-            displacement,
-            rotation,
-        }
+        SectionMotion { displacement, rotation }
     }
 }
 
@@ -79,33 +73,22 @@ impl SectionMotion {
 }
 
 /// Modes of a chain up to a frequency.
-fn modes_of<S: Section<N> + PartialEq, const N: usize>(
-    chain: &Chain<S, N>,
-    highest: f64,
-) -> Vec<Mode<S, N>> {
+fn modes_of<S: Section<N> + PartialEq, const N: usize>(chain: &Chain<S, N>, highest: f64) -> Vec<Mode<S, N>> {
     /// Slower motions have no restoring force: a spring of 1 N/m under a wheelset makes 5 mHz.
     const LOWEST: f64 = TAU * 1e-3;
     /// A radian between nodes, for which the sums over a mode are exact to 1e-9.
     const PHASE: f64 = 1.0;
     let chain = chain.refined(highest, PHASE);
     let frequencies = chain.natural_frequencies([LOWEST.min(0.5 * highest), highest]);
-    frequencies
-        .into_iter()
-        .map(|w| Mode::of(&chain, w))
-        .collect()
+    frequencies.into_iter().map(|w| Mode::of(&chain, w)).collect()
 }
 
 /// All modes of a wheelset up to a frequency.
 pub(super) fn modes(wheelset: &FlexibleWheelset, highest: f64) -> Result<Vec<NaturalMode>, Error> {
     let axle = &wheelset.axle;
     // √(κGA/ρI) = 4√(κG/ρ)/d of a circle.
-    let shear_speed =
-        (axle.shear_coefficient * axle.material.shear_modulus() / axle.density).sqrt();
-    let thickest = axle
-        .segments
-        .iter()
-        .map(|segment| segment.diameter)
-        .fold(0.0, f64::max);
+    let shear_speed = (axle.shear_coefficient * axle.material.shear_modulus() / axle.density).sqrt();
+    let thickest = axle.segments.iter().map(|segment| segment.diameter).fold(0.0, f64::max);
     if !(highest > 0.0 && highest < 4.0 * shear_speed / thickest) {
         return Err(Error::OutOfRange {
             quantity: "highest natural frequency",
@@ -118,10 +101,9 @@ pub(super) fn modes(wheelset: &FlexibleWheelset, highest: f64) -> Result<Vec<Nat
     let motions = &wheelset.motions;
     let planes = match motions.horizontal {
         None => vec![(&motions.vertical, BendingPlane::Both)],
-        Some(ref horizontal) => vec![
-            (&motions.vertical, BendingPlane::Vertical),
-            (horizontal, BendingPlane::Horizontal),
-        ],
+        Some(ref horizontal) => {
+            vec![(&motions.vertical, BendingPlane::Vertical), (horizontal, BendingPlane::Horizontal)]
+        }
     };
     let mut modes = Vec::new();
     for (chain, plane) in planes {
@@ -138,31 +120,20 @@ pub(super) fn modes(wheelset: &FlexibleWheelset, highest: f64) -> Result<Vec<Nat
             } else {
                 let order = &mut orders[usize::from(symmetric)];
                 *order += 1;
-                ModeName::Bending {
-                    symmetric,
-                    order: *order,
-                    plane,
-                }
+                ModeName::Bending { symmetric, order: *order, plane }
             };
             let angular_frequency = mode.natural;
             let shape = match plane {
                 BendingPlane::Horizontal => Shape::Horizontal(mode),
                 BendingPlane::Both | BendingPlane::Vertical => Shape::Vertical(mode),
             };
-            modes.push(NaturalMode {
-                angular_frequency,
-                name,
-                shape,
-            });
+            modes.push(NaturalMode { angular_frequency, name, shape });
         }
     }
     for (index, mode) in modes_of(&motions.torsion, highest).into_iter().enumerate() {
         modes.push(NaturalMode {
             angular_frequency: mode.natural,
-            name: ModeName::Torsion {
-                order: index + 1,
-                discs: disc_motion(&mode, wheelset),
-            },
+            name: ModeName::Torsion { order: index + 1, discs: disc_motion(&mode, wheelset) },
             shape: Shape::Torsion(mode),
         });
     }
@@ -174,11 +145,7 @@ pub(super) fn modes(wheelset: &FlexibleWheelset, highest: f64) -> Result<Vec<Nat
             order += 1;
             ModeName::Stretch { order }
         };
-        modes.push(NaturalMode {
-            angular_frequency: mode.natural,
-            name,
-            shape: Shape::Stretch(mode),
-        });
+        modes.push(NaturalMode { angular_frequency: mode.natural, name, shape: Shape::Stretch(mode) });
     }
     modes.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
     Ok(modes)
@@ -207,9 +174,5 @@ fn disc_motion(mode: &Mode<RodSection, 1>, wheelset: &FlexibleWheelset) -> Optio
     if discs <= wheels || discs <= mode.mass_of_axle() {
         return None;
     }
-    Some(if 2.0 * f64::abs(together) > apart {
-        DiscMotion::AgainstWheels
-    } else {
-        DiscMotion::AgainstEachOther
-    })
+    Some(if 2.0 * f64::abs(together) > apart { DiscMotion::AgainstWheels } else { DiscMotion::AgainstEachOther })
 }

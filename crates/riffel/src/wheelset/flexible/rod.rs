@@ -18,18 +18,12 @@ pub(super) struct RodSection {
 impl RodSection {
     pub(super) fn torsion(axle: &Axle, segment: Segment) -> Self {
         let polar = 2.0 * segment.second_moment();
-        Self {
-            compliance: (axle.material.shear_modulus() * polar).recip(),
-            inertia: axle.density * polar,
-        }
+        Self { compliance: (axle.material.shear_modulus() * polar).recip(), inertia: axle.density * polar }
     }
 
     pub(super) fn stretch(axle: &Axle, segment: Segment) -> Self {
         let area = segment.area();
-        Self {
-            compliance: (axle.material.youngs_modulus() * area).recip(),
-            inertia: axle.density * area,
-        }
+        Self { compliance: (axle.material.youngs_modulus() * area).recip(), inertia: axle.density * area }
     }
 }
 

@@ -122,8 +122,5 @@ pub(super) fn matrix_hyperbolic(trace: Complex64, determinant: Complex64) -> [[C
         odd /= (next + 2.0) * (next + 3.0);
     }
     let [[even_before, even_power], [odd_before, odd_power]] = sums;
-    [
-        [1.0 - determinant * even_before, even_power],
-        [1.0 - determinant * odd_before, odd_power],
-    ]
+    [[1.0 - determinant * even_before, even_power], [1.0 - determinant * odd_before, odd_power]]
 }

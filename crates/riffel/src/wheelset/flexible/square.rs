@@ -51,9 +51,7 @@ impl<const N: usize> Square<N> {
     }
 
     pub(super) fn transposed(&self) -> Self {
-        Self(std::array::from_fn(|i| {
-            std::array::from_fn(|j| self.0[j][i])
-        }))
+        Self(std::array::from_fn(|i| std::array::from_fn(|j| self.0[j][i])))
     }
 
     /// The symmetric matrix of which it is a rounding.

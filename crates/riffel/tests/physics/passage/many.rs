@@ -4,12 +4,9 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use riffel::damage::{
-    Bending, ClippedPower, Damage, DamageLaw, Demand, Fatigue, Flow, FlowAlong, Load,
-    ShakedownLimit,
+    Bending, ClippedPower, Damage, DamageLaw, Demand, Fatigue, Flow, FlowAlong, Load, ShakedownLimit,
 };
-use riffel::passage::{
-    DamageInTime, Evolution, EvolutionStep, PassageModel, PassingWheel, WearOfPassages,
-};
+use riffel::passage::{DamageInTime, Evolution, EvolutionStep, PassageModel, PassingWheel, WearOfPassages};
 use riffel::roughness::Profile;
 use riffel::{DissipationPhase, HertzContact, Loop, PlaceOfWear, WearCorners, WearRegimes};
 
@@ -19,29 +16,18 @@ use super::{RADIUS, at, both, carter, free_beam, steel, two_layers};
 /// of wear with regimes, whose coefficient changes over the wave.
 #[test]
 fn growth_over_passages_is_linear_growth() {
-    for (track, regimes) in [
-        (two_layers(), false),
-        (free_beam(), false),
-        (two_layers(), true),
-    ] {
+    for (track, regimes) in [(two_layers(), false), (free_beam(), false), (two_layers(), true)] {
         let (mut feedback, model) = both(track, carter, 0.3, 30.0, 1e-6);
         if regimes {
             let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
             let corners = WearCorners::Rounded;
-            let law = WearRegimes::TgammaArea {
-                corners,
-                spread: 0.5,
-            };
+            let law = WearRegimes::TgammaArea { corners, spread: 0.5 };
             let wear = law.wear(&hertz, &feedback.contact.steady(), 7850.0, 1.0);
             feedback.wear = wear.unwrap();
         }
         let semi_axis = 6e-3;
         feedback.place_of_wear = PlaceOfWear::new(DissipationPhase::Lag, semi_axis, 0.3);
-        let wear = WearOfPassages {
-            wear: feedback.wear,
-            place: feedback.place_of_wear,
-            shortest: 2.0 * semi_axis,
-        };
+        let wear = WearOfPassages { wear: feedback.wear, place: feedback.place_of_wear, shortest: 2.0 * semi_axis };
         let (length, count) = (2.4, 2400);
         let heights = (0..count).map(|index| {
             let x = length * f64::from(index) / f64::from(count);
@@ -49,17 +35,8 @@ fn growth_over_passages_is_linear_growth() {
         });
         let profile = Profile::new(0.0, length / f64::from(count), heights.collect()).unwrap();
         let mut evolution = Evolution::new(&profile);
-        let wheel = PassingWheel {
-            memory: model.memory().unwrap(),
-            model,
-            wear,
-            share: 1.0,
-            traction_share: 1.0,
-        };
-        let step = EvolutionStep {
-            largest_change: EvolutionStep::USUAL_CHANGE,
-            largest_step: 1e-3,
-        };
+        let wheel = PassingWheel { memory: model.memory().unwrap(), model, wear, share: 1.0, traction_share: 1.0 };
+        let step = EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: 1e-3 };
         let amplitude = |evolution: &Evolution, waves: usize| evolution.waves()[waves - 1].1.norm();
         let before = [40, 30].map(|waves| amplitude(&evolution, waves));
         for _ in 0..4 {
@@ -71,11 +48,7 @@ fn growth_over_passages_is_linear_growth() {
             let linear = at(&feedback, wavelength, 30.0);
             let scale = linear.dissipation_at_rail.norm() / linear.dissipation_at_rail.re.abs();
             let error = (rate / linear.growth_rate - 1.0).abs() / scale;
-            assert!(
-                error < 1e-2,
-                "{wavelength}: {rate:e} for {:e}",
-                linear.growth_rate
-            );
+            assert!(error < 1e-2, "{wavelength}: {rate:e} for {:e}", linear.growth_rate);
         }
         assert!(evolution.mean_depth() > 0.0);
     }
@@ -94,11 +67,7 @@ fn waves_under(
     let wheel = PassingWheel {
         memory: model.memory().unwrap(),
         model,
-        wear: WearOfPassages {
-            wear: contact.wear,
-            place: contact.place_of_wear,
-            shortest: 0.01,
-        },
+        wear: WearOfPassages { wear: contact.wear, place: contact.place_of_wear, shortest: 0.01 },
         share: 1.0,
         traction_share: 1.0,
     };
@@ -117,9 +86,7 @@ fn waves_under(
 #[test]
 fn flow_that_hardens_over_passages() {
     let (speed, wavelength, amplitude) = (14.0, 0.3, 2e-6);
-    let pressure = HertzContact::new(steel(), RADIUS, 0.23, 50e3)
-        .unwrap()
-        .peak_pressure();
+    let pressure = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap().peak_pressure();
     let (feedback, model) = both(two_layers(), carter, 0.6, speed, amplitude);
     let feedback = feedback.close().unwrap();
     let steady = feedback.contacts()[0].rolling.steady();
@@ -135,20 +102,14 @@ fn flow_that_hardens_over_passages() {
         let damage = Arc::new(Damage::new(demand, vec![law]));
         feedback.clone().with_damage(|_| Some(damage.clone()))
     };
-    let gain = of(1.0).at(wavelength, speed).contacts[0]
-        .damage
-        .unwrap()
-        .demand;
+    let gain = of(1.0).at(wavelength, speed).contacts[0].damage.unwrap().demand;
     // Small, so that no other wave runs away.
     let hardening_depth = 0.15 / gain.norm();
     let (wheel, profile, waves) = waves_under(&model, &of(hardening_depth), wavelength, amplitude);
     let mut evolution = Evolution::new(&profile);
     let wave = |evolution: &Evolution| evolution.waves()[waves - 1].1;
     let before = wave(&evolution);
-    let step = EvolutionStep {
-        largest_change: 0.1,
-        largest_step: 3e-3,
-    };
+    let step = EvolutionStep { largest_change: 0.1, largest_step: 3e-3 };
     let along = hardening_depth.recip() + gain;
     let all = (4.0 * hardening_depth / 1e-9) as u64;
     while evolution.passages() < all {
@@ -202,20 +163,9 @@ fn laws_of_damage_over_passages_are_those_of_the_loop() {
     };
     let above = of_yield(0.8 * pressure * at_unit.value);
     let law = |exponent| ClippedPower::new(exponent, 0.0);
-    let flow = |exponent| {
-        DamageLaw::Flow(Flow {
-            depth: 1e-9,
-            law: law(exponent),
-            hardening_depth: None,
-        })
-    };
-    let along = DamageLaw::FlowAlong(FlowAlong {
-        area: 1e-10,
-        law: law(1.0),
-    });
-    let load = DamageLaw::Load(Load {
-        depth_per_force: 1e-15,
-    });
+    let flow = |exponent| DamageLaw::Flow(Flow { depth: 1e-9, law: law(exponent), hardening_depth: None });
+    let along = DamageLaw::FlowAlong(FlowAlong { area: 1e-10, law: law(1.0) });
+    let load = DamageLaw::Load(Load { depth_per_force: 1e-15 });
     let (stiffness, foundation) = (207e9 * 2.35e-5, 30e6);
     let moment = Bending::moment_at_rest(50e3, stiffness, foundation);
     let bending = |limit: f64| {
@@ -247,10 +197,7 @@ fn laws_of_damage_over_passages_are_those_of_the_loop() {
         let mut evolution = Evolution::new(&profile);
         let amplitude = |evolution: &Evolution| evolution.waves()[waves - 1].1;
         let before = amplitude(&evolution);
-        let step = EvolutionStep {
-            largest_change: 0.004,
-            largest_step: 1.5e-3,
-        };
+        let step = EvolutionStep { largest_change: 0.004, largest_step: 1.5e-3 };
         evolution.advance(&[&wheel], &step, u64::MAX).unwrap();
         // exp(gn) of G = g + drift.
         let found = (amplitude(&evolution) / before).ln() / evolution.passages() as f64;
@@ -258,10 +205,7 @@ fn laws_of_damage_over_passages_are_those_of_the_loop() {
         let damage = state.contacts[0].damage.unwrap();
         let expected = damage.growth();
         let error = (found - expected).norm() / expected.norm();
-        assert!(
-            error < tolerance,
-            "{name}: {found:e} for {expected:e}, {error:e}"
-        );
+        assert!(error < tolerance, "{name}: {found:e} for {expected:e}, {error:e}");
         assert!((state.growth_rate - expected.re).abs() <= 1e-9 * expected.norm());
     }
 }

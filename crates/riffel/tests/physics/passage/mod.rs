@@ -8,17 +8,13 @@ use std::sync::Arc;
 
 use riffel::contact::{CreepLaw, JohnsonVermeulen, MeanState, QuasiStatic, ShenHedrickElkins};
 use riffel::feedback::OneWheel;
-use riffel::passage::{
-    ContactInTime, ImpulseResponse, PassageModel, Settled, Sinusoid, StructuresInTime,
-};
-use riffel::receptance::{
-    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support,
-};
+use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Settled, Sinusoid, StructuresInTime};
+use riffel::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support};
 use riffel::roughness::Profile;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact,
-    LoopState, PlaceOfWear, Receptance,
+    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, LoopState, PlaceOfWear,
+    Receptance,
 };
 
 const RADIUS: f64 = 0.46;
@@ -33,12 +29,8 @@ fn rail() -> EulerBernoulliBeam {
 }
 
 fn timoshenko() -> Beam {
-    let shear = ShearSection {
-        area: 7.13e-3,
-        shear_coefficient: 0.4,
-        shear_modulus: steel().shear_modulus(),
-        density: 7850.0,
-    };
+    let shear =
+        ShearSection { area: 7.13e-3, shear_coefficient: 0.4, shear_modulus: steel().shear_modulus(), density: 7850.0 };
     Beam::timoshenko(steel(), 2.35e-5, 56.0, shear).unwrap()
 }
 
@@ -105,10 +97,7 @@ fn carter(hertz: HertzContact) -> Arc<dyn CreepLaw> {
 }
 
 fn settle(model: &PassageModel, amplitude: f64, wavelength: f64, steps: usize) -> Settled {
-    let profile = Sinusoid {
-        amplitude,
-        wavelength,
-    };
+    let profile = Sinusoid { amplitude, wavelength };
     model.settle(profile, steps).unwrap().swap_remove(0)
 }
 
@@ -121,10 +110,7 @@ fn receptance_comes_back() {
         free_beam(),
         Arc::new(ContinuousTrack::free(timoshenko())),
         Arc::new(ContinuousTrack::new(timoshenko(), ringing)),
-        Arc::new(ContinuousTrack::new(
-            Beam::from(rail()),
-            Support::one_layer(Layer::new(60e6, 10e3).unwrap()),
-        )),
+        Arc::new(ContinuousTrack::new(Beam::from(rail()), Support::one_layer(Layer::new(60e6, 10e3).unwrap()))),
     ];
     for (index, track) in tracks.iter().enumerate() {
         let response = ImpulseResponse::of(&**track, 30.0).unwrap();
@@ -193,10 +179,7 @@ fn small_amplitudes_are_the_linear_loop() {
         }
         let mean = settled.harmonics[0];
         assert!((mean.normal_force.re / 50e3 - 1.0).abs() < 1e-8);
-        assert!(
-            (mean.tangential_force.re / model.contacts[0].mean.forces.longitudinal - 1.0).abs()
-                < 1e-8
-        );
+        assert!((mean.tangential_force.re / model.contacts[0].mean.forces.longitudinal - 1.0).abs() < 1e-8);
     }
 }
 
@@ -209,8 +192,7 @@ fn ellipse(hertz: HertzContact) -> riffel::contact::CreepEllipse {
 #[test]
 fn second_order() {
     let (_, model) = both(two_layers(), carter, 0.3, 30.0, 1.0);
-    let [coarse, half, fine] =
-        [32, 64, 1024].map(|steps| settle(&model, 20e-6, 0.03, steps).harmonics[1]);
+    let [coarse, half, fine] = [32, 64, 1024].map(|steps| settle(&model, 20e-6, 0.03, steps).harmonics[1]);
     let error = |of: &riffel::passage::Harmonic| (of.normal_force - fine.normal_force).norm();
     let ratio = error(&coarse) / error(&half);
     assert!((ratio - 4.0).abs() < 0.2, "{ratio}");
@@ -277,10 +259,7 @@ fn mean_dissipation_is_that_of_the_drive() {
 fn refusals() {
     let (_, model) = both(two_layers(), carter, 0.3, 33.0, 1.0);
     let refused = |amplitude, wavelength, steps| {
-        let profile = Sinusoid {
-            amplitude,
-            wavelength,
-        };
+        let profile = Sinusoid { amplitude, wavelength };
         model.settle(profile, steps).unwrap_err().to_string()
     };
     assert!(refused(1e-5, 0.04, 8).contains("at least 20"));
@@ -296,9 +275,7 @@ fn a_passage_over_a_sinusoid_settles() {
     let (amplitude, wavelength) = (20e-6, 0.05);
     let settled = settle(&model, amplitude, wavelength, 256);
     let spacing = wavelength / 64.0;
-    let heights = (0..64 * 300)
-        .map(|index| amplitude * (TAU * f64::from(index) / 64.0).cos())
-        .collect();
+    let heights = (0..64 * 300).map(|index| amplitude * (TAU * f64::from(index) / 64.0).cos()).collect();
     let profile = Profile::new(0.0, spacing, heights).unwrap();
     let passage = model.pass(&profile, spacing / 3.9).unwrap();
     assert_eq!(passage.step, spacing / 4.0);
@@ -312,8 +289,5 @@ fn a_passage_over_a_sinusoid_settles() {
     assert!(worst < 1e-4, "{worst:e}");
     assert_eq!(passage.contact_loss, 0.0);
     let short = profile.between(0.0, 0.5).unwrap();
-    assert!(matches!(
-        model.pass(&short, spacing),
-        Err(Error::ProfileTooShort { .. })
-    ));
+    assert!(matches!(model.pass(&short, spacing), Err(Error::ProfileTooShort { .. })));
 }

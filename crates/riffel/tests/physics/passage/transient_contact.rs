@@ -22,21 +22,11 @@ fn a_late_contact_is_that_of_the_linear_loop() {
     let contact = HalfSpace::new(hertz, 0.4, 24).unwrap();
     let state = contact.roll_at_tractive_ratio(0.4).unwrap();
     let law = Arc::new(HalfSpaceCurve::new(&contact, &state).unwrap());
-    let table = NonSteady::new(
-        &contact,
-        &state,
-        OscillatingCreepages::Longitudinal,
-        1.01 * a,
-        100.0 * a,
-        1e-4,
-    );
+    let table = NonSteady::new(&contact, &state, OscillatingCreepages::Longitudinal, 1.01 * a, 100.0 * a, 1e-4);
     let table = Arc::new(table.unwrap());
     let late = LateContact::new(&*table, &*law, a, [1.01 * a, 100.0 * a]).unwrap();
     let (feedback, model) = both(two_layers(), |_| law.clone(), 0.4, 30.0, 1e-7);
-    let feedback = OneWheel {
-        contact: table.clone(),
-        ..feedback
-    };
+    let feedback = OneWheel { contact: table.clone(), ..feedback };
     let mut model = model;
     model.contacts[0].mean = riffel::RollingContact::steady(&*table);
     model.contacts[0].late = Some(Arc::new(late));
@@ -55,18 +45,11 @@ fn a_late_contact_is_that_of_the_linear_loop() {
     let wheel = PassingWheel {
         memory: model.memory().unwrap(),
         model,
-        wear: WearOfPassages {
-            wear: feedback.wear,
-            place: feedback.place_of_wear,
-            shortest: a,
-        },
+        wear: WearOfPassages { wear: feedback.wear, place: feedback.place_of_wear, shortest: a },
         share: 1.0,
         traction_share: 1.0,
     };
-    let step = EvolutionStep {
-        largest_change: EvolutionStep::USUAL_CHANGE,
-        largest_step: 2e-4,
-    };
+    let step = EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: 2e-4 };
     let (length, count) = (1.2, 6000);
     let lines = [20usize, 60];
     let heights = (0..count).map(|index| {
@@ -80,8 +63,7 @@ fn a_late_contact_is_that_of_the_linear_loop() {
     for line in lines {
         let change = rail.waves()[line - 1].1 / 1e-7 - 1.0;
         let linear = at(&feedback, length / line as f64, 30.0);
-        let expected = -feedback.wear.depth_per_energy() * linear.dissipation_at_rail
-            / (30.0 * feedback.amplitude);
+        let expected = -feedback.wear.depth_per_energy() * linear.dissipation_at_rail / (30.0 * feedback.amplitude);
         let error = (change - expected).norm() / expected.norm();
         assert!(error < 2e-3, "{line}: {change} {expected} {error:e}");
     }
@@ -97,29 +79,11 @@ fn transient_contact_at_small_amplitude() {
     let contact = HalfSpace::new(hertz, 0.4, 32).unwrap();
     let state = contact.roll_at_tractive_ratio(0.4).unwrap();
     let law: Arc<dyn CreepLaw> = Arc::new(HalfSpaceCurve::new(&contact, &state).unwrap());
-    let table = NonSteady::new(
-        &contact,
-        &state,
-        OscillatingCreepages::Longitudinal,
-        1.01 * a,
-        100.0 * a,
-        1e-4,
-    );
+    let table = NonSteady::new(&contact, &state, OscillatingCreepages::Longitudinal, 1.01 * a, 100.0 * a, 1e-4);
     let (feedback, model) = both(two_layers(), |_| law.clone(), 0.4, 30.0, 1.0);
-    let feedback = OneWheel {
-        contact: Arc::new(table.unwrap()),
-        ..feedback
-    };
-    let profile = Sinusoid {
-        amplitude: 20e-6,
-        wavelength: 0.06,
-    };
-    let contact = TransientContact {
-        hertz,
-        friction: 0.4,
-        across: 32,
-        over_true_gap: false,
-    };
+    let feedback = OneWheel { contact: Arc::new(table.unwrap()), ..feedback };
+    let profile = Sinusoid { amplitude: 20e-6, wavelength: 0.06 };
+    let contact = TransientContact { hertz, friction: 0.4, across: 32, over_true_gap: false };
     let linear = at(&feedback, profile.wavelength, 30.0);
     let got = model.settle_transient(profile, 256, contact).unwrap();
     let first = got.settled.harmonics[1];
@@ -127,11 +91,7 @@ fn transient_contact_at_small_amplitude() {
         (first.normal_force, linear.normal_force(), 1e-3),
         (first.tangential_force, linear.tangential_force(), 0.02),
         (first.creepage, linear.creepage(), 0.02),
-        (
-            got.energy_at_rail[1],
-            linear.dissipation_at_rail / 30.0,
-            0.02,
-        ),
+        (got.energy_at_rail[1], linear.dissipation_at_rail / 30.0, 0.02),
     ] {
         let error = (got / profile.amplitude - expected).norm() / expected.norm();
         assert!(error < limit, "{got} {expected} {error:e}");
@@ -147,30 +107,21 @@ fn transient_contact_at_small_amplitude() {
 #[test]
 fn transient_contact_that_is_lost() {
     let (_, model) = both(two_layers(), carter, 0.4, 30.0, 1.0);
-    let profile = Sinusoid {
-        amplitude: 200e-6,
-        wavelength: 0.055,
-    };
+    let profile = Sinusoid { amplitude: 200e-6, wavelength: 0.055 };
     let contact = TransientContact {
         hertz: HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap(),
         friction: 0.4,
         across: 16,
         over_true_gap: false,
     };
-    let got = model
-        .settle_transient(profile, 256, contact)
-        .unwrap()
-        .settled;
+    let got = model.settle_transient(profile, 256, contact).unwrap().settled;
     assert!(got.contact_loss > 0.05);
     for instant in &got.wave {
         assert!(instant.tangential_force.abs() <= 0.4 * instant.normal_force);
     }
     for (across, wavelength) in [(16, 0.01), (17, 0.055)] {
         let contact = TransientContact { across, ..contact };
-        let profile = Sinusoid {
-            amplitude: 1e-6,
-            wavelength,
-        };
+        let profile = Sinusoid { amplitude: 1e-6, wavelength };
         let refused = model.settle_transient(profile, 256, contact);
         assert!(matches!(refused, Err(Error::OutOfRange { .. })));
     }

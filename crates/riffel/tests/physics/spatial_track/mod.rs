@@ -5,8 +5,8 @@ mod reciprocity;
 use std::f64::consts::TAU;
 
 use riffel::receptance::{
-    Bar, Beam, ContactPoint, EulerBernoulliBeam, Layer, ResonanceKind, ShearSection, SpatialRail,
-    SpatialTrack, Structure, Support, Supports, Twist, TwistSection,
+    Bar, Beam, ContactPoint, EulerBernoulliBeam, Layer, ResonanceKind, ShearSection, SpatialRail, SpatialTrack,
+    Structure, Support, Supports, Twist, TwistSection,
 };
 use riffel::{Complex64, Direction, ElasticMaterial, Place, Rail};
 
@@ -19,15 +19,8 @@ fn steel() -> ElasticMaterial {
 }
 
 fn beam(second_moment: f64, shear_coefficient: f64, loss_factor: f64) -> Beam {
-    let shear = ShearSection {
-        area: 7.67e-3,
-        shear_coefficient,
-        shear_modulus: 80.769e9,
-        density: 7850.0,
-    };
-    Beam::timoshenko(steel(), second_moment, MASS, shear)
-        .and_then(|beam| beam.with_loss_factor(loss_factor))
-        .unwrap()
+    let shear = ShearSection { area: 7.67e-3, shear_coefficient, shear_modulus: 80.769e9, density: 7850.0 };
+    Beam::timoshenko(steel(), second_moment, MASS, shear).and_then(|beam| beam.with_loss_factor(loss_factor)).unwrap()
 }
 
 /// UIC60 of Kostovasilis, Thompson & Hussein (2017), without loss.
@@ -48,41 +41,23 @@ fn rail(section: TwistSection, loss_factor: f64) -> SpatialRail {
     SpatialRail {
         vertical: beam(3.037e-5, 0.393, loss_factor),
         lateral: Some(beam(5.127e-6, 0.538, loss_factor)),
-        twist: Some(
-            Twist::new(steel(), section)
-                .and_then(|twist| twist.with_loss_factor(loss_factor))
-                .unwrap(),
-        ),
-        longitudinal: Some(
-            Bar::new(steel(), 7.67e-3, MASS)
-                .and_then(|bar| bar.with_loss_factor(loss_factor))
-                .unwrap(),
-        ),
+        twist: Some(Twist::new(steel(), section).and_then(|twist| twist.with_loss_factor(loss_factor)).unwrap()),
+        longitudinal: Some(Bar::new(steel(), 7.67e-3, MASS).and_then(|bar| bar.with_loss_factor(loss_factor)).unwrap()),
     }
 }
 
 fn layer(stiffness: f64, loss_factor: f64) -> Layer {
-    Layer::new(stiffness, 0.0)
-        .and_then(|layer| layer.with_loss_factor(loss_factor))
-        .unwrap()
+    Layer::new(stiffness, 0.0).and_then(|layer| layer.with_loss_factor(loss_factor)).unwrap()
 }
 
 /// Pads on a slab, across the track and along it a third as stiff as downward.
 fn on_slab(vertical: f64, loss_factor: f64) -> Supports {
     let support = |stiffness| Some(Support::one_layer(layer(stiffness, loss_factor)));
-    Supports {
-        vertical: support(vertical),
-        lateral: support(vertical / 3.0),
-        longitudinal: support(vertical / 3.0),
-    }
+    Supports { vertical: support(vertical), lateral: support(vertical / 3.0), longitudinal: support(vertical / 3.0) }
 }
 
 fn place(along: f64, direction: Direction) -> Place {
-    Place {
-        along,
-        rail: Rail::Right,
-        direction,
-    }
+    Place { along, rail: Rail::Right, direction }
 }
 
 fn places(alongs: &[f64]) -> Vec<Place> {
@@ -108,62 +83,23 @@ fn point(track: &SpatialTrack, w: f64) -> [[Complex64; 3]; 3] {
 fn rail_head_on_even_pads() {
     let supports = on_slab(120e6, 0.2).per_metre(0.6).unwrap();
     let track = |warping_constant: f64| {
-        let section = TwistSection {
-            warping_constant,
-            ..section()
-        };
-        let contact = ContactPoint {
-            height: 0.091 + section.centroid_height,
-            lateral_offset: 0.01,
-        };
+        let section = TwistSection { warping_constant, ..section() };
+        let contact = ContactPoint { height: 0.091 + section.centroid_height, lateral_offset: 0.01 };
         SpatialTrack::continuous(rail(section, 0.02), supports).with_contact(Rail::Right, contact)
     };
     let close = |got: Complex64, (size, degrees): (f64, f64), hertz: f64| {
         // Half of the last digit, with a rounding of the parameters.
-        assert!(
-            (got.norm() / size - 1.0).abs() < 6e-4,
-            "{hertz} Hz: {got:e}"
-        );
+        assert!((got.norm() / size - 1.0).abs() < 6e-4, "{hertz} Hz: {got:e}");
         let turn = (got / Complex64::from_polar(size, degrees.to_radians())).arg();
         assert!(turn.to_degrees().abs() < 0.11, "{hertz} Hz: {got:e}");
     };
     for (hertz, without, with, mixed) in [
-        (
-            100.0,
-            (1.585e-7, -43.9),
-            (1.527e-7, -45.3),
-            (6.993e-9, -42.9),
-        ),
-        (
-            200.0,
-            (2.768e-8, -110.1),
-            (2.818e-8, -120.2),
-            (1.011e-9, -72.3),
-        ),
-        (
-            300.0,
-            (1.768e-8, -84.3),
-            (1.582e-8, -100.5),
-            (1.681e-9, -54.4),
-        ),
-        (
-            500.0,
-            (1.058e-8, -94.1),
-            (8.779e-9, -118.8),
-            (8.255e-10, -85.5),
-        ),
-        (
-            1000.0,
-            (5.095e-9, -92.5),
-            (3.198e-9, -125.6),
-            (3.898e-10, -88.0),
-        ),
-        (
-            1500.0,
-            (3.379e-9, -91.8),
-            (1.756e-9, -127.4),
-            (2.589e-10, -88.7),
-        ),
+        (100.0, (1.585e-7, -43.9), (1.527e-7, -45.3), (6.993e-9, -42.9)),
+        (200.0, (2.768e-8, -110.1), (2.818e-8, -120.2), (1.011e-9, -72.3)),
+        (300.0, (1.768e-8, -84.3), (1.582e-8, -100.5), (1.681e-9, -54.4)),
+        (500.0, (1.058e-8, -94.1), (8.779e-9, -118.8), (8.255e-10, -85.5)),
+        (1000.0, (5.095e-9, -92.5), (3.198e-9, -125.6), (3.898e-10, -88.0)),
+        (1500.0, (3.379e-9, -91.8), (1.756e-9, -127.4), (2.589e-10, -88.7)),
     ] {
         let w = TAU * hertz;
         let matrix = point(&track(0.0), w);
@@ -199,23 +135,10 @@ fn lateral_resonances_have_names() {
 
     // On sleepers the rail moves with them and against them.
     let ballast = Support::two_layer(layer(40e6, 0.2), 150.0, layer(35e6, 1.0)).unwrap();
-    let supports = Supports {
-        lateral: Some(ballast),
-        ..on_slab
-    };
-    let found = named(SpatialTrack::continuous(
-        rail,
-        supports.per_metre(0.6).unwrap(),
-    ));
+    let supports = Supports { lateral: Some(ballast), ..on_slab };
+    let found = named(SpatialTrack::continuous(rail, supports.per_metre(0.6).unwrap()));
     let kinds: Vec<ResonanceKind> = found.iter().map(|&(kind, _)| kind).collect();
-    assert_eq!(
-        kinds,
-        [
-            ResonanceKind::LateralCutOn,
-            ResonanceKind::LateralCutOn,
-            ResonanceKind::RollCutOn
-        ]
-    );
+    assert_eq!(kinds, [ResonanceKind::LateralCutOn, ResonanceKind::LateralCutOn, ResonanceKind::RollCutOn]);
     assert!(named(SpatialTrack::free(rail)).is_empty());
 }
 
@@ -225,28 +148,15 @@ fn lateral_resonances_have_names() {
 fn cut_on_frequencies_are_peaks() {
     let ballast = Support::two_layer(layer(40e6, 0.0), 150.0, layer(35e6, 0.0)).unwrap();
     let one = on_slab(120e6, 0.0);
-    let two = Supports {
-        lateral: Some(ballast),
-        ..one
-    };
+    let two = Supports { lateral: Some(ballast), ..one };
     for supports in [one, two] {
         let supports = supports.per_metre(0.6).unwrap();
         let track = SpatialTrack::continuous(rail(section(), 0.0), supports);
-        let track = track.with_contact(
-            Rail::Right,
-            ContactPoint {
-                height: 0.124,
-                lateral_offset: 0.0,
-            },
-        );
+        let track = track.with_contact(Rail::Right, ContactPoint { height: 0.124, lateral_offset: 0.0 });
         for (kind, w) in track.lateral_resonances() {
             let near = point(&track, w * (1.0 + 1e-8))[1][1].norm();
             let beside = point(&track, w * (1.0 + 1e-2))[1][1].norm();
-            assert!(
-                near > 100.0 * beside,
-                "{kind} {} Hz: {near:e} {beside:e}",
-                w / TAU
-            );
+            assert!(near > 100.0 * beside, "{kind} {} Hz: {near:e} {beside:e}", w / TAU);
         }
     }
 }
@@ -256,21 +166,12 @@ fn cut_on_frequencies_are_peaks() {
 #[test]
 fn stiff_supports_across_do_not_turn_waves_round() {
     let rail = rail(section(), 0.0);
-    let supports = Supports {
-        lateral: Some(Support::one_layer(layer(5e10, 0.0))),
-        ..on_slab(5e6, 0.0)
-    };
+    let supports = Supports { lateral: Some(Support::one_layer(layer(5e10, 0.0))), ..on_slab(5e6, 0.0) };
     for track in [
         SpatialTrack::continuous(rail, supports.per_metre(0.6).unwrap()),
         SpatialTrack::discrete(rail, supports, 0.6).unwrap(),
     ] {
-        let track = track.with_contact(
-            Rail::Right,
-            ContactPoint {
-                height: 0.124,
-                lateral_offset: 0.0,
-            },
-        );
+        let track = track.with_contact(Rail::Right, ContactPoint { height: 0.124, lateral_offset: 0.0 });
         for hertz in 5..2000 {
             let h = point(&track, TAU * f64::from(hertz))[1][1];
             assert!(h.im <= 1e-9 * h.norm(), "{hertz} Hz: {h:e}");
@@ -285,61 +186,19 @@ fn refuses_what_is_no_track() {
     let supports = on_slab(120e6, 0.2);
     assert!(SpatialTrack::discrete(rail, supports, 0.0).is_err());
     let sentence = |error: riffel::Error| error.to_string();
-    let held_down = Supports {
-        lateral: None,
-        ..supports
-    };
+    let held_down = Supports { lateral: None, ..supports };
     let error = sentence(SpatialTrack::discrete(rail, held_down, 0.6).unwrap_err());
-    assert!(
-        error.contains("lateral stiffness of the supports"),
-        "{error}"
-    );
-    let thin = TwistSection {
-        warping_constant: 1e-14,
-        ..section()
-    };
-    let thin = SpatialRail {
-        twist: Some(Twist::new(steel(), thin).unwrap()),
-        ..rail
-    };
+    assert!(error.contains("lateral stiffness of the supports"), "{error}");
+    let thin = TwistSection { warping_constant: 1e-14, ..section() };
+    let thin = SpatialRail { twist: Some(Twist::new(steel(), thin).unwrap()), ..rail };
     let error = sentence(SpatialTrack::discrete(thin, supports, 0.6).unwrap_err());
     assert!(error.contains("warping constant"), "{error}");
     for (name, wrong) in [
-        (
-            "torsion constant",
-            TwistSection {
-                torsion_constant: 0.0,
-                ..section()
-            },
-        ),
-        (
-            "polar second moment",
-            TwistSection {
-                polar_second_moment: -1.0,
-                ..section()
-            },
-        ),
-        (
-            "warping constant",
-            TwistSection {
-                warping_constant: -1.0,
-                ..section()
-            },
-        ),
-        (
-            "foot width",
-            TwistSection {
-                foot_width: 0.0,
-                ..section()
-            },
-        ),
-        (
-            "foot depth",
-            TwistSection {
-                foot_depth: f64::NAN,
-                ..section()
-            },
-        ),
+        ("torsion constant", TwistSection { torsion_constant: 0.0, ..section() }),
+        ("polar second moment", TwistSection { polar_second_moment: -1.0, ..section() }),
+        ("warping constant", TwistSection { warping_constant: -1.0, ..section() }),
+        ("foot width", TwistSection { foot_width: 0.0, ..section() }),
+        ("foot depth", TwistSection { foot_depth: f64::NAN, ..section() }),
     ] {
         let error = sentence(Twist::new(steel(), wrong).unwrap_err());
         assert!(error.contains(name), "{error}");
@@ -351,16 +210,12 @@ fn refuses_what_is_no_track() {
 /// sharpness of what is near: by more than 1e-5 only within 1e-4 of a band edge or a pinned-pinned frequency.
 #[test]
 fn lossless_waves_leave_the_force() {
-    let contact = ContactPoint {
-        height: 0.124,
-        lateral_offset: 0.01,
-    };
+    let contact = ContactPoint { height: 0.124, lateral_offset: 0.01 };
     let tracks = |loss_factor: f64| -> Vec<SpatialTrack> {
         let rail = rail(section(), loss_factor);
         let one = on_slab(120e6, loss_factor);
-        let on_ballast = |pad, ballast| {
-            Support::two_layer(layer(pad, loss_factor), 150.0, layer(ballast, loss_factor)).ok()
-        };
+        let on_ballast =
+            |pad, ballast| Support::two_layer(layer(pad, loss_factor), 150.0, layer(ballast, loss_factor)).ok();
         let two = Supports {
             vertical: on_ballast(120e6, 50e6),
             lateral: on_ballast(40e6, 35e6),

@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use riffel::receptance::{
-    Beam, ContactPoint, ContinuousTrack, CrossReceptance, PeriodicTrack, SpatialRail, SpatialTrack,
-    Structure, Support, Supports, TwistSection,
+    Beam, ContactPoint, ContinuousTrack, CrossReceptance, PeriodicTrack, SpatialRail, SpatialTrack, Structure, Support,
+    Supports, TwistSection,
 };
 use riffel::{Complex64, Direction, Place, Rail};
 
@@ -35,14 +35,7 @@ fn random() -> impl Strategy<Value = Random> {
             (-0.03..0.03, 0.08..0.14),
             prop_oneof![Just(0.0), 0.001..0.05],
         ),
-        (
-            0.4..1.0,
-            (3e7..2e9, 1e7..2e8, 1e7..2e8),
-            0.01..0.5,
-            30.0..200.0,
-            (1e7..3e8, 1e7..3e8, 1e7..3e8),
-            0.01..2.0,
-        ),
+        (0.4..1.0, (3e7..2e9, 1e7..2e8, 1e7..2e8), 0.01..0.5, 30.0..200.0, (1e7..3e8, 1e7..3e8, 1e7..3e8), 0.01..2.0),
         (125.0..31_000.0, (-2.0..3.0, -2.0..3.0)),
     )
         .prop_map(|(rail, support, load)| Random {
@@ -55,10 +48,7 @@ fn random() -> impl Strategy<Value = Random> {
                 foot_width: rail.1.2,
                 ..section()
             },
-            contact: ContactPoint {
-                lateral_offset: rail.2.0,
-                height: rail.2.1,
-            },
+            contact: ContactPoint { lateral_offset: rail.2.0, height: rail.2.1 },
             rail_loss: rail.3,
             spacing: support.0,
             pad: support.1.into(),
@@ -76,17 +66,9 @@ impl Random {
         let support = |direction: usize| {
             let pad = layer(self.pad[direction], self.pad_loss);
             let ballast = layer(self.ballast[direction], self.ballast_loss);
-            if two_layers {
-                Support::two_layer(pad, self.sleeper, ballast).ok()
-            } else {
-                Some(Support::one_layer(pad))
-            }
+            if two_layers { Support::two_layer(pad, self.sleeper, ballast).ok() } else { Some(Support::one_layer(pad)) }
         };
-        Supports {
-            vertical: support(0),
-            lateral: support(1),
-            longitudinal: support(2),
-        }
+        Supports { vertical: support(0), lateral: support(1), longitudinal: support(2) }
     }
 
     pub(super) fn rail(&self) -> SpatialRail {
@@ -97,10 +79,7 @@ impl Random {
         let mut tracks = vec![SpatialTrack::free(self.rail())];
         for two_layers in [false, true] {
             let supports = self.supports(two_layers);
-            tracks.push(SpatialTrack::continuous(
-                self.rail(),
-                supports.per_metre(self.spacing).unwrap(),
-            ));
+            tracks.push(SpatialTrack::continuous(self.rail(), supports.per_metre(self.spacing).unwrap()));
             tracks.push(SpatialTrack::discrete(self.rail(), supports, self.spacing).unwrap());
         }
         let contact = |track: SpatialTrack| track.with_contact(Rail::Right, self.contact);

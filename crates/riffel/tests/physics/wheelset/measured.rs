@@ -24,23 +24,12 @@ fn measured_wheelset_is_what_was_measured() {
         receptance: table(i, j, sign),
     };
     // The right wheel whole, and one entry across; zy given one way only.
-    let entries = || {
-        vec![
-            entry(3, 3, 1.0),
-            entry(4, 4, 1.0),
-            entry(5, 5, 1.0),
-            entry(5, 4, 1.0),
-            entry(3, 0, 1.0),
-        ]
-    };
+    let entries = || vec![entry(3, 3, 1.0), entry(4, 4, 1.0), entry(5, 5, 1.0), entry(5, 4, 1.0), entry(3, 0, 1.0)];
     let measured = MeasuredWheelset::new(entries()).unwrap();
     let w = lines[77];
     let (got, expected) = (measured.receptances(w), source.receptances(w));
     for (i, j) in [(3, 3), (4, 4), (5, 5), (5, 4), (4, 5), (3, 0), (0, 3)] {
-        assert!(
-            (got[i][j] - expected[i][j]).norm() < 1e-12 * expected[i][j].norm(),
-            "{i} {j}"
-        );
+        assert!((got[i][j] - expected[i][j]).norm() < 1e-12 * expected[i][j].norm(), "{i} {j}");
     }
     assert_eq!(got[0][0], Complex64::ZERO);
     assert!(measured.receptances(99.0)[5][5].is_nan());
@@ -51,44 +40,23 @@ fn measured_wheelset_is_what_was_measured() {
 
     let one_wheel = entries()[..4].to_vec();
     let passive = MeasuredWheelset::new(one_wheel.clone()).unwrap();
-    assert!(
-        passive
-            .passivity_violation()
-            .is_none_or(|violation| violation.size < 1e-12)
-    );
+    assert!(passive.passivity_violation().is_none_or(|violation| violation.size < 1e-12));
     let both = MeasuredWheelset::from_one_wheel(
         Rail::Right,
-        one_wheel
-            .iter()
-            .map(|entry| {
-                (
-                    entry.at.direction,
-                    entry.from.direction,
-                    entry.receptance.clone(),
-                )
-            })
-            .collect(),
+        one_wheel.iter().map(|entry| (entry.at.direction, entry.from.direction, entry.receptance.clone())).collect(),
     )
     .unwrap();
     let got = both.receptances(w);
     for (i, j) in [(0, 0), (1, 1), (2, 2), (2, 1), (5, 4)] {
-        assert!(
-            (got[i][j] - expected[i][j]).norm() < 1e-12 * expected[i][j].norm(),
-            "{i} {j}"
-        );
+        assert!((got[i][j] - expected[i][j]).norm() < 1e-12 * expected[i][j].norm(), "{i} {j}");
     }
 
     // Measured both ways, once with the wrong sign of an axis.
     let crossed = [entries(), vec![entry(4, 5, -1.0)]].concat();
-    let violation = MeasuredWheelset::new(crossed)
-        .unwrap()
-        .reciprocity_violation()
-        .unwrap();
+    let violation = MeasuredWheelset::new(crossed).unwrap().reciprocity_violation().unwrap();
     assert_relative_eq!(violation.size, 2.0, max_relative = 1e-12);
     assert_eq!(violation.ports, [Port::ALL[5], Port::ALL[4]]);
-    let wrong = MeasuredWheelset::new(vec![entry(5, 5, -1.0)])
-        .unwrap()
-        .passivity_violation();
+    let wrong = MeasuredWheelset::new(vec![entry(5, 5, -1.0)]).unwrap().passivity_violation();
     assert_eq!(wrong.unwrap().ports, [Port::ALL[5]; 2]);
 
     let twice = [entries(), vec![entry(5, 4, 1.0)]].concat();

@@ -10,36 +10,25 @@ use std::f64::consts::{PI, TAU};
 use approx::assert_relative_eq;
 use riffel::receptance::Structure;
 use riffel::wheelset::{
-    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, ModeName, NaturalMode, Port,
-    Segment, Suspension, Wheelset,
+    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, ModeName, NaturalMode, Port, Segment, Suspension,
+    Wheelset,
 };
 use riffel::{Complex64, Direction, ElasticMaterial, Place, Rail};
 
 const DENSITY: f64 = 7850.0;
-const CONTACTS: ContactGeometry = ContactGeometry {
-    contact_spacing: 1.5,
-    rolling_radius: 0.46,
-};
+const CONTACTS: ContactGeometry = ContactGeometry { contact_spacing: 1.5, rolling_radius: 0.46 };
 
 fn steel(youngs_modulus: f64) -> ElasticMaterial {
     ElasticMaterial::new(youngs_modulus, 0.3).unwrap()
 }
 
 fn disc(position: f64, mass: f64, polar_inertia: f64, diametral_inertia: f64) -> Disc {
-    Disc {
-        position,
-        mass,
-        polar_inertia,
-        diametral_inertia,
-        coupled: None,
-    }
+    Disc { position, mass, polar_inertia, diametral_inertia, coupled: None }
 }
 
 fn uniform(youngs_modulus: f64, diameter: f64, length: f64) -> Axle {
     let segment = Segment { length, diameter };
-    Axle::new(steel(youngs_modulus), DENSITY, vec![segment])
-        .and_then(|axle| axle.with_shear_coefficient(0.9))
-        .unwrap()
+    Axle::new(steel(youngs_modulus), DENSITY, vec![segment]).and_then(|axle| axle.with_shear_coefficient(0.9)).unwrap()
 }
 
 /// Two wheels over the contacts and axle boxes at the ends of an axle of 2 m.
@@ -68,30 +57,9 @@ fn natural_frequencies_of_seven_wheelsets() {
     };
     type Row<'a> = (f64, [f64; 3], f64, Vec<Disc>, &'a [f64], &'a [f64]);
     let rows: [Row; 7] = [
-        (
-            0.16,
-            WHEEL,
-            0.0,
-            vec![],
-            &[97.2, 203.4, 414.1, 859.0],
-            &[78.6, 1067.5],
-        ),
-        (
-            0.16,
-            WHEEL,
-            80.0,
-            vec![],
-            &[86.4, 188.6, 406.0, 699.0],
-            &[78.6, 1067.5],
-        ),
-        (
-            0.15,
-            [300.0, 21.0, 11.0],
-            60.0,
-            vec![],
-            &[85.0, 187.3, 391.0],
-            &[79.4, 1067.6],
-        ),
+        (0.16, WHEEL, 0.0, vec![], &[97.2, 203.4, 414.1, 859.0], &[78.6, 1067.5]),
+        (0.16, WHEEL, 80.0, vec![], &[86.4, 188.6, 406.0, 699.0], &[78.6, 1067.5]),
+        (0.15, [300.0, 21.0, 11.0], 60.0, vec![], &[85.0, 187.3, 391.0], &[79.4, 1067.6]),
         (
             0.16,
             WHEEL,
@@ -100,36 +68,14 @@ fn natural_frequencies_of_seven_wheelsets() {
             &[71.1, 171.3, 306.9],
             &[77.2, 227.3, 395.0, 522.0],
         ),
-        (
-            0.16,
-            WHEEL,
-            80.0,
-            brakes(110.0, 5.5, &[-0.35, 0.35]),
-            &[75.6, 171.7, 339.8],
-            &[76.9, 261.1, 360.0],
-        ),
-        (
-            0.16,
-            WHEEL,
-            80.0,
-            brakes(150.0, 12.0, &[0.4]),
-            &[78.8, 178.4, 342.0],
-            &[76.4, 225.9, 1395.0],
-        ),
-        (
-            0.18,
-            [400.0, 35.0, 18.5],
-            100.0,
-            vec![],
-            &[97.0, 212.3, 454.0],
-            &[88.5, 1069.0],
-        ),
+        (0.16, WHEEL, 80.0, brakes(110.0, 5.5, &[-0.35, 0.35]), &[75.6, 171.7, 339.8], &[76.9, 261.1, 360.0]),
+        (0.16, WHEEL, 80.0, brakes(150.0, 12.0, &[0.4]), &[78.8, 178.4, 342.0], &[76.4, 225.9, 1395.0]),
+        (0.18, [400.0, 35.0, 18.5], 100.0, vec![], &[97.0, 212.3, 454.0], &[88.5, 1069.0]),
     ];
     for (diameter, wheel, axle_box, brakes, bending, torsion) in rows {
         let mut discs = wheels_and_boxes(wheel, axle_box);
         discs.extend(brakes);
-        let wheelset =
-            FlexibleWheelset::new(uniform(207e9, diameter, 2.0), discs, CONTACTS).unwrap();
+        let wheelset = FlexibleWheelset::new(uniform(207e9, diameter, 2.0), discs, CONTACTS).unwrap();
         let modes = wheelset.natural_modes(TAU * 2000.0).unwrap();
         let bent = hertz(&modes, |name| matches!(name, ModeName::Bending { .. }));
         for (index, (got, expected)) in bent.iter().zip(bending).enumerate() {
@@ -155,12 +101,7 @@ fn torsion_of_discs_against_wheels_is_named() {
     let plain = wheels_and_boxes([350.0, 27.77, 14.5], 80.0);
     assert_eq!(
         names(plain.clone()),
-        [
-            "first torsion",
-            "first symmetric bending",
-            "first antisymmetric bending",
-            "second symmetric bending",
-        ]
+        ["first torsion", "first symmetric bending", "first antisymmetric bending", "second symmetric bending",]
     );
     let brakes = [-0.35, 0.35].map(|place| disc(place, 110.0, 5.5, 2.75));
     assert_eq!(
@@ -196,16 +137,10 @@ fn torsion_of_two_wheels_on_a_shaft() {
         // Near their roots these change as κ does, or faster.
         let (error, slope) = if index % 2 == 0 {
             let tangent = phase.tan();
-            (
-                phase * tangent - ratio,
-                tangent + phase * (1.0 + tangent * tangent),
-            )
+            (phase * tangent - ratio, tangent + phase * (1.0 + tangent * tangent))
         } else {
             let tangent = phase.tan();
-            (
-                tangent + phase / ratio,
-                1.0 + tangent * tangent + ratio.recip(),
-            )
+            (tangent + phase / ratio, 1.0 + tangent * tangent + ratio.recip())
         };
         assert!((error / slope / phase).abs() < 1e-9, "{index}: {error}");
     }
@@ -241,28 +176,16 @@ fn point_receptances_of_a_wheelset_with_axle_boxes() {
 fn wheelsets_stand_alone() {
     let discs = wheels_and_boxes([350.0, 27.77, 14.5], 80.0);
     let wheelset = FlexibleWheelset::new(uniform(207e9, 0.16, 2.0), discs, CONTACTS).unwrap();
-    let place = |along, rail| Place {
-        along,
-        rail,
-        direction: Direction::Vertical,
-    };
+    let place = |along, rail| Place { along, rail, direction: Direction::Vertical };
     let h = wheelset.receptances(500.0);
     let cross = |at, from| wheelset.cross_receptance(500.0, 30.0, at, from);
     for along in [0.0, -2.5] {
-        assert_eq!(
-            cross(place(along, Rail::Left), place(along, Rail::Right)),
-            h[2][5]
-        );
+        assert_eq!(cross(place(along, Rail::Left), place(along, Rail::Right)), h[2][5]);
     }
-    assert_eq!(
-        cross(place(0.0, Rail::Left), place(-2.5, Rail::Left)),
-        Complex64::ZERO
-    );
+    assert_eq!(cross(place(0.0, Rail::Left), place(-2.5, Rail::Left)), Complex64::ZERO);
     // All places at once.
-    let places: Vec<Place> = [0.0, -2.5]
-        .into_iter()
-        .flat_map(|along| [place(along, Rail::Left), place(along, Rail::Right)])
-        .collect();
+    let places: Vec<Place> =
+        [0.0, -2.5].into_iter().flat_map(|along| [place(along, Rail::Left), place(along, Rail::Right)]).collect();
     let mut matrix = [Complex64::ZERO; 16];
     wheelset.receptance_matrix(500.0, 30.0, &places, &mut matrix);
     for (i, &at) in places.iter().enumerate() {
@@ -279,36 +202,16 @@ fn wheelsets_stand_alone() {
 #[test]
 fn refuses_what_is_no_wheelset() {
     let axle = || uniform(207e9, 0.16, 1.6);
-    let wheels = || {
-        [-0.75, 0.75]
-            .map(|place| disc(place, 350.0, 27.77, 14.5))
-            .to_vec()
-    };
-    let message = |discs: Vec<Disc>, contacts| {
-        FlexibleWheelset::new(axle(), discs, contacts)
-            .unwrap_err()
-            .to_string()
-    };
+    let wheels = || [-0.75, 0.75].map(|place| disc(place, 350.0, 27.77, 14.5)).to_vec();
+    let message = |discs: Vec<Disc>, contacts| FlexibleWheelset::new(axle(), discs, contacts).unwrap_err().to_string();
     assert_eq!(
         message(vec![disc(0.9, 80.0, 0.0, 0.0)], CONTACTS),
         "position of a disc is 0.9 m, but must lie on the axle, at most half its length from its middle"
     );
-    let wide = ContactGeometry {
-        contact_spacing: 1.7,
-        ..CONTACTS
-    };
-    assert_eq!(
-        message(wheels(), wide),
-        "contact spacing is 1.7 m, but must not exceed the length of the axle"
-    );
-    let negative = Disc {
-        mass: -1.0,
-        ..wheels()[0]
-    };
-    assert_eq!(
-        message(vec![negative], CONTACTS),
-        "mass of a disc is -1 kg, but must be finite and not negative"
-    );
+    let wide = ContactGeometry { contact_spacing: 1.7, ..CONTACTS };
+    assert_eq!(message(wheels(), wide), "contact spacing is 1.7 m, but must not exceed the length of the axle");
+    let negative = Disc { mass: -1.0, ..wheels()[0] };
+    assert_eq!(message(vec![negative], CONTACTS), "mass of a disc is -1 kg, but must be finite and not negative");
     let wheelset = FlexibleWheelset::new(axle(), wheels(), CONTACTS).unwrap();
     let far = Suspension::new([1e6; 3], [0.0; 3], 2.0).unwrap();
     assert!(wheelset.clone().with_suspension(far).is_err());
@@ -322,15 +225,8 @@ fn refuses_what_is_no_wheelset() {
 /// no node to be seen at. It is counted, and no shape is without a number.
 #[test]
 fn equal_absorbers_are_counted() {
-    let coupled = CoupledInertia {
-        polar_inertia: 4.0,
-        stiffness: 4.0 * 700f64.powi(2),
-        damping: 0.0,
-    };
-    let absorber = Disc {
-        coupled: Some(coupled),
-        ..disc(0.75, 0.0, 0.0, 0.0)
-    };
+    let coupled = CoupledInertia { polar_inertia: 4.0, stiffness: 4.0 * 700f64.powi(2), damping: 0.0 };
+    let absorber = Disc { coupled: Some(coupled), ..disc(0.75, 0.0, 0.0, 0.0) };
     let count = |absorbers: Vec<Disc>| {
         let discs = [wheels_and_boxes([350.0, 27.77, 14.5], 80.0), absorbers].concat();
         let axle = uniform(207e9, 0.16, 2.0);
@@ -338,11 +234,7 @@ fn equal_absorbers_are_counted() {
         let modes = wheelset.natural_modes(TAU * 500.0).unwrap();
         for mode in &modes {
             let shape = [-0.75, 0.0, 0.75].map(|place| mode.motion_at(place).below(0.46));
-            assert!(
-                shape.iter().flatten().all(|value| value.is_finite()),
-                "{}",
-                mode.name
-            );
+            assert!(shape.iter().flatten().all(|value| value.is_finite()), "{}", mode.name);
         }
         hertz(&modes, |name| matches!(name, ModeName::Torsion { .. }))
     };

@@ -5,8 +5,7 @@ use std::f64::consts::TAU;
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use riffel::wheelset::{
-    ElasticMode, FlexibleWheelset, ModalWheelset, RigidWheelset, Wheelset, passivity_error,
-    reciprocity_error,
+    ElasticMode, FlexibleWheelset, ModalWheelset, RigidWheelset, Wheelset, passivity_error, reciprocity_error,
 };
 
 use super::{CONTACTS, uniform, wheels_and_boxes};
@@ -23,10 +22,7 @@ fn elastic_modes(wheelset: &FlexibleWheelset, highest: f64, factor: f64) -> Vec<
     let mut modes = Vec::new();
     for mode in wheelset.natural_modes(TAU * highest).unwrap() {
         let motions = [-0.75, 0.75].map(|place| mode.motion_at(place));
-        let shape: Vec<f64> = motions
-            .iter()
-            .flat_map(|motion| motion.below(0.46))
-            .collect();
+        let shape: Vec<f64> = motions.iter().flat_map(|motion| motion.below(0.46)).collect();
         let elastic = ElasticMode {
             angular_frequency: mode.angular_frequency,
             damping_ratio: 0.0,
@@ -37,10 +33,7 @@ fn elastic_modes(wheelset: &FlexibleWheelset, highest: f64, factor: f64) -> Vec<
         if mode.multiplicity() == 2 {
             // The horizontal plane, where what was u_z is u_x.
             let [left, right] = motions.map(|motion| factor * motion.displacement[2]);
-            modes.push(ElasticMode {
-                shape: [left, 0.0, 0.0, right, 0.0, 0.0],
-                ..elastic
-            });
+            modes.push(ElasticMode { shape: [left, 0.0, 0.0, right, 0.0, 0.0], ..elastic });
         }
     }
     modes
@@ -57,17 +50,12 @@ fn modes_and_residual_are_the_flexible_wheelset() {
         let modal = ModalWheelset::new(Some(rigid), modes).unwrap();
         let w = TAU * 50.0;
         let (whole, known) = (exact.receptances(w), modal.receptances(w));
-        let residual =
-            std::array::from_fn(|i| std::array::from_fn(|j| (whole[i][j] - known[i][j]).re));
+        let residual = std::array::from_fn(|i| std::array::from_fn(|j| (whole[i][j] - known[i][j]).re));
         let modal = modal.with_residual(residual).unwrap();
         for frequency in [5.0, 60.0, 100.0, 150.0, 230.0, 300.0, 500.0, 700.0] {
             let w = TAU * frequency;
             let (got, expected) = (modal.receptances(w), exact.receptances(w));
-            let largest = expected
-                .iter()
-                .flatten()
-                .map(|h| h.norm())
-                .fold(0.0, f64::max);
+            let largest = expected.iter().flatten().map(|h| h.norm()).fold(0.0, f64::max);
             for i in 0..6 {
                 for j in 0..6 {
                     let error = (got[i][j] - expected[i][j]).norm() / largest;
@@ -105,9 +93,7 @@ fn a_mode_resonates_by_its_damping() {
         generalised_mass: 4.0,
         shape: [0.0, 0.0, 0.2, 0.0, 0.0, -0.1],
     };
-    let h = ModalWheelset::new(None, vec![mode])
-        .unwrap()
-        .receptances(500.0);
+    let h = ModalWheelset::new(None, vec![mode]).unwrap().receptances(500.0);
     let expected = 0.2 * -0.1 / (4.0 * 2.0 * 0.01 * 500.0 * 500.0);
     assert_relative_eq!(h[2][5].im, -expected, max_relative = 1e-14);
     assert!(h[2][5].re.abs() < 1e-14 * expected.abs());
@@ -134,33 +120,14 @@ fn refuses_modes_that_are_not_normalised() {
         "a mode moves a contact as less than a 500th of the wheelset's mass would: give its generalised mass, or a \
          shape in 1/√kg (value number 2)"
     );
-    let told = ElasticMode {
-        shape,
-        generalised_mass: 600.0,
-        ..mode
-    };
+    let told = ElasticMode { shape, generalised_mass: 600.0, ..mode };
     assert!(ModalWheelset::new(Some(rigid), vec![told]).is_ok());
     for wrong in [
-        ElasticMode {
-            angular_frequency: 0.0,
-            ..mode
-        },
-        ElasticMode {
-            damping_ratio: 1.0,
-            ..mode
-        },
-        ElasticMode {
-            damping_ratio: f64::NAN,
-            ..mode
-        },
-        ElasticMode {
-            generalised_mass: 0.0,
-            ..mode
-        },
-        ElasticMode {
-            shape: [f64::INFINITY; 6],
-            ..mode
-        },
+        ElasticMode { angular_frequency: 0.0, ..mode },
+        ElasticMode { damping_ratio: 1.0, ..mode },
+        ElasticMode { damping_ratio: f64::NAN, ..mode },
+        ElasticMode { generalised_mass: 0.0, ..mode },
+        ElasticMode { shape: [f64::INFINITY; 6], ..mode },
     ] {
         assert!(message(wrong).ends_with("(value number 2)"));
     }

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use riffel::wheelset::{
-    Axle, ContactReceptances, CoupledInertia, Disc, FlexibleWheelset, RigidWheelset, Segment,
-    Suspension, Wheelset, passivity_error, reciprocity_error,
+    Axle, ContactReceptances, CoupledInertia, Disc, FlexibleWheelset, RigidWheelset, Segment, Suspension, Wheelset,
+    passivity_error, reciprocity_error,
 };
 
 use super::{CONTACTS, DENSITY, disc, steel};
@@ -45,11 +45,7 @@ impl Built {
     fn symmetric(&self) -> Self {
         let mut symmetric = self.clone();
         symmetric.segments.extend(self.mirrored().segments);
-        let length: f64 = symmetric
-            .segments
-            .iter()
-            .map(|segment| segment.length)
-            .sum();
+        let length: f64 = symmetric.segments.iter().map(|segment| segment.length).sum();
         for segment in &mut symmetric.segments {
             segment.length *= 2.2 / length;
         }
@@ -59,42 +55,27 @@ impl Built {
 }
 
 fn a_disc() -> impl Strategy<Value = Disc> {
-    let coupled =
-        (0.1..30.0f64, 1e4..1e8f64, 0.0..1e4f64).prop_map(|(inertia, stiffness, damping)| {
-            CoupledInertia {
-                polar_inertia: inertia,
-                stiffness,
-                damping,
-            }
-        });
-    (
-        (-1.0..1.0f64, 0.0..400.0f64),
-        (0.0..40.0f64, 0.0..20.0f64),
-        prop::option::weighted(0.3, coupled),
+    let coupled = (0.1..30.0f64, 1e4..1e8f64, 0.0..1e4f64).prop_map(|(inertia, stiffness, damping)| CoupledInertia {
+        polar_inertia: inertia,
+        stiffness,
+        damping,
+    });
+    ((-1.0..1.0f64, 0.0..400.0f64), (0.0..40.0f64, 0.0..20.0f64), prop::option::weighted(0.3, coupled)).prop_map(
+        |((position, mass), (polar_inertia, diametral_inertia), coupled)| Disc {
+            position,
+            mass,
+            polar_inertia,
+            diametral_inertia,
+            coupled,
+        },
     )
-        .prop_map(
-            |((position, mass), (polar_inertia, diametral_inertia), coupled)| Disc {
-                position,
-                mass,
-                polar_inertia,
-                diametral_inertia,
-                coupled,
-            },
-        )
 }
 
 /// From a plain thin axle to a stepped thick one; loss may be nil.
 fn built() -> impl Strategy<Value = Built> {
-    let segment =
-        (0.02..1.0f64, 0.1..0.3f64).prop_map(|(length, diameter)| Segment { length, diameter });
-    let suspension = (
-        prop::array::uniform3(0.0..2e7f64),
-        prop::array::uniform3(0.0..3e4f64),
-        1.0..2.2f64,
-    )
-        .prop_map(|(stiffness, damping, spacing)| {
-            Suspension::new(stiffness, damping, spacing).unwrap()
-        });
+    let segment = (0.02..1.0f64, 0.1..0.3f64).prop_map(|(length, diameter)| Segment { length, diameter });
+    let suspension = (prop::array::uniform3(0.0..2e7f64), prop::array::uniform3(0.0..3e4f64), 1.0..2.2f64)
+        .prop_map(|(stiffness, damping, spacing)| Suspension::new(stiffness, damping, spacing).unwrap());
     (
         prop::collection::vec(segment, 1..7),
         prop::collection::vec(a_disc(), 0..5),
@@ -107,13 +88,7 @@ fn built() -> impl Strategy<Value = Built> {
                 segment.length *= 2.2 / length;
             }
             discs.extend([-0.75, 0.75].map(|place| disc(place, 330.0, 38.0, 20.0)));
-            Built {
-                segments,
-                discs,
-                youngs_modulus: 207e9,
-                loss_factor,
-                suspension,
-            }
+            Built { segments, discs, youngs_modulus: 207e9, loss_factor, suspension }
         })
 }
 

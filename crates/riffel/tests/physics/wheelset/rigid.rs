@@ -4,9 +4,7 @@ use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
 use riffel::Complex64;
-use riffel::wheelset::{
-    FlexibleWheelset, ModeName, RigidBody, RigidMotion, RigidWheelset, Suspension, Wheelset,
-};
+use riffel::wheelset::{FlexibleWheelset, ModeName, RigidBody, RigidMotion, RigidWheelset, Suspension, Wheelset};
 
 use super::{CONTACTS, uniform, wheels_and_boxes};
 
@@ -14,24 +12,14 @@ use super::{CONTACTS, uniform, wheels_and_boxes};
 /// from contact axes, to the digits given.
 #[test]
 fn rigid_wheelset_on_its_suspension() {
-    let body = RigidBody {
-        mass: 1100.0,
-        roll_inertia: 620.0,
-        spin_inertia: 85.0,
-    };
+    let body = RigidBody { mass: 1100.0, roll_inertia: 620.0, spin_inertia: 85.0 };
     let suspension = Suspension::new([12e6, 6e6, 1.1e6], [8e3, 5e3, 20e3], 2.0).unwrap();
-    let wheelset = RigidWheelset::new(body, CONTACTS)
-        .unwrap()
-        .with_suspension(suspension);
+    let wheelset = RigidWheelset::new(body, CONTACTS).unwrap().with_suspension(suspension);
     let h = wheelset.receptances(1256.6370614359173);
     let (sine, cosine) = 5f64.to_radians().sin_cos();
     let axes = [[1.0, 0.0, 0.0], [0.0, cosine, -sine], [0.0, sine, cosine]];
     let expected = [
-        [
-            (-2.7488163937221852e-09, -1.9244127462272765e-11),
-            (0.0, 0.0),
-            (0.0, 0.0),
-        ],
+        [(-2.7488163937221852e-09, -1.9244127462272765e-11), (0.0, 0.0), (0.0, 0.0)],
         [
             (0.0, 0.0),
             (-8.595603881383616e-10, -1.8721178687399376e-11),
@@ -52,10 +40,7 @@ fn rigid_wheelset_on_its_suspension() {
                 }
             }
             let expected = Complex64::new(re, im);
-            assert!(
-                (got - expected).norm() < 1e-14 * h[3][3].norm(),
-                "{got} {expected}"
-            );
+            assert!((got - expected).norm() < 1e-14 * h[3][3].norm(), "{got} {expected}");
         }
     }
 }
@@ -63,14 +48,8 @@ fn rigid_wheelset_on_its_suspension() {
 /// Free and rigid: −(1/ω²)(1/M ± s²/J) and what goes with it.
 #[test]
 fn rigid_wheelset_without_suspension() {
-    let body = RigidBody {
-        mass: 1100.0,
-        roll_inertia: 620.0,
-        spin_inertia: 85.0,
-    };
-    let h = RigidWheelset::new(body, CONTACTS)
-        .unwrap()
-        .receptances(100.0);
+    let body = RigidBody { mass: 1100.0, roll_inertia: 620.0, spin_inertia: 85.0 };
+    let h = RigidWheelset::new(body, CONTACTS).unwrap().receptances(100.0);
     let (s, radius, w2) = (0.75, 0.46, 1e4);
     let expect = |got: Complex64, expected: f64| {
         assert_relative_eq!(got.re, expected / w2, max_relative = 1e-14);
@@ -111,16 +90,9 @@ fn motions_on_the_suspension_are_named() {
         let ModeName::RigidBody(motion) = mode.name else {
             panic!("{}", mode.name);
         };
-        assert_relative_eq!(
-            mode.angular_frequency.powi(2),
-            expected(motion),
-            max_relative = 0.05
-        );
+        assert_relative_eq!(mode.angular_frequency.powi(2), expected(motion), max_relative = 0.05);
         motions.push(motion.to_string());
     }
     motions.sort();
-    assert_eq!(
-        motions,
-        ["bounce", "lateral", "longitudinal", "roll", "yaw"]
-    );
+    assert_eq!(motions, ["bounce", "lateral", "longitudinal", "roll", "yaw"]);
 }

@@ -27,17 +27,11 @@ pub(super) struct Boussinesq {
 
 impl Boussinesq {
     /// For the contact modulus E\* \[Pa\]; `inclination` is that of a row of elements \[rad\].
-    pub(super) fn new(
-        contact_modulus: f64,
-        grid: &ContactGrid,
-        inclination: impl Fn(usize) -> f64,
-    ) -> Self {
+    pub(super) fn new(contact_modulus: f64, grid: &ContactGrid, inclination: impl Fn(usize) -> f64) -> Self {
         let (dx, dy) = (grid.dx(), grid.dy());
         let scale = (std::f64::consts::PI * contact_modulus).recip();
         let rows = (0..grid.rows()).map(|row| Complex64::cis(inclination(row)));
-        let normals: Vec<Complex64> = rows
-            .flat_map(|normal| std::iter::repeat_n(normal, grid.columns()))
-            .collect();
+        let normals: Vec<Complex64> = rows.flat_map(|normal| std::iter::repeat_n(normal, grid.columns())).collect();
         Self {
             cosines: normals.iter().map(|normal| normal.re).collect(),
             normals,
@@ -53,9 +47,7 @@ impl Boussinesq {
         let forces = self.normals.iter().zip(pressures);
         let displacements = self.convolution.apply(forces.map(|(normal, p)| normal * p));
         let along = self.normals.iter().zip(displacements);
-        along
-            .map(|(normal, u)| normal.re * u.re + normal.im * u.im)
-            .collect()
+        along.map(|(normal, u)| normal.re * u.re + normal.im * u.im).collect()
     }
 
     /// Cosines of the inclinations of all elements.
@@ -127,9 +119,7 @@ mod tests {
             let sum: f64 = grid
                 .centres()
                 .zip(&pressures)
-                .map(|((from_x, from_y), pressure)| {
-                    pressure * potential(x - from_x, y - from_y, 2e-3, 3e-3)
-                })
+                .map(|((from_x, from_y), pressure)| pressure * potential(x - from_x, y - from_y, 2e-3, 3e-3))
                 .sum();
             let exact = sum / (std::f64::consts::PI * 1e11);
             assert_relative_eq!(displacement, exact, max_relative = 1e-13);
@@ -151,9 +141,7 @@ mod tests {
             let angle = |row: usize| (row as f64 + 0.5) * step - half_angle;
             let pressure = |angle: f64| (half_angle * half_angle - angle * angle).sqrt();
             let influence = Boussinesq::new(1.0, &grid, angle);
-            let pressures: Vec<f64> = (0..8 * ROWS)
-                .map(|index| pressure(angle(index / 8)))
-                .collect();
+            let pressures: Vec<f64> = (0..8 * ROWS).map(|index| pressure(angle(index / 8))).collect();
             let elements = influence.displacements(&pressures);
             // Sixteen points in each element.
             let exact = |place: f64| {
@@ -165,19 +153,13 @@ mod tests {
                 });
                 RADIUS / std::f64::consts::PI * points.sum::<f64>()
             };
-            let differences: Vec<[f64; 2]> = (0..ROWS)
-                .map(|row| [elements[8 * row + 4] - exact(angle(row)), angle(row).cos()])
-                .collect();
+            let differences: Vec<[f64; 2]> =
+                (0..ROWS).map(|row| [elements[8 * row + 4] - exact(angle(row)), angle(row).cos()]).collect();
             let shift = differences[ROWS / 2][0] / differences[ROWS / 2][1];
-            let off = differences
-                .iter()
-                .map(|[difference, cosine]| (difference - shift * cosine).abs())
-                .fold(0.0, f64::max);
+            let off =
+                differences.iter().map(|[difference, cosine]| (difference - shift * cosine).abs()).fold(0.0, f64::max);
             let range = exact(0.0) - exact(half_angle) / half_angle.cos();
-            assert!(
-                off < (half_angle * half_angle / 24.0 + 1e-3) * range.abs(),
-                "{half_angle}: {off} of {range}"
-            );
+            assert!(off < (half_angle * half_angle / 24.0 + 1e-3) * range.abs(), "{half_angle}: {off} of {range}");
         }
     }
 }

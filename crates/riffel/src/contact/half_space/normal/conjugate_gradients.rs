@@ -60,11 +60,8 @@ pub(super) fn solve(
     for steps in 0..=most_steps {
         check();
         let largest = displacements.iter().copied().fold(0.0, f64::max);
-        let mut gaps: Vec<f64> = undeformed
-            .iter()
-            .zip(&displacements)
-            .map(|(gap, displacement)| gap + displacement)
-            .collect();
+        let mut gaps: Vec<f64> =
+            undeformed.iter().zip(&displacements).map(|(gap, displacement)| gap + displacement).collect();
         let approach = match condition {
             Condition::PressureSum(_) => along_in_contact(&pressures, &gaps, cosines),
             Condition::Approach(approach) => approach,
@@ -76,12 +73,7 @@ pub(super) fn solve(
         residual = violation / largest.max(f64::MIN_POSITIVE);
         if residual <= TOLERANCE {
             if are_exact {
-                return Ok(Solution {
-                    pressures,
-                    gaps,
-                    approach,
-                    steps,
-                });
+                return Ok(Solution { pressures, gaps, approach, steps });
             }
             displacements = influence.displacements(&pressures);
             are_exact = true;
@@ -89,19 +81,11 @@ pub(super) fn solve(
             continue;
         }
 
-        let square: f64 = pressures
-            .iter()
-            .zip(&gaps)
-            .filter(|(pressure, _)| **pressure > 0.0)
-            .map(|(_, gap)| gap * gap)
-            .sum();
+        let square: f64 =
+            pressures.iter().zip(&gaps).filter(|(pressure, _)| **pressure > 0.0).map(|(_, gap)| gap * gap).sum();
         let share = square / last_square;
         for ((direction, &gap), &pressure) in direction.iter_mut().zip(&gaps).zip(&pressures) {
-            *direction = if pressure > 0.0 {
-                gap + share * *direction
-            } else {
-                0.0
-            };
+            *direction = if pressure > 0.0 { gap + share * *direction } else { 0.0 };
         }
         let change = influence.displacements(&direction);
         let slope: f64 = dot(&gaps, &direction);
@@ -113,11 +97,7 @@ pub(super) fn solve(
         let curvature = dot(&change, &direction) - along * dot(cosines, &direction);
         // A contact of one element has no direction to go: overlapping elements then come in with the
         // step of an element on its own.
-        let length = if curvature > 0.0 {
-            slope / curvature
-        } else {
-            influence.own().recip()
-        };
+        let length = if curvature > 0.0 { slope / curvature } else { influence.own().recip() };
         let (overlaps, cuts) = step(&mut pressures, &direction, &gaps, length);
         last_square = if overlaps { f64::INFINITY } else { square };
         let scale = match condition {
@@ -165,17 +145,11 @@ fn step(pressures: &mut [f64], direction: &[f64], gaps: &[f64], length: f64) -> 
 
 /// The penetration of the rigid bodies as pressure, in the share that leaves the least energy; if the load is given, the
 /// square root of the penetration at an approach near its own, or without one the load spread evenly.
-fn start(
-    influence: &Boussinesq,
-    undeformed: &[f64],
-    condition: Condition,
-    near: Option<f64>,
-) -> Vec<f64> {
+fn start(influence: &Boussinesq, undeformed: &[f64], condition: Condition, near: Option<f64>) -> Vec<f64> {
     let cosines = influence.cosines();
     let penetration = |approach: f64| -> Vec<f64> {
         let gaps = undeformed.iter().zip(cosines);
-        gaps.map(|(gap, cosine)| (approach * cosine - gap).max(0.0))
-            .collect()
+        gaps.map(|(gap, cosine)| (approach * cosine - gap).max(0.0)).collect()
     };
     match condition {
         Condition::PressureSum(sum) => {
@@ -207,9 +181,7 @@ fn along_in_contact(pressures: &[f64], field: &[f64], cosines: &[f64]) -> f64 {
         .iter()
         .zip(field.iter().zip(cosines))
         .filter(|(pressure, _)| **pressure > 0.0)
-        .fold((0.0, 0.0), |(sum, squares), (_, (value, cosine))| {
-            (sum + value * cosine, squares + cosine * cosine)
-        });
+        .fold((0.0, 0.0), |(sum, squares), (_, (value, cosine))| (sum + value * cosine, squares + cosine * cosine));
     sum / squares
 }
 

@@ -17,11 +17,7 @@ impl Convolution {
     pub(super) fn new(columns: usize, rows: usize, kernel: impl Fn(f64, f64) -> f64) -> Self {
         let transform = Transform::new(columns, rows);
         let kernel = |column: usize, row: usize| kernel(column as f64, row as f64);
-        Self {
-            columns,
-            spectrum: transform.kernel(false, kernel),
-            transform,
-        }
+        Self { columns, spectrum: transform.kernel(false, kernel), transform }
     }
 
     /// The sum over all elements of kernel times value, at every element.

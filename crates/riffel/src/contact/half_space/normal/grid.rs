@@ -26,10 +26,9 @@ impl ContactGrid {
     /// # Errors
     /// [`Error::OutOfRange`] unless the numbers lie between 8 and 2048 and the sizes are positive.
     pub fn new(columns: usize, rows: usize, dx: f64, dy: f64) -> Result<Self, Error> {
-        for (quantity, count) in [
-            ("number of elements along the rail", columns),
-            ("number of elements across the rail", rows),
-        ] {
+        for (quantity, count) in
+            [("number of elements along the rail", columns), ("number of elements across the rail", rows)]
+        {
             if !(Self::FEWEST..=Self::MOST).contains(&count) {
                 return Err(Error::OutOfRange {
                     quantity,
@@ -41,12 +40,7 @@ impl ContactGrid {
         }
         Error::unless_positive("length of an element", dx, "m")?;
         Error::unless_positive("width of an element", dy, "m")?;
-        Ok(Self {
-            columns,
-            rows,
-            dx,
-            dy,
-        })
+        Ok(Self { columns, rows, dx, dy })
     }
 
     /// A grid of `columns` × `rows` elements over a rectangle \[m\] from −x to x and −y to y.
@@ -54,12 +48,7 @@ impl ContactGrid {
     /// # Errors
     /// As those of [`new`](Self::new).
     pub fn over(columns: usize, rows: usize, x: f64, y: f64) -> Result<Self, Error> {
-        Self::new(
-            columns,
-            rows,
-            2.0 * x / columns as f64,
-            2.0 * y / rows as f64,
-        )
+        Self::new(columns, rows, 2.0 * x / columns as f64, 2.0 * y / rows as f64)
     }
 
     /// Number of elements along the rail.
@@ -89,18 +78,10 @@ impl ContactGrid {
 
     /// Centres (x, y) of all elements \[m\], in the order of the fields.
     pub fn centres(&self) -> impl Iterator<Item = (f64, f64)> {
-        let Self {
-            columns,
-            rows,
-            dx,
-            dy,
-        } = *self;
-        let centre = |index: usize, count: usize, step: f64| {
-            (index as f64 - 0.5 * (count as f64 - 1.0)) * step
-        };
-        (0..rows).flat_map(move |row| {
-            (0..columns).map(move |column| (centre(column, columns, dx), centre(row, rows, dy)))
-        })
+        let Self { columns, rows, dx, dy } = *self;
+        let centre = |index: usize, count: usize, step: f64| (index as f64 - 0.5 * (count as f64 - 1.0)) * step;
+        (0..rows)
+            .flat_map(move |row| (0..columns).map(move |column| (centre(column, columns, dx), centre(row, rows, dy))))
     }
 
     /// Whether the element of an index lies on the rim.

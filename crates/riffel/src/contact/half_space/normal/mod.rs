@@ -160,36 +160,22 @@ impl NormalContact {
     /// the rim of the grid, [`Error::NotConverged`].
     pub fn at_approach(&self, approach: f64) -> Result<NormalState, Error> {
         if !approach.is_finite() {
-            return Err(Error::OutOfRange {
-                quantity: "approach",
-                value: approach,
-                unit: "m",
-                rule: "must be finite",
-            });
+            return Err(Error::OutOfRange { quantity: "approach", value: approach, unit: "m", rule: "must be finite" });
         }
         self.solve(Condition::Approach(approach), None, MOST_STEPS)
     }
 
-    fn solve(
-        &self,
-        condition: Condition,
-        near: Option<f64>,
-        most_steps: usize,
-    ) -> Result<NormalState, Error> {
-        let Solution {
-            pressures,
-            gaps,
-            approach,
-            steps,
-        } = conjugate_gradients::solve(&self.influence, &self.gaps, condition, near, most_steps)
-            .map_err(|residual| Error::NotConverged {
-                problem: "normal contact",
-                residual,
-                tolerance: TOLERANCE,
-                remedy: "try elements that are nearer to squares, or fewer of them",
-            })?;
-        let touches_rim =
-            |(index, &pressure): (usize, &f64)| pressure > 0.0 && self.grid.is_on_rim(index);
+    fn solve(&self, condition: Condition, near: Option<f64>, most_steps: usize) -> Result<NormalState, Error> {
+        let Solution { pressures, gaps, approach, steps } =
+            conjugate_gradients::solve(&self.influence, &self.gaps, condition, near, most_steps).map_err(
+                |residual| Error::NotConverged {
+                    problem: "normal contact",
+                    residual,
+                    tolerance: TOLERANCE,
+                    remedy: "try elements that are nearer to squares, or fewer of them",
+                },
+            )?;
+        let touches_rim = |(index, &pressure): (usize, &f64)| pressure > 0.0 && self.grid.is_on_rim(index);
         if pressures.iter().enumerate().any(touches_rim) {
             return Err(Error::GridTooSmall {
                 length: self.grid.columns() as f64 * self.grid.dx(),
@@ -198,14 +184,7 @@ impl NormalContact {
         }
         let along = pressures.iter().zip(self.influence.cosines());
         let sum: f64 = along.map(|(pressure, cosine)| pressure * cosine).sum();
-        Ok(NormalState {
-            grid: self.grid,
-            load: sum * self.grid.element_area(),
-            pressures,
-            gaps,
-            approach,
-            steps,
-        })
+        Ok(NormalState { grid: self.grid, load: sum * self.grid.element_area(), pressures, gaps, approach, steps })
     }
 }
 
@@ -214,12 +193,9 @@ fn sample(grid: &ContactGrid, gap: impl Fn(f64, f64) -> f64) -> Result<Vec<f64>,
     let gaps: Vec<f64> = grid.centres().map(|(x, y)| gap(x, y)).collect();
     match gaps.iter().find(|gap| !gap.is_finite()) {
         None => Ok(gaps),
-        Some(&value) => Err(Error::OutOfRange {
-            quantity: "gap",
-            value,
-            unit: "m",
-            rule: "must be finite on the whole grid",
-        }),
+        Some(&value) => {
+            Err(Error::OutOfRange { quantity: "gap", value, unit: "m", rule: "must be finite on the whole grid" })
+        }
     }
 }
 

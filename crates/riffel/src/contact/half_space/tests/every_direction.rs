@@ -9,21 +9,12 @@ use crate::contact::{ContactDerivative, KalkerCoefficients};
 
 /// Longitudinal and lateral creepage and spin about which all four inputs answer.
 pub(super) fn oblique() -> Creepages {
-    Creepages {
-        longitudinal: 6e-4,
-        lateral: -4e-4,
-        spin: 0.2,
-    }
+    Creepages { longitudinal: 6e-4, lateral: -4e-4, spin: 0.2 }
 }
 
 /// All derivatives of a response.
 pub(super) fn derivatives(response: ContactResponse) -> [ContactDerivative; 4] {
-    [
-        response.by_load,
-        response.by_longitudinal,
-        response.by_lateral.unwrap(),
-        response.by_spin.unwrap(),
-    ]
+    [response.by_load, response.by_longitudinal, response.by_lateral.unwrap(), response.by_spin.unwrap()]
 }
 
 /// The error that comes with a response bounds what 24 elements miss of 64, of which the error is a quarter; at states
@@ -34,14 +25,7 @@ fn errors_are_bounded() {
     let [coarse, fine] = [24, 64].map(|across| HalfSpace::new(hertz, 0.3, across).unwrap());
     let a = hertz.semi_axis_longitudinal();
     let (mut largest, mut smallest): (f64, f64) = (0.0, 1.0);
-    for creepages in [
-        Creepages::longitudinal(9e-4),
-        oblique(),
-        Creepages {
-            spin: 0.3,
-            ..Creepages::default()
-        },
-    ] {
+    for creepages in [Creepages::longitudinal(9e-4), oblique(), Creepages { spin: 0.3, ..Creepages::default() }] {
         let [got, exact] = [&coarse, &fine].map(|contact| {
             let state = contact.roll_with(creepages).unwrap();
             [3.0, 7.0].map(|ratio| derivatives(contact.response(&state, ratio * a).unwrap()))
@@ -53,10 +37,7 @@ fn errors_are_bounded() {
             let of_energy = (got.energy - exact.energy).norm();
             let of_energy = of_energy.max((got.at_rail(0.0) - exact.at_rail(0.0)).norm());
             assert!(of_force <= error.force, "{creepages:?} {of_force} {got:?}");
-            assert!(
-                of_energy <= error.energy,
-                "{creepages:?} {of_energy} {got:?}"
-            );
+            assert!(of_energy <= error.energy, "{creepages:?} {of_energy} {got:?}");
             let share = error.force / got.force[0].norm().hypot(got.force[1].norm());
             largest = largest.max(of_force / error.force);
             smallest = smallest.min(share);
@@ -85,30 +66,12 @@ fn slow_response_is_the_slope_in_every_direction() {
     };
     let nothing = Creepages::default();
     for (by, step, size) in [
-        (
-            response.by_lateral.unwrap(),
-            Creepages {
-                lateral: 2e-5,
-                ..nothing
-            },
-            2e-5,
-        ),
-        (
-            response.by_spin.unwrap(),
-            Creepages {
-                spin: 1e-2,
-                ..nothing
-            },
-            1e-2,
-        ),
+        (response.by_lateral.unwrap(), Creepages { lateral: 2e-5, ..nothing }, 2e-5),
+        (response.by_spin.unwrap(), Creepages { spin: 1e-2, ..nothing }, 1e-2),
     ] {
         let slope = slope(step);
-        let error = (by.force[0].re - slope.longitudinal / size)
-            .hypot(by.force[1].re - slope.lateral / size);
-        assert!(
-            error < 0.02 * slope.magnitude() / size,
-            "{by:?} {slope:?} {error}"
-        );
+        let error = (by.force[0].re - slope.longitudinal / size).hypot(by.force[1].re - slope.lateral / size);
+        assert!(error < 0.02 * slope.magnitude() / size, "{by:?} {slope:?} {error}");
     }
 }
 
@@ -118,12 +81,10 @@ fn slow_response_is_the_slope_in_every_direction() {
 fn response_to_load_is_homogeneous() {
     let contact = contact(36);
     let state = contact.roll_with(oblique()).unwrap();
-    let [load, longitudinal, lateral, _] =
-        derivatives(contact.response(&state, f64::INFINITY).unwrap());
+    let [load, longitudinal, lateral, _] = derivatives(contact.response(&state, f64::INFINITY).unwrap());
     let forces = [state.forces().longitudinal, state.forces().lateral];
     for (part, force) in forces.into_iter().enumerate() {
-        let slopes = oblique().longitudinal * longitudinal.force[part].re
-            + oblique().lateral * lateral.force[part].re;
+        let slopes = oblique().longitudinal * longitudinal.force[part].re + oblique().lateral * lateral.force[part].re;
         let expected = force - slopes / 3.0;
         let error = (50e3 * load.force[part].re - expected).abs() / state.forces().magnitude();
         assert!(error < 1e-2, "{part}: {error}");
@@ -136,8 +97,7 @@ fn small_creepages_are_kalkers() {
     let hertz = hertz();
     let contact = contact(36);
     let state = contact.roll(0.0).unwrap();
-    let [_, longitudinal, lateral, spin] =
-        derivatives(contact.response(&state, f64::INFINITY).unwrap());
+    let [_, longitudinal, lateral, spin] = derivatives(contact.response(&state, f64::INFINITY).unwrap());
     let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
     let coefficients = KalkerCoefficients::new(0.3, a / b).unwrap();
     let scale = hertz.material().shear_modulus() * a * b;
@@ -161,14 +121,9 @@ fn small_creepages_are_kalkers() {
 #[test]
 fn full_slip_answers_to_direction_and_load_alone() {
     let contact = contact(24);
-    let creepages = Creepages {
-        longitudinal: 0.012,
-        lateral: 0.016,
-        spin: 0.0,
-    };
+    let creepages = Creepages { longitudinal: 0.012, lateral: 0.016, spin: 0.0 };
     let state = contact.roll_with(creepages).unwrap();
-    let [load, longitudinal, lateral, _] =
-        derivatives(contact.response(&state, f64::INFINITY).unwrap());
+    let [load, longitudinal, lateral, _] = derivatives(contact.response(&state, f64::INFINITY).unwrap());
     let turning = 20e3 / creepages.magnitude();
     for part in 0..2 {
         let direction = [0.6, 0.8];
@@ -222,8 +177,7 @@ fn slow_creep_is_passive() {
             spin: oblique().spin,
         };
         let state = contact.roll_with(creepages).unwrap();
-        let [_, longitudinal, lateral, _] =
-            derivatives(contact.response(&state, f64::INFINITY).unwrap());
+        let [_, longitudinal, lateral, _] = derivatives(contact.response(&state, f64::INFINITY).unwrap());
         let (xx, yy) = (longitudinal.force[0].re, lateral.force[1].re);
         let xy = 0.5 * (longitudinal.force[1].re + lateral.force[0].re);
         assert!(xx > 0.0 && yy > 0.0 && xx * yy > xy * xy, "{xx} {yy} {xy}");
@@ -237,24 +191,12 @@ fn direction_does_not_matter_without_poisson() {
     let hertz = HertzContact::exact(material, 0.3, 0.3, 50e3).unwrap();
     let contact = HalfSpace::new(hertz, 0.4, 16).unwrap();
     let along = contact.roll(1e-3).unwrap();
-    let across = contact
-        .roll_with(Creepages {
-            lateral: 1e-3,
-            ..Creepages::default()
-        })
-        .unwrap();
+    let across = contact.roll_with(Creepages { lateral: 1e-3, ..Creepages::default() }).unwrap();
     let wavelength = 5.0 * hertz.semi_axis_longitudinal();
-    let [load, longitudinal, lateral, _] =
-        derivatives(contact.response(&along, wavelength).unwrap());
+    let [load, longitudinal, lateral, _] = derivatives(contact.response(&along, wavelength).unwrap());
     let [turned_load, turned_longitudinal, turned_lateral, _] =
         derivatives(contact.response(&across, wavelength).unwrap());
-    let wave = |state| {
-        contact
-            .response(state, wavelength)
-            .unwrap()
-            .by_curvature
-            .unwrap()
-    };
+    let wave = |state| contact.response(state, wavelength).unwrap().by_curvature.unwrap();
     let (by_wave, turned_by_wave) = (wave(&along), wave(&across));
     for (straight, turned) in [
         (by_wave.force[0], turned_by_wave.force[1]),
@@ -276,11 +218,8 @@ fn direction_does_not_matter_without_poisson() {
 #[test]
 fn mirrored_contact_answers_mirrored() {
     let contact = contact(16);
-    let mirrored = Creepages {
-        longitudinal: oblique().longitudinal,
-        lateral: -oblique().lateral,
-        spin: -oblique().spin,
-    };
+    let mirrored =
+        Creepages { longitudinal: oblique().longitudinal, lateral: -oblique().lateral, spin: -oblique().spin };
     let [straight, mirrored] = [oblique(), mirrored].map(|creepages| {
         let state = contact.roll_with(creepages).unwrap();
         derivatives(contact.response(&state, 0.025).unwrap())
@@ -293,10 +232,7 @@ fn mirrored_contact_answers_mirrored() {
             (straight.energy, sign * mirrored.energy),
             (straight.at_rail(0.0), sign * mirrored.at_rail(0.0)),
         ] {
-            assert!(
-                (straight - mirrored).norm() < 1e-3 * straight.norm(),
-                "{input}"
-            );
+            assert!((straight - mirrored).norm() < 1e-3 * straight.norm(), "{input}");
         }
     }
 }

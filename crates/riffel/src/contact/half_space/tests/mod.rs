@@ -36,9 +36,7 @@ fn influence_is_cerrutis() {
     let (g, poisson) = (steel().shear_modulus(), 0.3);
     for (index, &(x, y)) in patch.centres.iter().enumerate() {
         let expected = std::f64::consts::PI * q / (16.0 * g * a)
-            * (4.0 * (2.0 - poisson) * a * a
-                - (4.0 - 3.0 * poisson) * x * x
-                - (4.0 - poisson) * y * y);
+            * (4.0 * (2.0 - poisson) * a * a - (4.0 - 3.0 * poisson) * x * x - (4.0 - poisson) * y * y);
         let error = (moved[0][index] - expected).abs() / expected;
         assert!(error < 5e-3, "{x} {y}: {error}");
     }
@@ -50,27 +48,14 @@ fn difference_is_that_of_apply() {
     let patch = Patch::new(6e-3, 4e-3, 16).unwrap();
     let influence = Influence::new(steel(), &patch);
     let count = patch.len();
-    let tractions = [0, 1].map(|part| -> Vec<f64> {
-        (0..count)
-            .map(|index| ((3 + part) as f64 * index as f64).sin())
-            .collect()
-    });
-    let complex = [0, 1].map(|part: usize| {
-        tractions[part]
-            .iter()
-            .map(|&value| Complex64::from(value))
-            .collect::<Vec<_>>()
-    });
+    let tractions =
+        [0, 1].map(|part| -> Vec<f64> { (0..count).map(|index| ((3 + part) as f64 * index as f64).sin()).collect() });
+    let complex =
+        [0, 1].map(|part: usize| tractions[part].iter().map(|&value| Complex64::from(value)).collect::<Vec<_>>());
     let mut convolution = Convolution::new(&influence, &patch);
-    let expected = convolution.complex(
-        [&complex[0], &complex[1]],
-        [Complex64::ONE, -Complex64::ONE],
-    );
+    let expected = convolution.complex([&complex[0], &complex[1]], [Complex64::ONE, -Complex64::ONE]);
     let got = convolution.real([&tractions[0], &tractions[1]], [1.0, -1.0]);
-    let size = expected[0]
-        .iter()
-        .map(|value| value.norm())
-        .fold(0.0, f64::max);
+    let size = expected[0].iter().map(|value| value.norm()).fold(0.0, f64::max);
     for part in 0..2 {
         for (got, expected) in got[part].iter().zip(&expected[part]) {
             assert!((got - expected.re).abs() < 1e-13 * size);
@@ -92,10 +77,7 @@ fn error_is_of_first_order() {
     assert!((1.5..3.0).contains(&ratio), "{ratio}");
     // What extrapolation leaves is a tenth of the error of the finer of its two grids.
     let (once, twice) = (2.0 * middle - coarse, 2.0 * fine - middle);
-    assert!(
-        (once - twice).abs() < 0.2 * (middle - fine).abs(),
-        "{once} {twice}"
-    );
+    assert!((once - twice).abs() < 0.2 * (middle - fine).abs(), "{once} {twice}");
 }
 
 /// Friction holds everywhere: |p| ≤ μp, and traction along the slip where it slips.
@@ -135,9 +117,7 @@ fn slow_response_is_the_slope_of_the_creep_curve() {
     );
     let energy = state.tangential_force() + creepage * response.by_longitudinal.force[0].re;
     assert!((response.by_longitudinal.energy.re / energy - 1.0).abs() < 5e-3);
-    assert!(
-        (response.by_load.energy.re / (creepage * response.by_load.force[0].re) - 1.0).abs() < 1e-3
-    );
+    assert!((response.by_load.energy.re / (creepage * response.by_load.force[0].re) - 1.0).abs() < 1e-3);
 }
 
 /// By dimension Q/μP depends on the creepage over μ(P/GR²)^{1/3} alone: the response to load at zero
@@ -152,11 +132,7 @@ fn slow_response_to_load_is_that_of_another_load() {
     };
     let slope = (force(50.1e3) - force(49.9e3)) / 200.0;
     let response = contact.response(&state, f64::INFINITY).unwrap();
-    assert!(
-        (response.by_load.force[0].re / slope - 1.0).abs() < 5e-3,
-        "{} {slope}",
-        response.by_load.force[0]
-    );
+    assert!((response.by_load.force[0].re / slope - 1.0).abs() < 5e-3, "{} {slope}", response.by_load.force[0]);
 }
 
 /// Long waves leave at the rail what they dissipate at the wheel; short ones hardly move the force.
@@ -165,14 +141,8 @@ fn limits_of_wavelength() {
     let contact = contact(24);
     let state = contact.roll_at_tractive_ratio(0.3).unwrap();
     let limit = contact.response(&state, f64::INFINITY).unwrap();
-    let rail = [
-        limit.by_load.at_rail(0.0),
-        limit.by_longitudinal.at_rail(0.0),
-    ];
-    assert!(
-        (rail[1] - limit.by_longitudinal.energy).norm()
-            < 1e-9 * limit.by_longitudinal.energy.norm()
-    );
+    let rail = [limit.by_load.at_rail(0.0), limit.by_longitudinal.at_rail(0.0)];
+    assert!((rail[1] - limit.by_longitudinal.energy).norm() < 1e-9 * limit.by_longitudinal.energy.norm());
     let long = contact.response(&state, 6.0).unwrap();
     assert!(
         (long.by_longitudinal.force[0] - limit.by_longitudinal.force[0]).norm()
@@ -180,10 +150,7 @@ fn limits_of_wavelength() {
     );
     let short = contact.response(&state, 9e-3).unwrap();
     assert!(short.by_longitudinal.force[0].norm() < 0.3 * limit.by_longitudinal.force[0].norm());
-    assert!(
-        short.by_longitudinal.force[0].im < 0.0,
-        "a contact answers late"
-    );
+    assert!(short.by_longitudinal.force[0].im < 0.0, "a contact answers late");
 }
 
 #[test]
@@ -225,16 +192,10 @@ fn slow_wave_is_the_slope_by_the_radius() {
         let forces = on(curvature).roll_with(oblique())?.forces();
         Ok::<_, Error>([forces.longitudinal, forces.lateral])
     });
-    let by_radius = by_radius.map(|[longitudinal, lateral]| CreepForces {
-        longitudinal,
-        lateral,
-    });
+    let by_radius = by_radius.map(|[longitudinal, lateral]| CreepForces { longitudinal, lateral });
     let response = contact.response(&state, f64::INFINITY).unwrap();
     let got = response.by_curvature.unwrap();
-    let expected = response
-        .with_curvature(by_radius.unwrap(), &steady)
-        .by_curvature
-        .unwrap();
+    let expected = response.with_curvature(by_radius.unwrap(), &steady).by_curvature.unwrap();
     let size = steady.forces.magnitude();
     for part in 0..2 {
         let missed = (got.force[part] - expected.force[part]).norm();
@@ -307,16 +268,7 @@ fn work_of_the_half_space() {
     };
     let flat = products(&mut || table(OscillatingCreepages::Longitudinal.into()));
     let wavy = products(&mut || table(OscillatingCreepages::Longitudinal.on_waves()));
-    assert!(
-        10 * wavy <= 16 * flat,
-        "{wavy} sums over all elements for a table on waves, {flat} without"
-    );
-    assert!(
-        (1..=82).contains(&steady),
-        "{steady} sums over all elements for a steady state"
-    );
-    assert!(
-        (1..=878).contains(&response),
-        "{response} sums over all elements for three responses"
-    );
+    assert!(10 * wavy <= 16 * flat, "{wavy} sums over all elements for a table on waves, {flat} without");
+    assert!((1..=82).contains(&steady), "{steady} sums over all elements for a steady state");
+    assert!((1..=878).contains(&response), "{response} sums over all elements for three responses");
 }

@@ -32,8 +32,7 @@ impl ContactCell {
     /// Energy dissipated per metre rolled and per area of contact \[J/m³ = Pa\]; times the speed V it is
     /// the power per area \[W/m²\].
     pub fn energy_density(&self) -> f64 {
-        self.traction_longitudinal * self.slip_longitudinal
-            + self.traction_lateral * self.slip_lateral
+        self.traction_longitudinal * self.slip_longitudinal + self.traction_lateral * self.slip_lateral
     }
 }
 
@@ -69,10 +68,8 @@ impl TractionDistribution {
             for (i, &(traction, sticks)) in marched.iter().enumerate() {
                 let x = patch.a * strip.half_length * (1.0 - (2.0 * i as f64 + 1.0) / n);
                 let fall = |axis: usize| (between(i + 1, axis) - between(i, axis)) / length;
-                let rigid_longitudinal =
-                    creepages.longitudinal / patch.longitudinal - creepages.spin * y / patch.spin;
-                let rigid_lateral =
-                    creepages.lateral / patch.lateral + creepages.spin * x / patch.spin;
+                let rigid_longitudinal = creepages.longitudinal / patch.longitudinal - creepages.spin * y / patch.spin;
+                let rigid_lateral = creepages.lateral / patch.lateral + creepages.spin * x / patch.spin;
                 cells.push(ContactCell {
                     x,
                     y,
@@ -90,29 +87,22 @@ impl TractionDistribution {
 
     /// Creep forces \[N\].
     pub fn forces(&self) -> CreepForces {
-        self.cells
-            .iter()
-            .fold(CreepForces::default(), |sum, cell| CreepForces {
-                longitudinal: sum.longitudinal + cell.area * cell.traction_longitudinal,
-                lateral: sum.lateral + cell.area * cell.traction_lateral,
-            })
+        self.cells.iter().fold(CreepForces::default(), |sum, cell| CreepForces {
+            longitudinal: sum.longitudinal + cell.area * cell.traction_longitudinal,
+            lateral: sum.lateral + cell.area * cell.traction_lateral,
+        })
     }
 
     /// Energy dissipated per metre rolled \[J/m\]; times the speed V it is the power \[W\].
     ///
     /// Without spin it is ξF_x + ηF_y but for the grid, which leaves an error of order μPξ_max/n².
     pub fn energy_per_metre(&self) -> f64 {
-        self.cells
-            .iter()
-            .map(|cell| cell.area * cell.energy_density())
-            .sum()
+        self.cells.iter().map(|cell| cell.area * cell.energy_density()).sum()
     }
 
     /// Share of the patch that sticks \[-\].
     pub fn stick_share(&self) -> f64 {
-        let area = |cells: &mut dyn Iterator<Item = &ContactCell>| -> f64 {
-            cells.map(|cell| cell.area).sum()
-        };
+        let area = |cells: &mut dyn Iterator<Item = &ContactCell>| -> f64 { cells.map(|cell| cell.area).sum() };
         area(&mut self.cells.iter().filter(|cell| cell.sticks)) / area(&mut self.cells.iter())
     }
 }

@@ -89,24 +89,14 @@ impl Grid {
                     },
                     // From the leading edge to the first middle it is half a cell.
                     step: if i == 0.0 { 0.5 } else { 1.0 },
-                    at: if i == 0.0 {
-                        1.0 - 0.5 / n
-                    } else {
-                        1.0 - 2.0 * i / n
-                    },
+                    at: if i == 0.0 { 1.0 - 0.5 / n } else { 1.0 - 2.0 * i / n },
                 }
             })
             .collect();
         let strips: Vec<Strip> = (0..divisions.next_multiple_of(LANES))
             .map(|j| {
                 if j >= divisions {
-                    return Strip {
-                        y: 0.0,
-                        half_length: 1.0,
-                        height: 1.0,
-                        reach: 0.0,
-                        weight: 0.0,
-                    };
+                    return Strip { y: 0.0, half_length: 1.0, height: 1.0, reach: 0.0, weight: 0.0 };
                 }
                 let y = (2.0 * j as f64 + 1.0) / n - 1.0;
                 let half_length = (1.0 - y * y).sqrt();
@@ -125,12 +115,7 @@ impl Grid {
             .collect();
         let along: f64 = cells.iter().map(|cell| cell.bound).sum();
         let across: f64 = strips.iter().map(|strip| strip.weight).sum();
-        Self {
-            divisions,
-            cells,
-            strips,
-            bound_integral: along * across,
-        }
+        Self { divisions, cells, strips, bound_integral: along * across }
     }
 
     /// Integral of the bound over the ellipse, the bound at the centre and the semi-axes being one.
@@ -156,16 +141,10 @@ impl Grid {
             for cell in &self.cells {
                 for lane in 0..LANES {
                     let trial_x = x[lane] + cell.step * grow_x[lane];
-                    let trial_y =
-                        y[lane] + cell.step * (grow_y[lane] + cell.at * grow_y_by_t[lane]);
+                    let trial_y = y[lane] + cell.step * (grow_y[lane] + cell.at * grow_y_by_t[lane]);
                     let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
                     // The larger of the two makes the factor one in stick, without a branch.
-                    let shorten = cell.bound
-                        / if magnitude > cell.bound {
-                            magnitude
-                        } else {
-                            cell.bound
-                        };
+                    let shorten = cell.bound / if magnitude > cell.bound { magnitude } else { cell.bound };
                     x[lane] = shorten * trial_x;
                     y[lane] = shorten * trial_y;
                     sum_x[lane] += x[lane];
@@ -182,11 +161,7 @@ impl Grid {
 
     /// Tractions of a strip over its bound at the middle, from the leading edge on, with `true` in
     /// stick.
-    pub(super) fn march(
-        &self,
-        strip: &Strip,
-        loading: Loading,
-    ) -> impl Iterator<Item = ([f64; 2], bool)> {
+    pub(super) fn march(&self, strip: &Strip, loading: Loading) -> impl Iterator<Item = ([f64; 2], bool)> {
         let growth = strip.growth(loading);
         self.cells.iter().scan([0.0; 2], move |traction, cell| {
             traction[0] += cell.step * growth.x;
@@ -204,15 +179,8 @@ impl Grid {
     /// strip to the bound. Every later step of the bound is less than twice as high, and so within
     /// reach.
     pub(super) fn full_slip(&self) -> f64 {
-        let first = self
-            .cells
-            .first()
-            .map_or(0.0, |cell| cell.bound / cell.step);
-        let shortest_reach = self
-            .strips()
-            .iter()
-            .map(|strip| strip.reach)
-            .fold(f64::MAX, f64::min);
+        let first = self.cells.first().map_or(0.0, |cell| cell.bound / cell.step);
+        let shortest_reach = self.strips().iter().map(|strip| strip.reach).fold(f64::MAX, f64::min);
         first / shortest_reach
     }
 }

@@ -65,12 +65,7 @@ impl Fastsim {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless all values are positive and there are at least two divisions.
-    pub fn new(
-        ellipse: CreepEllipse,
-        friction: f64,
-        bound: TractionBound,
-        divisions: usize,
-    ) -> Result<Self, Error> {
+    pub fn new(ellipse: CreepEllipse, friction: f64, bound: TractionBound, divisions: usize) -> Result<Self, Error> {
         ellipse.check()?;
         Error::unless_positive("coefficient of friction", friction, "")?;
         if divisions < 2 {
@@ -81,11 +76,7 @@ impl Fastsim {
                 rule: "must be at least 2",
             });
         }
-        Ok(Self {
-            ellipse,
-            friction,
-            grid: Grid::new(bound, divisions),
-        })
+        Ok(Self { ellipse, friction, grid: Grid::new(bound, divisions) })
     }
 
     /// Tractions, slip and dissipation cell by cell under the normal force P > 0 \[N\].
@@ -143,10 +134,7 @@ impl CreepLaw for Fastsim {
         let loading = self.flexibility(normal_force).loading(creepages);
         let [longitudinal, lateral] = self.grid.forces(loading);
         let limit = self.friction * normal_force;
-        CreepForces {
-            longitudinal: limit * longitudinal,
-            lateral: limit * lateral,
-        }
+        CreepForces { longitudinal: limit * longitudinal, lateral: limit * lateral }
     }
 
     fn derivatives(&self, normal_force: f64, creepages: Creepages) -> CreepDerivatives {

@@ -1,6 +1,4 @@
-use super::super::checks::{
-    ELLIPSE, derivatives_match, grows_to_limit, starts_linear, stays_below_friction,
-};
+use super::super::checks::{ELLIPSE, derivatives_match, grows_to_limit, starts_linear, stays_below_friction};
 use super::*;
 use approx::assert_relative_eq;
 use proptest::prelude::*;
@@ -86,8 +84,7 @@ fn published_traction_curve() {
     let (force, friction) = (106.7e3, 0.33);
     let law = Fastsim::new(LOCOMOTIVE, friction, TractionBound::Parabolic, 50).unwrap();
     for [xi, exact, fastsim] in PUBLISHED {
-        let ratio =
-            law.forces(force, Creepages::longitudinal(xi)).longitudinal / (friction * force);
+        let ratio = law.forces(force, Creepages::longitudinal(xi)).longitudinal / (friction * force);
         let same_grid = on_contact_cells(LOCOMOTIVE, friction * force, xi, [48, 44]);
         assert_relative_eq!(ratio, exact, max_relative = 0.056);
         assert_relative_eq!(ratio, fastsim, max_relative = 0.031);
@@ -113,15 +110,10 @@ fn published_spin() {
         c22: 4.974_1,
         c23: 2.659_7,
     };
-    let creepages = Creepages {
-        longitudinal: 0.0,
-        lateral: -6.25e-4,
-        spin: 0.625,
-    };
-    for (bound, published, tolerance) in [
-        (TractionBound::Parabolic, 0.635_9, 0.023),
-        (TractionBound::Elliptic, 0.595_6, 0.005),
-    ] {
+    let creepages = Creepages { longitudinal: 0.0, lateral: -6.25e-4, spin: 0.625 };
+    for (bound, published, tolerance) in
+        [(TractionBound::Parabolic, 0.635_9, 0.023), (TractionBound::Elliptic, 0.595_6, 0.005)]
+    {
         let ratio = |divisions| {
             let law = Fastsim::new(ellipse, 0.3, bound, divisions).unwrap();
             law.forces(82e3, creepages).lateral / (0.3 * 82e3)
@@ -145,16 +137,10 @@ fn default_grid_is_fine_enough() {
             let per_loading = 20e3 * 16.0 / (3.0 * PI) / slope_at_zero;
             let creepages = Creepages::longitudinal(loading * per_loading);
             let ratio = law.forces(50e3, creepages).longitudinal / 20e3;
-            let rate = law
-                .derivatives(50e3, creepages)
-                .by_longitudinal
-                .longitudinal;
+            let rate = law.derivatives(50e3, creepages).by_longitudinal.longitudinal;
             let exact = |shift: f64| exact_longitudinal(loading + shift);
             let exact_rate = (exact(1e-4) - exact(-1e-4)) / 2e-4 * 20e3 / per_loading;
-            [
-                force.max((ratio - exact(0.0)).abs()),
-                slope.max((rate - exact_rate).abs() / slope_at_zero),
-            ]
+            [force.max((ratio - exact(0.0)).abs()), slope.max((rate - exact_rate).abs() / slope_at_zero)]
         })
     };
     let [force, slope] = errors(Fastsim::DEFAULT_DIVISIONS);
@@ -165,9 +151,7 @@ fn default_grid_is_fine_enough() {
 /// Full slip of the parabolic bound begins at u = 32/3π, with 1/2n for the first half cell.
 #[test]
 fn full_slip_of_a_fine_grid() {
-    let creepage = law(0.4, TractionBound::Parabolic, 2000)
-        .limit(50e3)
-        .creepage();
+    let creepage = law(0.4, TractionBound::Parabolic, 2000).limit(50e3).creepage();
     let u = creepage * ELLIPSE.linear_slopes()[0] / (0.4 * 50e3);
     assert_relative_eq!(u, 32.0 / (3.0 * PI), max_relative = 3e-4);
 }

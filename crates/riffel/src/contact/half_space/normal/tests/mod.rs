@@ -31,10 +31,7 @@ fn quadratic((along, across): (f64, f64)) -> impl Fn(f64, f64) -> f64 {
 
 /// A square number of elements over an ellipse and a quarter more.
 fn grid_over(ellipse: &EllipticContact, across: usize) -> ContactGrid {
-    let (a, b) = (
-        ellipse.semi_axis_longitudinal(),
-        ellipse.semi_axis_lateral(),
-    );
+    let (a, b) = (ellipse.semi_axis_longitudinal(), ellipse.semi_axis_lateral());
     ContactGrid::over(across, across, 1.25 * a, 1.25 * b).unwrap()
 }
 
@@ -102,10 +99,7 @@ fn order_of_convergence_is_two() {
         let grid = grid_over(&exact, across);
         let contact = NormalContact::new([steel(); 2], grid, quadratic(radii)).unwrap();
         let state = contact.under_load(50e3).unwrap();
-        [
-            state.approach() / exact.approach() - 1.0,
-            state.peak_pressure() / exact.peak_pressure() - 1.0,
-        ]
+        [state.approach() / exact.approach() - 1.0, state.peak_pressure() / exact.peak_pressure() - 1.0]
     };
     let (coarse, fine) = (error(24), error(96));
     for (coarse, fine) in coarse.into_iter().zip(fine) {
@@ -147,10 +141,8 @@ fn load_and_approach_are_one_state() {
     let radii = (0.46, 0.23);
     let grid = ContactGrid::over(40, 40, 9e-3, 7e-3).unwrap();
     for roughness in [0.0, 1e-6, 5e-6] {
-        let contact = NormalContact::new([steel(); 2], grid, |x, y| {
-            quadratic(radii)(x, y) + roughness * chance(x, y)
-        })
-        .unwrap();
+        let contact =
+            NormalContact::new([steel(); 2], grid, |x, y| quadratic(radii)(x, y) + roughness * chance(x, y)).unwrap();
         let state = contact.under_load(50e3).unwrap();
         let back = contact.at_approach(state.approach()).unwrap();
         assert_relative_eq!(back.load(), 50e3, max_relative = 2e-9);
@@ -168,14 +160,8 @@ fn load_and_approach_are_one_state() {
 fn stiffness_is_that_of_hertz() {
     let radii = (0.46, 0.23);
     let exact = hertz(radii, [steel(); 2], 50e3);
-    let contact =
-        NormalContact::new([steel(); 2], grid_over(&exact, 48), quadratic(radii)).unwrap();
-    let load = |factor: f64| {
-        contact
-            .at_approach(factor * exact.approach())
-            .unwrap()
-            .load()
-    };
+    let contact = NormalContact::new([steel(); 2], grid_over(&exact, 48), quadratic(radii)).unwrap();
+    let load = |factor: f64| contact.at_approach(factor * exact.approach()).unwrap().load();
     let slope = (load(1.01) - load(0.99)) / (0.02 * exact.approach());
     assert_relative_eq!(slope, exact.stiffness(), max_relative = 5e-3);
 }
@@ -203,8 +189,7 @@ fn punch_and_cone() {
 fn steps_of_a_smooth_contact() {
     let radii = (0.46, 0.23);
     let exact = hertz(radii, [steel(); 2], 50e3);
-    let contact =
-        NormalContact::new([steel(); 2], grid_over(&exact, 64), quadratic(radii)).unwrap();
+    let contact = NormalContact::new([steel(); 2], grid_over(&exact, 64), quadratic(radii)).unwrap();
     assert!(contact.under_load(50e3).unwrap().steps() <= 50);
     assert!(contact.at_approach(exact.approach()).unwrap().steps() <= 75);
 }

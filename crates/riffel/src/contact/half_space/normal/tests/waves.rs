@@ -21,8 +21,7 @@ fn wave_in_full_contact() {
     let amplitude = 1e-7;
     let grid = grid_over(&exact, 96);
     let [crest, trough] = [1.0, -1.0].map(|sign| {
-        let gap =
-            |x: f64, y: f64| quadratic(radii)(x, y) - sign * amplitude * (wavenumber * x).cos();
+        let gap = |x: f64, y: f64| quadratic(radii)(x, y) - sign * amplitude * (wavenumber * x).cos();
         let contact = NormalContact::new([steel(); 2], grid, gap).unwrap();
         contact.under_load(50e3).unwrap()
     });
@@ -50,9 +49,7 @@ fn harmonics(contact: &mut NormalContact, amplitude: f64, [along, across]: [f64;
     for interval in 0..=INTERVALS {
         let phase = PI * interval as f64 / INTERVALS as f64;
         let wave = |x: f64, y: f64| amplitude * (along * x + across * y + phase).cos();
-        contact
-            .set_gap(|x, y| quadratic(radii)(x, y) - wave(x, y))
-            .unwrap();
+        contact.set_gap(|x, y| quadratic(radii)(x, y) - wave(x, y)).unwrap();
         let lift = (smooth - contact.under_load(50e3).unwrap().approach()) / amplitude;
         let ends = interval == 0 || interval == INTERVALS;
         let weight = if ends { 0.5 } else { 1.0 } / INTERVALS as f64;
@@ -78,22 +75,12 @@ fn wheel_on_wave() -> (NormalContact, ContactFilter) {
 fn passing_wave_is_filtered_like_a_flat_punch() {
     let (mut contact, filter) = wheel_on_wave();
     let a = 5.712e-3;
-    for (ratio, askew) in [
-        (1.4, 0.0),
-        (2.0, 0.0),
-        (4.0, 0.0),
-        (8.0, 0.0),
-        (4.0, 1.0),
-        (6.0, 2.0),
-    ] {
+    for (ratio, askew) in [(1.4, 0.0), (2.0, 0.0), (4.0, 0.0), (8.0, 0.0), (4.0, 1.0), (6.0, 2.0)] {
         let along = 2.0 * PI / (ratio * a);
         let across = askew * along;
         let [mean, first, _] = harmonics(&mut contact, 1e-6, [along, across]);
         let linear = filter.amplitude(along, across);
-        assert!(
-            (first - linear).abs() < 0.004,
-            "{ratio} {askew}: {first} {linear}"
-        );
+        assert!((first - linear).abs() < 0.004, "{ratio} {askew}: {first} {linear}");
         // Second order in the amplitude: the wheel rides on the crests.
         assert!((0.0..0.03).contains(&mean), "{mean}");
     }
@@ -105,10 +92,7 @@ fn passing_wave_is_filtered_like_a_flat_punch() {
 fn finite_amplitude_lifts_the_wheel() {
     let (mut contact, _) = wheel_on_wave();
     let along = 2.0 * PI / (4.0 * 5.712e-3);
-    for (amplitude, converged) in [
-        (10e-6, [0.0576, 0.6333, -0.0159]),
-        (30e-6, [0.1701, 0.6075, -0.0484]),
-    ] {
+    for (amplitude, converged) in [(10e-6, [0.0576, 0.6333, -0.0159]), (30e-6, [0.1701, 0.6075, -0.0484])] {
         let got = harmonics(&mut contact, amplitude, [along, 0.0]);
         for (got, converged) in got.into_iter().zip(converged) {
             assert!((got - converged).abs() < 0.001, "{got} {converged}");
