@@ -367,6 +367,8 @@ work.onChange = () => {
 };
 async function look(asked) {
   $('working').hidden = false;
+  // The page reads files itself, and knows no share of that.
+  if (!asked.path) return;
   const { done, of } = await progress(asked.path);
   if (asked !== work.oldest) return;
   $('share').hidden = !of;

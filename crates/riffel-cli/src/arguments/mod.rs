@@ -78,7 +78,7 @@ pub(crate) struct Arguments {
     #[arg(short, long, global = true)]
     verbose: bool,
 
-    /// Language of reports, findings, notes and errors of a case, en or de; help, heads, data and JSON are English.
+    /// Language of reports, findings, notes and errors of a case, en or de; help, data, JSON and most heads are English.
     #[arg(long, global = true, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true)]
     language: Spoken,
 }
