@@ -2,8 +2,8 @@
 
 use riffel_plot::{LinePanel, LineStyle, Rgb, Series};
 
-use crate::Highest;
 use crate::forecast::zero;
+use crate::{Column, Highest, Table, column};
 
 /// Growth of one thing at the wavelengths of the figure.
 pub(crate) struct GrowthLine<'a> {
@@ -15,6 +15,15 @@ pub(crate) struct GrowthLine<'a> {
     pub(crate) highest: Option<Highest>,
     pub(crate) color: Rgb,
     pub(crate) style: LineStyle,
+}
+
+/// One row for each wavelength \[m\], a column for each name with its growth rates per passage \[-\].
+pub(crate) fn table<'a>(wavelengths: &[f64], lines: impl Iterator<Item = (&'a str, &'a [f64])>) -> Table {
+    let (names, rates): (Vec<&str>, Vec<&[f64]>) = lines.unzip();
+    let names = column::names(names, "growth_rate_per_passage");
+    let columns = names.iter().zip(rates).map(|(name, rates)| Column::in_file(name, rates.iter().copied()));
+    let wavelengths = Column::in_file("wavelength_m", wavelengths.iter().copied());
+    Table { name: "growth", columns: [wavelengths].into_iter().chain(columns).collect() }
 }
 
 /// Two panels over the wavelengths \[m\]: rates, and rates over the largest of each, which is of "each `what`".

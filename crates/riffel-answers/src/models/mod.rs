@@ -20,7 +20,7 @@ use passing::Passing;
 use crate::answer::inputs;
 use crate::forecast::number_alone;
 use crate::highest::{Highest, wavelengths_of};
-use crate::{Answer, AnswerError, Column, ResultFile, Table, WearLimitDocument, column};
+use crate::{Answer, AnswerError, Column, ResultFile, Table, WearLimitDocument, growth_lines};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -189,12 +189,8 @@ impl ModelsAnswer {
 
     /// One row for each wavelength, a column for each model on the case.
     fn growth_table(&self) -> Table {
-        let names = column::names(self.on_case().map(|of| of.model.name), "growth_rate_per_passage");
-        let rates = self.on_case().map(|of| of.growth_rate_per_passage.as_deref().unwrap_or_default());
-        let rates = names.iter().zip(rates);
-        let rates = rates.map(|(name, rates)| Column::in_file(name, rates.iter().copied()));
-        let wavelengths = Column::in_file("wavelength_m", self.wavelength_m.iter().copied());
-        Table { name: "growth", columns: [wavelengths].into_iter().chain(rates).collect() }
+        let grown = self.on_case().filter_map(|of| Some((of.model.name, of.growth_rate_per_passage.as_deref()?)));
+        growth_lines::table(&self.wavelength_m, grown)
     }
 }
 

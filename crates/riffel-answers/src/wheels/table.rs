@@ -7,7 +7,7 @@ use riffel_keys::{Message, decimal, say};
 use super::{WheelAnswer, WheelsAnswer};
 use crate::forecast::number_alone;
 use crate::netcdf::{Grid, Variable};
-use crate::{Column, Table, column};
+use crate::{Column, Table, growth_lines};
 
 fn rail_in_words(rail: CurveRail) -> Message {
     match rail {
@@ -73,14 +73,12 @@ pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
         ],
     }
 }
+
 /// One row for each wavelength under the traffic of the curve, a column for each wheel in the loop.
 pub(super) fn growth(answer: &WheelsAnswer) -> Table {
-    let grown =
-        || (answer.wheels.iter()).filter_map(|wheel| Some((&*wheel.name, wheel.growth_rate_per_passage.as_ref()?)));
-    let names = column::names(grown().map(|(name, _)| name), "growth_rate_per_passage");
-    let rates = names.iter().zip(grown()).map(|(name, (_, rates))| Column::in_file(name, rates.iter().copied()));
-    let wavelengths = Column::in_file("wavelength_m", answer.wavelength_m.iter().copied());
-    Table { name: "growth", columns: [wavelengths].into_iter().chain(rates).collect() }
+    let wheels = answer.wheels.iter();
+    let grown = wheels.filter_map(|wheel| Some((&*wheel.name, wheel.growth_rate_per_passage.as_deref()?)));
+    growth_lines::table(&answer.wavelength_m, grown)
 }
 
 /// Growth rates of all wheels on the grid of the map, by wheel, speed and wavelength; NaN for a wheel that is not in the loop.
