@@ -48,9 +48,9 @@ impl Spectrum {
     /// 1 m at least; mean and trend removed, Hann window, |DFT|² averaged. Segments overlap by two thirds or more;
     /// shorter ones at either end make up for what the windows hide there. A sinusoid leaks less than −65 dB into bands
     /// two away. Stretches with fewer than ten waves of a band are left out of it beside longer ones. Long waves are
-    /// looked at with fewer samples, 16 or more a wave, halved by a binomial filter whose gain is undone; what it lets through of
-    /// waves of two samples is below −100 dB. Cost: for each band some forty products a sample that is left, or a transform of the record where it
-    /// has more than 32 lines; parallel.
+    /// looked at with fewer samples, 16 or more a wave, halved by a binomial filter whose gain is undone; what it lets
+    /// through of waves of two samples is below −100 dB. Cost: for each band some forty products for each sample that is
+    /// left, or a transform of the record where it has more than 32 lines; parallel.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] where no stretch is as long as 1 m; [`Error::Measurement`] without a stretch, where
