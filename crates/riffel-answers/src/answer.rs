@@ -31,6 +31,11 @@ pub trait Answer: Serialize {
     /// Tables, for files and readers.
     fn tables(&self) -> Vec<Table>;
 
+    /// What a reader sees above a table of a name, a line each.
+    fn above(&self, _table: &str) -> Vec<Message> {
+        Vec::new()
+    }
+
     /// What the tables do not say, a line each.
     fn sentences(&self) -> Vec<Message>;
 
@@ -39,7 +44,7 @@ pub trait Answer: Serialize {
 
     /// The files beside the document, in the order in which they are named.
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let tables = self.tables().into_iter().map(ResultFile::Table);
+        let tables = self.tables().into_iter().filter(Table::has_file).map(ResultFile::Table);
         [ResultFile::Lines(Self::NAME, self.figure())].into_iter().chain(tables).collect()
     }
 

@@ -144,6 +144,11 @@ impl Table {
         self.columns.iter().any(|column| column.head.is_some())
     }
 
+    /// Whether a file has a column of it.
+    pub fn has_file(&self) -> bool {
+        self.columns.iter().any(|column| !column.name.is_empty())
+    }
+
     /// Heads and rows for a reader.
     pub fn shown(&self, language: Language) -> (Vec<String>, Vec<Vec<String>>) {
         let columns = self.columns.iter();

@@ -72,7 +72,7 @@ pub(crate) fn readable<A: Answer>(answer: &A, tables: &[Table]) -> String {
         lines.collect()
     };
     let shown = tables.iter().filter(|table| table.is_shown());
-    let tables = shown.map(|table| format!("{}\n", table_of(table)));
+    let tables = shown.map(|table| format!("{}{}\n", lines(answer.above(table.name)), table_of(table)));
     let tables = tables.collect::<String>();
     lines(answer.introduction()) + &tables + &lines(answer.sentences())
 }

@@ -1,57 +1,86 @@
 //! What would help: one traffic on a case and on variants of it, side by side.
 
 use riffel::forecast::{Reach, TrafficGrowth};
-use riffel::growth::RidgePoint;
 use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
 use riffel_case::{Case, Hold, SpeedChange, Variant};
 use riffel_keys::{CaseError, Message, Value, say};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
-use crate::forecast::{RailForecast, RailStart, rates_without_time};
+use super::told::{BandRate, HighestOfRidge, RailReach};
+use crate::WearLimitDocument;
+use crate::forecast::{RailForecast, RailStart, ReachDocument, rates_without_time};
 use crate::ridge::{best_fit_frequency, ridge_of};
 
 /// Growth under one traffic, as it is and as each variant makes it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// The bands.
+    #[serde(skip)]
     pub bands: Vec<ThirdOctave>,
     /// Growth of the case as it is by its model.
+    #[serde(skip)]
     pub model: TrafficGrowth,
     /// The case as it is, then the variants in their order.
     pub outcomes: Vec<Outcome>,
 }
 
 /// What a variant does.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Outcome {
     /// Its title.
     pub title: String,
-    /// Growth by vehicle and line; in bands of the rail that leads whose growth was measured, as that changes.
-    pub growth: TrafficGrowth,
-    /// Wear coefficient that growth goes by \[kg/J\].
-    pub wear_coefficient: f64,
-    /// Axle passages a day, if known.
-    pub passages_per_day: Option<f64>,
-    /// Why no months follow from how the rail that leads grows.
-    pub without_time: Option<Message>,
-    /// The line of highest growth.
-    pub fastest: FastestLine,
-    /// Whether nothing is told of what this variant does, for the model does not explain how the rail that leads grew: growth is that of the
-    /// case as it is, and there are no rails.
-    pub untold: bool,
-    /// Frequency \[Hz\] that the strongest branch of the ridge follows, for the wheel of the case over the speeds of
-    /// its map; none where nothing grows.
-    pub ridge_frequency: Option<f64>,
-    /// Where that ridge is highest.
-    pub ridge_highest: Option<RidgePoint>,
-    /// The rails under this traffic, the one that leads first; none where no spectrum was given.
-    pub rails: Vec<RailForecast>,
-    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
+    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay, or the variant gives
+    /// the mean state itself; told as [`held_name`](Self::held_name).
+    #[serde(rename = "hold", serialize_with = "held_name")]
     pub held: Vec<Hold>,
     /// What it does to growth.
+    #[serde(flatten)]
     pub effect: Effect,
+    /// The line of highest growth.
+    #[serde(flatten)]
+    pub fastest: FastestLine,
+    /// For that growth.
+    #[serde(flatten)]
+    wear_limit: WearLimitDocument,
+    /// Relative to the case as it is; null where that does not grow, or the variant does not act.
+    change_of_fastest_growth: Option<f64>,
+    /// Frequency \[Hz\] that the strongest branch of the ridge follows, for the wheel of the case over the speeds of
+    /// its map; none where nothing grows.
+    #[serde(rename = "ridge_frequency_hz")]
+    pub ridge_frequency: Option<f64>,
+    ridge_highest: Option<HighestOfRidge>,
+    growth_rate_per_passage: Vec<BandRate>,
+    /// The rail that reaches the limit first; null where rails are not named.
+    rail: Option<String>,
+    /// When each rail reaches the limit, the one that leads first.
+    #[serde(rename = "rails")]
+    rail_reaches: Vec<RailReach>,
+    /// Null without a spectrum.
+    #[serde(flatten)]
+    reach: ReachDocument,
+    /// Passages to the limit over those of the case as it is; null where either never is there.
+    change_of_time_to_limit: Option<f64>,
+    linear_range_passages: Option<f64>,
     /// What the reader should know about the validity of the models.
     pub remarks: Vec<Message>,
+    /// Growth by vehicle and line; in bands of the rail that leads whose growth was measured, as that changes.
+    #[serde(skip)]
+    pub growth: TrafficGrowth,
+    /// Axle passages a day, if known.
+    #[serde(skip)]
+    pub passages_per_day: Option<f64>,
+    /// Why no months follow from how the rail that leads grows.
+    #[serde(skip)]
+    pub without_time: Option<Message>,
+    /// Whether nothing is told of what this variant does, for the model does not explain how the rail that leads grew: growth is that of the
+    /// case as it is, and there are no rails.
+    #[serde(skip)]
+    pub untold: bool,
+    /// The rails under this traffic, the one that leads first; none where no spectrum was given.
+    #[serde(skip)]
+    pub rails: Vec<RailForecast>,
 }
 
 /// What a variant does to growth.
@@ -65,6 +94,16 @@ pub enum Effect {
     CannotAct(Message),
     /// Growth is the same to the last digit, as where a file gives the values of the case.
     ChangesNothing(Message),
+}
+
+/// Whether it changes growth, null for the case as it is, and why it does not or which of its keys do not.
+impl Serialize for Effect {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut effect = serializer.serialize_struct("Effect", 2)?;
+        effect.serialize_field("acts", &(*self != Self::None).then(|| self.acts()))?;
+        effect.serialize_field("no_effect", &self.sentence())?;
+        effect.end()
+    }
 }
 
 impl Effect {
@@ -114,13 +153,16 @@ impl Effect {
 }
 
 /// The wavelength that grows fastest under the traffic.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FastestLine {
     /// Its wavelength \[m\]; under a distribution of speeds one of the lines, to 1.5 %.
+    #[serde(rename = "fastest_wavelength_m")]
     pub wavelength: f64,
     /// Its growth rate per axle passage \[-\]; below zero where nothing grows.
+    #[serde(rename = "fastest_growth_rate_per_passage")]
     pub rate: f64,
     /// It is the first or the last line: a shorter or longer wavelength may grow faster.
+    #[serde(rename = "fastest_at_edge")]
     pub at_edge: bool,
 }
 
@@ -182,24 +224,35 @@ impl Comparison {
                 true => FastestLine::UNTOLD,
                 false => FastestLine::of(&growth, case, leading),
             };
-            outcomes.push(Outcome {
+            let without_time = match leading {
+                Some(rail) => rail.without_time(&on),
+                None => rates_without_time(&on, [fastest.rate].into_iter()),
+            };
+            let told_rate = Some(fastest.rate).filter(|rate| !rate.is_nan());
+            let mut outcome = Outcome {
                 title: variant.title.clone(),
-                without_time: match leading {
-                    Some(rail) => rail.without_time(&on),
-                    None => rates_without_time(&on, [fastest.rate].into_iter()),
-                },
+                wear_limit: WearLimitDocument::under(case, growth.mean_wear(), on.wear_coefficient, told_rate),
+                without_time,
                 fastest,
                 untold,
                 ridge_frequency: best_fit_frequency(&ridge),
-                ridge_highest: ridge.highest().copied(),
+                ridge_highest: ridge.highest().map(HighestOfRidge::of),
                 passages_per_day: on.passages_per_day,
-                wear_coefficient: on.wear_coefficient,
                 growth,
                 rails,
                 held: on.held,
                 effect,
                 remarks: on.remarks,
-            });
+                change_of_fastest_growth: None,
+                growth_rate_per_passage: Vec::new(),
+                rail: None,
+                rail_reaches: Vec::new(),
+                reach: ReachDocument::default(),
+                change_of_time_to_limit: None,
+                linear_range_passages: None,
+            };
+            outcome.tell(&bands, base);
+            outcomes.push(outcome);
         }
         Ok(Self { bands, model, outcomes })
     }
@@ -210,7 +263,48 @@ impl Comparison {
     }
 }
 
+/// What is held, by its name.
+fn held_name<S: Serializer>(held: &[Hold], serializer: S) -> Result<S::Ok, S::Error> {
+    name_of(held).serialize(serializer)
+}
+
+fn name_of(held: &[Hold]) -> Option<&'static str> {
+    match held {
+        [] => None,
+        [hold] => Some(hold.name()),
+        _ => Some("mixed"),
+    }
+}
+
 impl Outcome {
+    /// Tell what follows in bands, on the rails and beside the case as it is; without that, it is that case.
+    fn tell(&mut self, bands: &[ThirdOctave], base: Option<&Self>) {
+        let base = base.unwrap_or(self);
+        let rates = bands.iter().enumerate().map(|(place, band)| {
+            let rate = self.growth.band_rate(place);
+            BandRate {
+                wavelength_m: band.wavelength(),
+                growth_rate_per_passage: rate,
+                change: rate - base.growth.band_rate(place),
+            }
+        });
+        let rates = rates.collect();
+        let change_of_fastest_growth = match self.effect {
+            Effect::None => (self.fastest.rate > 0.0).then_some(0.0),
+            _ => self.change_from(base),
+        };
+        let before = base.passages_to_limit().filter(|passages| *passages > 0.0);
+        let change_of_time_to_limit = self.passages_to_limit().zip(before).map(|(own, base)| own / base - 1.0);
+        self.growth_rate_per_passage = rates;
+        self.change_of_fastest_growth = change_of_fastest_growth;
+        self.change_of_time_to_limit = change_of_time_to_limit;
+        self.rail_reaches = self.rails.iter().map(|rail| RailReach::of(rail, self)).collect();
+        if let Some(leading) = self.rail_reaches.first().cloned() {
+            RailReach { rail: self.rail, reach: self.reach, linear_range_passages: self.linear_range_passages } =
+                leading;
+        }
+    }
+
     /// The rail that leads, see [`RailForecast::of_rails`]; none where no spectrum was given.
     pub fn leading(&self) -> Option<&RailForecast> {
         self.rails.first()
@@ -240,11 +334,7 @@ impl Outcome {
     /// The name of what is held where friction or load change: force, ratio, creepage, or mixed where that differs
     /// from vehicle to vehicle.
     pub fn held_name(&self) -> Option<&'static str> {
-        match &self.held[..] {
-            [] => None,
-            [hold] => Some(hold.name()),
-            _ => Some("mixed"),
-        }
+        name_of(&self.held)
     }
 
     /// Change of the fastest growth from that of the case as it is, as a part of it; none where that does not grow

@@ -1,11 +1,10 @@
 //! What would help: a case and its variants under one traffic.
 
 mod comparison;
-mod document;
 mod figure;
 mod over_posterior;
-
-use std::io::{self, Write};
+mod tables;
+mod told;
 
 use riffel::forecast::WearSpread;
 use riffel::roughness::LevelLimit;
@@ -13,14 +12,17 @@ use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Hold, Variant};
 use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
+use riffel_rail::{GroundRail, LimitTable, Survey, rail_in_words};
+use serde::{Serialize, Serializer};
 
 pub use comparison::{Comparison, Effect, FastestLine, Outcome};
-pub use document::CompareDocument;
 pub use over_posterior::compare_over;
+pub(crate) use tables::outcomes;
 
-use crate::forecast::{RailForecast, RailStart, not_forecast, number_alone, per_million, reached, three_digits};
-use crate::{AnswerError, OverPosterior, unlikely_wear, wear_spread};
+use crate::answer::inputs;
+use crate::forecast::{RailForecast, RailStart, not_forecast};
+use crate::roughness::{Level, levels};
+use crate::{Answer, AnswerError, OverPosterior, Table, unlikely_wear, wear_spread};
 
 /// What is asked of variants.
 #[derive(Clone)]
@@ -39,34 +41,62 @@ pub struct CompareRequest {
     pub ground: Option<GroundRail>,
     /// The limit of levels, with the table it is from.
     pub limit: (LimitTable, LevelLimit),
+    /// The same over the draws of a calibration, where one was given.
+    pub over_posterior: Option<OverPosterior>,
 }
 
 /// A case and its variants under one traffic.
+#[derive(Serialize)]
 pub struct CompareAnswer {
-    /// What was asked to be held.
-    hold: Option<Hold>,
-    /// How well the wear coefficient is known that growth goes by; none where other damage has a part.
-    pub wear_spread: Option<WearSpread>,
-    /// That no rail is known to wear as the case as it is does.
-    unlikely_wear: Option<Message>,
-    /// Why the records do not tell how the rails grow, where they might.
-    without_growth: Option<Message>,
+    riffel_version: &'static str,
+    /// As it is.
+    #[serde(serialize_with = "inputs")]
+    case: Case,
     /// Speeds of the traffic, or its title, in words.
     pub speeds: Message,
-    /// The outcomes.
-    pub comparison: Comparison,
-    /// What the rail will be ground to, if that is where the spectrum comes from.
+    /// Of the rail that leads in the case as it is.
+    spectrum_now: Option<Vec<Level>>,
+    /// What the rail will be ground to, if that is where the spectrum comes from and the months to the limit begin.
+    #[serde(serialize_with = "in_words")]
     pub ground: Option<GroundRail>,
+    /// Its edition, where there is a rail.
+    #[serde(rename = "limit")]
+    edition: Option<String>,
+    /// Where the model does not explain how the rail that leads grew, or is of the other one: how it grew, and what follows; else empty.
+    pub(crate) unexplained: Vec<Message>,
+    /// The outcomes, the case as it is first.
+    #[serde(flatten)]
+    pub comparison: Comparison,
+    /// The same over the draws of a calibration, where one was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub over_posterior: Option<OverPosterior>,
+    /// How well the wear coefficient is known that growth goes by; none where other damage has a part.
+    #[serde(skip)]
+    pub wear_spread: Option<WearSpread>,
+    /// What was asked to be held.
+    #[serde(skip)]
+    hold: Option<Hold>,
+    /// That no rail is known to wear as the case as it is does.
+    #[serde(skip)]
+    unlikely_wear: Option<Message>,
+    /// Why the records do not tell how the rails grow, where they might.
+    #[serde(skip)]
+    without_growth: Option<Message>,
     /// What is to be said of the records.
+    #[serde(skip)]
     pub warnings: Vec<Message>,
     /// The table of the limit.
+    #[serde(skip)]
     pub table: LimitTable,
     /// The limit.
+    #[serde(skip)]
     pub limit: LevelLimit,
-    /// The same over the draws of a calibration, where one was given.
-    pub over_posterior: Option<OverPosterior>,
-    /// Middle of the window of wavelengths, in their ln \[m\].
-    middle: f64,
+    #[serde(skip)]
+    remarks: Vec<Message>,
+}
+
+fn in_words<S: Serializer>(ground: &Option<GroundRail>, serializer: S) -> Result<S::Ok, S::Error> {
+    ground.as_ref().map(|ground| &ground.words).serialize(serializer)
 }
 
 impl CompareAnswer {
@@ -76,7 +106,8 @@ impl CompareAnswer {
     /// [`AnswerError::Case`] with the key at fault, [`AnswerError::OutsideWindow`] where no rail has a band in the
     /// window of the case.
     pub fn new(case: &Case, request: CompareRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
-        let CompareRequest { variants, traffic, speeds, hold, survey, ground, limit: (table, limit) } = request;
+        let CompareRequest { variants, traffic, speeds, hold, survey, ground, limit: (table, limit), over_posterior } =
+            request;
         let mut warnings = Vec::new();
         let survey = survey.map(|survey| survey.latest().0);
         let of_survey = survey.iter().filter(|_| ground.is_none());
@@ -102,8 +133,15 @@ impl CompareAnswer {
         let without_growth = survey
             .as_ref()
             .and_then(|survey| RailStart::without_growth(&starts(per_day), survey, ground.is_some(), per_day));
+        let leading = comparison.base().leading();
         warnings.extend(not_forecast(&rails, &comparison.base().rails, case));
-        Ok(Self {
+        let unexplained = leading.map_or_else(Vec::new, |rail| rail.unexplained(&comparison.model, per_day));
+        let mut answer = Self {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            case: case.clone(),
+            spectrum_now: leading.map(|rail| levels(&rail.start.levels.spectrum)),
+            edition: leading.map(|_| table.edition.clone()),
+            unexplained,
             wear_spread: wear_spread(case),
             without_growth,
             unlikely_wear: unlikely_wear(case, comparison.base().growth.mean_wear()),
@@ -114,9 +152,12 @@ impl CompareAnswer {
             warnings,
             table,
             limit,
-            over_posterior: None,
-            middle: (case.wavelength.min() * case.wavelength.max()).sqrt(),
-        })
+            over_posterior,
+            remarks: Vec::new(),
+        };
+        let of_case = answer.comparison.base().remarks.clone();
+        answer.remarks = answer.warnings.iter().cloned().chain(answer.effects()).chain(of_case).collect();
+        Ok(answer)
     }
 
     /// What the draws of a calibration say of each variant; nothing without one.
@@ -126,29 +167,8 @@ impl CompareAnswer {
     }
 
     /// The figure of the comparison.
-    pub fn figure(&self, case: &Case, language: Language) -> LineFigure {
-        figure::figure(self, case, language)
-    }
-
-    /// The comparison as data: what `riffel compare --json` prints.
-    pub fn document<'a>(&'a self, case: &'a Case) -> CompareDocument<'a> {
-        document::document(self, case)
-    }
-
-    /// One row for each band, a column for each outcome.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn bands_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        document::band_table(self, file)
-    }
-
-    /// One row for each line, a column for each outcome.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn growth_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        document::line_table(self, file)
+    pub(crate) fn figure_in(&self, language: Language) -> LineFigure {
+        figure::figure(self, &self.case, language)
     }
 
     /// What the reader should know of variants: that a part or all has no effect, that less friction means less
@@ -162,6 +182,7 @@ impl CompareAnswer {
             let [_, either_way] = spread.band_80(1.0);
             say!(rates_hold_to, factor = fixed(either_way, 1))
         });
+        let middle = (self.case.wavelength.min() * self.case.wavelength.max()).sqrt();
         let outcomes = self.comparison.outcomes.iter();
         let at_edge = outcomes.clone().filter_map(|outcome| {
             let FastestLine { wavelength, .. } = outcome.fastest;
@@ -171,7 +192,7 @@ impl CompareAnswer {
                     growth_is_cut_off,
                     title = &outcome.title,
                     wavelength = fixed(1e3 * wavelength, 0),
-                    beyond = match wavelength < self.middle {
+                    beyond = match wavelength < middle {
                         true => say!(shorter_waves),
                         false => say!(longer_waves),
                     }
@@ -201,89 +222,14 @@ impl CompareAnswer {
         by_model.into_iter().flatten().cloned().collect()
     }
 
-    /// Where the model does not explain how the rail that leads grew, or is of the other one: how it grew, and what follows; else empty.
-    pub(crate) fn unexplained(&self) -> Vec<Message> {
-        let per_day = self.comparison.base().passages_per_day;
-        let rail = self.leading();
-        rail.map_or_else(Vec::new, |rail| rail.unexplained(&self.comparison.model, per_day))
-    }
-
     /// How the rail that leads grew, which its forecast goes by, and whether the model explains it; else empty.
     fn measured_first(&self) -> Vec<Message> {
-        let unexplained = self.unexplained();
-        if !unexplained.is_empty() {
-            return unexplained;
+        if !self.unexplained.is_empty() {
+            return self.unexplained.clone();
         }
         let per_day = self.comparison.base().passages_per_day;
         let own = |rail: &RailForecast| rail.own_growth(&self.comparison.model, per_day);
         self.leading().and_then(own).into_iter().collect()
-    }
-
-    /// Heads of the table without that of the titles: those of what is known of some outcome.
-    pub fn header(&self) -> Vec<Message> {
-        let mut header = vec![say!(fastest_in_millimetres), say!(decibels_per_million_passages), say!(change_head)];
-        if self.holds() {
-            header.push(say!(held_head));
-        }
-        header.push(say!(ridge_in_hertz));
-        if self.names_rails() {
-            header.push(say!(rail_word));
-        }
-        if self.leading().is_some() {
-            header.extend([say!(passages_to_limit_head), say!(tonnes_to_limit_head)]);
-        }
-        if self.counts_months() {
-            header.push(say!(months_to_limit_head));
-        }
-        header
-    }
-
-    /// The cells of an outcome under the [`header`](Self::header).
-    pub fn row(&self, outcome: &Outcome) -> Vec<Message> {
-        if outcome.untold {
-            let mut row = vec![Message::verbatim(""); self.header().len()];
-            row[2] = say!(cannot_be_told);
-            return row;
-        }
-        let FastestLine { wavelength, rate, at_edge } = outcome.fastest;
-        let nothing = || Message::verbatim("");
-        let change = outcome.change_from(self.comparison.base());
-        let wavelength = number_alone(format_args!("{:.1}", 1e3 * wavelength));
-        let mut row = vec![
-            match at_edge {
-                true => say!(at_edge_of_lines, wavelength = wavelength),
-                false => wavelength,
-            },
-            number_alone(format_args!("{:+.3}", per_million(rate))),
-            match &outcome.effect {
-                Effect::CannotAct(_) => say!(cannot_act),
-                Effect::ChangesNothing(_) => say!(changes_nothing),
-                _ => change.map_or_else(nothing, |change| number_alone(format_args!("{:+.0} %", 100.0 * change))),
-            },
-        ];
-        if self.holds() {
-            row.push(match outcome.held[..] {
-                [] => nothing(),
-                [hold] => held_in_words(hold),
-                _ => say!(held_mixed),
-            });
-        }
-        let ridge = outcome.ridge_frequency;
-        row.push(ridge.map_or_else(nothing, |f| number_alone(format_args!("{f:.0}"))));
-        if self.names_rails() {
-            let rail = outcome.leading().and_then(RailForecast::name);
-            row.push(name_in_words(rail.unwrap_or_default()));
-        }
-        if let Some(reach) = outcome.reach() {
-            let mgt = reach.passages().map(|passages| outcome.growth.mgt(passages));
-            row.push(reached(reach));
-            row.push(mgt.map_or_else(nothing, |mgt| number_alone(three_digits(mgt))));
-        }
-        if self.counts_months() {
-            let months = outcome.months_to_limit();
-            row.push(months.map_or_else(nothing, |months| number_alone(three_digits(months))));
-        }
-        row
     }
 
     /// The rail that leads in the case as it is; none where no spectrum was given.
@@ -301,16 +247,46 @@ impl CompareAnswer {
         let name = rail.name().filter(|_| self.names_rails())?;
         Some(rail_in_words(name))
     }
+}
 
-    /// Whether some variant holds a part of the mean state.
-    fn holds(&self) -> bool {
-        let mut outcomes = self.comparison.outcomes.iter();
-        outcomes.any(|outcome| !outcome.held.is_empty())
+impl Answer for CompareAnswer {
+    const NAME: &'static str = "compare";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.case.file.title.clone();
+        let title = title.map_or_else(|| say!(comparison_of_variants), Message::verbatim);
+        let ground = self.ground.iter();
+        let ground = ground
+            .map(|ground| say!(from_ground_to_limit, ground = ground.words.clone(), edition = &self.table.edition));
+        [say!(under_title, title = title, passing = self.speeds.clone())]
+            .into_iter()
+            .chain(ground)
+            .chain(self.first_said())
+            .collect()
     }
 
-    /// Whether months to the limit are known.
-    fn counts_months(&self) -> bool {
-        self.leading().is_some() && self.comparison.base().passages_per_day.is_some()
+    fn tables(&self) -> Vec<Table> {
+        let over = self.over_posterior.iter().map(OverPosterior::table);
+        let own = [tables::outcomes(self), tables::shown_bands(self), tables::bands(self), tables::lines(self)];
+        own.into_iter().chain(over).collect()
+    }
+
+    fn above(&self, table: &str) -> Vec<Message> {
+        let of_bands = table == tables::BANDS;
+        let leads = (of_bands && self.names_rails()).then(|| say!(limit_is_of_the_rail_that_leads));
+        leads.into_iter().chain(of_bands.then(|| say!(growth_of_the_bands))).collect()
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        self.over_posterior_in_words()
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.figure_in(Language::English)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }
 

@@ -4,7 +4,7 @@ use riffel::forecast::TrafficGrowth;
 use serde::Serialize;
 
 /// When a limit is reached, as documents hold it.
-#[derive(Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(crate) struct ReachDocument {
     /// after | beyond-linear-range | never; null without a limit.
     limit_reached: Option<&'static str>,

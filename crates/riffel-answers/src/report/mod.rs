@@ -217,7 +217,7 @@ fn outlooks(
         Err(why) => Outlook::left_out(say!(forecast), why),
     };
     let mut what_if = match compare {
-        Ok(answer) => outlook::what_if(case, answer, language)?,
+        Ok(answer) => outlook::what_if(answer, language)?,
         Err(why) => Outlook::left_out(say!(what_if), why),
     };
     let noise = match noise {

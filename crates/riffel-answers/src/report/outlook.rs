@@ -7,7 +7,7 @@ use riffel_plot::{LineFigure, PlotError};
 
 use super::page::{Section, escape, figure, list, said, sentence, table};
 use crate::Answer;
-use crate::compare::{CompareAnswer, Effect, Outcome, held_in_words, title_of};
+use crate::compare::{CompareAnswer, Effect, Outcome, held_in_words, outcomes};
 use crate::forecast::{ForecastAnswer, WearReport, number};
 
 /// A section with a sentence for those in a hurry and what to warn of.
@@ -90,16 +90,10 @@ pub(super) fn forecast(case: &Case, report: &ForecastAnswer, language: Language)
 }
 
 /// What would help.
-pub(super) fn what_if(case: &Case, report: &CompareAnswer, language: Language) -> Result<Outlook, PlotError> {
-    let rows = report.comparison.outcomes.iter().map(|outcome| {
-        let mut row = vec![escape(&title_of(outcome).text(language))];
-        row.extend(report.row(outcome).iter().map(|cell| said(cell, language)));
-        row
-    });
-    let rows: Vec<Vec<String>> = rows.collect();
-    let mut heads = vec![say!(variant_head)];
-    heads.extend(report.header());
-    let heads: Vec<String> = heads.iter().map(|head| head.text(language)).collect();
+pub(super) fn what_if(report: &CompareAnswer, language: Language) -> Result<Outlook, PlotError> {
+    let (mut heads, rows) = outcomes(report).shown(language);
+    heads[0] = say!(variant_head).text(language);
+    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
     let mut introduction = say!(case_and_variants, speeds = report.speeds.clone());
     if report.leading().is_some() {
         let limit = say!(limit_is, edition = &report.table.edition);
@@ -121,7 +115,7 @@ pub(super) fn what_if(case: &Case, report: &CompareAnswer, language: Language) -
     let effects = report.effects();
     let effects = first.iter().chain(&effects).map(|effect| said(effect, language));
     html += &list(effects.chain(over.iter().cloned()));
-    html += &drawing(report.figure(case, language), language)?;
+    html += &drawing(report.figure_in(language), language)?;
     // Draws tell months with their bands.
     let months = months(report).filter(|_| report.over_posterior.is_none());
     let best: Vec<String> = (best(report).iter()).map(|it| sentence(it, language)).collect();

@@ -3,10 +3,9 @@
 use riffel::forecast::SpeedDistribution;
 use riffel_answers::AnswerError;
 use riffel_answers::compare::{CompareAnswer, CompareRequest, compare_over};
-use riffel_answers::forecast::{number_alone, per_million};
 use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{CaseError, Language, Message, say, shown_speed};
+use riffel_keys::{CaseError, Message, say, shown_speed};
 use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, outside};
@@ -14,8 +13,6 @@ use super::history::History;
 use super::roughness::survey;
 use crate::arguments::{Compare, Models};
 use crate::error::CliError;
-use crate::messages::{language, print_remarks};
-use crate::output::{json, table};
 use crate::posterior::over;
 use crate::progress::Progress;
 use crate::results::Results;
@@ -34,24 +31,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     let case = arguments.case.read()?;
     let answer = compare(&case, arguments, survey)?;
     let results = Results::of("compare", &arguments.case, &arguments.results);
-    let document = || json(&answer.document(&case));
-    results.hand_out(
-        document,
-        |staging| {
-            staging.write_figure("compare", &answer.figure(&case, Language::English))?;
-            staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
-            staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
-            if let Some(over) = &answer.over_posterior {
-                staging.write_with("posterior.csv", |file| over.table().csv(file))?;
-            }
-            staging.write("summary.json", document())
-        },
-        || readable(&case, &answer),
-    )?;
-    print_remarks(&answer.warnings);
-    print_remarks(&answer.effects());
-    print_remarks(&answer.comparison.base().remarks);
-    Ok(())
+    Ok(results.answer(&answer)?)
 }
 
 /// The comparison; `survey` holds all spectra of `--spectrum`.
@@ -80,75 +60,18 @@ pub(super) fn compare(case: &Case, arguments: &Compare, survey: Option<Survey>) 
     let dated = |survey| History::of_dates(survey, &arguments.earlier, path, layout, &arguments.choose);
     let survey = survey.map(dated).transpose()?;
     let steps = (1 + variants.len()) * traffic.file.vehicle.len();
-    let request = CompareRequest { variants, traffic, speeds, hold, survey, ground, limit: (table, limit) };
-    let over = over(draws.as_ref(), |draws, progress| compare_over(draws, &request, progress))?;
+    let limit = (table, limit);
+    let mut request = CompareRequest { variants, traffic, speeds, hold, survey, ground, limit, over_posterior: None };
+    request.over_posterior = over(draws.as_ref(), |draws, progress| compare_over(draws, &request, progress))?;
     let progress = Progress::new(riffel_keys::say!(progress_variants), steps);
-    let mut answer = CompareAnswer::new(case, request, &|by| progress.advance(by)).map_err(|error| match error {
+    let answer = CompareAnswer::new(case, request, &|by| progress.advance(by));
+    answer.map_err(|error| match error {
         AnswerError::OutsideWindow(error) => {
             let path = arguments.spectrum.as_deref();
             outside(&arguments.ground, path, case, error).into()
         }
         error => miette::Report::from(error),
-    })?;
-    drop(progress);
-    answer.over_posterior = over;
-    Ok(answer)
-}
-
-/// A comparison for the terminal.
-fn readable(case: &Case, answer: &CompareAnswer) -> String {
-    let title = case.file.title.as_deref().map(Message::verbatim);
-    let title = title.unwrap_or_else(|| say!(comparison_of_variants));
-    let [title, speeds] = [&title, &answer.speeds].map(|said| said.text(language()));
-    let mut text = format!("{title}, {speeds}\n");
-    if let Some(ground) = &answer.ground {
-        let edition = &answer.table.edition;
-        let from = say!(from_ground_to_limit, ground = ground.words.clone(), edition = edition);
-        text += &format!("{}\n", from.text(language()));
-    }
-    for sentence in answer.first_said() {
-        text += &format!("{}\n", sentence.text(language()));
-    }
-    let header = answer.header().into_iter();
-    let header = header.map(|head| head.text(language()));
-    let header = std::iter::once(String::new()).chain(header);
-    let mut rows = table(&header.collect::<Vec<_>>());
-    for outcome in &answer.comparison.outcomes {
-        let mut row = vec![Message::verbatim(&outcome.title)];
-        row.extend(answer.row(outcome));
-        rows.add_row(row.iter().map(|cell| cell.text(language())));
-    }
-    text += &format!("{rows}\n");
-    if answer.names_rails() {
-        let said = say!(limit_is_of_the_rail_that_leads).text(language());
-        text += &format!("{said}\n");
-    }
-    text += &bands(answer);
-    for sentence in answer.over_posterior_in_words() {
-        text += &format!("{}\n", sentence.text(language()));
-    }
-    text
-}
-
-/// Growth by band.
-fn bands(answer: &CompareAnswer) -> String {
-    let mut header = vec![say!(wavelength_of_band).text(language())];
-    header.extend(answer.comparison.outcomes.iter().map(|outcome| outcome.title.clone()));
-    let mut rows = table(&header);
-    for (place, band) in answer.comparison.bands.iter().enumerate().rev() {
-        let mut row = vec![number_alone(band.nominal_millimetres()).text(language())];
-        row.extend(
-            answer
-                .comparison
-                .outcomes
-                .iter()
-                .map(|outcome| per_million(outcome.growth.band_rate(place)))
-                .map(|rate| number_alone(format_args!("{rate:+.3}")).text(language())),
-        );
-        rows.add_row(row);
-    }
-    let of_bands = say!(growth_of_the_bands).text(language());
-    format!("{of_bands}\n{rows}\n")
+    })
 }
 
 /// The traffic with its speeds in words: that of the file, the wheel of the case at the speed that is asked for, or the usual one of
