@@ -12,6 +12,8 @@ use crate::netcdf::Grid;
 pub enum ResultFile<'a> {
     /// A picture of lines, as PNG, SVG and page.
     Lines(&'static str, LineFigure),
+    /// A picture of lines without a page.
+    Picture(&'static str, LineFigure),
     /// A picture of maps, likewise.
     Maps(&'static str, MapFigure),
     /// A table as CSV.
@@ -20,13 +22,22 @@ pub enum ResultFile<'a> {
     Grid(&'static str, Grid<'a>),
 }
 
+impl ResultFile<'_> {
+    /// Those of tables that are not for readers alone.
+    pub(crate) fn tables(tables: Vec<Table>) -> impl Iterator<Item = Self> {
+        tables.into_iter().filter(Table::has_file).map(Self::Table)
+    }
+}
+
 /// An answer as data; its document is what `--json` prints.
 pub trait Answer: Serialize {
     /// Its name in files, as in `noise.png`.
     const NAME: &'static str;
 
     /// What it is about, in lines before the tables.
-    fn introduction(&self) -> Vec<Message>;
+    fn introduction(&self) -> Vec<Message> {
+        Vec::new()
+    }
 
     /// Tables, for files and readers.
     fn tables(&self) -> Vec<Table>;
@@ -36,16 +47,25 @@ pub trait Answer: Serialize {
         Vec::new()
     }
 
-    /// What the tables do not say, a line each.
-    fn sentences(&self) -> Vec<Message>;
+    /// What a reader sees below a table of a name, a line each.
+    fn below(&self, _table: &str) -> Vec<Message> {
+        Vec::new()
+    }
 
-    /// The picture.
-    fn figure(&self) -> LineFigure;
+    /// What the tables do not say, a line each.
+    fn sentences(&self) -> Vec<Message> {
+        Vec::new()
+    }
+
+    /// The picture; without panels where there is none.
+    fn figure(&self) -> LineFigure {
+        LineFigure::default()
+    }
 
     /// The files beside the document, in the order in which they are named.
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let tables = self.tables().into_iter().filter(Table::has_file).map(ResultFile::Table);
-        [ResultFile::Lines(Self::NAME, self.figure())].into_iter().chain(tables).collect()
+        let figure = ResultFile::Lines(Self::NAME, self.figure());
+        [figure].into_iter().chain(ResultFile::tables(self.tables())).collect()
     }
 
     /// What the reader should know.

@@ -29,6 +29,7 @@ mod cause;
 mod column;
 pub mod compare;
 pub mod competing_models;
+mod complex;
 pub mod contact;
 pub mod curve;
 pub mod decide;

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use riffel::Complex64;
 use riffel_keys::{Language, Message};
 
 /// A table by columns of equal length.
@@ -107,6 +108,12 @@ impl Column {
     /// Numbers for files alone, as documents have them.
     pub fn exact<T: Into<Option<f64>>>(name: &str, values: impl Iterator<Item = T>) -> Self {
         Self { name: name.to_owned(), head: None, values: Values::Exact(values.map(Into::into).collect()) }
+    }
+
+    /// Real and imaginary parts for files alone, as in `force_re` and `force_im`.
+    pub fn complex(name: &str, values: impl Iterator<Item = Complex64>) -> [Self; 2] {
+        let (re, im): (Vec<f64>, Vec<f64>) = values.map(|value| (value.re, value.im)).unzip();
+        [("re", re), ("im", im)].map(|(part, values)| Self::exact(&format!("{name}_{part}"), values.into_iter()))
     }
 
     /// Words for readers only, which a file has as numbers.

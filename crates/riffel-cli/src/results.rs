@@ -72,7 +72,10 @@ pub(crate) fn readable<A: Answer>(answer: &A, tables: &[Table]) -> String {
         lines.collect()
     };
     let shown = tables.iter().filter(|table| table.is_shown());
-    let tables = shown.map(|table| format!("{}{}\n", lines(answer.above(table.name)), table_of(table)));
+    let tables = shown.map(|table| {
+        let [above, below] = [answer.above(table.name), answer.below(table.name)].map(lines);
+        format!("{above}{}\n{below}", table_of(table))
+    });
     let tables = tables.collect::<String>();
     lines(answer.introduction()) + &tables + &lines(answer.sentences())
 }

@@ -136,6 +136,7 @@ impl Staging {
     pub(crate) fn write_result(&mut self, file: ResultFile<'_>) -> Result<(), CliError> {
         match file {
             ResultFile::Lines(name, figure) => self.write_figure(name, &figure),
+            ResultFile::Picture(name, figure) => self.write_picture(name, &figure.picture()?),
             ResultFile::Maps(name, maps) => {
                 self.write_picture(name, &maps.picture()?)?;
                 self.write(&format!("{name}.html"), maps.html()?)
