@@ -1,14 +1,15 @@
 //! Creep curves of all laws.
 
-use std::io::{self, Write};
-
 use riffel::contact::{CreepLaw, Creepages};
 use riffel_case::file::CreepLawName;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, decimal, say};
 use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
+use serde::{Serialize, Serializer};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
+use crate::forecast::number_alone;
+use crate::{Column, Table};
 
 /// Tractive ratio against creepage by one law.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,14 +23,21 @@ pub struct CreepCurve {
 }
 
 /// The curves of all laws over the same creepages.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CreepCurves {
     /// Creepages \[-\].
+    #[serde(rename = "creepage")]
     pub creepages: Vec<f64>,
     /// Law by law, the exact one last.
+    #[serde(rename = "tractive_ratio", serialize_with = "by_law")]
     pub laws: Vec<CreepCurve>,
     /// Creepages that were asked for and are left out, since the exact theory does not converge there.
+    #[serde(skip)]
     pub left_out: Vec<f64>,
+}
+
+fn by_law<S: Serializer>(laws: &[CreepCurve], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(laws.iter().map(|law| (law.key, &law.tractive_ratios)))
 }
 
 impl CreepCurves {
@@ -101,17 +109,27 @@ fn look(law: &CreepCurve, place: usize) -> (LineStyle, Rgb) {
 }
 
 /// One row for each sample.
-pub(super) fn table(curves: &CreepCurves, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    let mut header = vec!["creepage".to_owned()];
-    header.extend(curves.laws.iter().map(|law| law.key.replace('-', "_")));
-    writer.write_record(&header)?;
-    for (index, &creepage) in curves.creepages.iter().enumerate() {
-        let mut row = vec![creepage];
-        row.extend(curves.laws.iter().map(|law| law.tractive_ratios[index]));
-        writer.serialize(row)?;
-    }
-    writer.flush()
+pub(super) fn table(curves: &CreepCurves) -> Table {
+    let laws = curves.laws.iter();
+    let laws = laws.map(|law| Column::exact(&law.key.replace('-', "_"), law.tractive_ratios.iter().copied()));
+    let creepages = Column::exact("creepage", curves.creepages.iter().copied());
+    Table { name: "creep-curve", columns: [creepages].into_iter().chain(laws).collect() }
+}
+
+/// A few of them for a reader.
+pub(super) fn shown(curves: &CreepCurves) -> Table {
+    const ROWS: usize = 8;
+    let count = curves.creepages.len();
+    let shown = count.min(ROWS);
+    let places: Vec<usize> = (1..=shown).map(|place| place * count / shown - 1).collect();
+    let column = |head: Message, cell: &dyn Fn(usize) -> String| {
+        Column::shown(head, places.iter().map(|&place| number_alone(cell(place))).collect())
+    };
+    let creepages =
+        column(say!(creepage_column), &|place| format!("{} %", decimal(100.0 * curves.creepages[place], 4)));
+    let laws = curves.laws.iter();
+    let laws = laws.map(|law| column(Message::verbatim(law.key), &|place| decimal(law.tractive_ratios[place], 4)));
+    Table { name: "creep-curve", columns: [creepages].into_iter().chain(laws).collect() }
 }
 
 pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel {

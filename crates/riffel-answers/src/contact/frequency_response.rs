@@ -1,15 +1,17 @@
 //! Responses of the exact contact to small oscillations over wavelength.
 
-use std::io::{self, Write};
-
 use riffel::Complex64;
 use riffel::contact::{ContactDerivative, ContactResponse, GridError, OscillatingCreepages};
 use riffel_keys::CaseError;
 use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Scale, Series};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::{Map, Value, json};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
 use super::wave_response::WaveResponse;
+use crate::complex::pairs;
+use crate::{Column, Table};
 
 /// What one output answers to one input.
 #[derive(Debug, Clone, PartialEq)]
@@ -157,29 +159,42 @@ impl FrequencyResponse {
     }
 }
 
-/// One row for each sample.
-pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    let columns: Vec<(String, &[Complex64])> = response
-        .inputs
-        .iter()
-        .flat_map(|input| {
-            let outputs = input.outputs.iter();
-            outputs.map(|output| (format!("{}_{}", input.key, output.key), &*output.values))
-        })
-        .collect();
-    let mut header = vec!["wavelength_over_semi_axis".to_owned()];
-    let parts = |name: &String| ["re", "im"].map(|part| format!("{name}_{part}"));
-    header.extend(columns.iter().flat_map(|(name, _)| parts(name)));
-    header.extend(WaveResponse::COLUMNS.map(str::to_owned));
-    writer.write_record(&header)?;
-    for (index, &ratio) in response.ratios.iter().enumerate() {
-        let mut row = vec![ratio];
-        row.extend(columns.iter().flat_map(|(_, values)| [values[index].re, values[index].im]));
-        row.extend(response.wave.row(index));
-        writer.serialize(row)?;
+impl InputResponse {
+    /// A value of each output.
+    fn by_output(&self, value: impl Fn(&OutputResponse) -> Value) -> Map<String, Value> {
+        self.outputs.iter().map(|output| (output.key.to_owned(), value(output))).collect()
     }
-    writer.flush()
+}
+
+/// Input by input and output by output, with what the grid may miss of each response at the end.
+impl Serialize for FrequencyResponse {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("wavelength_over_semi_axis", &self.ratios)?;
+        for input in &self.inputs {
+            map.serialize_entry(input.key, &input.by_output(|output| json!(pairs(&output.values))))?;
+        }
+        map.serialize_entry("wave_geometry", &self.wave)?;
+        let errors = |input: &InputResponse| json!(input.by_output(|output| json!(output.errors)));
+        let mut error: Map<String, Value> =
+            self.inputs.iter().map(|input| (input.key.to_owned(), errors(input))).collect();
+        let [of_energy, of_force] = &self.wave.errors;
+        error.insert("wave_geometry".to_owned(), json!({ "rail_dissipation": of_energy, "force": of_force }));
+        map.serialize_entry("error", &error)?;
+        map.end()
+    }
+}
+
+/// One row for each sample.
+pub(super) fn table(response: &FrequencyResponse) -> Table {
+    let mut columns = vec![Column::exact("wavelength_over_semi_axis", response.ratios.iter().copied())];
+    for input in &response.inputs {
+        for output in &input.outputs {
+            columns.extend(Column::complex(&format!("{}_{}", input.key, output.key), output.values.iter().copied()));
+        }
+    }
+    columns.extend(response.wave.columns());
+    Table { name: "frequency-response", columns }
 }
 
 /// Modulus and phase against wavelength; about a table of creepages the moduli, input by input.

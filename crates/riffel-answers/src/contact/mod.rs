@@ -1,24 +1,25 @@
 //! Rolling contact by all theories.
 
+mod contact_patch;
 mod creep_curves;
-mod document;
 mod frequency_response;
 mod patch;
 mod theories;
 mod wave_response;
-
-use std::io::{self, Write};
+mod words;
 
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, Series};
+use serde::Serialize;
 
+pub use contact_patch::ContactPatch;
 pub use creep_curves::{CreepCurve, CreepCurves};
-pub use document::{ContactDocument, SteadyDocument};
 pub use frequency_response::{FrequencyResponse, InputResponse, OutputResponse};
 pub use theories::RollingTheories;
 pub use wave_response::WaveResponse;
 
 use crate::parameters::{creepage, polach};
+use crate::{Answer, ResultFile, Table};
 
 /// What is asked of the contact of a case.
 #[derive(Debug, Clone)]
@@ -30,13 +31,20 @@ pub struct ContactRequest {
 }
 
 /// The contact of a case by all theories: creep curves and responses to small oscillations.
+#[derive(Serialize)]
 pub struct ContactAnswer {
-    /// The theories, and the mean state by the exact one.
-    pub theories: RollingTheories,
-    /// Creep curves of all laws.
-    pub curves: CreepCurves,
-    /// Responses about the mean state; none near full slip, where no slope is left.
-    pub response: Option<FrequencyResponse>,
+    #[serde(flatten)]
+    patch: ContactPatch,
+    #[serde(rename = "creep_curve")]
+    curves: CreepCurves,
+    /// About the mean state; none near full slip, where no slope is left.
+    #[serde(rename = "frequency_response")]
+    response: Option<FrequencyResponse>,
+    /// And the mean state by the exact one.
+    #[serde(skip)]
+    theories: RollingTheories,
+    #[serde(skip)]
+    remarks: Vec<Message>,
 }
 
 impl ContactAnswer {
@@ -53,17 +61,36 @@ impl ContactAnswer {
         let response =
             theories.check_slope().is_ok().then(|| FrequencyResponse::new(&theories, ratios, &progress)).transpose()?;
         let curves = CreepCurves::new(&theories, creepages, &progress)?;
-        Ok(Self { theories, curves, response })
+        let mut remarks = theories.contact.remarks.clone();
+        if !curves.left_out.is_empty() {
+            let percent = |creepage: &f64| format!("{:.4} %", 100.0 * creepage);
+            let creepages: Vec<String> = curves.left_out.iter().map(percent).collect();
+            remarks.push(say!(
+                creepages_left_out,
+                creepages = creepages.join(", "),
+                grid = theories.contact.file.contact.grid
+            ));
+        }
+        let patch = ContactPatch::new(&theories.hertz, theories.laws.kalker, &theories.steady);
+        Ok(Self { patch, curves, response, theories, remarks })
+    }
+}
+
+impl Answer for ContactAnswer {
+    const NAME: &'static str = "contact";
+
+    fn introduction(&self) -> Vec<Message> {
+        words::introduction(&self.theories, self.response.is_some())
     }
 
-    /// The contact as data: what `riffel contact --json` prints.
-    pub fn document(&self) -> ContactDocument {
-        document::document(&self.theories, &self.curves, self.response.as_ref())
+    fn tables(&self) -> Vec<Table> {
+        let response = self.response.as_ref().map(frequency_response::table);
+        let curves = [creep_curves::shown(&self.curves), creep_curves::table(&self.curves)];
+        curves.into_iter().chain(response).chain([patch::table(&self.theories)]).collect()
     }
 
-    /// Creep curves, and modulus and phase of the responses.
-    pub fn figure(&self) -> LineFigure {
-        let Self { theories, curves, response } = self;
+    fn figure(&self) -> LineFigure {
+        let Self { theories, curves, response, .. } = self;
         let mut panels = vec![creep_curves::panel(curves, theories)];
         panels.extend(response.iter().flat_map(frequency_response::panels));
         LineFigure {
@@ -78,49 +105,14 @@ impl ContactAnswer {
         }
     }
 
-    /// What the reader should know about it.
-    pub fn remarks(&self) -> Vec<Message> {
-        let mut remarks = self.theories.contact.remarks.clone();
-        if !self.curves.left_out.is_empty() {
-            let percent = |creepage: &f64| format!("{:.4} %", 100.0 * creepage);
-            let creepages: Vec<String> = self.curves.left_out.iter().map(percent).collect();
-            remarks.push(say!(
-                creepages_left_out,
-                creepages = creepages.join(", "),
-                grid = self.theories.contact.file.contact.grid
-            ));
-        }
-        remarks
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let figures = [("contact", self.figure()), ("patch", patch::figure(&self.theories))];
+        let figures = figures.map(|(name, figure)| ResultFile::Lines(name, figure));
+        figures.into_iter().chain(ResultFile::tables(self.tables())).collect()
     }
 
-    /// Stick, slip and tractions of the mean state.
-    pub fn patch_figure(&self) -> LineFigure {
-        patch::figure(&self.theories)
-    }
-
-    /// The elements of the patch, one row for each.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn patch_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        patch::table(&self.theories, file)
-    }
-
-    /// One row for each creepage, a column for each law.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn creep_curve_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        creep_curves::table(&self.curves, file)
-    }
-
-    /// One row for each wavelength; none where there is no response.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn frequency_response_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let response = self.response.as_ref();
-        response.map_or(Ok(()), |response| frequency_response::table(response, file))
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }
 

@@ -1,11 +1,10 @@
 //! Stick, slip and tractions of the mean state as a picture.
 
-use std::io::{self, Write};
-
 use riffel::contact::ContactElement;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
 
 use super::{RollingTheories, line, parameters};
+use crate::{Column, Table};
 
 const TO_MILLIMETRES: f64 = 1e3;
 const TO_MEGAPASCALS: f64 = 1e-6;
@@ -120,11 +119,17 @@ pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
 }
 
 /// The elements of the patch, one row for each.
-pub(super) fn table(patch: &RollingTheories, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    writer.write_record(["x_m", "y_m", "traction_longitudinal_pa", "traction_lateral_pa", "bound_pa", "slips"])?;
-    for element in patch.elements() {
-        writer.serialize((element.centre, element.traction, element.bound, element.slips))?;
+pub(super) fn table(patch: &RollingTheories) -> Table {
+    let column = |name: &str, value: fn(ContactElement) -> f64| Column::exact(name, patch.elements().map(value));
+    Table {
+        name: "patch",
+        columns: vec![
+            column("x_m", |element| element.centre.0),
+            column("y_m", |element| element.centre.1),
+            column("traction_longitudinal_pa", |element| element.traction.0),
+            column("traction_lateral_pa", |element| element.traction.1),
+            column("bound_pa", |element| element.bound),
+            Column::names("slips", patch.elements().map(|element| element.slips)),
+        ],
     }
-    writer.flush()
 }

@@ -6,27 +6,29 @@ use riffel::Complex64;
 use riffel::contact::{ContactResponse, CurvatureFilter};
 use riffel_keys::CaseError;
 use riffel_plot::{LinePanel, OKABE_ITO, Scale, Series};
+use serde::Serialize;
 
 use super::line;
 use super::theories::{RollingTheories, refused};
+use crate::Column;
 
 /// Responses per κ = R k² Δ under a constant load and slip speed, one for each wavelength.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WaveResponse {
     /// T = e₁/e₀: energy left at a point of the rail.
+    #[serde(rename = "rail_dissipation", serialize_with = "crate::complex::as_pairs")]
     pub energy: Vec<Complex64>,
     /// T_Q: creep force along that of the mean state, over it.
+    #[serde(serialize_with = "crate::complex::as_pairs")]
     pub force: Vec<Complex64>,
     /// Φ: T of a contact that slides everywhere.
     pub phi: Vec<f64>,
     /// What the grid of the contact may miss of T and of T_Q, upper bounds of the modulus of the error.
+    #[serde(skip)]
     pub errors: [Vec<f64>; 2],
 }
 
 impl WaveResponse {
-    /// Columns of tables.
-    pub(super) const COLUMNS: [&str; 5] = ["wave_energy_re", "wave_energy_im", "wave_force_re", "wave_force_im", "phi"];
-
     pub(super) fn new(
         theories: &RollingTheories,
         responses: &[ContactResponse],
@@ -52,9 +54,10 @@ impl WaveResponse {
         })
     }
 
-    pub(super) fn row(&self, index: usize) -> [f64; 5] {
-        let (energy, force) = (self.energy[index], self.force[index]);
-        [energy.re, energy.im, force.re, force.im, self.phi[index]]
+    pub(super) fn columns(&self) -> impl Iterator<Item = Column> {
+        let energy = Column::complex("wave_energy", self.energy.iter().copied());
+        let force = Column::complex("wave_force", self.force.iter().copied());
+        energy.into_iter().chain(force).chain([Column::exact("phi", self.phi.iter().copied())])
     }
 
     pub(super) fn panel(&self, ratios: &[f64]) -> LinePanel {

@@ -91,7 +91,7 @@ fn contact_document_and_tables() {
     let mut files: Vec<String> = ["contact", "patch"]
         .iter()
         .flat_map(|name| ["html", "png", "svg"].map(|kind| format!("{name}.{kind}")))
-        .chain(["creep-curve.csv", "frequency-response.csv", "patch.csv"].map(str::to_owned))
+        .chain(["creep-curve.csv", "frequency-response.csv", "patch.csv", "summary.json"].map(str::to_owned))
         .collect();
     files.sort();
     assert_eq!(sandbox.list("out"), files);

@@ -1,6 +1,5 @@
 //! A case, with everything that is computed of it alone.
 
-mod patch;
 mod points;
 mod portable;
 mod ridge;
@@ -17,17 +16,17 @@ use riffel::growth::Bay;
 use riffel::receptance::DecayRate;
 use riffel::tile::TILE;
 use riffel::{Direction, GrowthMap};
-use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories, SteadyDocument};
+use riffel_answers::contact::{ContactPatch, CreepCurves, FrequencyResponse, RollingTheories};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
 use riffel_case::{CaseContact, DrawnSupports};
 
 use crate::array::owned;
+use crate::document::document;
 use crate::errors::{of_case, wrong};
 use crate::given::{self, CallableReceptance};
 use crate::interrupt::{interruptible, interruptible_while};
 use crate::tables;
-use patch::patch;
 use points::{Column, columns};
 use ridge::over_speed;
 use work::ends;
@@ -421,10 +420,9 @@ impl Case {
     }
 
     /// The contact patch by the keys of `riffel contact --json`.
-    fn contact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn contact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let laws = self.case.creep_laws().map_err(of_case)?;
         let steady = self.compute(py, |case| CaseContact::of(case)?.steady())?;
-        let steady = SteadyDocument::new(&steady.map_err(of_case)?);
-        patch(py, &self.case.hertz, laws.kalker, &steady)
+        document(py, &ContactPatch::new(&self.case.hertz, laws.kalker, &steady.map_err(of_case)?))
     }
 }
