@@ -1,5 +1,7 @@
 //! The whole loop at one wavelength and speed.
 
+mod words;
+
 use riffel::LoopState;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
 use riffel_case::traffic::{UsualTraffic, reported_growth};
@@ -7,8 +9,8 @@ use riffel_case::{Case, DrawnSupports, Point, Sensitivity};
 use riffel_keys::{CaseError, Message};
 use serde::Serialize;
 
-use crate::WearLimitDocument;
 use crate::stability::StabilityDocument;
+use crate::{Answer, Table, WearLimitDocument};
 
 /// What is asked of one wavelength and speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,67 +32,71 @@ pub struct PointRequest {
 pub struct PointAnswer {
     /// One turn of the loop.
     #[serde(skip)]
-    pub state: LoopState,
+    state: LoopState,
+    #[serde(skip)]
+    case: Case,
     /// Every quantity with its key.
     #[serde(flatten)]
-    pub quantities: Point,
+    quantities: Point,
     /// For the growth rate of one wheel of this kind on one line of the rail.
     #[serde(flatten)]
-    pub wear_limit: WearLimitDocument,
+    wear_limit: WearLimitDocument,
     /// Whether the loop oscillates without any profile at the speed; none for one wheel and one axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     stability: Option<StabilityDocument>,
     /// That growth is faster than any seen on a railway, under as many axles as usually run on such a line.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub reported_growth: Option<Message>,
+    reported_growth: Option<Message>,
     /// What growth answers to, the strongest first; none where it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub sensitivity: Option<Vec<Sensitivity>>,
+    sensitivity: Option<Vec<Sensitivity>>,
     /// Growth of the wave with its neighbours; none where it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub with_neighbours: Option<NeighboursDocument>,
+    with_neighbours: Option<Neighbours>,
     /// Growth along supports at drawn distances; none where it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub irregular_supports: Option<IrregularSupportsDocument>,
+    irregular_supports: Option<IrregularSupports>,
+    #[serde(skip)]
+    remarks: Vec<Message>,
 }
 
 /// Growth along a stretch of supports at drawn distances, beside that on equal ones.
 #[derive(Serialize)]
-pub struct IrregularSupportsDocument {
+struct IrregularSupports {
     /// Standard deviation of the distance that was asked for.
-    pub spacing_deviation_m: f64,
+    spacing_deviation_m: f64,
     /// Of the draw.
-    pub seed: u64,
+    seed: u64,
     /// Over the places of the stretch.
-    pub along: SpreadDocument,
+    along: Spread,
     /// Over a bay of equal supports.
-    pub even: SpreadDocument,
+    even: Spread,
     /// Where the supports stand, from where the first one would.
-    pub support_position_m: Vec<f64>,
+    support_position_m: Vec<f64>,
     /// Places of the wheel.
-    pub position_m: Vec<f64>,
+    position_m: Vec<f64>,
     /// Growth rate at each.
-    pub growth_rate_per_passage: Vec<f64>,
+    growth_rate_per_passage: Vec<f64>,
 }
 
 /// How a growth rate per passage is spread over places.
 #[derive(Serialize)]
-pub struct SpreadDocument {
+struct Spread {
     /// Growth of the mean logarithm of the amplitude.
-    pub mean: f64,
+    mean: f64,
     /// About the mean.
-    pub standard_deviation: f64,
+    standard_deviation: f64,
     /// Of the places.
-    pub least: f64,
+    least: f64,
     /// A tenth of the places have less.
-    pub tenth: f64,
+    tenth: f64,
     /// A tenth of the places have more.
-    pub nine_tenths: f64,
+    nine_tenths: f64,
     /// Of the places.
-    pub largest: f64,
+    largest: f64,
 }
 
-impl SpreadDocument {
+impl Spread {
     fn new(values: &[f64]) -> Self {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
@@ -109,13 +115,13 @@ impl SpreadDocument {
     }
 }
 
-impl IrregularSupportsDocument {
+impl IrregularSupports {
     fn new(growth: GrowthOnIrregularSupports, drawn: DrawnSupports) -> Self {
         Self {
             spacing_deviation_m: drawn.deviation,
             seed: drawn.seed,
-            along: SpreadDocument::new(&growth.growth_rates),
-            even: SpreadDocument::new(&growth.even),
+            along: Spread::new(&growth.growth_rates),
+            even: Spread::new(&growth.even),
             support_position_m: growth.supports,
             position_m: growth.places,
             growth_rate_per_passage: growth.growth_rates,
@@ -125,24 +131,24 @@ impl IrregularSupportsDocument {
 
 /// Growth of a wave with the neighbours that the passing of supports makes of it.
 #[derive(Serialize)]
-pub struct NeighboursDocument {
+struct Neighbours {
     /// Wavelengths, 1/λ + n/d for n = −N … N.
-    pub wavelengths_m: Vec<f64>,
+    wavelengths_m: Vec<f64>,
     /// Of the wave alone.
-    pub growth_rate_alone: f64,
+    growth_rate_alone: f64,
     /// Of the pattern that grows fastest.
-    pub growth_rate_of_pattern: f64,
+    growth_rate_of_pattern: f64,
     /// Phase by which each passage moves the pattern \[rad\], positive along the rail.
-    pub drift_of_pattern_rad: f64,
+    drift_of_pattern_rad: f64,
     /// Amplitudes of the pattern, the largest one.
-    pub pattern: Vec<[f64; 2]>,
+    pattern: Vec<[f64; 2]>,
     /// Where in the bay the pattern is highest, from a support.
-    pub highest_at_m: f64,
+    highest_at_m: f64,
     /// There over its least amplitude in the bay.
-    pub modulation: f64,
+    modulation: f64,
 }
 
-impl NeighboursDocument {
+impl Neighbours {
     fn new(growth: &GrowthWithNeighbours) -> Self {
         /// Steps over the bay.
         const STEPS: usize = 120;
@@ -182,14 +188,14 @@ impl PointAnswer {
         let with_neighbours = match request.neighbours {
             Some(neighbours) => {
                 let growth = case.growth_with_neighbours(wavelength, speed, neighbours)?;
-                Some(NeighboursDocument::new(&growth))
+                Some(Neighbours::new(&growth))
             }
             None => None,
         };
         let irregular_supports = match request.irregular {
             Some(drawn) => {
                 let growth = case.growth_on_irregular_supports(wavelength, speed, drawn)?;
-                Some(IrregularSupportsDocument::new(growth, drawn))
+                Some(IrregularSupports::new(growth, drawn))
             }
             None => None,
         };
@@ -197,10 +203,14 @@ impl PointAnswer {
         let oscillates = stability.as_ref().is_some_and(|it| it.oscillates());
         let per_day = UsualTraffic::of(case).passages_per_day;
         let reported = reported_growth(wavelength, state.growth_rate, per_day);
+        let reported_growth = reported.filter(|_| !oscillates);
+        let remarks = reported_growth.iter().cloned().chain(case.remarks_at_point(wavelength, speed));
         Ok(Self {
             quantities: Point::new(case, &state),
             wear_limit: WearLimitDocument::new(case, Some(state.growth_rate)),
-            reported_growth: reported.filter(|_| !oscillates),
+            remarks: remarks.collect(),
+            reported_growth,
+            case: case.clone(),
             state,
             stability,
             sensitivity,
@@ -210,7 +220,31 @@ impl PointAnswer {
     }
 
     /// Whether the loop oscillates by itself at the speed, so that its growth rate means nothing.
-    pub fn oscillates(&self) -> bool {
+    fn oscillates(&self) -> bool {
         self.stability.as_ref().is_some_and(|it| it.oscillates())
+    }
+}
+
+impl Answer for PointAnswer {
+    const NAME: &'static str = "point";
+
+    fn introduction(&self) -> Vec<Message> {
+        words::introduction(self)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        words::tables(self)
+    }
+
+    fn above(&self, table: &str) -> Vec<Message> {
+        words::above(self, table)
+    }
+
+    fn below(&self, table: &str) -> Vec<Message> {
+        words::below(self, table)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }
