@@ -1,34 +1,32 @@
 //! Track and wheel along all axes over frequency.
 
 use std::f64::consts::TAU;
-use std::io::{self, Write};
 
 use riffel::Complex64;
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
 use serde::Serialize;
 
+use crate::complex::as_matrices;
 use crate::parameters::parameters;
+use crate::{Answer, Column, Table};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Receptance matrices of track and wheel at the contact under study, axes x, y, z of the track.
-pub struct MatrixAnswer {
-    /// \[Hz\].
-    pub frequencies: Vec<f64>,
-    /// Of the track \[m/N\], by frequency.
-    pub track: Vec<[[Complex64; 3]; 3]>,
-    /// Of the wheel \[m/N\], by frequency.
-    pub wheel: Vec<[[Complex64; 3]; 3]>,
-}
-
-/// What `riffel receptance --matrix --json` prints.
+/// Receptance matrices of track and wheel at the contact under study, axes x, y, z of the track: serialised, what
+/// `riffel receptance --matrix --json` prints.
 #[derive(Serialize)]
-pub struct MatrixDocument {
+pub struct MatrixAnswer {
     frequency_hz: Vec<f64>,
-    track_receptance_matrix_m_per_n: Vec<[[[f64; 2]; 3]; 3]>,
-    wheel_receptance_matrix_m_per_n: Vec<[[[f64; 2]; 3]; 3]>,
+    /// By frequency.
+    #[serde(rename = "track_receptance_matrix_m_per_n", serialize_with = "as_matrices")]
+    track: Vec<[[Complex64; 3]; 3]>,
+    /// By frequency.
+    #[serde(rename = "wheel_receptance_matrix_m_per_n", serialize_with = "as_matrices")]
+    wheel: Vec<[[Complex64; 3]; 3]>,
+    #[serde(skip)]
+    case: Case,
 }
 
 impl MatrixAnswer {
@@ -51,49 +49,27 @@ impl MatrixAnswer {
         });
         let matrices: Vec<_> = matrices.collect::<Result<_, _>>()?;
         let of = |body: usize| matrices.iter().map(|pair| pair[body]).collect();
-        Ok(Self { track: of(0), wheel: of(1), frequencies })
+        Ok(Self { track: of(0), wheel: of(1), frequency_hz: frequencies, case: case.clone() })
     }
+}
 
-    /// The matrices as data.
-    pub fn document(&self) -> MatrixDocument {
-        let pairs = |matrices: &[[[Complex64; 3]; 3]]| {
-            let matrices = matrices.iter();
-            matrices.map(|matrix| matrix.map(|row| row.map(|entry| [entry.re, entry.im]))).collect()
-        };
-        MatrixDocument {
-            frequency_hz: self.frequencies.clone(),
-            track_receptance_matrix_m_per_n: pairs(&self.track),
-            wheel_receptance_matrix_m_per_n: pairs(&self.wheel),
-        }
-    }
+impl Answer for MatrixAnswer {
+    const NAME: &'static str = "matrix";
 
     /// One row for each frequency, the entries of both bodies on and above the diagonal.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let mut header = vec!["frequency_hz".to_owned()];
-        for body in ["track", "wheel"] {
+    fn tables(&self) -> Vec<Table> {
+        let mut columns = vec![Column::exact("frequency_hz", self.frequency_hz.iter().copied())];
+        for (body, matrices) in [("track", &self.track), ("wheel", &self.wheel)] {
             for (row, column) in upper() {
-                let entry = format!("{body}_{}{}_m_per_n", AXES[row], AXES[column]);
-                header.extend(["re", "im"].map(|part| format!("{entry}_{part}")));
+                let name = format!("{body}_{}{}_m_per_n", AXES[row], AXES[column]);
+                columns.extend(Column::complex(&name, matrices.iter().map(|matrix| matrix[row][column])));
             }
         }
-        writer.write_record(&header)?;
-        for (index, &frequency) in self.frequencies.iter().enumerate() {
-            let mut values = vec![frequency];
-            for matrix in [&self.track[index], &self.wheel[index]] {
-                let entries = upper().map(|(row, column)| matrix[row][column]);
-                values.extend(entries.flat_map(|entry| [entry.re, entry.im]));
-            }
-            writer.serialize(values)?;
-        }
-        writer.flush()
+        vec![Table { name: "matrix", columns }]
     }
 
     /// Moduli of the entries that are not zero.
-    pub fn figure(&self, case: &Case) -> LineFigure {
+    fn figure(&self) -> LineFigure {
         let panel = |subtitle: &str, matrices: &[[[Complex64; 3]; 3]]| LinePanel {
             subtitle: subtitle.to_owned(),
             x_label: "frequency f [Hz]".to_owned(),
@@ -103,7 +79,7 @@ impl MatrixAnswer {
             series: upper()
                 .map(|(row, column)| Series {
                     label: format!("{}{}", AXES[row], AXES[column]),
-                    x: self.frequencies.clone(),
+                    x: self.frequency_hz.clone(),
                     y: matrices.iter().map(|matrix| matrix[row][column].norm()).collect(),
                     ..Series::default()
                 })
@@ -115,11 +91,15 @@ impl MatrixAnswer {
             title: "Receptances at the contact, all axes".to_owned(),
             caption: format!(
                 "x along the rail, y to the right, z downward; displacement per force, exp(+iωt). {}",
-                parameters(case)
+                parameters(&self.case)
             ),
             panels: vec![panel("track", &self.track), panel("wheel", &self.wheel)],
             arrangement: Arrangement::Stacked,
         }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.case.remarks
     }
 }
 

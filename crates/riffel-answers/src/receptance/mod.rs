@@ -2,21 +2,24 @@
 
 mod curves;
 mod matrix;
+mod words;
 
+use std::cell::OnceCell;
 use std::f64::consts::TAU;
-use std::io::{self, Write};
 
 use riffel::receptance::{DecayRate, MassOnRail, Resonance, ResonanceKind};
 use riffel::{Complex64, Direction};
 use riffel_case::{Case, Track};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 pub use curves::{ReceptanceCurve, ReceptanceCurves};
-pub use matrix::{MatrixAnswer, MatrixDocument};
+pub use matrix::MatrixAnswer;
 
+use crate::complex::pairs;
 use crate::parameters::parameters;
+use crate::{Answer, Column, ResultFile, Table};
 
 /// What is asked of the receptances of a case.
 #[derive(Debug, Clone)]
@@ -29,58 +32,54 @@ pub struct ReceptanceRequest {
     pub frequencies: Vec<f64>,
 }
 
-/// The joints of a case over frequency, with the resonances of its track.
-pub struct ReceptanceAnswer {
-    /// The track in the direction asked for.
-    pub track: Track,
-    /// The joints over frequency.
-    pub curves: ReceptanceCurves,
-    /// The resonances, lowest first.
-    pub resonances: Vec<Resonance>,
-    /// The closed form of P2, vertically: the unsprung mass on the static shape of the rail.
-    pub p2_closed_form: Option<MassOnRail>,
-    /// Named frequencies \[Hz\] of the rail across the track, where it moves so in the loop.
-    pub lateral_resonances: Vec<(ResonanceKind, f64)>,
-    speed: f64,
-    direction: Direction,
-}
-
-fn pairs(values: &[Complex64]) -> Vec<[f64; 2]> {
-    values.iter().map(|value| [value.re, value.im]).collect()
-}
-
-/// What `riffel receptance --json` prints.
+/// The joints of a case over frequency, with the resonances of its track: serialised, what `riffel receptance --json` prints.
 #[derive(Serialize)]
-pub struct ReceptanceDocument {
+pub struct ReceptanceAnswer {
     frequency_hz: Vec<f64>,
-    resonances: Vec<ResonanceDocument>,
-    /// Beside P2, as a check; of a model of the track.
+    /// Lowest first.
+    resonances: Vec<NamedResonance>,
+    /// Of P2 vertically, as a check; of a model of the track.
     #[serde(skip_serializing_if = "Option::is_none")]
-    p2_closed_form: Option<ClosedFormDocument>,
-    /// Across the track, where the rail moves so.
+    p2_closed_form: Option<ClosedForm>,
+    /// Across the track, where the rail moves so in the loop.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     lateral_resonances: Vec<LateralResonance>,
-    #[serde(flatten)]
-    joints: serde_json::Map<String, serde_json::Value>,
+    #[serde(flatten, serialize_with = "by_joint")]
+    joints: Vec<ReceptanceCurve>,
+    #[serde(skip)]
+    places: Vec<ReceptanceCurve>,
+    /// In the direction asked for.
+    #[serde(skip)]
+    track: Track,
+    #[serde(skip)]
+    case: Case,
+    #[serde(skip)]
+    speed: f64,
+    #[serde(skip)]
+    direction: Direction,
+    /// Only files and words tell it.
+    #[serde(skip)]
+    decay: OnceCell<Option<Vec<DecayRate>>>,
 }
 
 /// One that is known by its frequency alone, without damping.
 #[derive(Serialize)]
 struct LateralResonance {
-    resonance: String,
+    #[serde(rename = "resonance", serialize_with = "name")]
+    kind: ResonanceKind,
     frequency_hz: f64,
 }
 
 /// P2 of the unsprung mass on the static shape of the rail.
 #[derive(Serialize)]
-struct ClosedFormDocument {
+struct ClosedForm {
     frequency_hz: f64,
     unsprung_mass_kg: f64,
     track_mass_kg: f64,
     stiffness_n_per_m: f64,
 }
 
-impl From<MassOnRail> for ClosedFormDocument {
+impl From<MassOnRail> for ClosedForm {
     fn from(closed: MassOnRail) -> Self {
         Self {
             frequency_hz: closed.angular_frequency() / TAU,
@@ -93,23 +92,39 @@ impl From<MassOnRail> for ClosedFormDocument {
 
 /// One resonance; damping and resolution where the receptance has no model.
 #[derive(Serialize)]
-struct ResonanceDocument {
-    resonance: String,
+struct NamedResonance {
+    #[serde(rename = "resonance", serialize_with = "name")]
+    kind: ResonanceKind,
     frequency_hz: f64,
     receptance_m_per_n: [f64; 2],
     damping_ratio: Option<f64>,
     resolution_hz: Option<f64>,
 }
 
-impl ResonanceDocument {
-    fn new(resonance: &Resonance) -> Self {
+fn name<S: Serializer>(kind: &ResonanceKind, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(kind)
+}
+
+fn by_joint<S: Serializer>(joints: &[ReceptanceCurve], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(joints.iter().map(|joint| (joint.key, pairs(&joint.values))))
+}
+
+impl From<Resonance> for NamedResonance {
+    fn from(resonance: Resonance) -> Self {
         Self {
-            resonance: resonance.kind.to_string(),
+            kind: resonance.kind,
             frequency_hz: resonance.angular_frequency / TAU,
             receptance_m_per_n: [resonance.receptance.re, resonance.receptance.im],
             damping_ratio: resonance.damping_ratio,
             resolution_hz: resonance.resolution.map(|resolution| resolution / TAU),
         }
+    }
+}
+
+impl NamedResonance {
+    fn modulus(&self) -> f64 {
+        let [re, im] = self.receptance_m_per_n;
+        Complex64::new(re, im).norm()
     }
 }
 
@@ -126,83 +141,98 @@ impl ReceptanceAnswer {
             case.check_frequencies(*from, *to)?;
         }
         let curves = ReceptanceCurves::new(case, &track, direction, speed, frequencies);
+        let ReceptanceCurves { frequencies, joints, places } = curves;
         let resonances = match direction {
             Direction::Vertical => case.resonances(),
             _ => track.resonances(),
         };
+        let closed = (direction == Direction::Vertical).then(|| case.p2_closed_form()).flatten();
+        let lateral = case.lateral_resonances.iter();
+        let lateral = lateral.map(|(kind, w)| LateralResonance { kind: *kind, frequency_hz: w / TAU });
         Ok(Self {
+            frequency_hz: frequencies,
+            resonances: resonances.into_iter().map(NamedResonance::from).collect(),
+            p2_closed_form: closed.map(ClosedForm::from),
+            lateral_resonances: lateral.collect(),
+            joints,
+            places,
             track,
-            curves,
-            resonances,
-            p2_closed_form: (direction == Direction::Vertical).then(|| case.p2_closed_form()).flatten(),
-            lateral_resonances: (case.lateral_resonances.iter()).map(|(kind, w)| (*kind, w / TAU)).collect(),
+            case: case.clone(),
             speed,
             direction,
+            decay: OnceCell::new(),
         })
     }
 
     /// Decay rates in one-third octaves; none for a rail without support, which hardly decays, and where supports are
     /// not known.
-    pub fn decay(&self) -> Option<Vec<DecayRate>> {
-        let structure = self.track.structure.as_deref();
-        let structure = structure.filter(|_| self.track.support.is_some());
-        structure.map(DecayRate::of_track)
-    }
-
-    /// The curves and resonances as data: what `riffel receptance --json` prints.
-    pub fn document(&self) -> ReceptanceDocument {
-        let joints = self.curves.joints.iter().map(|curve| {
-            let values = serde_json::to_value(pairs(&curve.values)).unwrap_or_default();
-            (curve.key.to_owned(), values)
-        });
-        ReceptanceDocument {
-            frequency_hz: self.curves.frequencies.clone(),
-            resonances: self.resonances.iter().map(ResonanceDocument::new).collect(),
-            p2_closed_form: self.p2_closed_form.map(ClosedFormDocument::from),
-            lateral_resonances: (self.lateral_resonances.iter())
-                .map(|(kind, frequency_hz)| LateralResonance {
-                    resonance: kind.to_string(),
-                    frequency_hz: *frequency_hz,
-                })
-                .collect(),
-            joints: joints.collect(),
-        }
+    fn decay(&self) -> Option<&[DecayRate]> {
+        let rates = || {
+            let structure = self.track.structure.as_deref();
+            let structure = structure.filter(|_| self.track.support.is_some());
+            structure.map(DecayRate::of_track)
+        };
+        self.decay.get_or_init(rates).as_deref()
     }
 
     /// One row for each frequency.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn curves_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let all = &self.curves;
-        let curves = || all.joints.iter().chain(&all.places);
-        let mut header = vec!["frequency_hz".to_owned()];
-        header.extend(curves().flat_map(|curve| ["re", "im"].map(|part| format!("{}_{part}", curve.key))));
-        writer.write_record(&header)?;
-        for (index, &frequency) in all.frequencies.iter().enumerate() {
-            let mut row = vec![frequency];
-            row.extend(curves().flat_map(|curve| {
-                let value = curve.values[index];
-                [value.re, value.im]
-            }));
-            writer.serialize(row)?;
+    fn curves(&self) -> Table {
+        let frequency = Column::exact("frequency_hz", self.frequency_hz.iter().copied());
+        let curves = self.joints.iter().chain(&self.places);
+        let curves = curves.flat_map(|curve| Column::complex(curve.key, curve.values.iter().copied()));
+        Table { name: "receptance", columns: [frequency].into_iter().chain(curves).collect() }
+    }
+
+    /// Decay rates over frequency.
+    fn decay_figure(&self, rates: &[DecayRate]) -> LineFigure {
+        LineFigure {
+            title: "Track decay rate".to_owned(),
+            caption: format!("One-third octaves of EN 15461, force in mid-span. {}", parameters(&self.case)),
+            panels: vec![LinePanel {
+                x_label: "frequency f [Hz]".to_owned(),
+                y_label: "decay rate [dB/m]".to_owned(),
+                x_scale: Scale::Log,
+                y_scale: Scale::Log,
+                series: vec![Series {
+                    x: rates.iter().map(|rate| rate.nominal_frequency).collect(),
+                    y: rates.iter().map(|rate| rate.decay_rate).collect(),
+                    ..Series::default()
+                }],
+                ..LinePanel::default()
+            }],
+            arrangement: Arrangement::Stacked,
         }
-        writer.flush()
     }
 
     /// Discrete supports show the rail at both of its typical places instead of at one.
     fn drawn(&self) -> Vec<&ReceptanceCurve> {
-        let ReceptanceCurves { joints, places, .. } = &self.curves;
+        let Self { joints, places, .. } = self;
         let rail = match places.is_empty() {
             true => &joints[..1],
             false => &places[..],
         };
         rail.iter().chain(&joints[1..]).collect()
     }
+}
+
+impl Answer for ReceptanceAnswer {
+    const NAME: &'static str = "receptance";
+
+    fn introduction(&self) -> Vec<Message> {
+        words::introduction(self)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let decay = self.decay().map(words::decay);
+        [self.curves(), words::resonances(self)].into_iter().chain(decay).collect()
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        words::sentences(self)
+    }
 
     /// Modulus and phase over frequency, resonances marked.
-    pub fn figure(&self, case: &Case) -> LineFigure {
+    fn figure(&self) -> LineFigure {
         // Names stand in the first panel only.
         let panel = |named: bool, y_label: &str, y_scale, value: fn(Complex64) -> f64| LinePanel {
             x_label: "frequency f [Hz]".to_owned(),
@@ -214,7 +244,7 @@ impl ReceptanceAnswer {
                 .into_iter()
                 .map(|curve| Series {
                     label: if named { curve.label.to_owned() } else { String::new() },
-                    x: self.curves.frequencies.clone(),
+                    x: self.frequency_hz.clone(),
                     y: curve.values.iter().map(|&receptance| value(receptance)).collect(),
                     style: style(curve),
                     color: None,
@@ -233,7 +263,7 @@ impl ReceptanceAnswer {
             caption: format!(
                 "Displacement per force, {force}, exp(+iωt), load at {:.1} m/s. {}",
                 self.speed,
-                parameters(case)
+                parameters(&self.case)
             ),
             panels: vec![
                 panel(true, "|H| [m/N]", Scale::Log, |h| h.norm()),
@@ -247,63 +277,14 @@ impl ReceptanceAnswer {
         }
     }
 
-    /// One row for each resonance.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn resonances_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record([
-            "resonance",
-            "frequency_hz",
-            "receptance_modulus_m_per_n",
-            "damping_ratio",
-            "resolution_hz",
-        ])?;
-        for resonance in &self.resonances {
-            writer.serialize((
-                resonance.kind.to_string(),
-                resonance.angular_frequency / TAU,
-                resonance.receptance.norm(),
-                resonance.damping_ratio,
-                resonance.resolution.map(|resolution| resolution / TAU),
-            ))?;
-        }
-        writer.flush()
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let picture = self.decay().map(|rates| ResultFile::Picture("decay-rate", self.decay_figure(rates)));
+        let own = ResultFile::Lines(Self::NAME, self.figure());
+        [own].into_iter().chain(ResultFile::tables(self.tables())).chain(picture).collect()
     }
-}
 
-/// One row for each one-third octave.
-///
-/// # Errors
-/// Those of the file.
-pub fn decay_csv(rates: &[DecayRate], file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    writer.write_record(["frequency_hz", "decay_rate_db_per_m", "upper_bound"])?;
-    for rate in rates {
-        writer.serialize((rate.nominal_frequency, rate.decay_rate, rate.upper_bound))?;
-    }
-    writer.flush()
-}
-
-/// Decay rates over frequency.
-pub fn decay_figure(case: &Case, rates: &[DecayRate]) -> LineFigure {
-    LineFigure {
-        title: "Track decay rate".to_owned(),
-        caption: format!("One-third octaves of EN 15461, force in mid-span. {}", parameters(case)),
-        panels: vec![LinePanel {
-            x_label: "frequency f [Hz]".to_owned(),
-            y_label: "decay rate [dB/m]".to_owned(),
-            x_scale: Scale::Log,
-            y_scale: Scale::Log,
-            series: vec![Series {
-                x: rates.iter().map(|rate| rate.nominal_frequency).collect(),
-                y: rates.iter().map(|rate| rate.decay_rate).collect(),
-                ..Series::default()
-            }],
-            ..LinePanel::default()
-        }],
-        arrangement: Arrangement::Stacked,
+    fn remarks(&self) -> &[Message] {
+        &self.case.remarks
     }
 }
 
@@ -316,8 +297,8 @@ fn style(curve: &ReceptanceCurve) -> LineStyle {
     }
 }
 
-fn mark(resonance: &Resonance, named: bool) -> Mark {
-    let frequency = resonance.angular_frequency / TAU;
+fn mark(resonance: &NamedResonance, named: bool) -> Mark {
+    let frequency = resonance.frequency_hz;
     let name = match resonance.kind {
         ResonanceKind::MeasuredPeak | ResonanceKind::GivenPeak => "peak".to_owned(),
         ResonanceKind::MeasuredDip | ResonanceKind::GivenDip => "dip".to_owned(),

@@ -47,7 +47,7 @@ fn motion_across_the_track_is_named() {
         let request =
             ReceptanceRequest { direction: riffel::Direction::Vertical, speed: 10.0, frequencies: vec![100.0] };
         let answer = ReceptanceAnswer::new(&case, request).unwrap();
-        let document = serde_json::to_value(answer.document()).unwrap();
+        let document = serde_json::to_value(answer).unwrap();
         let named = document["lateral_resonances"].as_array().cloned();
         let of = |named: &Value| {
             let frequency = named["frequency_hz"].as_f64().unwrap();
