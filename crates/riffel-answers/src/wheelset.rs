@@ -1,18 +1,19 @@
 //! The wheelset of a case: natural frequencies, mode shapes, receptances at the contacts.
 
 use std::f64::consts::TAU;
-use std::io::{self, Write};
 use std::sync::Arc;
 
 use riffel::Direction;
 use riffel::wheelset::{BendingPlane, ContactReceptances, ModeName, Port, Wheelset};
 use riffel_case::{Case, CaseWheelset, WheelsetMode};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, decimal, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
-use crate::mode_in_words;
+use crate::complex::as_matrices;
+use crate::forecast::number_alone;
 use crate::parameters::parameters;
+use crate::{Answer, Column, ResultFile, Table, mode_in_words};
 
 /// Up to which natural frequencies are listed \[Hz\].
 pub const HIGHEST: f64 = 2000.0;
@@ -23,29 +24,32 @@ const DRAWN: usize = 4;
 /// Points along the axle in a picture.
 const ALONG: usize = 121;
 
-/// The wheelset of a case over frequency.
-pub struct WheelsetAnswer {
-    wheelset: Arc<CaseWheelset>,
-    /// Natural frequencies up to [`HIGHEST`], lowest first.
-    pub modes: Vec<WheelsetMode>,
-    /// \[Hz\].
-    pub frequencies: Vec<f64>,
-    /// Receptances at the contacts \[m/N\], by frequency.
-    pub receptances: Vec<ContactReceptances>,
-}
-
-/// What `riffel wheelset --json` prints.
+/// The wheelset of a case over frequency: serialised, what `riffel wheelset --json` prints.
 #[derive(Serialize)]
-pub struct WheelsetDocument {
-    natural_frequencies: Vec<NaturalFrequency>,
+pub struct WheelsetAnswer {
+    /// Natural frequencies up to [`HIGHEST`], lowest first.
+    #[serde(rename = "natural_frequencies", serialize_with = "natural_frequencies")]
+    pub modes: Vec<WheelsetMode>,
     frequency_hz: Vec<f64>,
-    receptance_m_per_n: Vec<[[[f64; 2]; 6]; 6]>,
+    /// At the contacts, by frequency.
+    #[serde(rename = "receptance_m_per_n", serialize_with = "as_matrices")]
+    receptances: Vec<ContactReceptances>,
+    #[serde(skip)]
+    wheelset: Arc<CaseWheelset>,
+    #[serde(skip)]
+    case: Case,
 }
 
 #[derive(Serialize)]
 struct NaturalFrequency {
     frequency_hz: f64,
     name: Message,
+}
+
+fn natural_frequencies<S: Serializer>(modes: &[WheelsetMode], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(
+        modes.iter().map(|mode| NaturalFrequency { frequency_hz: mode.frequency, name: mode_in_words(&mode.name) }),
+    )
 }
 
 impl WheelsetAnswer {
@@ -68,95 +72,42 @@ impl WheelsetAnswer {
             receptances: receptances.map(|frequency| wheelset.receptances(TAU * frequency)).collect(),
             wheelset,
             modes,
-            frequencies,
+            frequency_hz: frequencies,
+            case: case.clone(),
         })
     }
 
-    /// Natural frequencies and receptances as data: what `riffel wheelset --json` prints.
-    pub fn document(&self) -> WheelsetDocument {
-        let modes = self.modes.iter();
-        let receptances = self.receptances.iter();
-        WheelsetDocument {
-            natural_frequencies: modes
-                .map(|mode| NaturalFrequency { frequency_hz: mode.frequency, name: mode_in_words(&mode.name) })
-                .collect(),
-            frequency_hz: self.frequencies.clone(),
-            receptance_m_per_n: receptances
-                .map(|matrix| matrix.map(|row| row.map(|entry| [entry.re, entry.im])))
-                .collect(),
-        }
-    }
-
     /// One row for each natural frequency.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn modes_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["frequency_hz", "name"])?;
-        for mode in &self.modes {
-            writer.serialize((mode.frequency, mode.name.to_string()))?;
+    fn natural_frequencies(&self) -> Table {
+        let modes = || self.modes.iter();
+        let mut columns = vec![
+            Column::exact("frequency_hz", modes().map(|mode| mode.frequency)),
+            Column::names("name", modes().map(|mode| &mode.name)),
+        ];
+        if !self.modes.is_empty() {
+            columns.extend([
+                Column::shown(
+                    say!(natural_frequency_column),
+                    modes().map(|mode| number_alone(decimal(mode.frequency, 2))).collect(),
+                ),
+                Column::shown(say!(mode_column), modes().map(|mode| mode_in_words(&mode.name)).collect()),
+            ]);
         }
-        writer.flush()
+        Table { name: "modes", columns }
     }
 
     /// One row for each frequency, the entries on and above the diagonal.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn receptances_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let entries = || (0..6).flat_map(|row| (row..6).map(move |column| (row, column)));
-        let mut header = vec!["frequency_hz".to_owned()];
-        for (row, column) in entries() {
-            let entry = format!("{}_{}_m_per_n", key(Port::ALL[row]), key(Port::ALL[column]));
-            header.extend(["re", "im"].map(|part| format!("{entry}_{part}")));
+    fn entries(&self) -> Table {
+        let mut columns = vec![Column::exact("frequency_hz", self.frequency_hz.iter().copied())];
+        for (row, column) in (0..6).flat_map(|row| (row..6).map(move |column| (row, column))) {
+            let name = format!("{}_{}_m_per_n", key(Port::ALL[row]), key(Port::ALL[column]));
+            columns.extend(Column::complex(&name, self.receptances.iter().map(|matrix| matrix[row][column])));
         }
-        writer.write_record(&header)?;
-        for (frequency, matrix) in self.frequencies.iter().zip(&self.receptances) {
-            let mut values = vec![*frequency];
-            let entries = entries().map(|(row, column)| matrix[row][column]);
-            values.extend(entries.flat_map(|entry| [entry.re, entry.im]));
-            writer.serialize(values)?;
-        }
-        writer.flush()
-    }
-
-    /// Moduli at one contact over frequency.
-    pub fn figure(&self, case: &Case) -> LineFigure {
-        let entries = [
-            ("along the rail, xx", 3, 3),
-            ("across the track, yy", 4, 4),
-            ("downward, zz", 5, 5),
-            ("across by downward, yz", 4, 5),
-        ];
-        let series = entries.into_iter().map(|(label, row, column)| Series {
-            label: label.to_owned(),
-            x: self.frequencies.clone(),
-            y: self.receptances.iter().map(|matrix| matrix[row][column].norm()).collect(),
-            style: match row == column {
-                true => LineStyle::Solid,
-                false => LineStyle::Dashed,
-            },
-            color: None,
-        });
-        LineFigure {
-            title: "Wheelset at its contacts".to_owned(),
-            caption: format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(case)),
-            panels: vec![LinePanel {
-                x_label: "frequency f [Hz]".to_owned(),
-                y_label: "|H| [m/N]".to_owned(),
-                x_scale: Scale::Log,
-                y_scale: Scale::Log,
-                series: series.collect(),
-                ..LinePanel::default()
-            }],
-            arrangement: Arrangement::Stacked,
-        }
+        Table { name: "receptance", columns }
     }
 
     /// Shapes of the lowest modes along the axle, bending and torsion; none where there is no model of an axle.
-    pub fn shapes(&self) -> Option<LineFigure> {
+    fn shapes(&self) -> Option<LineFigure> {
         let CaseWheelset::Flexible(flexible) = &*self.wheelset else {
             return None;
         };
@@ -206,6 +157,67 @@ impl WheelsetAnswer {
             ],
             arrangement: Arrangement::Stacked,
         })
+    }
+}
+
+impl Answer for WheelsetAnswer {
+    const NAME: &'static str = "receptance";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.case.file.title.clone();
+        let why = || match &*self.wheelset {
+            CaseWheelset::Measured(_) => say!(wheelset_was_measured),
+            _ => say!(wheelset_is_rigid),
+        };
+        let title = title.map_or_else(|| say!(wheelset_title), Message::verbatim);
+        [title].into_iter().chain(self.modes.is_empty().then(why)).collect()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.natural_frequencies(), self.entries()]
+    }
+
+    /// Moduli at one contact over frequency.
+    fn figure(&self) -> LineFigure {
+        let entries = [
+            ("along the rail, xx", 3, 3),
+            ("across the track, yy", 4, 4),
+            ("downward, zz", 5, 5),
+            ("across by downward, yz", 4, 5),
+        ];
+        let series = entries.into_iter().map(|(label, row, column)| Series {
+            label: label.to_owned(),
+            x: self.frequency_hz.clone(),
+            y: self.receptances.iter().map(|matrix| matrix[row][column].norm()).collect(),
+            style: match row == column {
+                true => LineStyle::Solid,
+                false => LineStyle::Dashed,
+            },
+            color: None,
+        });
+        LineFigure {
+            title: "Wheelset at its contacts".to_owned(),
+            caption: format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(&self.case)),
+            panels: vec![LinePanel {
+                x_label: "frequency f [Hz]".to_owned(),
+                y_label: "|H| [m/N]".to_owned(),
+                x_scale: Scale::Log,
+                y_scale: Scale::Log,
+                series: series.collect(),
+                ..LinePanel::default()
+            }],
+            arrangement: Arrangement::Stacked,
+        }
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let own = ResultFile::Lines(Self::NAME, self.figure());
+        let shapes = self.shapes().map(|shapes| ResultFile::Lines("modes", shapes));
+        [own].into_iter().chain(shapes).chain(ResultFile::tables(self.tables())).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.case.remarks
     }
 }
 
