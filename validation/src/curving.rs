@@ -27,9 +27,9 @@ fn compare(file: &str, error: &mut WorstError) {
     let cases: Vec<ReferenceCase> = serde_json::from_str(file).expect("valid JSON");
     for reference in cases {
         let case = CurvingCase::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
-        let answer = CurveAnswer::new(&case).expect("an equilibrium");
-        assert!(answer.state.residual < 1e-10, "{}", reference.name);
-        let got = serde_json::to_value(answer.document(None)).expect("a document");
+        let answer = CurveAnswer::new(&case, None).expect("an equilibrium");
+        let got = serde_json::to_value(answer).expect("a document");
+        assert!(got["residual"].as_f64().expect("a residual") < 1e-10, "{}", reference.name);
         let load = &reference.expect["wheels"][0]["vertical_load_n"];
         let load = load.as_f64().expect("a load");
         let expected = reference.expect.as_object().expect("a table");

@@ -1,7 +1,6 @@
 //! Profiles, contact of wheelsets on their track, equivalent conicity, and curving on them.
 
 use riffel::profile::{EquivalentConicity, Profile, RadiusDifference, Track, Wheels, WheelsetOnTrack};
-use riffel_answers::curve::CurveAnswer;
 use riffel_case::CurvingCase;
 use serde::Deserialize;
 use serde_json::Value;
@@ -202,7 +201,8 @@ pub(crate) fn curving_on_profiles() -> Row {
     let mut error = WorstError::default();
     for reference in cases {
         let case = CurvingCase::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
-        let answer = CurveAnswer::new(&case).expect("an equilibrium");
+        let equilibria = case.vehicle_in_curve().and_then(|vehicle| case.equilibria(&vehicle));
+        let equilibria = equilibria.expect("an equilibrium");
         let expect = &reference.expect;
         let number = |table: &str, index: usize, key: &str| expect[table][index][key].as_f64().expect("a number");
         // Where Δr jumps there may be several; the reference stands between the jumps.
@@ -213,8 +213,7 @@ pub(crate) fn curving_on_profiles() -> Row {
                 })
                 .fold(0.0, f64::max)
         };
-        let states = std::iter::once(&answer.state).chain(&answer.others);
-        let state = states.min_by(|one, other| distance(one).total_cmp(&distance(other))).expect("a state");
+        let state = equilibria.iter().min_by(|one, other| distance(one).total_cmp(&distance(other))).expect("a state");
         let largest = |table: &str, key: &str, count: usize| {
             (0..count).map(|index| number(table, index, key).abs()).fold(0.0, f64::max)
         };

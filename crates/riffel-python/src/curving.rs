@@ -50,7 +50,7 @@ pub(crate) fn curve<'py>(
         return Err(wrong(format!("radius is {radius} m, but must be {rule}")));
     }
     let title = case.file.title.clone();
-    let answer = interruptible(py, move || CurveAnswer::new(&case).map(|answer| answer.document(radii.as_deref())))?;
+    let answer = interruptible(py, move || CurveAnswer::new(&case, radii.as_deref()))?;
     Ok((title, document(py, &answer.map_err(of_case)?)?))
 }
 

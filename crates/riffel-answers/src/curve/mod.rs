@@ -1,37 +1,88 @@
 //! A wheelset, a bogie or a vehicle in its curve: shifts, angles of attack, creepages, forces and wear number of each wheel.
 
-mod document;
+mod equilibrium;
 mod over_radius;
 mod remarks;
+mod tables;
 
-use riffel::curving::{VehicleInCurve, VehicleState};
+use std::cell::OnceCell;
+
+use riffel::curving::{ContinuationStep, VehicleInCurve, VehicleState, WheelsetState};
 use riffel_case::CurvingCase;
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, Value, fixed, number, say};
+use riffel_plot::LineFigure;
+use serde::Serialize;
 
-pub use document::CurveDocument;
-pub use over_radius::OverRadius;
+use crate::{Answer, Table};
+use equilibrium::Equilibrium;
+use over_radius::OverRadius;
 
-/// The equilibrium of the vehicle of a case.
+/// The equilibrium of the vehicle of a case: serialised, what `riffel curve --json` prints.
+#[derive(Serialize)]
 pub struct CurveAnswer {
-    vehicle: VehicleInCurve,
-    /// The equilibrium that straight track leads to.
-    pub state: VehicleState,
+    /// The one that straight track leads to.
+    #[serde(flatten)]
+    equilibrium: Equilibrium,
+    continuation: Vec<Step>,
     /// Further ones that were found.
-    pub others: Vec<VehicleState>,
-    /// What the reader should know.
-    pub remarks: Vec<Message>,
+    other_equilibria: Vec<Other>,
+    /// Of the equilibrium.
+    remarks: Vec<Message>,
+    /// At listed radii.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    over_radius: Option<OverRadius>,
+    /// From a fifth to twenty times that of the case, for files where none are listed.
+    #[serde(skip)]
+    over_usual_radii: OnceCell<OverRadius>,
+    #[serde(skip)]
+    vehicle: VehicleInCurve,
+    #[serde(skip)]
+    title: Option<String>,
+    /// Of the case and of the equilibrium.
+    #[serde(skip)]
+    all_remarks: Vec<Message>,
+}
+
+/// A step of the way from straight track.
+#[derive(Serialize)]
+struct Step {
+    fraction: f64,
+    residual: f64,
+    iterations: usize,
+}
+
+/// Where the wheelsets stand in another equilibrium.
+#[derive(Serialize)]
+struct Other {
+    lateral_shift_m: Vec<f64>,
+    yaw_rad: Vec<f64>,
+    residual: f64,
+}
+
+impl Other {
+    fn new(state: &VehicleState) -> Self {
+        let of = |value: fn(&WheelsetState) -> f64| state.wheelsets.iter().map(value).collect();
+        Self {
+            lateral_shift_m: of(|wheelset| wheelset.lateral_shift),
+            yaw_rad: of(|wheelset| wheelset.yaw),
+            residual: state.residual,
+        }
+    }
 }
 
 impl CurveAnswer {
-    /// The vehicle of a case in its curve.
+    /// The vehicle of a case in its curve, and in curves of listed radii \[m\], none of them zero, each at the lateral
+    /// acceleration of the case.
     ///
     /// # Errors
     /// [`CaseError`] for a key that is missing or has a value that is not allowed, and where no equilibrium is found.
-    pub fn new(case: &CurvingCase) -> Result<Self, CaseError> {
-        Self::of_vehicle(case, case.vehicle_in_curve()?)
+    pub fn new(case: &CurvingCase, radii: Option<&[f64]>) -> Result<Self, CaseError> {
+        let mut answer = Self::of_vehicle(case, case.vehicle_in_curve()?)?;
+        answer.over_radius = radii.map(|radii| OverRadius::new(&answer.vehicle, Some(radii)));
+        Ok(answer)
     }
 
-    /// The same with the vehicle of the case, which takes most of the time.
+    /// The same with the vehicle of the case, which takes most of the time, in its own curve alone.
     ///
     /// # Errors
     /// [`CaseError`] where no equilibrium is found.
@@ -40,18 +91,97 @@ impl CurveAnswer {
         let state = states.next().expect("at least one equilibrium");
         let mut remarks = case.remarks_of_profiles()?;
         remarks.extend(remarks::of(case, &vehicle, &state));
-        Ok(Self { remarks, vehicle, state, others: states.collect() })
+        let step = |step: &ContinuationStep| Step {
+            fraction: step.fraction,
+            residual: step.residual,
+            iterations: step.iterations,
+        };
+        Ok(Self {
+            equilibrium: Equilibrium::new(&state, vehicle.curve.speed),
+            continuation: state.continuation.iter().map(step).collect(),
+            other_equilibria: states.map(|other| Other::new(&other)).collect(),
+            all_remarks: case.remarks.iter().chain(&remarks).cloned().collect(),
+            remarks,
+            over_radius: None,
+            over_usual_radii: OnceCell::new(),
+            vehicle,
+            title: case.file.title.clone(),
+        })
     }
 
-    /// The vehicle in curves of other radii \[m\], none of them zero, each at the lateral acceleration of the case; by default
-    /// from a fifth to twenty times that of the case.
-    pub fn over_radius(&self, radii: Option<&[f64]>) -> OverRadius {
-        OverRadius::new(&self.vehicle, radii)
+    fn over_radius(&self) -> &OverRadius {
+        let usual = || self.over_usual_radii.get_or_init(|| OverRadius::new(&self.vehicle, None));
+        self.over_radius.as_ref().unwrap_or_else(usual)
     }
 
-    /// What `riffel curve --json` prints, with equilibria at listed radii \[m\].
-    pub fn document(&self, radii: Option<&[f64]>) -> CurveDocument {
-        let over_radius = radii.map(|radii| self.over_radius(Some(radii)).document());
-        CurveDocument::new(self, over_radius)
+    /// How the equilibrium was found.
+    fn residual(&self) -> Message {
+        let residual = number(format_args!("{:.0e}", self.equilibrium.residual));
+        match self.continuation.len() {
+            0 => say!(residual_without_straight_track, residual = residual),
+            steps => say!(residual_from_straight_track, residual = residual, steps = number(steps)),
+        }
+    }
+
+    /// The wheels that stand on two points.
+    fn on_two_points(&self) -> impl Iterator<Item = Message> {
+        self.equilibrium.wheels.iter().filter_map(|wheel| {
+            let [first, second] = [&wheel.forces, &wheel.second_contact.as_ref()?.forces];
+            let share = 100.0 * second.normal_force_n / (first.normal_force_n + second.normal_force_n);
+            Some(say!(
+                wheelset_on_two_points,
+                wheelset = number(wheel.wheelset),
+                rail = tables::side(wheel.rail),
+                share = fixed(share, 0)
+            ))
+        })
+    }
+
+    /// Equilibria beside the one that straight track leads to.
+    fn others(&self) -> Message {
+        let others = self.other_equilibria.iter().filter_map(|other| {
+            let shifts = other.lateral_shift_m.iter().map(|shift| fixed(1e3 * shift, 3));
+            let shifts = shifts.reduce(|one, other| say!(both, one = one, other = other).into())?;
+            Some(say!(shifts_in_millimetres, shifts = shifts))
+        });
+        let shifts = Message::one_after_other(others);
+        shifts.map_or_else(|| say!(no_other_equilibrium), |shifts| say!(other_equilibria, shifts = Value::from(shifts)))
+    }
+}
+
+impl Answer for CurveAnswer {
+    const NAME: &'static str = "curve";
+
+    fn introduction(&self) -> Vec<Message> {
+        let usual = match self.equilibrium.wheelsets.len() {
+            1 => say!(wheelset_in_a_curve),
+            2 => say!(bogie_in_a_curve),
+            _ => say!(vehicle_in_a_curve),
+        };
+        vec![
+            self.title.clone().map_or(usual, Message::verbatim),
+            say!(
+                acceleration_and_power,
+                acceleration = fixed(self.equilibrium.uncompensated_lateral_acceleration_m_s2, 2),
+                power = fixed(self.equilibrium.frictional_power_w, 0)
+            ),
+        ]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let Equilibrium { wheelsets, wheels, .. } = &self.equilibrium;
+        vec![tables::wheelsets(wheelsets), tables::wheels(wheels), self.over_radius().table()]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        [self.residual()].into_iter().chain(self.on_two_points()).chain([self.others()]).collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.over_radius().figure()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.all_remarks
     }
 }

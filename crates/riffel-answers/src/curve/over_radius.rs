@@ -1,12 +1,11 @@
 //! A vehicle over the radius of the curve.
 
-use std::io::{self, Write};
-
-use riffel::contact::{CreepForces, Creepages};
-use riffel::curving::{Curve, RunningGear, VehicleInCurve, VehicleState, WheelState};
+use riffel::curving::{Curve, RunningGear, VehicleInCurve};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
+use serde::Serialize;
 
-use super::document::{AtRadius, Equilibrium};
+use super::equilibrium::{Contact, Creep, Equilibrium, Forces, Wheel, Wheelset};
+use crate::{Column, Table};
 
 /// Radii that are computed.
 const RADII: usize = 81;
@@ -15,18 +14,36 @@ const REACH: [f64; 2] = [0.2, 20.0];
 
 /// The vehicle of a case in curves of other radii, each run through at the speed that has the lateral
 /// acceleration of the case.
-pub struct OverRadius {
+#[derive(Serialize)]
+#[serde(transparent)]
+pub(super) struct OverRadius {
+    points: Vec<AtRadius>,
+    #[serde(skip)]
     radius: f64,
+    #[serde(skip)]
     running_gear: RunningGear,
     /// Whether the radii are listed, not a range.
+    #[serde(skip)]
     listed: bool,
-    points: Vec<Point>,
 }
 
-struct Point {
-    curve: Curve,
-    /// None where no equilibrium is found.
-    state: Option<VehicleState>,
+/// The equilibrium at a radius; null where none is found.
+#[derive(Serialize)]
+struct AtRadius {
+    radius_m: f64,
+    speed_m_per_s: f64,
+    equilibrium: Option<Equilibrium>,
+}
+
+/// A contact at a radius.
+struct Row<'a> {
+    at: &'a AtRadius,
+    wheelset: &'a Wheelset,
+    wheel: &'a Wheel,
+    /// Of the wheel, from one on.
+    contact: usize,
+    creep: &'a Creep,
+    forces: &'a Forces,
 }
 
 impl OverRadius {
@@ -47,92 +64,66 @@ impl OverRadius {
                 ..vehicle.curve
             };
             let moved = VehicleInCurve { curve, ..vehicle.clone() };
-            Point { curve, state: moved.equilibrium().ok() }
+            let state = moved.equilibrium().ok();
+            AtRadius {
+                radius_m: curve.radius,
+                speed_m_per_s: curve.speed,
+                equilibrium: state.map(|state| Equilibrium::new(&state, curve.speed)),
+            }
         });
         Self { radius: radius.abs(), running_gear: vehicle.running_gear, listed, points: points.collect() }
     }
 
-    /// The equilibrium at each radius.
-    pub(super) fn document(&self) -> Vec<AtRadius> {
-        let points = self.points.iter();
-        points
-            .map(|point| AtRadius {
-                radius_m: point.curve.radius,
-                speed_m_per_s: point.curve.speed,
-                equilibrium: point.state.as_ref().map(|state| Equilibrium::new(state, point.curve.speed)),
+    fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        self.points.iter().flat_map(|at| {
+            let found = at.equilibrium.iter();
+            found.flat_map(move |found| {
+                found.wheels.iter().flat_map(move |wheel| {
+                    let contacts = wheel.contacts().enumerate();
+                    contacts.map(move |(index, (creep, forces))| Row {
+                        at,
+                        wheelset: &found.wheelsets[wheel.wheelset - 1],
+                        wheel,
+                        contact: index + 1,
+                        creep,
+                        forces,
+                    })
+                })
             })
-            .collect()
+        })
     }
 
     /// One row for each radius and contact; a wheel on two points has two. Rows without an equilibrium are left out.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record([
-            "radius_m",
-            "speed_m_per_s",
-            "wheelset",
-            "rail",
-            "contact",
-            "lateral_shift_m",
-            "yaw_rad",
-            "angle_of_attack_rad",
-            "longitudinal_creepage",
-            "lateral_creepage",
-            "spin_1_per_m",
-            "contact_angle_rad",
-            "rolling_radius_m",
-            "normal_force_n",
-            "longitudinal_force_n",
-            "lateral_force_n",
-            "track_lateral_force_n",
-            "tractive_ratio",
-            "t_gamma_n",
-        ])?;
-        for point in &self.points {
-            let Some(state) = &point.state else {
-                continue;
-            };
-            for wheel in &state.wheels {
-                let wheelset = &state.wheelsets[wheel.wheelset - 1];
-                let mut row =
-                    |contact: usize, creepages: Creepages, place: [f64; 2], forces: CreepForces, rest: [f64; 4]| {
-                        let [normal_force, track_lateral_force, tractive_ratio, t_gamma] = rest;
-                        writer.serialize((
-                            (point.curve.radius, point.curve.speed, wheel.wheelset),
-                            (wheel.rail.name(), contact),
-                            [wheelset.lateral_shift, wheelset.yaw, wheelset.angle_of_attack],
-                            [creepages.longitudinal, creepages.lateral, creepages.spin],
-                            place,
-                            [normal_force, forces.longitudinal, forces.lateral],
-                            [track_lateral_force, tractive_ratio, t_gamma],
-                        ))
-                    };
-                row(
-                    1,
-                    wheel.creepages,
-                    [wheel.contact_angle, wheel.rolling_radius],
-                    wheel.creep_forces,
-                    [wheel.normal_force, wheel.track_lateral_force, wheel.tractive_ratio, wheel.t_gamma],
-                )?;
-                if let Some(second) = &wheel.second_contact {
-                    row(
-                        2,
-                        second.creepages,
-                        [second.contact_angle, second.rolling_radius],
-                        second.creep_forces,
-                        [second.normal_force, second.track_lateral_force, second.tractive_ratio, second.t_gamma],
-                    )?;
-                }
-            }
+    pub(super) fn table(&self) -> Table {
+        let column = |name: &str, of: fn(Row) -> f64| Column::exact(name, self.rows().map(of));
+        Table {
+            name: "curve",
+            columns: vec![
+                column("radius_m", |row| row.at.radius_m),
+                column("speed_m_per_s", |row| row.at.speed_m_per_s),
+                Column::names("wheelset", self.rows().map(|row| row.wheel.wheelset)),
+                Column::names("rail", self.rows().map(|row| row.wheel.rail)),
+                Column::names("contact", self.rows().map(|row| row.contact)),
+                column("lateral_shift_m", |row| row.wheelset.lateral_shift_m),
+                column("yaw_rad", |row| row.wheelset.yaw_rad),
+                column("angle_of_attack_rad", |row| row.wheelset.angle_of_attack_rad),
+                column("longitudinal_creepage", |row| row.creep.longitudinal_creepage),
+                column("lateral_creepage", |row| row.creep.lateral_creepage),
+                column("spin_1_per_m", |row| row.creep.spin_1_per_m),
+                column("contact_angle_rad", |row| row.creep.contact_angle_rad),
+                column("rolling_radius_m", |row| row.creep.rolling_radius_m),
+                column("normal_force_n", |row| row.forces.normal_force_n),
+                column("longitudinal_force_n", |row| row.forces.longitudinal_force_n),
+                column("lateral_force_n", |row| row.forces.lateral_force_n),
+                column("track_lateral_force_n", |row| row.forces.track_lateral_force_n),
+                column("tractive_ratio", |row| row.forces.tractive_ratio),
+                column("t_gamma_n", |row| row.forces.t_gamma_n),
+            ],
         }
-        writer.flush()
     }
 
     /// Shift, angle of attack, share of friction and wear number over the radius: lines, marks for listed radii.
-    pub fn figure(&self) -> LineFigure {
+    pub(super) fn figure(&self) -> LineFigure {
         let of_case = match self.listed {
             true => String::new(),
             false => format!("; the line stands at the case, R = {:.0} m", self.radius),
@@ -153,39 +144,37 @@ impl OverRadius {
                  √R{of_case}."
             ),
             panels: vec![
-                self.of_wheelsets("lateral shift y [mm]", |state, index| 1e3 * state.wheelsets[index].lateral_shift),
-                self.of_wheelsets("angle of attack [mrad]", |state, index| {
-                    1e3 * state.wheelsets[index].angle_of_attack
-                }),
+                self.of_wheelsets("lateral shift y [mm]", |wheelset| 1e3 * wheelset.lateral_shift_m),
+                self.of_wheelsets("angle of attack [mrad]", |wheelset| 1e3 * wheelset.angle_of_attack_rad),
                 self.of_wheels("|Q|/μP [-]", share_of_friction),
-                self.of_wheels("wear number Tγ [N]", WheelState::whole_t_gamma),
+                self.of_wheels("wear number Tγ [N]", Wheel::whole_t_gamma),
             ],
             arrangement: Arrangement::Stacked,
         }
     }
 
-    fn of_wheelsets(&self, label: &str, value: impl Fn(&VehicleState, usize) -> f64) -> LinePanel {
+    fn of_wheelsets(&self, label: &str, value: impl Fn(&Wheelset) -> f64) -> LinePanel {
         let series = (0..self.running_gear.wheelsets()).map(|index| {
             let style = [LineStyle::Solid, LineStyle::Dashed][index % 2];
-            self.series(&format!("wheelset {}", index + 1), style, |state| value(state, index))
+            self.series(&format!("wheelset {}", index + 1), style, |found| value(&found.wheelsets[index]))
         });
         self.panel(label, series.collect())
     }
 
-    fn of_wheels(&self, label: &str, value: impl Fn(&WheelState) -> f64) -> LinePanel {
+    fn of_wheels(&self, label: &str, value: impl Fn(&Wheel) -> f64) -> LinePanel {
         let series = (0..2 * self.running_gear.wheelsets()).map(|index| {
             let rail = if index % 2 == 0 { "left" } else { "right" };
             let style = [LineStyle::Solid, LineStyle::Dashed][index / 2 % 2];
             let label = format!("wheelset {}, {rail}", index / 2 + 1);
-            self.series(&label, style, |state| value(&state.wheels[index]))
+            self.series(&label, style, |found| value(&found.wheels[index]))
         });
         self.panel(label, series.collect())
     }
 
-    fn series(&self, label: &str, style: LineStyle, value: impl Fn(&VehicleState) -> f64) -> Series {
-        let at = |point: &Point| {
-            let state = point.state.as_ref();
-            (point.curve.radius.abs(), state.map_or(f64::NAN, &value))
+    fn series(&self, label: &str, style: LineStyle, value: impl Fn(&Equilibrium) -> f64) -> Series {
+        let at = |point: &AtRadius| {
+            let found = point.equilibrium.as_ref();
+            (point.radius_m.abs(), found.map_or(f64::NAN, &value))
         };
         let (x, y) = self.points.iter().map(at).unzip();
         let style = match self.listed {
@@ -212,12 +201,13 @@ impl OverRadius {
 }
 
 /// Σ|Q| over Σ μP of the contacts of a wheel, continuous where one takes the load of the other.
-fn share_of_friction(wheel: &WheelState) -> f64 {
+fn share_of_friction(wheel: &Wheel) -> f64 {
+    let first = &wheel.forces;
     match &wheel.second_contact {
-        None => wheel.tractive_ratio,
-        Some(second) => {
-            (wheel.tractive_ratio * wheel.normal_force + second.tractive_ratio * second.normal_force)
-                / (wheel.normal_force + second.normal_force)
+        None => first.tractive_ratio,
+        Some(Contact { forces: second, .. }) => {
+            (first.tractive_ratio * first.normal_force_n + second.tractive_ratio * second.normal_force_n)
+                / (first.normal_force_n + second.normal_force_n)
         }
     }
 }

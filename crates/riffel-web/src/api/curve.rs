@@ -2,7 +2,7 @@
 
 use axum::extract::State;
 use riffel::profile::NominalProfile;
-use riffel_answers::curve::{CurveAnswer, CurveDocument};
+use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::{OutlineAnswer, OutlineDocument};
 use riffel_case::file::ProfileOrientation;
 use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
@@ -59,7 +59,7 @@ pub(crate) struct Answer {
 #[derive(Serialize)]
 #[serde(untagged)]
 enum InCurve {
-    Found(Box<CurveDocument>),
+    Found(Box<CurveAnswer>),
     Refused { fault: Fault },
 }
 
@@ -105,7 +105,7 @@ impl Question {
         let vehicle = self.curving().and_then(|case| Ok((case.vehicle_in_curve()?, case)));
         let curve = vehicle.and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle));
         let curve = match curve {
-            Ok(answer) => InCurve::Found(Box::new(answer.document(None))),
+            Ok(answer) => InCurve::Found(Box::new(answer)),
             Err(error) => InCurve::Refused { fault: error.into() },
         };
         Ok(Told(Answer { outlines: outlines.document(), curve, remarks: outlines.remarks }))
