@@ -1,5 +1,6 @@
 //! What every answer is: a document, tables, a figure and what is said of them.
 
+use riffel::GrowthMap;
 use riffel_case::Case;
 use riffel_keys::Message;
 use riffel_plot::{LineFigure, MapFigure};
@@ -16,8 +17,14 @@ pub enum ResultFile<'a> {
     Picture(&'static str, LineFigure),
     /// A picture of maps, likewise.
     Maps(&'static str, MapFigure),
+    /// A growth map as CSV, written row by row.
+    Map(&'static str, &'a GrowthMap),
     /// A table as CSV.
     Table(Table),
+    /// A table as CSV under a name of its own.
+    TableAs(String, Table),
+    /// Pictures of lines by their names, as one page with a slider.
+    Stages(&'static str, Vec<(String, LineFigure)>),
     /// A grid as NetCDF-3.
     Grid(&'static str, Grid<'a>),
 }
@@ -33,6 +40,9 @@ impl ResultFile<'_> {
 pub trait Answer: Serialize {
     /// Its name in files, as in `noise.png`.
     const NAME: &'static str;
+
+    /// The file of its document.
+    const DOCUMENT: &'static str = "summary.json";
 
     /// What it is about, in lines before the tables.
     fn introduction(&self) -> Vec<Message> {

@@ -74,10 +74,6 @@ pub enum AnswerError {
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] PlotError),
 
-    /// The table cannot be written.
-    #[error("cannot write the table of the figure: {0}")]
-    Table(String),
-
     /// The gridded file cannot be written.
     #[error("cannot write the gridded file: {0}")]
     Grid(String),

@@ -20,7 +20,7 @@ pub(crate) struct Variable<'a> {
 
 /// Quantities on a grid.
 pub struct Grid<'a> {
-    pub(crate) title: &'a str,
+    pub(crate) title: String,
     /// Axes with their numbers of points.
     pub(crate) axes: Vec<(&'static str, usize)>,
     pub(crate) variables: Vec<Variable<'a>>,

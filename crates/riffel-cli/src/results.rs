@@ -56,7 +56,7 @@ impl<'a> Results<'a> {
                 for file in answer.files() {
                     staging.write_result(file)?;
                 }
-                staging.write("summary.json", json(answer))
+                staging.write(A::DOCUMENT, json(answer))
             },
             || readable(answer, &tables),
         )?;

@@ -10,14 +10,16 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use riffel_answers::ResultFile;
+use riffel_answers::map::map_csv;
+use riffel_answers::{ResultFile, Table};
 use riffel_arrays::whole_file;
-use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, Picture};
+use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, Picture, html_of_stages};
 use riffel_study::Stop;
 use tempfile::TempPath;
 
 use crate::error::CliError;
 use crate::fingerprint::fingerprint;
+use crate::progress::Progress;
 use manifest::{Files, Manifest};
 pub(crate) use place::{add_input, set_inputs};
 use scratch::Scratch;
@@ -141,15 +143,25 @@ impl Staging {
                 self.write_picture(name, &maps.picture()?)?;
                 self.write(&format!("{name}.html"), maps.html()?)
             }
-            ResultFile::Table(table) => {
-                let name = format!("{}.csv", table.name);
-                self.write_with(&name, |file| table.csv(file))
+            ResultFile::Table(table) => self.write_table(table.name, &table),
+            ResultFile::TableAs(name, table) => self.write_table(&name, &table),
+            ResultFile::Stages(name, figures) => {
+                let stages: Vec<_> = figures.iter().map(|(name, figure)| (name.as_str(), figure)).collect();
+                self.write(&format!("{name}.html"), html_of_stages(&stages)?)
+            }
+            ResultFile::Map(name, map) => {
+                let progress = Progress::new(riffel_keys::say!(progress_writing_map), map.speed().points());
+                self.write_with(&format!("{name}.csv"), |file| map_csv(map, file, |rows| progress.advance(rows)))
             }
             ResultFile::Grid(name, grid) => {
                 let path = self.path(&format!("{name}.nc"));
                 Ok(grid.write(&path)?)
             }
         }
+    }
+
+    fn write_table(&mut self, name: &str, table: &Table) -> Result<(), CliError> {
+        self.write_with(&format!("{name}.csv"), |file| table.csv(file))
     }
 
     /// Write a file piece by piece.
