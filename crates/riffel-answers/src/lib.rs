@@ -12,9 +12,9 @@
 //! let window = ["map.wavelength.points=11", "map.speed.points=5"].map(str::to_owned);
 //! let case = Case::parse("nominal", NOMINAL_CASE, &window)?;
 //! let answer = MapAnswer::new(&case, |_| ());
-//! let document = serde_json::to_value(answer.document(&case))?;
+//! let document = serde_json::to_value(&answer)?;
 //! assert_eq!(document["ridge"]["speeds"], 5);
-//! assert!(answer.figure(&case, Vec::new()).picture()?.svg().starts_with("<svg"));
+//! assert!(answer.map_figure().picture()?.svg().starts_with("<svg"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -1,43 +1,24 @@
 //! Growth over a sleeper bay.
 
-use std::io::{self, Write};
-
 use riffel::LoopState;
 use riffel::growth::{Bay, BayMaps};
-use riffel::{Axis, GrowthMap, Ridge};
+use riffel::{Axis, Ridge};
 use riffel_case::Case;
-use riffel_keys::say;
+use riffel_keys::{Message, fixed, number, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;
 
-use super::{Shown, panel};
-use crate::AnswerError;
+use super::{Shown, panel, table};
 use crate::parameters::parameters;
-use crate::ridge::{BranchDocument, best_fit_frequency, ridge_of};
+use crate::ridge::{BranchDocument, best_fit_frequency, branches_table, ridge_of, ridge_table};
+use crate::{AnswerError, Column, ResultFile, Table};
 
 /// Points of the curve from one support to the next.
 const POINTS: usize = 121;
 
-/// Growth over a sleeper bay.
-pub struct BayGrowth {
-    /// Branches of the ridge of the mean, the strongest first.
-    branches: Vec<BranchDocument>,
-    spacing: f64,
-    maps: BayMaps,
-    /// Ridges over a support, in mid-span and of the mean.
-    ridges: [Ridge; 3],
-    wavelength: f64,
-    speed: f64,
-    states: Vec<(f64, LoopState)>,
-    mean: f64,
-    /// At the speed of the curve: each wavelength with the growth rates over a support, in mid-span
-    /// and of the mean.
-    spectrum: Vec<(f64, [f64; 3])>,
-}
-
-/// The part of the document of a map on the bay.
+/// Growth over a sleeper bay: serialised, a part of what `riffel map --bay --json` prints.
 #[derive(Serialize)]
-pub struct BayDocument {
+pub struct BayGrowth {
     wavelength_m: f64,
     speed_m_per_s: f64,
     growth_rate_over_support: f64,
@@ -47,6 +28,19 @@ pub struct BayDocument {
     mean_ridge_best_fit_frequency_hz: Option<f64>,
     /// The strongest first.
     mean_ridge_branches: Vec<BranchDocument>,
+    #[serde(skip)]
+    spacing: f64,
+    #[serde(skip)]
+    maps: BayMaps,
+    /// Ridges over a support, in mid-span and of the mean.
+    #[serde(skip)]
+    ridges: [Ridge; 3],
+    #[serde(skip)]
+    states: Vec<(f64, LoopState)>,
+    /// At the speed of the curve: each wavelength with the growth rates over a support, in mid-span
+    /// and of the mean.
+    #[serde(skip)]
+    spectrum: Vec<(f64, [f64; 3])>,
 }
 
 impl BayGrowth {
@@ -73,16 +67,20 @@ impl BayGrowth {
             .or_else(|| fastest.map(|point| (point.wavelength, point.speed)))
             .unwrap_or((case.wavelength.min(), case.speed.min()));
         let rate = maps.mean.growth_rate_per_dissipation();
+        let states = bay.states(wavelength, speed, POINTS);
         Ok(Self {
-            branches: BranchDocument::all(case, &ridges[2]),
+            wavelength_m: wavelength,
+            speed_m_per_s: speed,
+            growth_rate_over_support: states[0].1.growth_rate,
+            growth_rate_mid_span: states[POINTS / 2].1.growth_rate,
+            growth_rate_mean: rate * bay.mean_normalized_dissipation(wavelength, speed).re,
+            mean_ridge_best_fit_frequency_hz: best_fit_frequency(&ridges[2]),
+            mean_ridge_branches: BranchDocument::all(case, &ridges[2]),
             spacing: bay.spacing(),
-            states: bay.states(wavelength, speed, POINTS),
-            mean: rate * bay.mean_normalized_dissipation(wavelength, speed).re,
+            states,
             spectrum: spectrum(&bay, case.wavelength, speed, rate),
             maps,
             ridges,
-            wavelength,
-            speed,
         })
     }
 
@@ -91,43 +89,41 @@ impl BayGrowth {
         Bay::map_count()
     }
 
-    /// Growth over the bay as data: a part of what `riffel map --bay --json` prints.
-    pub fn summary(&self) -> BayDocument {
-        let at = |index: usize| self.states[index].1.growth_rate;
-        BayDocument {
-            wavelength_m: self.wavelength,
-            speed_m_per_s: self.speed,
-            growth_rate_over_support: at(0),
-            growth_rate_mid_span: at(POINTS / 2),
-            growth_rate_mean: self.mean,
-            mean_ridge_best_fit_frequency_hz: best_fit_frequency(&self.ridges[2]),
-            mean_ridge_branches: self.branches.clone(),
-        }
+    /// In words.
+    pub(super) fn sentences(&self) -> [Message; 2] {
+        let rate = |rate: f64| number(format_args!("{rate:.2e}"));
+        [
+            say!(
+                growth_over_the_bay,
+                wavelength = fixed(1e3 * self.wavelength_m, 1),
+                speed = fixed(3.6 * self.speed_m_per_s, 0),
+                support = rate(self.growth_rate_over_support),
+                span = rate(self.growth_rate_mid_span),
+                mean = rate(self.growth_rate_mean),
+                // What is sharper than the passing of supports is blurred in truth.
+                passing = fixed(self.speed_m_per_s / self.spacing, 0)
+            ),
+            say!(branches_over_the_bay, branches = BranchDocument::sentence(&self.mean_ridge_branches)),
+        ]
     }
 
-    /// One sentence for the terminal.
-    pub fn sentence(&self) -> String {
-        let BayDocument { growth_rate_over_support, growth_rate_mid_span, growth_rate_mean, .. } = self.summary();
-        // What is sharper than the passing of supports is blurred in truth.
-        let passing = self.speed / self.spacing;
-        format!(
-            "over the bay at {:.1} mm and {:.0} km/h: growth rate {growth_rate_over_support:.2e} over a \
-             support, {growth_rate_mid_span:.2e} in mid-span, {growth_rate_mean:.2e} in the mean (quasi-static in \
-             position: lines sharper than {passing:.0} Hz, the passing of supports, are overstated)\n\
-             in the mean over the bay, {}",
-            1e3 * self.wavelength,
-            3.6 * self.speed,
-            BranchDocument::sentence(&self.branches)
-        )
-    }
-
-    /// The map of the mean, and its ridge.
-    pub fn mean(&self) -> (&GrowthMap, &Ridge) {
-        (&self.maps.mean, &self.ridges[2])
+    /// Its pictures and tables.
+    pub(super) fn files(&self, case: &Case) -> impl Iterator<Item = ResultFile<'_>> {
+        let (mean, ridge) = (&self.maps.mean, &self.ridges[2]);
+        let tables = [self.over_places(), self.over_wavelengths()].map(ResultFile::Table);
+        [ResultFile::Maps("bay-map", self.map_figure(case)), ResultFile::Lines("bay", self.curve_figure(case))]
+            .into_iter()
+            .chain(tables)
+            .chain([
+                ResultFile::Map("bay-mean", mean),
+                ResultFile::Grid("bay-mean", table::grid(mean, "Mean over the bay".to_owned())),
+                ResultFile::Table(ridge_table("bay-mean-ridge", ridge)),
+                ResultFile::Table(branches_table("bay-mean-branches", ridge)),
+            ])
     }
 
     /// Maps over a support, in mid-span and of the mean on one scale.
-    pub fn map_figure(&self, case: &Case) -> MapFigure {
+    fn map_figure(&self, case: &Case) -> MapFigure {
         let maps = [&self.maps.over_support, &self.maps.mid_span, &self.maps.mean];
         let names = ["over a support", "in mid-span", "mean over the bay"];
         let panels = maps.into_iter().zip(&self.ridges).zip(names);
@@ -147,13 +143,13 @@ impl BayGrowth {
     }
 
     /// Growth over the places of the bay, and over wavelength.
-    pub fn curve_figure(&self, case: &Case) -> LineFigure {
+    fn curve_figure(&self, case: &Case) -> LineFigure {
         let series =
             |label: &str, style, x: Vec<f64>, y: Vec<f64>| Series { label: label.to_owned(), x, y, style, color: None };
         let positions: Vec<f64> = self.states.iter().map(|(position, _)| *position).collect();
         let ends = vec![0.0, self.spacing];
         let along = LinePanel {
-            subtitle: format!("at {:.1} mm", 1e3 * self.wavelength),
+            subtitle: format!("at {:.1} mm", 1e3 * self.wavelength_m),
             x_label: "distance from a support [m]".to_owned(),
             y_label: "growth rate per passage [-]".to_owned(),
             series: vec![
@@ -163,7 +159,7 @@ impl BayGrowth {
                     positions,
                     self.states.iter().map(|(_, state)| state.growth_rate).collect(),
                 ),
-                series("mean over the bay", LineStyle::Dashed, ends, vec![self.mean; 2]),
+                series("mean over the bay", LineStyle::Dashed, ends, vec![self.growth_rate_mean; 2]),
             ],
             marks: vec![Mark { x: 0.5 * self.spacing, label: "mid-span".to_owned() }],
             ..LinePanel::default()
@@ -171,7 +167,7 @@ impl BayGrowth {
         let wavelengths: Vec<f64> = self.spectrum.iter().map(|(wavelength, _)| 1e3 * wavelength).collect();
         let rates = |place: usize| self.spectrum.iter().map(|(_, rates)| rates[place]).collect();
         let over = LinePanel {
-            subtitle: format!("over wavelength at {:.0} km/h", 3.6 * self.speed),
+            subtitle: format!("over wavelength at {:.0} km/h", 3.6 * self.speed_m_per_s),
             x_label: "wavelength λ [mm]".to_owned(),
             y_label: "growth rate per passage [-]".to_owned(),
             series: vec![
@@ -179,7 +175,7 @@ impl BayGrowth {
                 series("in mid-span", LineStyle::Dotted, wavelengths.clone(), rates(1)),
                 series("mean over the bay", LineStyle::Dashed, wavelengths, rates(2)),
             ],
-            marks: vec![Mark { x: 1e3 * self.wavelength, label: String::new() }],
+            marks: vec![Mark { x: 1e3 * self.wavelength_m, label: String::new() }],
             ..LinePanel::default()
         };
         LineFigure {
@@ -195,50 +191,37 @@ impl BayGrowth {
     }
 
     /// One row for each place of the bay.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn position_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record([
-            "position_m",
-            "wavelength_m",
-            "speed_m_per_s",
-            "normalized_dissipation_re",
-            "normalized_dissipation_im",
-            "growth_rate_per_passage",
-        ])?;
-        for (position, state) in &self.states {
-            let normalized = state.normalized_dissipation;
-            writer.serialize((
-                position,
-                self.wavelength,
-                self.speed,
-                normalized.re,
-                normalized.im,
-                state.growth_rate,
-            ))?;
+    fn over_places(&self) -> Table {
+        let column =
+            |name: &str, of: fn(&LoopState) -> f64| Column::exact(name, self.states.iter().map(|(_, state)| of(state)));
+        let same = |name: &str, value: f64| Column::exact(name, self.states.iter().map(|_| value));
+        Table {
+            name: "bay",
+            columns: vec![
+                Column::exact("position_m", self.states.iter().map(|(position, _)| *position)),
+                same("wavelength_m", self.wavelength_m),
+                same("speed_m_per_s", self.speed_m_per_s),
+                column("normalized_dissipation_re", |state| state.normalized_dissipation.re),
+                column("normalized_dissipation_im", |state| state.normalized_dissipation.im),
+                column("growth_rate_per_passage", |state| state.growth_rate),
+            ],
         }
-        writer.flush()
     }
 
     /// One row for each wavelength at the speed of the curve.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn wavelength_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record([
-            "wavelength_m",
-            "speed_m_per_s",
-            "growth_rate_over_support",
-            "growth_rate_mid_span",
-            "growth_rate_mean",
-        ])?;
-        for (wavelength, [over_support, mid_span, mean]) in &self.spectrum {
-            writer.serialize((wavelength, self.speed, over_support, mid_span, mean))?;
+    fn over_wavelengths(&self) -> Table {
+        let column =
+            |name: &str, of: &dyn Fn(&(f64, [f64; 3])) -> f64| Column::exact(name, self.spectrum.iter().map(of));
+        Table {
+            name: "bay-wavelength",
+            columns: vec![
+                column("wavelength_m", &|(wavelength, _)| *wavelength),
+                column("speed_m_per_s", &|_| self.speed_m_per_s),
+                column("growth_rate_over_support", &|(_, rates)| rates[0]),
+                column("growth_rate_mid_span", &|(_, rates)| rates[1]),
+                column("growth_rate_mean", &|(_, rates)| rates[2]),
+            ],
         }
-        writer.flush()
     }
 }
 

@@ -3,55 +3,73 @@
 mod bay;
 mod over_posterior;
 mod panel;
+mod ridge_map;
 mod table;
 
 use riffel::growth::RidgePoint;
-use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
-use riffel_case::file::CaseFile;
-use riffel_keys::Message;
+use riffel_keys::{Message, fixed, number, say};
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
-use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_of};
+use crate::answer::inputs;
+use crate::capital::as_sentence;
+use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, branches_table, ridge_table};
 use crate::stability::StabilityAtSpeed;
-use crate::{LineGrowth, OverPosterior, WearLimitDocument};
+use crate::{Answer, LineGrowth, OverPosterior, ResultFile, Table, WearLimitDocument, for_whom};
 
-pub use bay::{BayDocument, BayGrowth};
+pub use bay::BayGrowth;
 pub use over_posterior::{growth_in_words, growth_over};
 pub use panel::{Shown, map_figure, panel};
-pub use table::{map_csv, map_netcdf};
+pub use ridge_map::RidgeMap;
+pub use table::map_csv;
 
-/// The growth map of a case with its ridge.
+/// The growth map of a case with its ridge: serialised, what `riffel map --json` prints.
+#[derive(Serialize)]
 pub struct MapAnswer {
-    /// Ŵ₁ over the window of the case.
-    pub map: GrowthMap,
-    /// Its ridge.
-    pub ridge: Ridge,
-    /// The branches of the ridge, the strongest first.
-    pub branches: Vec<BranchDocument>,
-    /// Growth over the sleeper bay, where it was asked for.
-    pub bay: Option<BayGrowth>,
+    riffel_version: &'static str,
+    /// After presets, defaults and overrides; reads back as a case.
+    #[serde(rename = "inputs", serialize_with = "inputs")]
+    case: Case,
+    derived: DerivedDocument,
     /// What grows fastest under the traffic of the line, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub under_traffic: Option<LineGrowth>,
     /// Growth under the traffic over the draws of a calibration, where one was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub over_posterior: Option<OverPosterior>,
-    /// How many observations were laid over the map, where there were any.
-    pub observations: Option<ObservationCount>,
+    ridge: RidgeSummary,
+    /// For the highest growth of the ridge, of one wheel of this kind on one line of the rail.
+    #[serde(flatten)]
+    wear_limit: WearLimitDocument,
+    /// At the speeds judged; none for one wheel and one axis.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    stability: Vec<StabilityAtSpeed>,
+    /// Growth over the sleeper bay, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bay: Option<BayGrowth>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    observations: Option<ObservationCount>,
+    remarks: Vec<Message>,
+    /// The map itself.
+    #[serde(skip)]
+    pub on: RidgeMap,
+    /// Laid over the map.
+    #[serde(skip)]
+    marks: Vec<Observation>,
 }
 
 /// Measured wavelengths laid over a map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct ObservationCount {
-    /// All of them.
-    pub count: usize,
+#[derive(Debug, Clone, Copy, Serialize)]
+struct ObservationCount {
+    count: usize,
     /// Those that lie outside the window of the map.
-    pub outside_window: usize,
+    outside_window: usize,
 }
 
 impl ObservationCount {
     /// Of the map of a case.
-    pub fn new(case: &Case, observations: &[Observation]) -> Self {
+    fn new(case: &Case, observations: &[Observation]) -> Self {
         let wavelengths = case.wavelength.min()..=case.wavelength.max();
         let speeds = case.speed.min()..=case.speed.max();
         let outside = |observation: &&Observation| {
@@ -61,41 +79,13 @@ impl ObservationCount {
     }
 
     /// As in "3 observations, 1 outside the map".
-    pub fn sentence(self) -> String {
-        let noun = match self.count {
-            1 => "observation",
-            _ => "observations",
-        };
+    fn sentence(self) -> Message {
+        let all = say!(so_many_observations, count = self.count);
         match self.outside_window {
-            0 => format!("{} {noun}", self.count),
-            outside => format!("{} {noun}, {outside} outside the map", self.count),
+            0 => all,
+            outside => say!(observations_outside, all = all, outside = number(outside)),
         }
     }
-}
-
-/// What `riffel map --json` prints.
-#[derive(Serialize)]
-pub struct MapDocument<'a> {
-    riffel_version: &'static str,
-    /// The case after presets, defaults and overrides; reads back as a case.
-    inputs: &'a CaseFile,
-    derived: DerivedDocument,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    under_traffic: Option<&'a LineGrowth>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    over_posterior: Option<&'a OverPosterior>,
-    ridge: RidgeSummary<'a>,
-    /// For the highest growth of the ridge, of one wheel of this kind on one line of the rail.
-    #[serde(flatten)]
-    wear_limit: WearLimitDocument,
-    /// At the speeds judged; none for one wheel and one axis.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    stability: Vec<StabilityAtSpeed>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bay: Option<BayDocument>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    observations: Option<ObservationCount>,
-    remarks: &'a [Message],
 }
 
 /// What follows from a case, whatever the window of its map.
@@ -115,15 +105,29 @@ pub struct DerivedDocument {
 }
 
 #[derive(Serialize)]
-struct RidgeSummary<'a> {
+struct RidgeSummary {
     /// That of the strongest branch.
     best_fit_frequency_hz: Option<f64>,
     /// The strongest first.
-    branches: &'a [BranchDocument],
+    branches: Vec<BranchDocument>,
     highest: Option<RidgePointDocument>,
     speeds_that_grow: usize,
     speeds_at_edge: usize,
     speeds: usize,
+}
+
+impl RidgeSummary {
+    fn new(RidgeMap { ridge, branches, .. }: &RidgeMap) -> Self {
+        let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
+        Self {
+            best_fit_frequency_hz: best_fit_frequency(ridge),
+            branches: branches.clone(),
+            highest: ridge.highest().filter(grows).map(RidgePointDocument::from),
+            speeds_that_grow: ridge.points.iter().filter(grows).count(),
+            speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
+            speeds: ridge.points.len(),
+        }
+    }
 }
 
 impl DerivedDocument {
@@ -147,47 +151,79 @@ impl DerivedDocument {
 impl MapAnswer {
     /// The map over the window of the case; `progress` is told of rows done, one for each speed.
     pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Self {
-        let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, progress);
-        let ridge = ridge_of(case, &case.feedback);
+        let on = RidgeMap::new(case, progress);
         Self {
-            branches: BranchDocument::all(case, &ridge),
-            map,
-            ridge,
-            bay: None,
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            derived: DerivedDocument::of(case),
             under_traffic: None,
             over_posterior: None,
+            ridge: RidgeSummary::new(&on),
+            wear_limit: WearLimitDocument::new(case, on.ridge.highest().map(|point| point.growth_rate)),
+            stability: (case.stability_over_the_map().into_iter()).map(StabilityAtSpeed::from).collect(),
+            bay: None,
             observations: None,
+            remarks: case.remarks.clone(),
+            case: case.clone(),
+            on,
+            marks: Vec::new(),
         }
+    }
+
+    /// The same with what was observed on it.
+    #[must_use]
+    pub fn with_observations(self, marks: Vec<Observation>) -> Self {
+        Self { observations: Some(ObservationCount::new(&self.case, &marks)), marks, ..self }
     }
 
     /// The map as a figure, with what was observed.
-    pub fn figure(&self, case: &Case, observations: Vec<Observation>) -> MapFigure {
-        map_figure(case, &self.map, &self.ridge, observations)
+    pub fn map_figure(&self) -> MapFigure {
+        map_figure(&self.case, &self.on.map, &self.on.ridge, self.marks.clone())
+    }
+}
+
+impl Answer for MapAnswer {
+    const NAME: &'static str = "map";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.case.file.title.clone().map_or_else(|| say!(growth_map), Message::verbatim);
+        let under_traffic = self.under_traffic.iter().flat_map(|it| it.remarks.clone());
+        let over = self.over_posterior.iter().flat_map(growth_in_words);
+        let remarks = under_traffic.chain(over).map(|remark| as_sentence(&remark));
+        let window = say!(
+            highest_at_each_speed,
+            shortest = fixed(1e3 * self.case.wavelength.min(), 0),
+            longest = fixed(1e3 * self.case.wavelength.max(), 0)
+        );
+        [title].into_iter().chain(remarks).chain([window]).collect()
     }
 
-    /// The map as data: what `riffel map --json` prints.
-    pub fn document<'a>(&'a self, case: &'a Case) -> MapDocument<'a> {
-        let ridge = &self.ridge;
-        let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
-        MapDocument {
-            riffel_version: env!("CARGO_PKG_VERSION"),
-            inputs: &case.file,
-            derived: DerivedDocument::of(case),
-            under_traffic: self.under_traffic.as_ref(),
-            over_posterior: self.over_posterior.as_ref(),
-            ridge: RidgeSummary {
-                best_fit_frequency_hz: best_fit_frequency(ridge),
-                branches: &self.branches,
-                highest: ridge.highest().filter(grows).map(RidgePointDocument::from),
-                speeds_that_grow: ridge.points.iter().filter(grows).count(),
-                speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
-                speeds: ridge.points.len(),
-            },
-            wear_limit: WearLimitDocument::new(case, ridge.highest().map(|point| point.growth_rate)),
-            stability: (case.stability_over_the_map().into_iter()).map(StabilityAtSpeed::from).collect(),
-            bay: self.bay.as_ref().map(BayGrowth::summary),
-            observations: self.observations,
-            remarks: &case.remarks,
-        }
+    fn tables(&self) -> Vec<Table> {
+        let RidgeMap { ridge, .. } = &self.on;
+        let of_ridge =
+            [table::shown(&self.case, ridge), ridge_table("ridge", ridge), branches_table("branches", ridge)];
+        of_ridge.into_iter().chain(self.over_posterior.as_ref().map(OverPosterior::table)).collect()
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let growth = [for_whom(&self.case), BranchDocument::sentence(&self.ridge.branches)];
+        let bay = self.bay.iter().flat_map(BayGrowth::sentences);
+        let observations = self.observations.map(ObservationCount::sentence);
+        growth.into_iter().chain(bay).chain(observations).collect()
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let figure = self.map_figure();
+        let grid = table::grid(&self.on.map, figure.title.clone());
+        let own = [
+            ResultFile::Maps(Self::NAME, figure),
+            ResultFile::Map(Self::NAME, &self.on.map),
+            ResultFile::Grid(Self::NAME, grid),
+        ];
+        let bay = self.bay.iter().flat_map(|bay| bay.files(&self.case));
+        own.into_iter().chain(ResultFile::tables(self.tables())).chain(bay).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }

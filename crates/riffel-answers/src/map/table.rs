@@ -1,12 +1,15 @@
 //! Growth maps as files of numbers.
 
 use std::io::{self, Write};
-use std::path::Path;
 
-use riffel::{Complex64, GrowthMap};
+use riffel::growth::RidgePoint;
+use riffel::{Complex64, GrowthMap, Ridge};
+use riffel_case::Case;
+use riffel_keys::{Message, say};
 
-use crate::AnswerError;
+use crate::forecast::number_alone;
 use crate::netcdf::{Grid, Variable};
+use crate::{Column, Table};
 
 /// A quantity of every point of a map.
 struct MapOutput {
@@ -61,11 +64,8 @@ pub fn map_csv(map: &GrowthMap, file: &mut impl Write, progress: impl Fn(usize))
     writer.flush()
 }
 
-/// The map on its grid as NetCDF-3 with coordinates, units and long names.
-///
-/// # Errors
-/// [`AnswerError::Grid`].
-pub fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), AnswerError> {
+/// The map on its grid with coordinates, units and long names.
+pub(super) fn grid(map: &GrowthMap, title: String) -> Grid<'_> {
     let rate = map.growth_rate_per_dissipation();
     let axis = |name, axes, unit, long_name, axis: riffel::Axis| {
         let values = axis.values();
@@ -86,5 +86,42 @@ pub fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), Answe
         }),
     }));
     let axes = vec![("speed", map.speed().points()), ("wavelength", map.wavelength().points())];
-    Grid { title, axes, variables }.write(path)
+    Grid { title, axes, variables }
+}
+
+/// The ridge at a few speeds, for a reader.
+pub(super) fn shown(case: &Case, ridge: &Ridge) -> Table {
+    /// Rows of the table.
+    const ROWS: usize = 9;
+    let last = ridge.points.len().saturating_sub(1);
+    let rows = ROWS.min(ridge.points.len());
+    // As many digits as tell the rows apart.
+    let step = 3.6 * (case.speed.max() - case.speed.min()) / rows as f64;
+    let digits = (1.0 - step.log10()).floor().clamp(0.0, 3.0) as usize;
+    let points: Vec<&RidgePoint> = (0..rows).map(|row| &ridge.points[row * last / (rows - 1).max(1)]).collect();
+    let shown = |head, cell: &dyn Fn(&RidgePoint) -> Message| {
+        Column::shown(head, points.iter().map(|point| cell(point)).collect())
+    };
+    Table {
+        name: "ridge",
+        columns: vec![
+            shown(say!(speed_column), &|point| number_alone(format_args!("{:.digits$}", 3.6 * point.speed))),
+            shown(say!(wavelength_of_band), &|point| number_alone(format_args!("{:.1}", 1e3 * point.wavelength))),
+            shown(say!(frequency_in_hertz), &|point| number_alone(format_args!("{:.0}", point.frequency))),
+            shown(Message::verbatim("Re Ŵ₁"), &|point| {
+                number_alone(format_args!("{:.4}", point.normalized_dissipation))
+            }),
+            shown(say!(growth_rate_per_passage_column), &|point| {
+                number_alone(format_args!("{:.2e}", point.growth_rate))
+            }),
+            shown(say!(passages_to_double_column), &|point| match point.growth_rate > 0.0 {
+                true => number_alone(format_args!("{:.1e}", std::f64::consts::LN_2 / point.growth_rate)),
+                false => say!(decays_in_table),
+            }),
+            shown(Message::verbatim(""), &|point| match point.at_edge {
+                true => say!(edge_in_table),
+                false => Message::verbatim(""),
+            }),
+        ],
+    }
 }

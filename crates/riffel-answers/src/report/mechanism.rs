@@ -25,8 +25,7 @@ pub(super) fn growth_map(
     diagnosis: Option<&Diagnosis>,
     language: Language,
 ) -> Result<Outlook, PlotError> {
-    let ridge = &map.ridge;
-    let mut panel = panel(case, &map.map, ridge, Shown::Normalized);
+    let mut panel = panel(case, &map.on.map, &map.on.ridge, Shown::Normalized);
     let mut caption = vec![parameters_in(case, language)];
     if let Some(diagnosis) = diagnosis {
         let measured = observations(case, diagnosis, &mut panel.observations, language);
@@ -34,7 +33,7 @@ pub(super) fn growth_map(
     }
     caption.push(say!(sign_of_growth).text(language));
     let map_drawn = MapFigure { panels: vec![panel], ..MapFigure::default() };
-    let words = sentence(&BranchDocument::sentence(&map.branches), language);
+    let words = sentence(&BranchDocument::sentence(&map.on.branches), language);
     let map_of_growth = figure("half", map_drawn.picture_with(&map_words(language))?, &caption.join(" "), language);
     let remarks = map.under_traffic.iter().flat_map(|it| it.remarks.clone());
     let over = map.over_posterior.iter().flat_map(growth_in_words);

@@ -7,4 +7,4 @@ mod table;
 pub use branches::{BranchDocument, best_fit_frequency, ridge_in, ridge_of};
 pub(crate) use branches::{NEAR, mechanism_name, nearest, resonances};
 pub use point::RidgePointDocument;
-pub use table::{branches_csv, ridge_csv};
+pub(crate) use table::{branches_table, ridge_table};

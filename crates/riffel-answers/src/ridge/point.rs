@@ -1,4 +1,4 @@
-//! A point of a ridge, as documents and tables hold it.
+//! A point of a ridge, as documents hold it.
 
 use riffel::growth::RidgePoint;
 use serde::Serialize;
@@ -18,18 +18,6 @@ pub struct RidgePointDocument {
     pub growth_rate_per_passage: f64,
     /// It sits at the edge of the window.
     pub at_edge: bool,
-}
-
-impl RidgePointDocument {
-    /// The names of its columns.
-    pub(super) const COLUMNS: [&'static str; 6] = [
-        "speed_m_per_s",
-        "wavelength_m",
-        "frequency_hz",
-        "normalized_dissipation_re",
-        "growth_rate_per_passage",
-        "at_edge",
-    ];
 }
 
 impl From<&RidgePoint> for RidgePointDocument {

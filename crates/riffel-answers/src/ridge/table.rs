@@ -1,40 +1,33 @@
 //! Ridges as tables.
 
-use std::io::{self, Write};
-
 use riffel::Ridge;
+use riffel::growth::RidgePoint;
 
-use super::RidgePointDocument;
+use crate::{Column, Table};
+
+/// The columns of points of a ridge.
+fn columns<'a>(points: impl Iterator<Item = &'a RidgePoint> + Clone) -> [Column; 6] {
+    let column = |name: &str, of: fn(&RidgePoint) -> f64| Column::exact(name, points.clone().map(of));
+    [
+        column("speed_m_per_s", |point| point.speed),
+        column("wavelength_m", |point| point.wavelength),
+        column("frequency_hz", |point| point.frequency),
+        column("normalized_dissipation_re", |point| point.normalized_dissipation),
+        column("growth_rate_per_passage", |point| point.growth_rate),
+        Column::names("at_edge", points.map(|point| point.at_edge)),
+    ]
+}
 
 /// One row for each speed.
-///
-/// # Errors
-/// Those of the file.
-pub fn ridge_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = writer(file);
-    writer.write_record(RidgePointDocument::COLUMNS)?;
-    for point in &ridge.points {
-        writer.serialize(RidgePointDocument::from(point))?;
-    }
-    writer.flush()
+pub(crate) fn ridge_table(name: &'static str, ridge: &Ridge) -> Table {
+    Table { name, columns: columns(ridge.points.iter()).into() }
 }
 
 /// One row for each point of each branch, counted from zero, the strongest.
-///
-/// # Errors
-/// Those of the file.
-pub fn branches_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = writer(file);
-    writer.write_record(["branch"].iter().chain(&RidgePointDocument::COLUMNS))?;
-    for (index, branch) in ridge.branches.iter().enumerate() {
-        for point in branch.points() {
-            writer.serialize((index, RidgePointDocument::from(point)))?;
-        }
-    }
-    writer.flush()
-}
-
-/// A writer of rows below a header that stands even where there are none.
-fn writer<W: Write>(file: W) -> csv::Writer<W> {
-    csv::WriterBuilder::new().has_headers(false).from_writer(file)
+pub(crate) fn branches_table(name: &'static str, ridge: &Ridge) -> Table {
+    let branches = ridge.branches.iter().enumerate();
+    let numbers = branches.clone().flat_map(|(index, branch)| branch.points().iter().map(move |_| index));
+    let number = Column::names("branch", numbers);
+    let columns = columns(branches.flat_map(|(_, branch)| branch.points()));
+    Table { name, columns: [number].into_iter().chain(columns).collect() }
 }

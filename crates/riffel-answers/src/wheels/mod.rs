@@ -13,7 +13,7 @@ use riffel_plot::LineFigure;
 use serde::Serialize;
 
 use crate::answer::inputs;
-use crate::map::MapAnswer;
+use crate::map::RidgeMap;
 use crate::ridge::BranchDocument;
 use crate::{Answer, AnswerError, Highest, LineGrowth, ResultFile, Table, WearLimitDocument};
 
@@ -97,7 +97,7 @@ pub struct WheelInLoop {
     /// The case with the wheel under study.
     pub case: Case,
     /// Its map over wavelength and speed.
-    pub map: MapAnswer,
+    pub map: RidgeMap,
 }
 
 /// A wheel as its loop has it: where that takes the patch under load, place, angle and spin are not those of the equilibrium.
@@ -232,7 +232,7 @@ impl WheelAnswer {
     ) -> Result<(), CaseError> {
         let under = LineGrowth::under(&case, &traffic.traffic()?, &Variant::none(""))?;
         let stability = case.stability(speed);
-        let map = MapAnswer::new(&case, progress);
+        let map = RidgeMap::new(&case, progress);
         self.highest = under.fastest.map(|fastest| Highest {
             wavelength: fastest.wavelength_m,
             frequency: speed / fastest.wavelength_m,

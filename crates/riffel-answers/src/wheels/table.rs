@@ -145,5 +145,5 @@ pub(super) fn grid(answer: &WheelsAnswer) -> Grid<'_> {
     ];
     let axes = vec![("wheel", answer.wheels.len()), ("speed", speed.points()), ("wavelength", wavelength.points())];
     let title = case.file.title.as_deref();
-    Grid { title: title.unwrap_or("Growth under the wheels of a curve"), axes, variables }
+    Grid { title: title.unwrap_or("Growth under the wheels of a curve").to_owned(), axes, variables }
 }

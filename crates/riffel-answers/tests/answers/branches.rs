@@ -175,8 +175,8 @@ fn a_window_without_a_crest_has_no_frequency() {
     let sentence = BranchDocument::sentence(&BranchDocument::all(&case, &ridge));
     assert_eq!(sentence.to_string(), "no crest lies in this window: growth rises towards 60 mm");
     let answer = MapAnswer::new(&case, |_| ());
-    let document = serde_json::to_value(answer.document(&case)).unwrap();
+    let document = serde_json::to_value(&answer).unwrap();
     assert!(document["ridge"]["best_fit_frequency_hz"].is_null());
-    let figure = answer.figure(&case, Vec::new());
+    let figure = answer.map_figure();
     assert_eq!(figure.panels[0].best_fit_frequency_hz, None);
 }
