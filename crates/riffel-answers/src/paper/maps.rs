@@ -8,9 +8,9 @@ use riffel_keys::{Language, say};
 use riffel_plot::{MapFigure, MapPanel};
 
 use super::{Drawing, Model, PaperFigure};
-use crate::AnswerError;
 use crate::map::{Shown, panel};
 use crate::parameters::parameters_in;
+use crate::{AnswerError, Column, Table};
 
 /// Tractive ratios of the left and the right panel.
 const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
@@ -40,7 +40,7 @@ fn maps(
 ) -> Result<PaperFigure, AnswerError> {
     let mut panels = Vec::new();
     let mut caption = String::new();
-    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut points = Vec::new();
     for (letter, ratio) in ["a", "b"].into_iter().zip(TRACTIVE_RATIOS) {
         let case = case(ratio)?;
         let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |_| ());
@@ -61,36 +61,43 @@ fn maps(
                 .text(language),
             );
         }
-        rows(&case, ratio, &map, &mut writer).map_err(|error| AnswerError::Table(error.to_string()))?;
+        points.extend(points_of(&case, ratio, &map));
     }
-    let figure = MapFigure { title, caption, panels };
-    Ok(PaperFigure {
-        drawing: Drawing::Maps(figure),
-        csv: writer.into_inner().map_err(|error| AnswerError::Table(error.to_string()))?,
-    })
+    let column = |name: &str, of: fn(&Point) -> f64| Column::exact(name, points.iter().map(of));
+    let table = Table {
+        name: "figure",
+        columns: vec![
+            column("tractive_ratio", |point| point.tractive_ratio),
+            column("wavelength_m", |point| point.wavelength),
+            column("speed_m_per_s", |point| point.speed),
+            column("dissipation_re_w", |point| point.dissipation),
+            column("normalized_dissipation_re", |point| point.normalized_dissipation),
+        ],
+    };
+    Ok(PaperFigure { drawing: Drawing::Maps(MapFigure { title, caption, panels }), table })
 }
 
-/// The numbers of one panel, header included before the first.
-fn rows(case: &Case, ratio: f64, map: &GrowthMap, writer: &mut csv::Writer<Vec<u8>>) -> csv::Result<()> {
-    #[derive(serde::Serialize)]
-    struct Record {
-        tractive_ratio: f64,
-        wavelength_m: f64,
-        speed_m_per_s: f64,
-        dissipation_re_w: f64,
-        normalized_dissipation_re: f64,
-    }
+/// A point of a panel.
+struct Point {
+    tractive_ratio: f64,
+    /// \[m\].
+    wavelength: f64,
+    /// \[m/s\].
+    speed: f64,
+    /// \[W\].
+    dissipation: f64,
+    normalized_dissipation: f64,
+}
+
+fn points_of<'a>(case: &'a Case, tractive_ratio: f64, map: &'a GrowthMap) -> impl Iterator<Item = Point> + 'a {
     let full_slip = case.steady.full_slip_energy_per_metre();
-    for (speed, row) in map.rows() {
-        for (index, value) in row.iter().enumerate() {
-            writer.serialize(Record {
-                tractive_ratio: ratio,
-                wavelength_m: map.wavelength().value(index),
-                speed_m_per_s: speed,
-                dissipation_re_w: value.re * full_slip * speed,
-                normalized_dissipation_re: value.re,
-            })?;
-        }
-    }
-    Ok(())
+    map.rows().flat_map(move |(speed, row)| {
+        row.iter().enumerate().map(move |(index, value)| Point {
+            tractive_ratio,
+            wavelength: map.wavelength().value(index),
+            speed,
+            dissipation: value.re * full_slip * speed,
+            normalized_dissipation: value.re,
+        })
+    })
 }

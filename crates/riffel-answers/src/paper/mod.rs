@@ -12,14 +12,14 @@ use riffel_plot::{LineFigure, MapFigure};
 #[cfg(not(target_family = "wasm"))]
 use riffel_plot::{Picture, PlotError};
 
-use crate::AnswerError;
+use crate::{AnswerError, Column, Table};
 
 /// A figure and its numbers.
 pub struct PaperFigure {
     /// What is drawn.
     pub drawing: Drawing,
-    /// Its numbers as a table.
-    pub csv: Vec<u8>,
+    /// Its numbers.
+    pub table: Table,
 }
 
 /// What a figure is.
@@ -112,7 +112,7 @@ impl Model {
 }
 
 /// Curves with every sample in one tidy table.
-fn lines(language: Language, mut figure: LineFigure) -> Result<PaperFigure, AnswerError> {
+fn lines(language: Language, mut figure: LineFigure) -> PaperFigure {
     figure.title = language.numbers(&figure.title);
     figure.caption = language.numbers(&figure.caption);
     for panel in &mut figure.panels {
@@ -121,19 +121,24 @@ fn lines(language: Language, mut figure: LineFigure) -> Result<PaperFigure, Answ
             series.label = language.numbers(&series.label);
         }
     }
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let mut write = || -> csv::Result<()> {
-        writer.write_record(["panel", "series", "x_quantity", "x", "y_quantity", "y"])?;
-        for panel in &figure.panels {
-            for series in &panel.series {
-                for (x, y) in series.x.iter().zip(&series.y) {
-                    writer.serialize((&panel.subtitle, &series.label, &panel.x_label, x, &panel.y_label, y))?;
-                }
-            }
-        }
-        Ok(())
+    let samples = || {
+        figure.panels.iter().flat_map(|panel| {
+            panel.series.iter().flat_map(move |series| {
+                let samples = series.x.iter().zip(&series.y);
+                samples.map(move |(x, y)| (panel, series, *x, *y))
+            })
+        })
     };
-    write().map_err(|error| AnswerError::Table(error.to_string()))?;
-    let csv = writer.into_inner().map_err(|error| AnswerError::Table(error.to_string()))?;
-    Ok(PaperFigure { drawing: Drawing::Lines(figure), csv })
+    let table = Table {
+        name: "figure",
+        columns: vec![
+            Column::names("panel", samples().map(|(panel, ..)| &panel.subtitle)),
+            Column::names("series", samples().map(|(_, series, ..)| &series.label)),
+            Column::names("x_quantity", samples().map(|(panel, ..)| &panel.x_label)),
+            Column::exact("x", samples().map(|(.., x, _)| x)),
+            Column::names("y_quantity", samples().map(|(panel, ..)| &panel.y_label)),
+            Column::exact("y", samples().map(|(.., y)| y)),
+        ],
+    };
+    PaperFigure { table, drawing: Drawing::Lines(figure) }
 }

@@ -125,7 +125,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
     })?;
     let title = say!(figure_6).text(language);
     let minima = say!(minima_inside_window).text(language);
-    lines(
+    Ok(lines(
         language,
         LineFigure {
             title: model.title(&title, language),
@@ -141,13 +141,13 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
             ],
             arrangement: Arrangement::SideBySide,
         },
-    )
+    ))
 }
 
 pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let nominal = model.nominal(|_| ())?;
     let title = say!(figure_7).text(language);
-    lines(
+    Ok(lines(
         language,
         LineFigure {
             title: model.title(&title, language),
@@ -160,7 +160,7 @@ pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, 
             )],
             arrangement: Arrangement::SideBySide,
         },
-    )
+    ))
 }
 
 pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
@@ -187,7 +187,7 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
         false => String::new(),
     };
     let caption = format!("{} {falls}{}", minima(language), parameters_in(&nominal, language));
-    lines(
+    Ok(lines(
         language,
         LineFigure {
             title: model.title(&title, language),
@@ -208,5 +208,5 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
             ],
             arrangement: Arrangement::SideBySide,
         },
-    )
+    ))
 }

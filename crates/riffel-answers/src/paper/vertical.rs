@@ -63,7 +63,7 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
     };
     let (solid, dashed) = (track(&moving, language), track(&bhaskar, language));
     let title = say!(figure_2).text(language);
-    lines(
+    Ok(lines(
         language,
         LineFigure {
             title: model.title(&title, language),
@@ -80,7 +80,7 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
             ],
             arrangement: Arrangement::Stacked,
         },
-    )
+    ))
 }
 
 pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
@@ -90,7 +90,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
     let spring = per_mean * case.feedback.contacts()[0].stiffness;
     let title = say!(figure_3).text(language);
     let parameters = parameters_in(&case, language);
-    lines(
+    Ok(lines(
         language,
         LineFigure {
             title: model.title(&title, language),
@@ -127,5 +127,5 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
             ],
             arrangement: Arrangement::Stacked,
         },
-    )
+    ))
 }

@@ -1,6 +1,6 @@
 //! `riffel figures`
 
-use riffel_answers::paper;
+use riffel_answers::{ResultFile, paper};
 use riffel_keys::Language;
 
 use crate::arguments::Figures;
@@ -16,7 +16,7 @@ pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
     for (number, make) in paper::FIGURES {
         let figure = make(model, Language::English).map_err(CliError::from)?;
         staging.write_picture(&format!("figure-{number}"), &figure.picture().map_err(CliError::from)?)?;
-        staging.write(&format!("figure-{number}.csv"), figure.csv)?;
+        staging.write_result(ResultFile::TableAs(format!("figure-{number}"), figure.table))?;
         progress.advance(1);
     }
     drop(progress);
