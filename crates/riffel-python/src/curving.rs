@@ -77,7 +77,7 @@ pub(crate) fn profile<'py>(
     let answer = interruptible(py, move || OutlineAnswer::new([(file, reading)]))?;
     let answer = answer.map_err(of_case)?;
     let remarks = answer.remarks.iter().map(ToString::to_string).collect();
-    Ok((document(py, &answer.document())?, remarks))
+    Ok((document(py, &answer)?, remarks))
 }
 
 /// What `riffel profile FILE --against NAME --json` prints.
@@ -109,7 +109,7 @@ pub(crate) fn profile_wear<'py>(
         ..WearSettings::default()
     };
     let answer = interruptible(py, move || WearAnswer::new(&[file], &nominal, settings))?;
-    document(py, &answer.map_err(of_case)?.document())
+    document(py, &answer.map_err(of_case)?)
 }
 
 /// What `riffel profile CASE --wheelset --json` prints, with the title of the case.
@@ -124,7 +124,7 @@ pub(crate) fn contact_geometry<'py>(
     let case = case.read(overrides)?;
     let title = case.file.title.clone();
     let answer = interruptible(py, move || OnTrackAnswer::new(&case, &shifts, yaw))?;
-    Ok((title, document(py, &answer.map_err(of_answer)?.document())?))
+    Ok((title, document(py, &answer.map_err(of_answer)?)?))
 }
 
 /// What `riffel profile CASE --wheelset --load P --json` prints, with the remarks.
@@ -142,5 +142,5 @@ pub(crate) fn contact_under_load<'py>(
     let answer = interruptible(py, move || UnderLoadAnswer::new(&case, &shifts, yaw, load))?;
     let answer = answer.map_err(of_answer)?;
     let remarks = answer.remarks.iter().map(ToString::to_string).collect();
-    Ok((title, document(py, answer.document())?, remarks))
+    Ok((title, document(py, &answer)?, remarks))
 }

@@ -1,13 +1,13 @@
 //! Where a wheelset touches its track over its lateral shift, and its equivalent conicity.
 
-use std::io::{self, Write};
-
 use riffel::profile::{EquivalentConicity, ProfileContact, WheelsetContact};
 use riffel_case::CurvingCase;
+use riffel_keys::{Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::Serialize;
 
-use crate::AnswerError;
+use crate::forecast::number_alone;
+use crate::{Answer, AnswerError, Column, Table};
 
 /// Amplitudes of the equivalent conicity \[mm\].
 const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
@@ -15,27 +15,9 @@ const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 /// Lateral shifts where none are asked for \[mm\]: to either side, in tenths.
 const USUAL_TENTHS: i32 = 100;
 
-/// A wheelset on its track.
-pub struct OnTrackAnswer {
-    /// By lateral shift.
-    pub contacts: Vec<WheelsetContact>,
-    /// Without yaw, by amplitude.
-    pub conicities: Vec<ConicityAtAmplitude>,
-}
-
-/// Equivalent conicity at an amplitude; none where no motion between the flanges has it.
-pub struct ConicityAtAmplitude {
-    /// Half of peak to peak \[m\].
-    pub amplitude: f64,
-    /// Of an axle that stays level, by the definition of EN 15302.
-    pub standard: Option<EquivalentConicity>,
-    /// Of an axle that rolls as both wheels touch, as a real one does.
-    pub rolling: Option<EquivalentConicity>,
-}
-
-/// What `riffel profile CASE --wheelset --json` prints: lists over the lateral shift, in SI.
+/// A wheelset on its track over its lateral shift: serialised, what `riffel profile CASE --wheelset --json` prints, in SI.
 #[derive(Serialize)]
-pub struct OnTrackDocument {
+pub struct OnTrackAnswer {
     lateral_shift: Vec<f64>,
     yaw: Vec<f64>,
     roll: Vec<f64>,
@@ -45,7 +27,26 @@ pub struct OnTrackDocument {
     #[serde(flatten)]
     left: Left,
     rolling_radius_difference: Vec<f64>,
+    /// Without yaw, by amplitude.
     equivalent_conicity: Conicities,
+    #[serde(skip)]
+    contacts: Vec<WheelsetContact>,
+    #[serde(skip)]
+    conicities: Vec<ConicityAtAmplitude>,
+    #[serde(skip)]
+    title: Option<String>,
+    #[serde(skip)]
+    remarks: Vec<Message>,
+}
+
+/// Equivalent conicity at an amplitude; none where no motion between the flanges has it.
+struct ConicityAtAmplitude {
+    /// Half of peak to peak \[m\].
+    amplitude: f64,
+    /// Of an axle that stays level, by the definition of EN 15302.
+    standard: Option<EquivalentConicity>,
+    /// Of an axle that rolls as both wheels touch, as a real one does.
+    rolling: Option<EquivalentConicity>,
 }
 
 #[derive(Serialize)]
@@ -173,59 +174,93 @@ impl OnTrackAnswer {
                 rolling: rolling.equivalent_conicity(amplitude, spacing),
             }
         });
-        Ok(Self { conicities: conicities.collect(), contacts })
-    }
-
-    /// What `riffel profile CASE --wheelset --json` prints.
-    pub fn document(&self) -> OnTrackDocument {
-        let of = |value: fn(&WheelsetContact) -> f64| self.contacts.iter().map(value).collect();
-        let conicities = self.conicities.iter();
-        OnTrackDocument {
+        let conicities: Vec<ConicityAtAmplitude> = conicities.collect();
+        let of = |value: fn(&WheelsetContact) -> f64| contacts.iter().map(value).collect();
+        Ok(Self {
             lateral_shift: of(|contact| contact.lateral_shift),
             yaw: of(|contact| contact.yaw),
             roll: of(|contact| contact.roll),
             centre_z: of(|contact| contact.centre_z),
-            right: Right::new(&self.contacts),
-            left: Left::new(&self.contacts),
+            right: Right::new(&contacts),
+            left: Left::new(&contacts),
             rolling_radius_difference: of(WheelsetContact::rolling_radius_difference),
             equivalent_conicity: Conicities {
-                amplitude_m: self.conicities.iter().map(|one| one.amplitude).collect(),
-                rolling: Rules::new(conicities.clone().map(|one| &one.rolling)),
-                en_15302: Rules::new(conicities.map(|one| &one.standard)),
+                amplitude_m: conicities.iter().map(|one| one.amplitude).collect(),
+                rolling: Rules::new(conicities.iter().map(|one| &one.rolling)),
+                en_15302: Rules::new(conicities.iter().map(|one| &one.standard)),
             },
-        }
+            title: case.file.title.clone(),
+            remarks: case.remarks.iter().cloned().chain(case.remarks_of_profiles()?).collect(),
+            contacts,
+            conicities,
+        })
     }
 
     /// One row for each lateral shift, in mm and rad.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let mut header = vec!["lateral_shift_mm", "yaw_rad", "roll_rad", "centre_z_mm"];
-        let sides = Right::COLUMNS.iter().chain(Left::COLUMNS);
-        header.extend(sides.clone().map(|(name, _)| *name));
-        header.push("rolling_radius_difference_mm");
-        writer.write_record(&header)?;
-        let (right, left) = (Right::new(&self.contacts), Left::new(&self.contacts));
-        let columns: Vec<&[Option<f64>]> = right.columns().into_iter().chain(left.columns()).collect();
-        for (row, contact) in self.contacts.iter().enumerate() {
-            let mut cells = vec![
-                Some(1e3 * contact.lateral_shift),
-                Some(contact.yaw),
-                Some(contact.roll),
-                Some(1e3 * contact.centre_z),
-            ];
-            let scaled = columns.iter().zip(sides.clone());
-            cells.extend(scaled.map(|(column, (_, factor))| column[row].map(|value| factor * value)));
-            cells.push(Some(1e3 * contact.rolling_radius_difference()));
-            writer.serialize(cells)?;
+    fn over_shift(&self) -> Table {
+        let column =
+            |name: &str, values: &[f64], factor: f64| Column::exact(name, values.iter().map(|value| factor * value));
+        let sides = Right::COLUMNS.iter().zip(self.right.columns());
+        let sides = sides.chain(Left::COLUMNS.iter().zip(self.left.columns()));
+        let sides = sides
+            .map(|((name, factor), values)| Column::exact(name, values.iter().map(|value| Some(factor * (*value)?))));
+        let before = [
+            column("lateral_shift_mm", &self.lateral_shift, 1e3),
+            column("yaw_rad", &self.yaw, 1.0),
+            column("roll_rad", &self.roll, 1.0),
+            column("centre_z_mm", &self.centre_z, 1e3),
+        ];
+        let difference = column("rolling_radius_difference_mm", &self.rolling_radius_difference, 1e3);
+        Table { name: "wheelset", columns: before.into_iter().chain(sides).chain([difference]).collect() }
+    }
+
+    /// By amplitude, for a reader.
+    fn conicities(&self) -> Table {
+        let shown = |head, cell: &dyn Fn(&ConicityAtAmplitude) -> Message| {
+            Column::shown(head, self.conicities.iter().map(cell).collect())
+        };
+        let of = |found: &Option<EquivalentConicity>, value: fn(&EquivalentConicity) -> f64| {
+            let found = found.as_ref().map(value);
+            found.map_or_else(|| say!(no_motion), |value| number_alone(format_args!("{value:.4}")))
+        };
+        let wavelength = |found: &Option<EquivalentConicity>| match found.as_ref().map(|found| found.wavelength) {
+            None => say!(no_motion),
+            Some(wavelength) if wavelength.is_finite() => number_alone(format_args!("{wavelength:.2}")),
+            Some(_) => say!(endless_wavelength),
+        };
+        Table {
+            name: "conicity",
+            columns: vec![
+                shown(say!(amplitude_in_millimetres_column), &|row| {
+                    number_alone(format_args!("{:.0}", 1e3 * row.amplitude))
+                }),
+                shown(say!(equivalent_conicity_column), &|row| of(&row.standard, |found| found.klingel)),
+                shown(say!(conicity_with_roll_column), &|row| of(&row.rolling, |found| found.klingel)),
+                shown(say!(conicity_harmonic_column), &|row| of(&row.standard, |found| found.harmonic)),
+                shown(say!(conicity_regression_column), &|row| of(&row.standard, |found| found.regression)),
+                shown(say!(wavelength_in_metres_column), &|row| wavelength(&row.standard)),
+            ],
         }
-        writer.flush()
+    }
+}
+
+impl Answer for OnTrackAnswer {
+    const NAME: &'static str = "wheelset";
+
+    fn introduction(&self) -> Vec<Message> {
+        vec![self.title.clone().map_or_else(|| say!(wheelset_on_its_track), Message::verbatim)]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.conicities(), self.over_shift()]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        vec![say!(conicity_by_standard)]
     }
 
     /// Rolling radius difference, place and angle of the contact over the lateral shift.
-    pub fn figure(&self) -> LineFigure {
+    fn figure(&self) -> LineFigure {
         let shifts: Vec<f64> = self.contacts.iter().map(|contact| 1e3 * contact.lateral_shift).collect();
         let series = |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| Series {
             label: label.to_owned(),
@@ -261,5 +296,9 @@ impl OnTrackAnswer {
             ],
             arrangement: Arrangement::Stacked,
         }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }

@@ -1,30 +1,29 @@
 //! Outline and curvature of profiles.
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use riffel::profile::{Profile, ProfilePoint};
 use riffel_case::{ProfileReading, profile_of};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
 use serde::Serialize;
+
+use super::or_dash;
+use crate::forecast::number_alone;
+use crate::{Answer, Column, Table};
 
 /// Distance of the points that are drawn and listed \[m\].
 const STEP: f64 = 2.5e-4;
 /// Curvature beyond which nothing is drawn \[1/m\]: a radius of 5 mm.
 const MOST_CURVATURE: f64 = 200.0;
 
-/// Profiles beside each other.
-pub struct OutlineAnswer {
-    profiles: Vec<(String, Profile)>,
-    /// Of points that scatter.
-    pub remarks: Vec<Message>,
-}
-
-/// What `riffel profile FILE… --json` prints.
+/// Profiles beside each other: serialised, what `riffel profile FILE… --json` prints.
 #[derive(Serialize)]
-pub struct OutlineDocument {
+pub struct OutlineAnswer {
     profiles: Vec<Outline>,
+    /// Of points that scatter.
+    #[serde(skip)]
+    pub remarks: Vec<Message>,
 }
 
 #[derive(Serialize)]
@@ -34,6 +33,36 @@ struct Outline {
     height_m: Vec<f64>,
     slope: Vec<f64>,
     curvature_1_per_m: Vec<f64>,
+    #[serde(skip)]
+    profile: Profile,
+    #[serde(skip)]
+    points: Vec<ProfilePoint>,
+}
+
+impl Outline {
+    fn new(name: String, profile: Profile) -> Self {
+        let points = profile.sampled(STEP);
+        let of = |value: fn(&ProfilePoint) -> f64| points.iter().map(value).collect();
+        Self {
+            name,
+            x_m: of(|point| point.x),
+            height_m: of(|point| point.height),
+            slope: of(|point| point.slope),
+            curvature_1_per_m: of(|point| point.curvature),
+            profile,
+            points,
+        }
+    }
+
+    /// Radius at x = 0.
+    fn radius(&self) -> Message {
+        /// Curvature \[1/m\] of what is straight.
+        const STRAIGHT: f64 = 1e-3;
+        match self.profile.at(0.0) {
+            Some(origin) if origin.curvature.abs() < STRAIGHT => say!(straight_profile),
+            origin => or_dash(origin.map(|origin| -1e3 / origin.curvature), 1),
+        }
+    }
 }
 
 impl OutlineAnswer {
@@ -46,55 +75,56 @@ impl OutlineAnswer {
         for (file, reading) in files {
             let name = file.display().to_string();
             let read = profile_of(&name, Path::new(""), reading)?;
-            profiles.push((name, read.profile));
+            profiles.push(Outline::new(name, read.profile));
             remarks.extend(read.remarks);
         }
         Ok(Self { profiles, remarks })
     }
 
-    /// Each profile with its name.
-    pub fn profiles(&self) -> &[(String, Profile)] {
-        &self.profiles
-    }
-
-    /// What `riffel profile FILE… --json` prints.
-    pub fn document(&self) -> OutlineDocument {
-        let outlines = self.profiles.iter().map(|(name, profile)| {
-            let points = profile.sampled(STEP);
-            let of = |value: fn(&ProfilePoint) -> f64| points.iter().map(value).collect();
-            Outline {
-                name: name.clone(),
-                x_m: of(|point| point.x),
-                height_m: of(|point| point.height),
-                slope: of(|point| point.slope),
-                curvature_1_per_m: of(|point| point.curvature),
-            }
-        });
-        OutlineDocument { profiles: outlines.collect() }
-    }
-
     /// One row for each point.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["profile", "x_mm", "y_mm", "slope", "curvature_1_per_m"])?;
-        for (name, profile) in &self.profiles {
-            for point in profile.sampled(STEP) {
-                writer.serialize((name, 1e3 * point.x, 1e3 * point.height, point.slope, point.curvature))?;
-            }
+    fn points(&self) -> Table {
+        let points = || self.profiles.iter().flat_map(|outline| &outline.points);
+        let names = self.profiles.iter().flat_map(|outline| outline.points.iter().map(|_| &outline.name));
+        let column = |name: &str, of: fn(&ProfilePoint) -> f64| Column::exact(name, points().map(of));
+        Table {
+            name: "profile",
+            columns: vec![
+                Column::names("profile", names),
+                column("x_mm", |point| 1e3 * point.x),
+                column("y_mm", |point| 1e3 * point.height),
+                column("slope", |point| point.slope),
+                column("curvature_1_per_m", |point| point.curvature),
+            ],
         }
-        writer.flush()
+    }
+}
+
+impl Answer for OutlineAnswer {
+    const NAME: &'static str = "profile";
+
+    fn tables(&self) -> Vec<Table> {
+        let shown =
+            |head, cell: &dyn Fn(&Outline) -> Message| Column::shown(head, self.profiles.iter().map(cell).collect());
+        let millimetres = |metres: f64| number_alone(format_args!("{:.2}", 1e3 * metres));
+        let ends = Table {
+            name: "profiles",
+            columns: vec![
+                shown(say!(profile_column), &|outline| Message::verbatim(&outline.name)),
+                shown(say!(from_millimetres_column), &|outline| millimetres(outline.profile.range()[0])),
+                shown(say!(to_millimetres_column), &|outline| millimetres(outline.profile.range()[1])),
+                shown(say!(radius_at_origin_column), &Outline::radius),
+            ],
+        };
+        vec![ends, self.points()]
     }
 
     /// Outline and curvature.
-    pub fn figure(&self) -> LineFigure {
+    fn figure(&self) -> LineFigure {
         let panel = |label: &str, value: fn(&ProfilePoint) -> Option<f64>| {
-            let series = self.profiles.iter().map(|(name, profile)| {
-                let drawn = profile.sampled(STEP).into_iter();
-                let (x, y) = drawn.filter_map(|point| Some((1e3 * point.x, value(&point)?))).unzip();
-                Series { label: name.clone(), x, y, ..Series::default() }
+            let series = self.profiles.iter().map(|outline| {
+                let drawn = outline.points.iter();
+                let (x, y) = drawn.filter_map(|point| Some((1e3 * point.x, value(point)?))).unzip();
+                Series { label: outline.name.clone(), x, y, ..Series::default() }
             });
             LinePanel {
                 x_label: "lateral x, field side positive [mm]".to_owned(),
@@ -116,5 +146,9 @@ impl OutlineAnswer {
             ],
             arrangement: Arrangement::Stacked,
         }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }

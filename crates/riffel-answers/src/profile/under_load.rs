@@ -1,7 +1,5 @@
 //! The contacts of a wheelset pressed on its track by their own profiles.
 
-use std::io::{self, Write};
-
 use riffel::profile::{ContactSurface, LoadedContact, WheelsetContact};
 use riffel::{ElasticMaterial, Rail};
 use riffel_case::CurvingCase;
@@ -9,30 +7,31 @@ use riffel_keys::{Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
-use crate::AnswerError;
+use super::{or_dash, side};
+use crate::{Answer, AnswerError, Column, Table};
 
-/// Both contacts of a wheelset under a normal force each, at lateral shifts.
+/// Both contacts of a wheelset under a normal force each, at lateral shifts: serialised, what
+/// `riffel profile CASE --wheelset --load P --json` prints.
+#[derive(Serialize)]
 pub struct UnderLoadAnswer {
-    normal_force: f64,
-    /// By lateral shift, the left contact and the right one.
-    contacts: Vec<(WheelsetContact, [Pressed; 2])>,
-    document: UnderLoadDocument,
-    /// What the reader should know.
+    normal_force_n: f64,
+    /// By lateral shift, left before right.
+    contacts: Vec<ContactDocument>,
+    /// The same under pressure, the left contact and the right one.
+    #[serde(skip)]
+    pressed: Vec<(WheelsetContact, [Pressed; 2])>,
+    /// Of the patches.
+    #[serde(skip)]
     pub remarks: Vec<Message>,
+    /// Of the case too.
+    #[serde(skip)]
+    all_remarks: Vec<Message>,
 }
 
 /// A contact on the contact plane and on the rail's own surface, which may have none where a profile ends.
 struct Pressed {
     flat: LoadedContact,
     conformal: Option<LoadedContact>,
-}
-
-/// What `riffel profile CASE --wheelset --load P --json` prints.
-#[derive(Serialize)]
-pub struct UnderLoadDocument {
-    normal_force_n: f64,
-    /// By lateral shift, left before right.
-    contacts: Vec<ContactDocument>,
 }
 
 /// One contact under load.
@@ -95,7 +94,7 @@ impl UnderLoadAnswer {
         let wheelset = case.wheelset_on_track()?;
         let steel: ElasticMaterial = case.steel()?;
         let refused = AnswerError::Profile;
-        let mut contacts = Vec::with_capacity(shifts.len());
+        let mut pressed = Vec::with_capacity(shifts.len());
         let mut rows = Vec::with_capacity(2 * shifts.len());
         for shift in shifts {
             let at = wheelset.contact(*shift, yaw).map_err(refused)?;
@@ -110,89 +109,71 @@ impl UnderLoadAnswer {
             for (rail, loaded) in RAILS.iter().zip(&loaded) {
                 rows.push(ContactDocument::new(&at, *rail, loaded)?);
             }
-            contacts.push((at, loaded));
+            pressed.push((at, loaded));
         }
+        let remarks: Vec<Message> = of_turn(&rows).into_iter().collect();
+        let of_case = case.remarks.iter().cloned().chain(case.remarks_of_profiles()?);
         Ok(Self {
-            normal_force,
-            remarks: of_turn(&rows).into_iter().collect(),
-            contacts,
-            document: UnderLoadDocument { normal_force_n: normal_force, contacts: rows },
+            normal_force_n: normal_force,
+            all_remarks: remarks.iter().cloned().chain(of_case).collect(),
+            remarks,
+            contacts: rows,
+            pressed,
         })
     }
 
-    /// What `riffel profile CASE --wheelset --load P --json` prints.
-    pub fn document(&self) -> &UnderLoadDocument {
-        &self.document
+    fn title(&self) -> Message {
+        say!(wheels_under_load, load = fixed(1e-3 * self.normal_force_n, 1))
     }
 
-    /// Heading and rows of a table, in mm and MPa.
-    pub fn table(&self) -> (Vec<&'static str>, Vec<Vec<String>>) {
-        let heading = vec![
-            "shift mm",
-            "rail",
-            "length mm",
-            "width mm",
-            "peak MPa",
-            "conformal MPa",
-            "Hertz MPa",
-            "approach µm",
-            "stiffness MN/m",
-        ];
-        let rows = self.document.contacts.iter().map(|row| {
-            vec![
-                format!("{:.1}", 1e3 * row.lateral_shift_m),
-                row.rail.to_owned(),
-                format!("{:.1}", 1e3 * row.length_m),
-                format!("{:.1}", 1e3 * row.width_m),
-                format!("{:.0}", 1e-6 * row.peak_pressure_pa),
-                megapascals(row.conformal.as_ref().map(|conformal| &conformal.patch)),
-                megapascals(row.hertz.as_ref()),
-                format!("{:.1}", 1e6 * row.approach_m),
-                format!("{:.0}", 1e-6 * row.stiffness_n_per_m),
-            ]
-        });
-        (heading, rows.collect())
+    /// In mm and MPa, for a reader.
+    fn patches(&self) -> Table {
+        let column = |head, digits: usize, of: &dyn Fn(&ContactDocument) -> Option<f64>| {
+            Column::shown(head, self.contacts.iter().map(|row| or_dash(of(row), digits)).collect())
+        };
+        let rails = self.contacts.iter().map(|row| side(row.rail));
+        let peak = |patch: &PatchDocument| 1e-6 * patch.peak_pressure_pa;
+        Table {
+            name: "patches",
+            columns: vec![
+                column(say!(shift_column), 1, &|row| Some(1e3 * row.lateral_shift_m)),
+                Column::shown(say!(rail_column), rails.collect()),
+                column(say!(length_in_millimetres_column), 1, &|row| Some(1e3 * row.length_m)),
+                column(say!(width_in_millimetres_column), 1, &|row| Some(1e3 * row.width_m)),
+                column(say!(peak_pressure_column), 0, &|row| Some(1e-6 * row.peak_pressure_pa)),
+                column(say!(conformal_pressure_column), 0, &|row| Some(peak(&row.conformal.as_ref()?.patch))),
+                column(say!(hertz_pressure_column), 0, &|row| row.hertz.as_ref().map(peak)),
+                column(say!(approach_column), 1, &|row| Some(1e6 * row.approach_m)),
+                column(say!(stiffness_column), 0, &|row| Some(1e-6 * row.stiffness_n_per_m)),
+            ],
+        }
     }
 
     /// Elements under pressure, in SI: shift, rail, place in the contact plane, pressure.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["lateral_shift_m", "rail", "x_m", "y_m", "pressure_pa"])?;
-        for (at, loaded) in &self.contacts {
-            for (rail, loaded) in RAILS.iter().zip(loaded) {
-                for ((x, y), pressure) in loaded.flat.under_pressure() {
-                    writer.serialize((at.lateral_shift, rail.name(), x, y, pressure))?;
-                }
-            }
-        }
-        writer.flush()
-    }
-
-    /// Pressure and outline of both patches at one shift, or peak pressure and stiffness over several.
-    pub fn figure(&self) -> LineFigure {
-        let panels = match &self.contacts[..] {
-            [(_, loaded)] => {
-                let rails = RAILS.iter().zip(loaded);
-                rails.flat_map(|(rail, loaded)| of_patch(*rail, loaded)).collect()
-            }
-            _ => self.over_shifts(),
-        };
-        LineFigure {
-            title: format!("Wheels under {:.1} kN each", 1e-3 * self.normal_force),
-            caption: "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y along its arc), the fast patch \
-                      of Kik and Piotrowski, and Hertz with the curvatures where the profiles first touch; y across, to the right."
-                .to_owned(),
-            panels,
-            arrangement: Arrangement::SideBySide,
+    fn elements(&self) -> Table {
+        type Element = (f64, Rail, (f64, f64), f64);
+        let elements: Vec<Element> = (self.pressed.iter())
+            .flat_map(|(at, loaded)| RAILS.iter().zip(loaded).map(|(rail, loaded)| (at.lateral_shift, *rail, loaded)))
+            .flat_map(|(shift, rail, loaded)| {
+                loaded.flat.under_pressure().map(move |(place, pressure)| (shift, rail, place, pressure))
+            })
+            .collect();
+        let column = |name: &str, of: fn(&Element) -> f64| Column::exact(name, elements.iter().map(of));
+        Table {
+            name: "contact",
+            columns: vec![
+                column("lateral_shift_m", |element| element.0),
+                Column::names("rail", elements.iter().map(|element| element.1.name())),
+                column("x_m", |element| element.2.0),
+                column("y_m", |element| element.2.1),
+                column("pressure_pa", |element| element.3),
+            ],
         }
     }
 
     fn over_shifts(&self) -> Vec<LinePanel> {
         let of = |label: &str, style, rail: Rail, value: &dyn Fn(&ContactDocument) -> f64| {
-            let rows = self.document.contacts.iter();
+            let rows = self.contacts.iter();
             let (x, y) =
                 rows.filter(|row| row.rail == rail.name()).map(|row| (1e3 * row.lateral_shift_m, value(row))).unzip();
             Series { label: format!("{label}{}", rail.name()), x, y, style, color: None }
@@ -218,6 +199,41 @@ impl UnderLoadAnswer {
             panel("peak pressure [MPa]", peaks.into_iter().flatten().collect()),
             panel("contact stiffness [MN/m]", stiffness.into()),
         ]
+    }
+}
+
+impl Answer for UnderLoadAnswer {
+    const NAME: &'static str = "contact";
+
+    fn introduction(&self) -> Vec<Message> {
+        vec![self.title()]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.patches(), self.elements()]
+    }
+
+    /// Pressure and outline of both patches at one shift, or peak pressure and stiffness over several.
+    fn figure(&self) -> LineFigure {
+        let panels = match &self.pressed[..] {
+            [(_, loaded)] => {
+                let rails = RAILS.iter().zip(loaded);
+                rails.flat_map(|(rail, loaded)| of_patch(*rail, loaded)).collect()
+            }
+            _ => self.over_shifts(),
+        };
+        LineFigure {
+            title: self.title().to_string(),
+            caption: "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y along its arc), the fast patch \
+                      of Kik and Piotrowski, and Hertz with the curvatures where the profiles first touch; y across, to the right."
+                .to_owned(),
+            panels,
+            arrangement: Arrangement::SideBySide,
+        }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.all_remarks
     }
 }
 
@@ -279,11 +295,6 @@ impl ConformalDocument {
             stiffness_n_per_m: loaded.stiffness()?,
         })
     }
-}
-
-/// Peak pressure of a patch for a table.
-fn megapascals(patch: Option<&PatchDocument>) -> String {
-    patch.map_or("–".to_owned(), |patch| format!("{:.0}", 1e-6 * patch.peak_pressure_pa))
 }
 
 /// y across \[m\], largest pressure \[Pa\] and ends along \[m\] of each row of elements, by increasing y.

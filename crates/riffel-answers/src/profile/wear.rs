@@ -1,6 +1,5 @@
 //! Wear of profiles against a nominal one.
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use riffel::profile::{Profile, ProfileAlignment, ProfileError, ProfileWear, RailWear, WheelDimensions, WornPoint};
@@ -8,7 +7,10 @@ use riffel_case::file::{Inclination, ProfileKind};
 use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
+
+use super::or_dash;
+use crate::{Answer, Column, Table};
 
 /// How wear is found.
 #[derive(Debug, Clone, Copy)]
@@ -37,72 +39,25 @@ impl Default for WearSettings {
     }
 }
 
-/// Profiles beside a nominal one.
+/// Profiles beside a nominal one: serialised, what `riffel profile FILE… --against NAME --json` prints.
+#[derive(Serialize)]
 pub struct WearAnswer {
+    #[serde(rename = "nominal")]
     nominal_name: String,
-    nominal: Profile,
+    #[serde(serialize_with = "kind_name")]
     kind: ProfileKind,
+    #[serde(serialize_with = "name_of")]
     alignment: ProfileAlignment,
-    gauge_height: f64,
-    worn: Vec<Worn>,
+    profiles: Vec<Worn>,
     /// Of files, and of what is laid on what.
-    pub remarks: Vec<Message>,
+    remarks: Vec<Message>,
+    #[serde(skip)]
+    nominal: Profile,
 }
 
 /// One of them.
-pub struct Worn {
-    /// File.
-    pub name: String,
-    /// Depths and area.
-    pub wear: ProfileWear,
-    /// The numbers by which it is judged.
-    pub measures: Measures,
-}
-
-/// The numbers by which wheels and rails are judged.
-pub enum Measures {
-    /// Of a wheel: its dimensions, those of the nominal one and how much the tread has lost \[m\].
-    Wheel {
-        /// As it is.
-        measured: WheelDimensions,
-        /// As it was.
-        nominal: WheelDimensions,
-    },
-    /// Of a rail.
-    Rail(RailWear),
-}
-
-impl Measures {
-    /// Which of them are not told, for nothing is measured where they are taken.
-    fn not_measured(&self, name: &str) -> Option<Message> {
-        let all = match self {
-            Self::Wheel { measured, .. } => {
-                [("Sh", measured.flange_height), ("Sd", measured.flange_thickness), ("qR", measured.flange_gradient)]
-            }
-            Self::Rail(rail) => [("W1", rail.vertical), ("W2", rail.lateral), ("W3", rail.diagonal)],
-        };
-        let silent = all.iter().filter(|(_, value)| value.is_none());
-        let silent: Vec<Value> = silent.map(|(measure, _)| (*measure).into()).collect();
-        let count = silent.len();
-        (count > 0).then(|| {
-            let measures = Value::List(silent);
-            say!(measures_not_measured, name = name, measures = measures, count = count)
-        })
-    }
-}
-
-/// What `riffel profile FILE… --against NAME --json` prints.
 #[derive(Serialize)]
-pub struct WearDocument {
-    nominal: String,
-    kind: &'static str,
-    alignment: &'static str,
-    profiles: Vec<WornDocument>,
-    remarks: Vec<Message>,
-}
-
-#[derive(Serialize)]
-struct WornDocument {
+struct Worn {
     name: String,
     shift_x_m: f64,
     shift_height_m: f64,
@@ -111,15 +66,19 @@ struct WornDocument {
     greatest_depth_m: Option<f64>,
     greatest_depth_x_m: Option<f64>,
     #[serde(flatten)]
-    measures: MeasuresDocument,
+    measures: Measures,
     x_m: Vec<f64>,
     height_m: Vec<f64>,
     depth_m: Vec<Option<f64>>,
+    #[serde(skip)]
+    measured: Profile,
 }
 
+/// The numbers by which wheels and rails are judged.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum MeasuresDocument {
+enum Measures {
+    /// Dimensions of a wheel, those of the nominal one and how much the tread has lost.
     Wheel {
         flange_height_m: Option<f64>,
         flange_thickness_m: Option<f64>,
@@ -135,6 +94,80 @@ enum MeasuresDocument {
         w3_m: Option<f64>,
         gauge_height_m: f64,
     },
+}
+
+fn kind_name<S: Serializer>(kind: &ProfileKind, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(kind.name())
+}
+
+fn name_of<S: Serializer>(alignment: &ProfileAlignment, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(alignment_name(*alignment))
+}
+
+impl Measures {
+    fn of_wheel(measured: &WheelDimensions, nominal: &WheelDimensions) -> Self {
+        Self::Wheel {
+            flange_height_m: measured.flange_height,
+            flange_thickness_m: measured.flange_thickness,
+            flange_gradient_m: measured.flange_gradient,
+            nominal_flange_height_m: nominal.flange_height,
+            nominal_flange_thickness_m: nominal.flange_thickness,
+            nominal_flange_gradient_m: nominal.flange_gradient,
+            tread_wear_m: measured.tread_wear(nominal),
+        }
+    }
+
+    fn of_rail(rail: &RailWear, gauge_height_m: f64) -> Self {
+        Self::Rail { w1_m: rail.vertical, w2_m: rail.lateral, w3_m: rail.diagonal, gauge_height_m }
+    }
+
+    /// Which of them are not told, for nothing is measured where they are taken.
+    fn not_measured(&self, name: &str) -> Option<Message> {
+        let all = match self {
+            Self::Wheel { flange_height_m, flange_thickness_m, flange_gradient_m, .. } => {
+                [("Sh", flange_height_m), ("Sd", flange_thickness_m), ("qR", flange_gradient_m)]
+            }
+            Self::Rail { w1_m, w2_m, w3_m, .. } => [("W1", w1_m), ("W2", w2_m), ("W3", w3_m)],
+        };
+        let silent = all.iter().filter(|(_, value)| value.is_none());
+        let silent: Vec<Value> = silent.map(|(measure, _)| (*measure).into()).collect();
+        let count = silent.len();
+        (count > 0).then(|| {
+            let measures = Value::List(silent);
+            say!(measures_not_measured, name = name, measures = measures, count = count)
+        })
+    }
+
+    /// Those that a reader sees, in the order of the columns.
+    fn shown(&self) -> Vec<Option<f64>> {
+        match *self {
+            Self::Wheel { tread_wear_m, flange_height_m, flange_thickness_m, flange_gradient_m, .. } => {
+                vec![tread_wear_m, flange_height_m, flange_thickness_m, flange_gradient_m]
+            }
+            Self::Rail { w1_m, w2_m, w3_m, .. } => vec![w1_m, w2_m, w3_m],
+        }
+    }
+}
+
+impl Worn {
+    fn new(name: String, wear: ProfileWear, measures: Measures) -> Self {
+        let of = |value: fn(&WornPoint) -> f64| wear.points.iter().map(value).collect();
+        let deepest = wear.deepest();
+        Self {
+            shift_x_m: wear.shift[0],
+            shift_height_m: wear.shift[1],
+            misfit_m: wear.misfit,
+            area_m2: wear.area,
+            greatest_depth_m: deepest.map(|(_, depth)| depth),
+            greatest_depth_x_m: deepest.map(|(place, _)| place.x),
+            x_m: of(|point| point.nominal.x),
+            height_m: of(|point| point.nominal.height),
+            depth_m: wear.points.iter().map(|point| point.depth).collect(),
+            measured: wear.measured,
+            name,
+            measures,
+        }
+    }
 }
 
 /// The name of an alignment on the command line and in Python.
@@ -201,118 +234,92 @@ impl WearAnswer {
             let wear = ProfileWear::new(&read.profile, &nominal, is_wheel, alignment).map_err(refuse)?;
             let back = settings.flange_back_position;
             let measures = match is_wheel {
-                true => Measures::Wheel {
-                    measured: WheelDimensions::new(&wear.measured, back).map_err(refuse)?,
-                    nominal: WheelDimensions::new(&nominal, back).map_err(refuse)?,
-                },
-                false => Measures::Rail(RailWear::new(&wear, &nominal, settings.gauge_height)),
+                true => Measures::of_wheel(
+                    &WheelDimensions::new(&wear.measured, back).map_err(refuse)?,
+                    &WheelDimensions::new(&nominal, back).map_err(refuse)?,
+                ),
+                false => {
+                    let rail = RailWear::new(&wear, &nominal, settings.gauge_height);
+                    Measures::of_rail(&rail, settings.gauge_height)
+                }
             };
             remarks.extend(of_misfit(&name, &wear));
             remarks.extend(measures.not_measured(&name));
-            worn.push(Worn { name, wear, measures });
+            worn.push(Worn::new(name, wear, measures));
         }
-        Ok(Self {
-            nominal_name: nominal_name.to_owned(),
-            nominal,
-            kind,
-            alignment,
-            gauge_height: settings.gauge_height,
-            worn,
-            remarks,
-        })
+        Ok(Self { nominal_name: nominal_name.to_owned(), nominal, kind, alignment, profiles: worn, remarks })
     }
 
-    /// The profiles.
-    pub fn worn(&self) -> &[Worn] {
-        &self.worn
-    }
-
-    /// Wheels or rails.
-    pub fn kind(&self) -> ProfileKind {
-        self.kind
-    }
-
-    /// By what they lie on the nominal profile, in words.
-    pub fn in_words(&self) -> String {
+    /// By what they lie on the nominal profile.
+    fn title(&self) -> Message {
         let nominal = &self.nominal_name;
         match self.alignment {
-            ProfileAlignment::AsWritten => format!("against {nominal}, as the coordinates are"),
-            ProfileAlignment::Flange => format!(
-                "against {nominal}, laid by the flange back across the track and by the tip of the flange upward"
-            ),
-            ProfileAlignment::FieldSide => {
-                format!("against {nominal}, laid by the field side, where it is steeper than 20°")
-            }
+            ProfileAlignment::AsWritten => say!(wear_as_written, nominal = nominal),
+            ProfileAlignment::Flange => say!(wear_laid_by_flange, nominal = nominal),
+            ProfileAlignment::FieldSide => say!(wear_laid_by_field_side, nominal = nominal),
         }
     }
 
-    /// What `riffel profile FILE… --against NAME --json` prints.
-    pub fn document(&self) -> WearDocument {
-        let profiles = self.worn.iter().map(|worn| {
-            let wear = &worn.wear;
-            let of = |value: fn(&WornPoint) -> f64| wear.points.iter().map(value).collect();
-            let deepest = wear.deepest();
-            WornDocument {
-                name: worn.name.clone(),
-                shift_x_m: wear.shift[0],
-                shift_height_m: wear.shift[1],
-                misfit_m: wear.misfit,
-                area_m2: wear.area,
-                greatest_depth_m: deepest.map(|(_, depth)| depth),
-                greatest_depth_x_m: deepest.map(|(place, _)| place.x),
-                measures: match &worn.measures {
-                    Measures::Wheel { measured, nominal } => MeasuresDocument::Wheel {
-                        flange_height_m: measured.flange_height,
-                        flange_thickness_m: measured.flange_thickness,
-                        flange_gradient_m: measured.flange_gradient,
-                        nominal_flange_height_m: nominal.flange_height,
-                        nominal_flange_thickness_m: nominal.flange_thickness,
-                        nominal_flange_gradient_m: nominal.flange_gradient,
-                        tread_wear_m: measured.tread_wear(nominal),
-                    },
-                    Measures::Rail(rail) => MeasuresDocument::Rail {
-                        w1_m: rail.vertical,
-                        w2_m: rail.lateral,
-                        w3_m: rail.diagonal,
-                        gauge_height_m: self.gauge_height,
-                    },
-                },
-                x_m: of(|point| point.nominal.x),
-                height_m: of(|point| point.nominal.height),
-                depth_m: wear.points.iter().map(|point| point.depth).collect(),
-            }
+    /// In mm, for a reader.
+    fn measures(&self) -> Table {
+        let worn = self.profiles.iter();
+        let name = match self.kind {
+            ProfileKind::Wheel => say!(wheel_column),
+            ProfileKind::Rail => say!(rail_column),
+        };
+        let heads = match self.kind {
+            ProfileKind::Wheel => vec![
+                say!(tread_wear_column),
+                say!(flange_height_column),
+                say!(flange_thickness_column),
+                Message::verbatim("qR mm"),
+            ],
+            ProfileKind::Rail => vec![say!(w1_column), say!(w2_column), say!(w3_column)],
+        };
+        let millimetres = |length: Option<f64>| or_dash(length.map(|length| 1e3 * length), 2);
+        let measures = heads.into_iter().enumerate().map(|(index, head)| {
+            Column::shown(head, worn.clone().map(|worn| millimetres(worn.measures.shown()[index])).collect())
         });
-        WearDocument {
-            nominal: self.nominal_name.clone(),
-            kind: self.kind.name(),
-            alignment: alignment_name(self.alignment),
-            profiles: profiles.collect(),
-            remarks: self.remarks.clone(),
-        }
+        let names = Column::shown(name, worn.clone().map(|worn| Message::verbatim(&worn.name)).collect());
+        let deepest = worn.clone().map(|worn| millimetres(worn.greatest_depth_m));
+        let areas = worn.clone().map(|worn| or_dash(Some(1e6 * worn.area_m2), 1));
+        let after =
+            [Column::shown(say!(deepest_column), deepest.collect()), Column::shown(say!(area_column), areas.collect())];
+        Table { name: "measures", columns: [names].into_iter().chain(measures).chain(after).collect() }
     }
 
     /// One row for each point of the nominal profile, in mm; depths that are not measured are empty.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["profile", "nominal_x_mm", "nominal_y_mm", "depth_mm"])?;
-        for worn in &self.worn {
-            for point in &worn.wear.points {
-                writer.serialize((
-                    &worn.name,
-                    1e3 * point.nominal.x,
-                    1e3 * point.nominal.height,
-                    point.depth.map(|depth| 1e3 * depth),
-                ))?;
-            }
+    fn depths(&self) -> Table {
+        let worn = || self.profiles.iter();
+        let names = worn().flat_map(|worn| worn.x_m.iter().map(|_| &worn.name));
+        let millimetres =
+            |name: &str, of: fn(&Worn) -> &[f64]| Column::exact(name, worn().flat_map(of).map(|length| 1e3 * length));
+        let depths = worn().flat_map(|worn| &worn.depth_m).map(|depth| Some(1e3 * (*depth)?));
+        Table {
+            name: "wear",
+            columns: vec![
+                Column::names("profile", names),
+                millimetres("nominal_x_mm", |worn| &worn.x_m),
+                millimetres("nominal_y_mm", |worn| &worn.height_m),
+                Column::exact("depth_mm", depths),
+            ],
         }
-        writer.flush()
+    }
+}
+
+impl Answer for WearAnswer {
+    const NAME: &'static str = "wear";
+
+    fn introduction(&self) -> Vec<Message> {
+        vec![self.title()]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.measures(), self.depths()]
     }
 
     /// Outlines on the nominal one, and depth over the place across the track.
-    pub fn figure(&self) -> LineFigure {
+    fn figure(&self) -> LineFigure {
         /// Distance of the points that are drawn \[m\].
         const STEP: f64 = 2.5e-4;
         let outline = |label: &str, profile: &Profile, style: LineStyle| {
@@ -321,14 +328,10 @@ impl WearAnswer {
         };
         let mut outlines = vec![outline(&self.nominal_name, &self.nominal, LineStyle::Dashed)];
         let mut depths = Vec::new();
-        for worn in &self.worn {
-            outlines.push(outline(&worn.name, &worn.wear.measured, LineStyle::Solid));
-            let (x, y) = worn
-                .wear
-                .points
-                .iter()
-                .map(|point| (1e3 * point.nominal.x, point.depth.map_or(f64::NAN, |depth| 1e3 * depth)))
-                .unzip();
+        for worn in &self.profiles {
+            outlines.push(outline(&worn.name, &worn.measured, LineStyle::Solid));
+            let x = worn.x_m.iter().map(|x| 1e3 * x).collect();
+            let y = worn.depth_m.iter().map(|depth| depth.map_or(f64::NAN, |depth| 1e3 * depth)).collect();
             depths.push(Series { label: worn.name.clone(), x, y, ..Series::default() });
         }
         // The colours of the outlines, of which the nominal one has the first.
@@ -342,12 +345,16 @@ impl WearAnswer {
             ..LinePanel::default()
         };
         LineFigure {
-            title: format!("Wear {}", self.in_words()),
+            title: self.title().to_string(),
             caption: "Depth is measured across the nominal profile into the metal; above zero metal is missing."
                 .to_owned(),
             panels: vec![panel("height [mm]", outlines), panel("depth [mm]", depths)],
             arrangement: Arrangement::Stacked,
         }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }
 

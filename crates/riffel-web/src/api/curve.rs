@@ -3,7 +3,7 @@
 use axum::extract::State;
 use riffel::profile::NominalProfile;
 use riffel_answers::curve::CurveAnswer;
-use riffel_answers::profile::{OutlineAnswer, OutlineDocument};
+use riffel_answers::profile::OutlineAnswer;
 use riffel_case::file::ProfileOrientation;
 use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
 use riffel_keys::text_file::with_texts;
@@ -51,7 +51,7 @@ struct ProfileText {
 
 #[derive(Serialize)]
 pub(crate) struct Answer {
-    outlines: OutlineDocument,
+    outlines: OutlineAnswer,
     curve: InCurve,
     remarks: Vec<Message>,
 }
@@ -108,7 +108,7 @@ impl Question {
             Ok(answer) => InCurve::Found(Box::new(answer)),
             Err(error) => InCurve::Refused { fault: error.into() },
         };
-        Ok(Told(Answer { outlines: outlines.document(), curve, remarks: outlines.remarks }))
+        Ok(Told(Answer { curve, remarks: outlines.remarks.clone(), outlines }))
     }
 
     /// What the readers are given for each profile: the nominal name, or that of the text, which is no other's.
