@@ -56,8 +56,8 @@ impl crate::Question for Question {
         let state = case.point(wavelength, speed)?;
         let profile = Sinusoid { wavelength, amplitude };
         let request = SinusoidRequest::new(speed, profile, None).map_err(refused)?;
-        let answer = SinusoidAnswer::new(&case, request).map_err(refused)?;
-        let course = answer.course();
+        let mut answer = SinusoidAnswer::new(&case, request).map_err(refused)?;
+        let course = answer.courses.remove(0);
         // Oscillations are those of the amplitude of the case, with the profile real at x = 0.
         let share = amplitude / case.feedback.amplitude();
         let linear = |mean: f64, oscillation: riffel::Complex64| {
@@ -73,7 +73,7 @@ impl crate::Question for Question {
                 normal_force_n: linear(static_normal_force, state.normal_force()),
                 dissipation_j_per_m: linear(state.mean_dissipation / speed, state.dissipation / speed),
             },
-            contact_loss_fraction: answer.settled.contact_loss,
+            contact_loss_fraction: answer.contact_loss_fraction,
             static_normal_force_n: static_normal_force,
             remarks: answer.remarks,
             course,

@@ -44,7 +44,7 @@ impl GivenSurface<'_> {
 }
 
 /// One array for each quantity of a course, or of several contacts by rows.
-fn arrays<'py>(py: Python<'py>, courses: Vec<Course>) -> PyResult<Bound<'py, PyDict>> {
+fn arrays<'py>(py: Python<'py>, courses: &[&Course]) -> PyResult<Bound<'py, PyDict>> {
     let arrays = PyDict::new(py);
     let several = courses.len() > 1;
     let Some(first) = courses.first() else {
@@ -64,7 +64,7 @@ fn arrays<'py>(py: Python<'py>, courses: Vec<Course>) -> PyResult<Bound<'py, PyD
         ("approach", |course| Some(&course.approach_m)),
     ];
     for (name, column) in columns {
-        let rows: Vec<Vec<f64>> = courses.iter().filter_map(column).cloned().collect();
+        let rows: Vec<Vec<f64>> = courses.iter().filter_map(|course| column(course)).cloned().collect();
         match rows.as_slice() {
             [] => {}
             [row] if !several => arrays.set_item(name, row.clone().into_pyarray(py))?,
@@ -90,7 +90,7 @@ pub(crate) fn simulate<'py>(
     transient: bool,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
     let told = PyDict::new(py);
-    let courses: Vec<Course> = match surface.rail()? {
+    let courses = match surface.rail()? {
         Rail::Sinusoid(profile) => {
             let request = SinusoidRequest {
                 contact_filter,
@@ -99,20 +99,18 @@ pub(crate) fn simulate<'py>(
             };
             let answer = case.compute(py, move |case| SinusoidAnswer::new(case, request))?;
             let answer = answer.map_err(of_answer)?;
-            let [least, largest] = answer.settled.normal_force;
-            let found = answer.document();
             if answer.contacts.len() > 1 {
-                told.set_item("contacts", document(py, &found.contacts)?)?;
+                told.set_item("contacts", document(py, &answer.contacts)?)?;
             }
-            told.set_item("harmonics", document(py, &found.harmonics)?)?;
-            if let Some(energy) = found.energy_at_rail_j_per_m {
+            told.set_item("harmonics", document(py, &answer.harmonics)?)?;
+            if let Some(energy) = answer.energy_at_rail_j_per_m {
                 told.set_item("energy_at_rail", energy)?;
             }
-            told.set_item("contact_loss_fraction", answer.settled.contact_loss)?;
-            told.set_item("minimum_normal_force", least)?;
-            told.set_item("maximum_normal_force", largest)?;
+            told.set_item("contact_loss_fraction", answer.contact_loss_fraction)?;
+            told.set_item("minimum_normal_force", answer.minimum_normal_force_n)?;
+            told.set_item("maximum_normal_force", answer.maximum_normal_force_n)?;
             told.set_item("remarks", words(&answer.remarks))?;
-            answer.courses()
+            arrays(py, &answer.courses.iter().collect::<Vec<_>>())?
         }
         Rail::Profile(profile) => {
             let request = PassageRequest {
@@ -123,22 +121,20 @@ pub(crate) fn simulate<'py>(
             };
             let answer = case.compute(py, move |case| PassageAnswer::new(case, request))?;
             let answer = answer.map_err(of_answer)?;
-            let [least, largest] = answer.passage.normal_force;
-            told.set_item("step", answer.passage.step)?;
-            told.set_item("run_in", answer.passage.run_in)?;
-            told.set_item("contact_loss_fraction", answer.passage.contact_loss)?;
-            told.set_item("minimum_normal_force", least)?;
-            told.set_item("maximum_normal_force", largest)?;
+            told.set_item("step", answer.step_m)?;
+            told.set_item("run_in", answer.run_in_m)?;
+            told.set_item("contact_loss_fraction", answer.contact_loss_fraction)?;
+            told.set_item("minimum_normal_force", answer.minimum_normal_force_n)?;
+            told.set_item("maximum_normal_force", answer.maximum_normal_force_n)?;
             told.set_item("remarks", words(&answer.remarks))?;
             if answer.contacts.len() > 1 {
-                let names: Vec<_> = answer.contacts.iter().map(|(name, _)| name).collect();
-                told.set_item("contacts", document(py, &names)?)?;
+                told.set_item("contacts", document(py, &answer.contacts)?)?;
             }
-            let others = answer.other_courses().into_iter().map(|other| other.course);
-            std::iter::once(answer.course()).chain(others).collect()
+            let others = answer.other_contacts.iter().map(|other| &other.course);
+            arrays(py, &[&answer.course].into_iter().chain(others).collect::<Vec<_>>())?
         }
     };
-    Ok((arrays(py, courses)?, told))
+    Ok((courses, told))
 }
 
 /// What becomes of a push on a smooth rail: the end of the course of every contact by name, and the document of the program without it.
@@ -151,8 +147,8 @@ pub(crate) fn on_smooth_rail<'py>(
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyAny>, Vec<String>)> {
     let answer = case.compute(py, move |case| SmoothRailAnswer::new(case, speed, step))?;
     let answer = answer.map_err(of_answer)?;
-    let found = document(py, &answer.document())?;
-    Ok((arrays(py, answer.courses())?, found, words(&answer.remarks)))
+    let courses = arrays(py, &answer.courses().collect::<Vec<_>>())?;
+    Ok((courses, document(py, &answer)?, words(&answer.remarks)))
 }
 
 /// What `riffel simulate --passages --json` prints; passages of the profiles that are kept, their heights \[m\] and spacing
@@ -194,7 +190,7 @@ pub(crate) fn evolve<'py>(
             break answer;
         }
     };
-    let document = document(py, &answer.document())?;
+    let document = document(py, &answer)?;
     let stages = answer.profiles.iter().map(|profile| profile.passages);
     let stages: Vec<u64> = stages.collect();
     let count = answer.profiles[0].heights_m.len();

@@ -1,15 +1,16 @@
 //! A wheel along a measured profile.
 
 use riffel::contact::ContactFilter;
-use riffel::passage::{ContactInstant, Passage, PassageModel};
+use riffel::passage::ContactInstant;
 use riffel::roughness::Profile;
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure};
+use serde::Serialize;
 
-use super::{ContactCourseDocument, Course, PassageDocument, remarks};
-use crate::AnswerError;
+use super::{Course, file_of, force_in_words, remarks};
 use crate::parameters::parameters_on_rail;
+use crate::{Answer, AnswerError, ResultFile, Table};
 
 /// A profile to roll over.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,19 +30,53 @@ impl PassageRequest {
     pub const USUAL_STEP: f64 = 5e-4;
 }
 
-/// One passage of a case along a profile.
+/// One passage of a case along a profile: serialised, what `riffel simulate --profile --json` prints.
+#[derive(Serialize)]
 pub struct PassageAnswer {
-    /// What was asked.
-    pub request: PassageRequest,
-    /// The passage.
-    pub passage: Passage,
-    /// The model, of which the answer is.
-    pub model: PassageModel,
-    /// Names of all contacts of a loop on all axes, and how far each is ahead of the first wheel \[m\], below zero behind it; none of
-    /// one wheel and one axis.
-    pub contacts: Vec<(ContactName, f64)>,
-    /// What the reader should know.
+    speed_m_per_s: f64,
+    /// Step of the march.
+    pub step_m: f64,
+    /// Run-in before the profile.
+    pub run_in_m: f64,
+    mean_dissipation_j_per_m: f64,
+    mean_creepage: f64,
+    /// Share of the time without contact.
+    pub contact_loss_fraction: f64,
+    /// Least normal force at any step.
+    pub minimum_normal_force_n: f64,
+    /// Largest normal force at any step.
+    pub maximum_normal_force_n: f64,
+    /// Mean square of the relative error of the track in time.
+    track_share_cut: f64,
+    /// The first contact, height by height.
+    #[serde(flatten)]
+    pub course: Course,
+    /// All others of a loop on all axes, each at its own places.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub other_contacts: Vec<ContactCourse>,
+    /// Names of all contacts of a loop on all axes; none of one wheel and one axis.
+    #[serde(skip)]
+    pub contacts: Vec<ContactName>,
+    /// What the reader should know of the passage.
+    #[serde(skip)]
     pub remarks: Vec<Message>,
+    /// And of the case.
+    #[serde(skip)]
+    all_remarks: Vec<Message>,
+    #[serde(skip)]
+    profile: Profile,
+    #[serde(skip)]
+    case: Case,
+}
+
+/// One of several contacts place by place.
+#[derive(Serialize)]
+pub struct ContactCourse {
+    #[serde(flatten)]
+    name: ContactName,
+    /// Place by place.
+    #[serde(flatten)]
+    pub course: Course,
 }
 
 impl PassageAnswer {
@@ -57,76 +92,106 @@ impl PassageAnswer {
         let mut model = case.in_time(request.speed)?;
         model.contact_filter = request.contact_filter.then(|| ContactFilter::of(&case.hertz));
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
-        Ok(Self {
-            remarks: remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model)).collect(),
-            contacts: case
-                .contact_names()
-                .into_iter()
-                .zip(case.feedback.contacts().iter().map(|contact| contact.along))
-                .collect(),
-            request,
-            passage,
-            model,
-        })
-    }
-
-    /// The passage as data: what `riffel simulate --profile --json` prints.
-    pub fn document(&self) -> PassageDocument {
-        let [least, largest] = self.passage.normal_force;
-        let course = self.course();
+        let contacts = case.contact_names();
+        let on_all_axes = !contacts.is_empty();
+        let remarks: Vec<Message> = remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model)).collect();
+        let course = course(profile, &passage.contacts, 0.0, on_all_axes);
+        let along = case.feedback.contacts().iter().map(|contact| contact.along);
+        let others = contacts.iter().zip(along).skip(1).zip(&passage.others);
+        let others = others.map(|((name, along), contacts)| ContactCourse {
+            name: *name,
+            course: self::course(profile, contacts, along, on_all_axes),
+        });
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        PassageDocument {
-            speed_m_per_s: self.request.speed,
-            step_m: self.passage.step,
-            run_in_m: self.passage.run_in,
+        let [least, largest] = passage.normal_force;
+        Ok(Self {
+            speed_m_per_s: request.speed,
+            step_m: passage.step,
+            run_in_m: passage.run_in,
             mean_dissipation_j_per_m: mean(&course.dissipation_j_per_m),
             mean_creepage: mean(&course.creepage),
-            contact_loss_fraction: self.passage.contact_loss,
+            contact_loss_fraction: passage.contact_loss,
             minimum_normal_force_n: least,
             maximum_normal_force_n: largest,
-            track_share_cut: self.model.structures.share_cut(),
+            track_share_cut: model.structures.share_cut(),
+            other_contacts: others.collect(),
             course,
-            other_contacts: self.other_courses(),
-        }
-    }
-
-    /// The passage of the first contact, height by height.
-    pub fn course(&self) -> Course {
-        self.course_of(&self.passage.contacts, 0.0)
-    }
-
-    /// That of all others, each at its own places.
-    pub fn other_courses(&self) -> Vec<ContactCourseDocument> {
-        let others = self.contacts.iter().skip(1).zip(&self.passage.others);
-        let others = others
-            .map(|(&(name, along), contacts)| ContactCourseDocument { name, course: self.course_of(contacts, along) });
-        others.collect()
-    }
-
-    fn course_of(&self, contacts: &[ContactInstant], along: f64) -> Course {
-        let profile = &self.request.profile;
-        let (spacing, heights) = (profile.spacing(), profile.heights());
-        let place = |index: usize| profile.position(index) + along;
-        let height = |index: usize| {
-            let nearest = (index as f64 + along / spacing).round();
-            heights[(nearest.max(0.0) as usize).min(heights.len() - 1)]
-        };
-        Course::new(
-            (0..heights.len()).map(place).collect(),
-            (0..heights.len()).map(height).collect(),
+            all_remarks: case.remarks_at(request.speed).iter().chain(&remarks).cloned().collect(),
+            remarks,
             contacts,
-            !self.contacts.is_empty(),
-        )
+            profile: request.profile,
+            case: case.clone(),
+        })
+    }
+}
+
+/// What a contact does at the heights of a profile, so far \[m\] ahead of the first wheel.
+fn course(profile: &Profile, contacts: &[ContactInstant], along: f64, on_all_axes: bool) -> Course {
+    let (spacing, heights) = (profile.spacing(), profile.heights());
+    let place = |index: usize| profile.position(index) + along;
+    let height = |index: usize| {
+        let nearest = (index as f64 + along / spacing).round();
+        heights[(nearest.max(0.0) as usize).min(heights.len() - 1)]
+    };
+    Course::new(
+        (0..heights.len()).map(place).collect(),
+        (0..heights.len()).map(height).collect(),
+        contacts,
+        on_all_axes,
+    )
+}
+
+impl Answer for PassageAnswer {
+    const NAME: &'static str = "passage";
+    const DOCUMENT: &'static str = "passage.json";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.case.file.title.clone();
+        let force = [self.minimum_normal_force_n, self.maximum_normal_force_n];
+        vec![
+            title.map_or_else(|| say!(wheel_along_a_profile), Message::verbatim),
+            say!(
+                length_of_passage,
+                length = fixed(self.profile.length(), 2),
+                start = fixed(self.profile.start(), 3),
+                speed = fixed(3.6 * self.speed_m_per_s, 1),
+                run_in = fixed(self.run_in_m, 2),
+                step = fixed(1e3 * self.step_m, 3)
+            ),
+            force_in_words(force, self.contact_loss_fraction),
+            say!(
+                means_of_passage,
+                creepage = fixed(100.0 * self.mean_creepage, 4),
+                dissipation = fixed(self.mean_dissipation_j_per_m, 4)
+            ),
+        ]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.course.table(Self::NAME)]
     }
 
     /// The passage as strips.
-    pub fn figure(&self, case: &Case) -> LineFigure {
+    fn figure(&self) -> LineFigure {
         LineFigure {
-            title: format!("A passage at {:.1} km/h", 3.6 * self.request.speed),
-            caption: format!("Wheel centre at x. {}", parameters_on_rail(case)),
-            panels: self.course().panels(),
+            title: format!("A passage at {:.1} km/h", 3.6 * self.speed_m_per_s),
+            caption: format!("Wheel centre at x. {}", parameters_on_rail(&self.case)),
+            panels: self.course.panels(),
             arrangement: Arrangement::Strips,
         }
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let figure = self.figure();
+        let grid = self.course.grid(figure.title.clone());
+        let own = ResultFile::Lines(Self::NAME, figure);
+        let tables = ResultFile::tables(self.tables());
+        let others = self.other_contacts.iter().map(|other| file_of(Self::NAME, other.name, &other.course));
+        [own].into_iter().chain(tables).chain([ResultFile::Grid(Self::NAME, grid)]).chain(others).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.all_remarks
     }
 }
 

@@ -1,14 +1,11 @@
 //! Profile, force, creepage and dissipation along the rail.
 
-use std::io::{self, Write};
-use std::path::Path;
-
 use riffel::passage::ContactInstant;
 use riffel_plot::{LinePanel, LineStyle, Series};
 use serde::Serialize;
 
-use crate::AnswerError;
 use crate::netcdf::{Grid, Variable};
+use crate::{Column, Table};
 
 /// What a wheel does along a rail, place by place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -53,11 +50,8 @@ impl Course {
         }
     }
 
-    /// All over `position` as NetCDF-3, under the names that Python has.
-    ///
-    /// # Errors
-    /// [`AnswerError::Grid`].
-    pub fn netcdf(&self, title: &str, path: &Path) -> Result<(), AnswerError> {
+    /// All over `position`, under the names that Python has.
+    pub(super) fn grid(&self, title: String) -> Grid<'_> {
         let of = |name, unit, long_name, values: &'_ [f64]| {
             let values = values.to_vec();
             Variable { name, axes: &["position"], unit, long_name, values: Box::new(move || values.clone()) }
@@ -78,34 +72,24 @@ impl Course {
             variables.extend(values.as_ref().map(|values| of(name, unit, long_name, values)));
         }
         let axes = vec![("position", self.position_m.len())];
-        Grid { title, axes, variables }.write(path)
+        Grid { title, axes, variables }
     }
 
     /// One row for each place.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let mut columns = vec![
-            ("position_m", &self.position_m),
-            ("height_m", &self.height_m),
-            ("normal_force_n", &self.normal_force_n),
-            ("tangential_force_n", &self.tangential_force_n),
-            ("creepage", &self.creepage),
-            ("dissipation_j_per_m", &self.dissipation_j_per_m),
-            ("approach_m", &self.approach_m),
-        ];
+    pub(super) fn table(&self, name: &'static str) -> Table {
+        let column = |name: &str, values: &[f64]| Column::exact(name, values.iter().copied());
         let across = [("lateral_force_n", &self.lateral_force_n), ("lateral_creepage", &self.lateral_creepage)];
-        for (name, column) in across {
-            columns.extend(column.as_ref().map(|column| (name, column)));
-        }
-        writer.write_record(columns.iter().map(|(name, _)| name))?;
-        for index in 0..self.position_m.len() {
-            let row: Vec<f64> = columns.iter().map(|(_, column)| column[index]).collect();
-            writer.serialize(row)?;
-        }
-        writer.flush()
+        let across = across.into_iter().filter_map(|(name, values)| Some(column(name, values.as_deref()?)));
+        let columns = [
+            column("position_m", &self.position_m),
+            column("height_m", &self.height_m),
+            column("normal_force_n", &self.normal_force_n),
+            column("tangential_force_n", &self.tangential_force_n),
+            column("creepage", &self.creepage),
+            column("dissipation_j_per_m", &self.dissipation_j_per_m),
+            column("approach_m", &self.approach_m),
+        ];
+        Table { name, columns: columns.into_iter().chain(across).collect() }
     }
 
     /// Strips of all quantities; places without contact are marked at zero force.

@@ -2,7 +2,6 @@
 
 mod along_rail;
 mod course;
-mod document;
 mod evolution;
 mod remarks;
 mod sinusoid;
@@ -10,13 +9,29 @@ mod smooth_rail;
 
 pub use along_rail::{PassageAnswer, PassageRequest};
 pub use course::Course;
-pub use document::{
-    ContactCourseDocument, ContactOverSinusoidDocument, ContactSwingDocument, HarmonicDocument, PassageDocument,
-    SinusoidDocument, SmoothRailDocument,
-};
-pub use evolution::{
-    BandDocument, EvolutionAnswer, EvolutionDocument, EvolutionRequest, EvolutionRun, Extremes, Stage, Surface,
-    WornProfile,
-};
+pub use evolution::{EvolutionAnswer, EvolutionRequest, EvolutionRun, Surface};
 pub use sinusoid::{SinusoidAnswer, SinusoidRequest};
 pub use smooth_rail::SmoothRailAnswer;
+
+use riffel_case::ContactName;
+use riffel_keys::{Message, fixed, say};
+
+use crate::ResultFile;
+
+/// Least and largest normal force \[N\], and the share of the time without contact.
+fn force_in_words(force: [f64; 2], loss: f64) -> Message {
+    let [least, largest] = force.map(|force| fixed(1e-3 * force, 2));
+    say!(normal_force_between, least = least, largest = largest, contact = contact_in_words(loss))
+}
+
+fn contact_in_words(loss: f64) -> Message {
+    match loss {
+        0.0 => say!(always_in_contact),
+        share => say!(no_contact_for, share = fixed(100.0 * share, 1)),
+    }
+}
+
+/// The table of a contact beside the first.
+fn file_of(name: &'static str, contact: ContactName, course: &Course) -> ResultFile<'static> {
+    ResultFile::TableAs(format!("{name}-{}-{}", contact.wheel, contact.rail), course.table(name))
+}

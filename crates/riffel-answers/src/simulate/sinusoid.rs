@@ -5,14 +5,16 @@ use std::f64::consts::TAU;
 use riffel::Complex64;
 use riffel::contact::ContactFilter;
 use riffel::error::readable;
-use riffel::passage::{PassageModel, Settled, Sinusoid};
+use riffel::passage::{Harmonic, Settled, Sinusoid};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure};
+use serde::Serialize;
 
-use super::{ContactOverSinusoidDocument, Course, HarmonicDocument, SinusoidDocument, remarks};
-use crate::AnswerError;
+use super::{Course, force_in_words, remarks};
+use crate::forecast::number_alone;
 use crate::parameters::parameters_on_rail;
+use crate::{Answer, AnswerError, Column, ResultFile, Table};
 
 /// A sinusoid to roll over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,22 +31,92 @@ pub struct SinusoidRequest {
     pub transient: bool,
 }
 
-/// The settled state of a case over a sinusoid.
+/// The settled state of a case over a sinusoid: serialised, what `riffel simulate --sinusoid --json` prints.
+#[derive(Serialize)]
 pub struct SinusoidAnswer {
-    /// What was asked.
-    pub request: SinusoidRequest,
-    /// The model, of which the answer is.
-    pub model: PassageModel,
-    /// The state of the first contact.
-    pub settled: Settled,
-    /// Names of all contacts of a loop on all axes, and states of those after the first; none of one wheel and one axis.
-    pub contacts: Vec<ContactName>,
-    /// Those states.
-    pub others: Vec<Settled>,
-    /// Harmonics of the energy that a place of the rail receives \[J/m\], of a transient contact.
-    pub energy_at_rail: Option<[Complex64; 6]>,
-    /// What the reader should know.
+    wavelength_m: f64,
+    speed_m_per_s: f64,
+    /// Of the profile.
+    amplitude_m: f64,
+    /// Of the march.
+    step_m: f64,
+    /// Those n = 0 … 5 of the first contact.
+    pub harmonics: Vec<HarmonicDocument>,
+    /// Those of the energy that a place of the rail receives, of a transient contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub energy_at_rail_j_per_m: Option<[[f64; 2]; 6]>,
+    /// Share of the time without contact.
+    pub contact_loss_fraction: f64,
+    /// Least normal force.
+    pub minimum_normal_force_n: f64,
+    /// Largest normal force.
+    pub maximum_normal_force_n: f64,
+    /// Mean square of the relative error of the track in time, with the wheels of a loop on all axes.
+    track_share_cut: f64,
+    /// Every contact of a loop on all axes, the one above first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub contacts: Vec<ContactOverSinusoid>,
+    /// Of all contacts in their order, each at the times at which the first wheel is at the places.
+    #[serde(skip)]
+    pub courses: Vec<Course>,
+    /// What the reader should know of the march.
+    #[serde(skip)]
     pub remarks: Vec<Message>,
+    /// And of the case.
+    #[serde(skip)]
+    all_remarks: Vec<Message>,
+    #[serde(skip)]
+    on_supports: bool,
+    #[serde(skip)]
+    case: Case,
+}
+
+/// One of several contacts over a sinusoid.
+#[derive(Serialize)]
+pub struct ContactOverSinusoid {
+    #[serde(flatten)]
+    name: ContactName,
+    harmonics: Vec<HarmonicDocument>,
+    contact_loss_fraction: f64,
+    minimum_normal_force_n: f64,
+    maximum_normal_force_n: f64,
+}
+
+/// One harmonic: complex amplitudes for exp(+inωt) relative to the profile Δ cos ωt upward; of harmonic zero the means.
+#[derive(Clone, Serialize)]
+pub struct HarmonicDocument {
+    normal_force_n: [f64; 2],
+    tangential_force_n: [f64; 2],
+    /// Of a loop on all axes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lateral_force_n: Option<[f64; 2]>,
+    creepage: [f64; 2],
+    /// Of a loop on all axes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lateral_creepage: Option<[f64; 2]>,
+    /// At the wheel centre.
+    dissipation_j_per_m: [f64; 2],
+}
+
+impl HarmonicDocument {
+    /// With what is across the rail where the loop is `on_all_axes`.
+    fn new(harmonic: &Harmonic, on_all_axes: bool) -> Self {
+        let pair = |value: Complex64| [value.re, value.im];
+        let across = |value| on_all_axes.then(|| pair(value));
+        Self {
+            normal_force_n: pair(harmonic.normal_force),
+            tangential_force_n: pair(harmonic.tangential_force),
+            lateral_force_n: across(harmonic.lateral_force),
+            creepage: pair(harmonic.creepage),
+            lateral_creepage: across(harmonic.lateral_creepage),
+            dissipation_j_per_m: pair(harmonic.dissipation),
+        }
+    }
+
+    /// Of a settled state.
+    fn all(settled: &Settled, on_all_axes: bool) -> Vec<Self> {
+        settled.harmonics.iter().map(|harmonic| Self::new(harmonic, on_all_axes)).collect()
+    }
 }
 
 impl SinusoidRequest {
@@ -129,96 +201,145 @@ impl SinusoidAnswer {
         let supports = remarks::of_supports(&model, &profile);
         let elements = transient.then(|| remarks::of_elements(&case.transient_contact(), &settled, profile)).flatten();
         let remarks = remarks::of_track(&model).into_iter().chain(troughs).chain(supports).chain(elements);
+        let remarks: Vec<Message> = remarks.collect();
+        let names = case.contact_names();
+        let on_all_axes = !names.is_empty();
+        let all = || std::iter::once(&settled).chain(&others);
+        let contacts = names.into_iter().zip(all()).map(|(name, settled)| ContactOverSinusoid {
+            name,
+            harmonics: HarmonicDocument::all(settled, on_all_axes),
+            contact_loss_fraction: settled.contact_loss,
+            minimum_normal_force_n: settled.normal_force[0],
+            maximum_normal_force_n: settled.normal_force[1],
+        });
         Ok(Self {
-            remarks: remarks.collect(),
-            request,
-            model,
-            contacts: case.contact_names(),
-            settled,
-            others,
-            energy_at_rail,
-        })
-    }
-
-    /// The harmonics as data: what `riffel simulate --sinusoid --json` prints.
-    pub fn document(&self) -> SinusoidDocument {
-        let SinusoidRequest { speed, profile, .. } = self.request;
-        let [least, largest] = self.settled.normal_force;
-        SinusoidDocument {
             wavelength_m: profile.wavelength,
             speed_m_per_s: speed,
             amplitude_m: profile.amplitude,
-            step_m: self.request.step(),
-            harmonics: self.harmonics(&self.settled),
-            energy_at_rail_j_per_m: self.energy_at_rail.map(|harmonics| harmonics.map(|value| [value.re, value.im])),
-            contact_loss_fraction: self.settled.contact_loss,
-            minimum_normal_force_n: least,
-            maximum_normal_force_n: largest,
-            track_share_cut: self.model.structures.share_cut(),
-            contacts: self
-                .contacts
-                .iter()
-                .zip(std::iter::once(&self.settled).chain(&self.others))
-                .map(|(&name, settled)| ContactOverSinusoidDocument {
-                    name,
-                    harmonics: self.harmonics(settled),
-                    contact_loss_fraction: settled.contact_loss,
-                    minimum_normal_force_n: settled.normal_force[0],
-                    maximum_normal_force_n: settled.normal_force[1],
-                })
-                .collect(),
+            step_m: request.step(),
+            harmonics: HarmonicDocument::all(&settled, on_all_axes),
+            energy_at_rail_j_per_m: energy_at_rail.map(|harmonics| harmonics.map(|value| [value.re, value.im])),
+            contact_loss_fraction: settled.contact_loss,
+            minimum_normal_force_n: settled.normal_force[0],
+            maximum_normal_force_n: settled.normal_force[1],
+            track_share_cut: model.structures.share_cut(),
+            contacts: contacts.collect(),
+            courses: all().map(|settled| course(profile, settled, on_all_axes)).collect(),
+            all_remarks: case.remarks_at(speed).iter().chain(&remarks).cloned().collect(),
+            remarks,
+            on_supports: !even,
+            case: case.clone(),
+        })
+    }
+
+    /// Harmonics for a reader: amplitudes, and of harmonic zero the means.
+    fn harmonics(&self) -> Table {
+        let size = |number: usize, [re, im]: [f64; 2], scale: f64| {
+            let value = match number {
+                0 => scale * re,
+                _ => scale * Complex64::new(re, im).norm(),
+            };
+            number_alone(format_args!("{value:.4}"))
+        };
+        let column = |head, scale: f64, of: &dyn Fn(&HarmonicDocument) -> [f64; 2]| {
+            let harmonics = self.harmonics.iter().enumerate();
+            Column::shown(head, harmonics.map(|(number, harmonic)| size(number, of(harmonic), scale)).collect())
+        };
+        let numbers = (0..self.harmonics.len()).map(|number| match number {
+            0 => say!(mean_column),
+            number => number_alone(number),
+        });
+        let mut columns = vec![
+            Column::shown(say!(harmonic_column), numbers.collect()),
+            column(say!(normal_force_in_kilonewton), 1e-3, &|harmonic| harmonic.normal_force_n),
+            column(say!(creep_force_column), 1e-3, &|harmonic| harmonic.tangential_force_n),
+            column(say!(creepage_in_percent_column), 100.0, &|harmonic| harmonic.creepage),
+            column(say!(dissipation_column), 1.0, &|harmonic| harmonic.dissipation_j_per_m),
+        ];
+        if !self.contacts.is_empty() {
+            columns.extend([
+                column(say!(lateral_force_column), 1e-3, &|harmonic| harmonic.lateral_force_n.unwrap_or_default()),
+                column(say!(lateral_creepage_column), 100.0, &|harmonic| harmonic.lateral_creepage.unwrap_or_default()),
+            ]);
         }
+        if let Some(energy) = self.energy_at_rail_j_per_m {
+            let energy = energy.into_iter().enumerate().map(|(number, value)| size(number, value, 1.0));
+            columns.push(Column::shown(say!(dissipation_at_the_rail_column), energy.collect()));
+        }
+        Table { name: "harmonics", columns }
+    }
+}
+
+/// One wave under a contact, from crest to crest.
+fn course(profile: Sinusoid, settled: &Settled, on_all_axes: bool) -> Course {
+    let steps = settled.wave.len();
+    let wave = settled.wave.iter().copied();
+    let contacts: Vec<_> = std::iter::once(settled.crest).chain(wave).collect();
+    let share = |step: usize| step as f64 / steps as f64;
+    Course::new(
+        (0..=steps).map(|step| profile.wavelength * share(step)).collect(),
+        (0..=steps).map(|step| profile.amplitude * (TAU * share(step)).cos()).collect(),
+        &contacts,
+        on_all_axes,
+    )
+}
+
+impl Answer for SinusoidAnswer {
+    const NAME: &'static str = "wave";
+    const DOCUMENT: &'static str = "harmonics.json";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.case.file.title.clone();
+        vec![
+            title.map_or_else(|| say!(wheel_over_a_sinusoid), Message::verbatim),
+            say!(
+                wave_and_speed,
+                wavelength = fixed(1e3 * self.wavelength_m, 1),
+                amplitude = fixed(1e6 * self.amplitude_m, 1),
+                speed = fixed(3.6 * self.speed_m_per_s, 1),
+                frequency = fixed(self.speed_m_per_s / self.wavelength_m, 1)
+            ),
+        ]
     }
 
-    fn harmonics(&self, settled: &Settled) -> Vec<HarmonicDocument> {
-        let on_all_axes = !self.contacts.is_empty();
-        let harmonics = settled.harmonics.iter();
-        harmonics.map(|harmonic| HarmonicDocument::new(harmonic, on_all_axes)).collect()
+    fn tables(&self) -> Vec<Table> {
+        vec![self.harmonics(), self.courses[0].table(Self::NAME)]
     }
 
-    /// One wave under the first contact, from crest to crest.
-    pub fn course(&self) -> Course {
-        self.course_of(&self.settled)
-    }
-
-    /// The same for all contacts in their order, each at the times at which the first wheel is at the places.
-    pub fn courses(&self) -> Vec<Course> {
-        let all = std::iter::once(&self.settled).chain(&self.others);
-        all.map(|settled| self.course_of(settled)).collect()
-    }
-
-    fn course_of(&self, settled: &Settled) -> Course {
-        let SinusoidRequest { profile, .. } = self.request;
-        let steps = settled.wave.len();
-        let wave = settled.wave.iter().copied();
-        let contacts: Vec<_> = std::iter::once(settled.crest).chain(wave).collect();
-        let share = |step: usize| step as f64 / steps as f64;
-        Course::new(
-            (0..=steps).map(|step| profile.wavelength * share(step)).collect(),
-            (0..=steps).map(|step| profile.amplitude * (TAU * share(step)).cos()).collect(),
-            &contacts,
-            !self.contacts.is_empty(),
-        )
+    fn sentences(&self) -> Vec<Message> {
+        let force = [self.minimum_normal_force_n, self.maximum_normal_force_n];
+        vec![force_in_words(force, self.contact_loss_fraction)]
     }
 
     /// One wave as strips.
-    pub fn figure(&self, case: &Case) -> LineFigure {
-        let SinusoidRequest { speed, profile, .. } = self.request;
-        let state = match self.model.structures.support_spacing() {
-            _ if self.energy_at_rail.is_some() => "Settled state of the exact contact",
-            Some(_) => "The last wave of many bays",
-            None => "Settled state",
+    fn figure(&self) -> LineFigure {
+        let state = match self.on_supports {
+            _ if self.energy_at_rail_j_per_m.is_some() => "Settled state of the exact contact",
+            true => "The last wave of many bays",
+            false => "Settled state",
         };
         LineFigure {
             title: format!(
                 "A wave of {:.1} mm and {:.1} µm at {:.1} km/h",
-                1e3 * profile.wavelength,
-                1e6 * profile.amplitude,
-                3.6 * speed
+                1e3 * self.wavelength_m,
+                1e6 * self.amplitude_m,
+                3.6 * self.speed_m_per_s
             ),
-            caption: format!("{state}, wheel centre at x. {}", parameters_on_rail(case)),
-            panels: self.course().panels(),
+            caption: format!("{state}, wheel centre at x. {}", parameters_on_rail(&self.case)),
+            panels: self.courses[0].panels(),
             arrangement: Arrangement::Strips,
         }
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let figure = self.figure();
+        let grid = self.courses[0].grid(figure.title.clone());
+        let own = ResultFile::Lines(Self::NAME, figure);
+        let tables = ResultFile::tables(self.tables());
+        [own].into_iter().chain(tables).chain([ResultFile::Grid(Self::NAME, grid)]).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.all_remarks
     }
 }

@@ -1,29 +1,102 @@
 //! Wheels of a case on a smooth rail.
 
-use riffel::feedback::Stability;
-use riffel::passage::{Outcome, PassageModel, SmoothRail};
+use riffel::passage::{ContactSwing, Outcome, PassageModel};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure};
+use serde::{Serialize, Serializer};
 
 use super::along_rail::check_step;
-use super::{ContactSwingDocument, Course, SmoothRailDocument, remarks};
-use crate::AnswerError;
+use super::{Course, file_of, remarks};
+use crate::forecast::number_alone;
 use crate::parameters::parameters_on_rail;
+use crate::{Answer, AnswerError, Column, ResultFile, Table};
 
-/// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile.
+/// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile; serialised, what
+/// `riffel simulate --smooth --json` prints.
+#[derive(Serialize)]
 pub struct SmoothRailAnswer {
-    /// \[m/s\]
-    pub speed: f64,
-    /// What the wheels do.
-    pub motion: SmoothRail,
-    /// What the linear loop says, where its phase can be followed.
-    pub stability: Option<Stability>,
-    /// Names of the contacts.
-    pub contacts: Vec<ContactName>,
-    share_cut: f64,
-    /// What the reader should know.
+    speed_m_per_s: f64,
+    /// Of the march.
+    step_m: f64,
+    /// `at-rest`, `limit-cycle`, `runs-away` or `irregular`.
+    #[serde(serialize_with = "as_written")]
+    outcome: Outcome,
+    /// Until that was seen.
+    rolled_s: f64,
+    /// With which all forces repeat themselves; none at rest.
+    frequency_hz: Option<f64>,
+    /// In the half-plane of growing oscillations; none where the phase of the linear loop cannot be followed.
+    linear_unstable_roots: Option<usize>,
+    /// That grows in the linear loop.
+    linear_frequency_hz: Option<f64>,
+    /// Of its amplitude.
+    linear_growth_rate_per_s: Option<f64>,
+    /// That of the first wheel on the rail under study first.
+    contacts: Vec<ContactSwings>,
+    /// Mean square of the relative error of track and wheels in time.
+    track_share_cut: f64,
+    /// The first contact over a few periods at the end.
+    #[serde(flatten)]
+    course: Course,
+    /// The same of all others in their order.
+    #[serde(skip)]
+    others: Vec<Course>,
+    /// What the reader should know of the motion.
+    #[serde(skip)]
     pub remarks: Vec<Message>,
+    /// And of the case.
+    #[serde(skip)]
+    all_remarks: Vec<Message>,
+    #[serde(skip)]
+    case: Case,
+}
+
+/// Least and largest of what a contact did over the last half second.
+#[derive(Serialize)]
+struct ContactSwings {
+    #[serde(flatten)]
+    name: ContactName,
+    normal_force_n: [f64; 2],
+    /// Along the rail.
+    tangential_force_n: [f64; 2],
+    lateral_force_n: [f64; 2],
+    /// Along the rail.
+    creepage: [f64; 2],
+    lateral_creepage: [f64; 2],
+    /// Share of the time below the creepage of the greatest creep force.
+    stick_fraction: f64,
+    mean_dissipation_j_per_m: f64,
+}
+
+impl ContactSwings {
+    fn new(name: ContactName, swing: &ContactSwing) -> Self {
+        Self {
+            name,
+            normal_force_n: swing.normal_force,
+            tangential_force_n: swing.tangential_force,
+            lateral_force_n: swing.lateral_force,
+            creepage: swing.creepage,
+            lateral_creepage: swing.lateral_creepage,
+            stick_fraction: swing.stick,
+            mean_dissipation_j_per_m: swing.dissipation,
+        }
+    }
+
+    /// Of its forces, the largest range.
+    fn span(&self) -> f64 {
+        let span = |[least, most]: [f64; 2]| most - least;
+        span(self.tangential_force_n).max(span(self.lateral_force_n)).max(span(self.normal_force_n))
+    }
+}
+
+fn as_written<S: Serializer>(outcome: &Outcome, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(match outcome {
+        Outcome::AtRest => "at-rest",
+        Outcome::LimitCycle => "limit-cycle",
+        Outcome::RunsAway => "runs-away",
+        Outcome::Irregular => "irregular",
+    })
 }
 
 impl SmoothRailAnswer {
@@ -64,76 +137,132 @@ impl SmoothRailAnswer {
             .on_smooth_rail(step, growth)
             .map_err(|error| CaseError::Physics { input: "--smooth".to_owned(), error })?;
         let roots = stability.as_ref().map(|stability| stability.unstable_roots);
+        let remarks: Vec<Message> = remarks::of_track(&model)
+            .into_iter()
+            .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
+            .chain(remarks::of_linear_loop(&motion, roots))
+            .collect();
+        let names = case.contact_names();
+        let course = |contact: usize| {
+            let course = &motion.course[contact];
+            let places = (0..course.len()).map(|index| index as f64 * motion.step);
+            Course::new(places.collect(), vec![0.0; course.len()], course, true)
+        };
         Ok(Self {
-            speed,
-            stability,
-            contacts: case.contact_names(),
-            share_cut: model.structures.share_cut(),
-            remarks: remarks::of_track(&model)
-                .into_iter()
-                .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
-                .chain(remarks::of_linear_loop(&motion, roots))
-                .collect(),
-            motion,
+            speed_m_per_s: speed,
+            step_m: motion.step,
+            outcome: motion.outcome,
+            rolled_s: motion.seconds,
+            frequency_hz: motion.frequency,
+            linear_unstable_roots: roots,
+            linear_frequency_hz: stability.as_ref().and_then(|stability| stability.frequency),
+            linear_growth_rate_per_s: stability.as_ref().and_then(|stability| stability.growth_rate),
+            course: course(0),
+            others: (1..names.len()).map(course).collect(),
+            contacts: names.into_iter().zip(&motion.contacts).map(|(name, it)| ContactSwings::new(name, it)).collect(),
+            track_share_cut: model.structures.share_cut(),
+            all_remarks: case.remarks_at(speed).iter().chain(&remarks).cloned().collect(),
+            remarks,
+            case: case.clone(),
         })
     }
 
-    /// How it ends, as it is written.
-    pub fn outcome(&self) -> &'static str {
-        match self.motion.outcome {
-            Outcome::AtRest => "at-rest",
-            Outcome::LimitCycle => "limit-cycle",
-            Outcome::RunsAway => "runs-away",
-            Outcome::Irregular => "irregular",
+    /// A few periods of all contacts in their order.
+    pub fn courses(&self) -> impl Iterator<Item = &Course> {
+        [&self.course].into_iter().chain(&self.others)
+    }
+
+    /// What becomes of the push.
+    fn outcome(&self) -> Message {
+        let frequency = self.frequency_hz.map(|frequency| fixed(frequency, 1));
+        match (self.outcome, frequency) {
+            (Outcome::LimitCycle, Some(frequency)) => say!(limit_cycle_of, frequency = frequency),
+            (_, Some(frequency)) => say!(no_settled_period, frequency = frequency),
+            (Outcome::RunsAway, None) => say!(wheels_slide_off),
+            (_, None) => say!(push_dies_out),
         }
     }
 
-    /// What `riffel simulate --smooth --json` prints.
-    pub fn document(&self) -> SmoothRailDocument {
-        let pairs = self.contacts.iter().zip(&self.motion.contacts);
-        SmoothRailDocument {
-            speed_m_per_s: self.speed,
-            step_m: self.motion.step,
-            outcome: self.outcome(),
-            rolled_s: self.motion.seconds,
-            frequency_hz: self.motion.frequency,
-            linear_unstable_roots: self.stability.as_ref().map(|stability| stability.unstable_roots),
-            linear_frequency_hz: self.stability.as_ref().and_then(|stability| stability.frequency),
-            linear_growth_rate_per_s: self.stability.as_ref().and_then(|stability| stability.growth_rate),
-            contacts: pairs.map(|(&name, swing)| ContactSwingDocument::new(name, swing)).collect(),
-            track_share_cut: self.share_cut,
-            course: self.course(),
+    /// What the linear loop says.
+    fn linear(&self) -> Message {
+        let frequency = self.linear_frequency_hz.map(|frequency| fixed(frequency, 0));
+        match (self.linear_unstable_roots, frequency) {
+            (Some(0), _) => say!(linear_loop_stable),
+            (Some(_), Some(frequency)) => match self.linear_growth_rate_per_s {
+                Some(growth) => {
+                    say!(linear_loop_grows, frequency = frequency, seconds = fixed(growth.recip(), 3))
+                }
+                None => say!(linear_loop_unstable_near, frequency = frequency),
+            },
+            (Some(_), None) => say!(linear_loop_unstable),
+            (None, _) => say!(linear_loop_not_judged),
         }
     }
 
-    /// A few periods of the first contact.
-    pub fn course(&self) -> Course {
-        self.course_of(0)
+    /// What each contact does, for a reader.
+    fn swings(&self) -> Table {
+        let shown = |head, cell: &dyn Fn(&ContactSwings) -> Message| {
+            Column::shown(head, self.contacts.iter().map(cell).collect())
+        };
+        let range = |head, scale: f64, digits: usize, of: fn(&ContactSwings) -> [f64; 2]| {
+            shown(head, &|contact| {
+                let [least, most] = of(contact).map(|end| fixed(scale * end, digits));
+                say!(from_one_to_another, least = least, most = most)
+            })
+        };
+        Table {
+            name: "swings",
+            columns: vec![
+                shown(say!(wheel_column), &|contact| number_alone(contact.name.wheel)),
+                shown(say!(rail_column), &|contact| match contact.name.rail {
+                    "left" => say!(left),
+                    _ => say!(right),
+                }),
+                range(say!(normal_force_in_kilonewton), 1e-3, 2, |contact| contact.normal_force_n),
+                range(say!(creep_force_column), 1e-3, 2, |contact| contact.tangential_force_n),
+                range(say!(lateral_in_kilonewton_column), 1e-3, 2, |contact| contact.lateral_force_n),
+                range(say!(creepage_in_percent_column), 100.0, 3, |contact| contact.creepage),
+                range(say!(lateral_in_percent_column), 100.0, 3, |contact| contact.lateral_creepage),
+                shown(say!(stick_column), &|contact| {
+                    number_alone(format_args!("{:.0}", 100.0 * contact.stick_fraction))
+                }),
+                shown(say!(dissipation_column), &|contact| {
+                    number_alone(format_args!("{:.1}", contact.mean_dissipation_j_per_m))
+                }),
+            ],
+        }
+    }
+}
+
+impl Answer for SmoothRailAnswer {
+    const NAME: &'static str = "smooth";
+    const DOCUMENT: &'static str = "smooth.json";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.case.file.title.clone();
+        vec![
+            title.map_or_else(|| say!(wheels_on_a_smooth_rail), Message::verbatim),
+            say!(
+                smooth_rail_at,
+                speed = fixed(3.6 * self.speed_m_per_s, 1),
+                seconds = fixed(self.rolled_s, 1),
+                outcome = self.outcome(),
+                linear = self.linear()
+            ),
+        ]
     }
 
-    /// The same of all contacts in their order.
-    pub fn courses(&self) -> Vec<Course> {
-        (0..self.contacts.len()).map(|contact| self.course_of(contact)).collect()
-    }
-
-    fn course_of(&self, contact: usize) -> Course {
-        let course = &self.motion.course[contact];
-        let places = (0..course.len()).map(|index| index as f64 * self.motion.step);
-        Course::new(places.collect(), vec![0.0; course.len()], course, true)
+    fn tables(&self) -> Vec<Table> {
+        vec![self.swings(), self.course.table(Self::NAME)]
     }
 
     /// A few periods of the contact that swings most, as strips.
-    pub fn figure(&self, case: &Case) -> LineFigure {
-        let span = |[least, most]: [f64; 2]| most - least;
-        let swings = self
-            .motion
-            .contacts
-            .iter()
-            .map(|swing| span(swing.tangential_force).max(span(swing.lateral_force)).max(span(swing.normal_force)));
-        let largest = swings.enumerate().max_by(|one, other| one.1.total_cmp(&other.1));
+    fn figure(&self) -> LineFigure {
+        let spans = self.contacts.iter().map(ContactSwings::span).enumerate();
+        let largest = spans.max_by(|one, other| one.1.total_cmp(&other.1));
         let most = largest.map_or(0, |(index, _)| index);
-        let ContactName { wheel, rail } = self.contacts[most];
-        let what = match (self.motion.outcome, self.motion.frequency) {
+        let ContactName { wheel, rail } = self.contacts[most].name;
+        let what = match (self.outcome, self.frequency_hz) {
             (Outcome::RunsAway, _) => "the wheels slide off".to_owned(),
             (Outcome::AtRest, _) | (_, None) => "at rest".to_owned(),
             (Outcome::LimitCycle, Some(frequency)) => {
@@ -144,10 +273,24 @@ impl SmoothRailAnswer {
             }
         };
         LineFigure {
-            title: format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed),
-            caption: format!("Wheel {wheel} on the {rail} rail. {}", parameters_on_rail(case)),
-            panels: self.course_of(most).panels(),
+            title: format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed_m_per_s),
+            caption: format!("Wheel {wheel} on the {rail} rail. {}", parameters_on_rail(&self.case)),
+            panels: self.courses().nth(most).map(Course::panels).unwrap_or_default(),
             arrangement: Arrangement::Strips,
         }
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let figure = self.figure();
+        let grid = self.course.grid(figure.title.clone());
+        let own = ResultFile::Lines(Self::NAME, figure);
+        let tables = ResultFile::tables(self.tables());
+        let others = self.contacts.iter().zip(self.courses()).skip(1);
+        let others = others.map(|(contact, course)| file_of(Self::NAME, contact.name, course));
+        [own].into_iter().chain(tables).chain([ResultFile::Grid(Self::NAME, grid)]).chain(others).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.all_remarks
     }
 }

@@ -1,10 +1,9 @@
 //! Figures of a rail after many wheels.
 
-use riffel_case::Case;
 use riffel_keys::Language;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
-use super::{BandDocument, EvolutionAnswer, WornProfile};
+use super::{Band, EvolutionAnswer, WornProfile};
 use crate::forecast::{per_million, rate_panel, zero};
 use crate::parameters;
 use crate::roughness::figure::level_panel;
@@ -14,29 +13,29 @@ const MOST: usize = 4;
 
 impl EvolutionAnswer {
     /// Levels by wavelength and over passages, growth and drift, beside the linear loop.
-    pub fn spectrum_figure(&self, case: &Case) -> LineFigure {
-        let bands = self.bands();
+    pub(super) fn spectrum_figure(&self) -> LineFigure {
+        let bands = &self.bands[..];
         LineFigure {
-            title: self.title(case),
+            title: self.title(),
             caption: format!(
                 "One-third-octave levels, growth of the level and shift of the waves along the rail. The linear loop is taken wave \
                  by wave from the rail before any wheel. {}",
-                self.parameters(case)
+                self.parameters()
             ),
-            panels: vec![self.levels(&bands), self.over_passages(&bands), growth(&bands), drift(&bands)],
+            panels: vec![self.levels(bands), self.over_passages(bands), growth(bands), drift(bands)],
             arrangement: Arrangement::SideBySide,
         }
     }
 
     /// The same stretch of rail at several stages, with the waves of the bands alone.
-    pub fn profile_figure(&self, case: &Case) -> LineFigure {
+    pub(super) fn profile_figure(&self) -> LineFigure {
         let stretch = self.stretch();
         let shown = spread(self.profiles.len(), MOST).into_iter();
         LineFigure {
-            title: self.title(case),
+            title: self.title(),
             caption: format!(
                 "Part of the rail, with the waves of map.wavelength alone. What is worn off everywhere is left out. {}",
-                self.parameters(case)
+                self.parameters()
             ),
             panels: shown
                 .map(|index| {
@@ -49,7 +48,7 @@ impl EvolutionAnswer {
     }
 
     /// Every profile that was kept with its levels, beside those before any wheel: for a page with a slider over passages.
-    pub fn stage_figures(&self, case: &Case) -> Vec<(String, LineFigure)> {
+    pub(super) fn stage_figures(&self) -> Vec<(String, LineFigure)> {
         let stretch = self.stretch();
         let bands = self.linear.bands();
         let all: Vec<Vec<f64>> = self
@@ -66,7 +65,7 @@ impl EvolutionAnswer {
         let caption = format!(
             "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is taken wave by wave from the \
              rail before any wheel. {}",
-            self.parameters(case)
+            self.parameters()
         );
         let curve = |label: &str, y: Vec<f64>, style, color| Series {
             label: label.to_owned(),
@@ -89,7 +88,7 @@ impl EvolutionAnswer {
             };
             let name = after(profile.passages);
             let figure = LineFigure {
-                title: self.title(case),
+                title: self.title(),
                 caption: caption.clone(),
                 panels: vec![levels, stretch.panel(&[(0, "before any wheel"), (index, "now")], String::new())],
                 arrangement: Arrangement::Stacked,
@@ -112,8 +111,8 @@ impl EvolutionAnswer {
         const WAVES: f64 = 16.0;
         /// Points of the shortest of them.
         const POINTS: f64 = 10.0;
-        let bands = self.bands();
-        let at_end = |band: &BandDocument| band.level_db[band.level_db.len() - 1];
+        let bands = &self.bands;
+        let at_end = |band: &Band| band.level_db[band.level_db.len() - 1];
         let leading = bands.iter().max_by(|one, other| at_end(one).total_cmp(&at_end(other)));
         let shown = WAVES * leading.map_or(0.1, |band| band.wavelength_m);
         let shortest = bands.first().map_or(0.01, |band| band.wavelength_m);
@@ -132,10 +131,10 @@ impl EvolutionAnswer {
     }
 
     /// Of the case, and what passed in the place of its wheel.
-    fn parameters(&self, case: &Case) -> String {
+    fn parameters(&self) -> String {
         let alone = self.vehicles.len() == 1 && self.vehicles[0].speeds == 1;
         if alone {
-            return parameters(case);
+            return parameters(&self.case);
         }
         let vehicles = self.vehicles.iter().map(|vehicle| {
             format!(
@@ -153,25 +152,25 @@ impl EvolutionAnswer {
         format!(
             "Traffic: {}. All else, and what a vehicle does not say, is that of the case. {}",
             vehicles.join("; "),
-            parameters(case)
+            parameters(&self.case)
         )
     }
 
     /// What the run was, for titles.
-    pub fn title(&self, case: &Case) -> String {
-        let passages = self.stages[self.stages.len() - 1].passages;
-        let title = case.file.title.as_deref().unwrap_or("A rail");
+    pub(super) fn title(&self) -> String {
+        let passages = self.passages;
+        let title = self.case.file.title.as_deref().unwrap_or("A rail");
         format!(
             "{title}: {} passages at {:.1} km/h{}",
             in_words(passages),
-            3.6 * self.mean_speed,
+            3.6 * self.speed_m_per_s,
             if self.vehicles.len() > 1 || self.vehicles[0].speeds > 1 { " in the mean" } else { "" }
         )
     }
 
     /// Levels by wavelength at some stages, and what the linear loop has at the last.
-    fn levels(&self, bands: &[BandDocument]) -> LinePanel {
-        let curve = |label: String, style, color, of: &dyn Fn(&BandDocument) -> f64| Series {
+    fn levels(&self, bands: &[Band]) -> LinePanel {
+        let curve = |label: String, style, color, of: &dyn Fn(&Band) -> f64| Series {
             label,
             style,
             color: Some(color),
@@ -183,10 +182,10 @@ impl EvolutionAnswer {
             .enumerate()
             .map(|(number, stage)| {
                 let color = OKABE_ITO[1 + number % (OKABE_ITO.len() - 1)];
-                curve(after(self.stages[stage].passages), LineStyle::Solid, color, &|band| band.level_db[stage])
+                curve(after(self.stages.passages[stage]), LineStyle::Solid, color, &|band| band.level_db[stage])
             })
             .collect();
-        let last = self.stages.len() - 1;
+        let last = self.stages.passages.len() - 1;
         let highest = bands.iter().flat_map(|band| &band.level_db);
         let highest = highest.copied().map(drawn).fold(f64::NEG_INFINITY, f64::max);
         let lowest = bands.iter().flat_map(|band| &band.level_db);
@@ -198,14 +197,14 @@ impl EvolutionAnswer {
     }
 
     /// Levels over passages of the bands that are highest at the end.
-    fn over_passages(&self, bands: &[BandDocument]) -> LinePanel {
+    fn over_passages(&self, bands: &[Band]) -> LinePanel {
         const BANDS: usize = 4;
-        let last = self.stages.len() - 1;
-        let mut highest: Vec<&BandDocument> = bands.iter().collect();
+        let last = self.stages.passages.len() - 1;
+        let mut highest: Vec<&Band> = bands.iter().collect();
         highest.sort_by(|one, other| other.level_db[last].total_cmp(&one.level_db[last]));
         highest.truncate(BANDS);
         highest.sort_by(|one, other| one.wavelength_m.total_cmp(&other.wavelength_m));
-        let passages: Vec<f64> = self.stages.iter().map(|stage| stage.passages as f64).collect();
+        let passages: Vec<f64> = self.stages.passages.iter().map(|passages| *passages as f64).collect();
         let scale = thousands(passages[last]);
         let mut series = Vec::new();
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -234,11 +233,11 @@ impl EvolutionAnswer {
 
     /// Stages at about equal numbers of passages.
     fn evenly(&self, most: usize) -> Vec<usize> {
-        let last = self.stages[self.stages.len() - 1].passages;
+        let last = self.passages;
         let mut chosen: Vec<usize> = (0..most)
             .filter_map(|part| {
                 let goal = last as f64 * part as f64 / (most - 1) as f64;
-                let stages = self.stages.iter().map(|stage| (stage.passages as f64 - goal).abs());
+                let stages = self.stages.passages.iter().map(|passages| (*passages as f64 - goal).abs());
                 let nearest = stages.enumerate().min_by(|one, other| one.1.total_cmp(&other.1));
                 nearest.map(|(index, _)| index)
             })
@@ -295,9 +294,9 @@ fn spread(count: usize, most: usize) -> Vec<usize> {
 }
 
 /// Growth by wavelength, at the beginning and at the end.
-fn growth(bands: &[BandDocument]) -> LinePanel {
+fn growth(bands: &[Band]) -> LinePanel {
     let wavelengths: Vec<f64> = bands.iter().map(|band| 1e3 * band.wavelength_m).collect();
-    let curve = |label: &str, style, color, of: fn(&BandDocument) -> Option<f64>| Series {
+    let curve = |label: &str, style, color, of: fn(&Band) -> Option<f64>| Series {
         label: label.to_owned(),
         style,
         color: Some(color),
@@ -315,9 +314,9 @@ fn growth(bands: &[BandDocument]) -> LinePanel {
 }
 
 /// How fast waves move along the rail.
-fn drift(bands: &[BandDocument]) -> LinePanel {
+fn drift(bands: &[Band]) -> LinePanel {
     let wavelengths: Vec<f64> = bands.iter().map(|band| 1e3 * band.wavelength_m).collect();
-    let curve = |label: &str, style, color, of: &dyn Fn(&BandDocument) -> f64| Series {
+    let curve = |label: &str, style, color, of: &dyn Fn(&Band) -> f64| Series {
         label: label.to_owned(),
         style,
         color: Some(color),

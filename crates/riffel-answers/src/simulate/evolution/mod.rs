@@ -1,12 +1,14 @@
 //! A rail that wears under many wheels.
 
+mod band;
 mod bands;
-mod document;
 mod figure;
 mod inputs;
 mod linear;
+mod stages;
 mod state;
 mod table;
+mod words;
 
 use riffel::contact::ContactFilter;
 use riffel::passage::{Evolution, EvolutionStep, PassingWheel, Sinusoid};
@@ -14,17 +16,18 @@ use riffel::roughness::Profile;
 use riffel_case::Case;
 use riffel_case::traffic::{Traffic, VehicleInTime};
 use riffel_keys::{CaseError, Message};
+use riffel_plot::LineFigure;
 use serde::Serialize;
 
 use super::along_rail::{check_sampling, check_step, refused};
 use super::remarks;
-use crate::AnswerError;
+use crate::{Answer, AnswerError, ResultFile, Table};
+use band::Band;
 use bands::Bands;
-pub use document::{BandDocument, EvolutionDocument};
 use inputs::Inputs;
 use linear::Linear;
-use state::EvolutionState;
-pub use state::{Extremes, Stage, WornProfile};
+use stages::Stages;
+use state::{EvolutionState, Stage, WornProfile};
 
 /// A rail and how it is rolled over.
 #[derive(Clone)]
@@ -70,6 +73,7 @@ impl Surface {
 /// What was asked is given once, the work is done by [`go_on`](Self::go_on) step by step, and between two steps the run may be
 /// saved and left. A run resumed from its [`state`](Self::state) is the same run, bit for bit.
 pub struct EvolutionRun {
+    case: Case,
     vehicles: Vec<VehicleInTime>,
     step: EvolutionStep,
     bands: Bands,
@@ -132,6 +136,7 @@ impl EvolutionRun {
         }
         let inputs = Inputs::new(case, &request);
         Ok(Self {
+            case: case.clone(),
             state: EvolutionState::new(inputs, &evolution, &bands),
             step: EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: request.largest_step },
             vehicles,
@@ -209,16 +214,31 @@ impl EvolutionRun {
         let airborne = last.is_airborne();
         let airborne = airborne.then(|| remarks::of_air(last.passages));
         let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
+        let linear = Linear::new(&self.vehicles, &self.bands, &profiles[0].heights_m, spacing_m)?;
+        let remarks: Vec<Message> = worst.and_then(remarks::of_track).into_iter().chain(airborne).collect();
+        // Extremes of a stage are those of the first passage after the one before.
+        let lifted = stages.windows(2).find(|pair| {
+            let after = pair[1].extremes.as_ref();
+            after.is_some_and(|passage| passage.contact_loss_fraction > 0.0)
+        });
+        let bands = linear.bands().iter().enumerate();
         Ok(EvolutionAnswer {
-            linear: Linear::new(&self.vehicles, &self.bands, &profiles[0].heights_m, spacing_m)?,
-            mean_speed: passing.sum(),
+            speed_m_per_s: passing.sum(),
             vehicles: self.vehicles.iter().map(PassingVehicle::of).collect(),
-            step: spacing_m / (spacing_m / self.step.largest_step).ceil().max(1.0),
+            step_m: spacing_m / (spacing_m / self.step.largest_step).ceil().max(1.0),
+            length_m: profiles[0].heights_m.len() as f64 * spacing_m,
+            passages: last.passages,
+            mean_depth_m: last.mean_depth_m,
+            first_contact_loss_passages: lifted.map(|pair| pair[0].passages),
+            track_share_cut: worst.map_or(0.0, |track| track.structures.share_cut()),
+            bands: bands.map(|(index, linear)| Band::new(index, &stages, linear)).collect(),
+            stages: Stages::new(&stages),
             spacing: spacing_m,
-            share_cut: worst.map_or(0.0, |track| track.structures.share_cut()),
-            remarks: worst.and_then(remarks::of_track).into_iter().chain(airborne).collect(),
-            stages,
             profiles,
+            linear,
+            all_remarks: self.case.remarks.iter().chain(&remarks).cloned().collect(),
+            remarks,
+            case: self.case.clone(),
         })
     }
 }
@@ -256,7 +276,7 @@ fn check_bays(length: f64, bay: f64) -> Result<(), AnswerError> {
 
 /// A kind of wheel that passed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PassingVehicle {
+pub(super) struct PassingVehicle {
     /// Name of the vehicle.
     pub name: String,
     /// Its share of the passages.
@@ -291,22 +311,77 @@ impl PassingVehicle {
     }
 }
 
-/// A rail after many wheels.
+/// A rail after many wheels: serialised, what `riffel simulate --passages --json` prints.
+#[derive(Serialize)]
 pub struct EvolutionAnswer {
-    /// Mean speed of the passages \[m/s\].
-    pub mean_speed: f64,
-    /// The wheels that passed.
-    pub vehicles: Vec<PassingVehicle>,
-    /// Step of the marches \[m\].
-    pub step: f64,
+    /// Mean of the passages.
+    speed_m_per_s: f64,
+    /// That passed.
+    vehicles: Vec<PassingVehicle>,
+    /// Of the marches.
+    step_m: f64,
+    /// Of the ring.
+    length_m: f64,
+    passages: u64,
+    /// Worn off everywhere.
+    mean_depth_m: f64,
+    /// Wheels before the first passage that is known to have lost contact, of those at the stages; none where none has.
+    first_contact_loss_passages: Option<u64>,
+    /// Mean square of the relative error of the track in time.
+    track_share_cut: f64,
+    /// From before any wheel to the last.
+    stages: Stages,
+    /// The shortest wavelength first.
+    bands: Vec<Band>,
     /// Distance of heights \[m\].
+    #[serde(skip)]
     pub spacing: f64,
     /// From before any wheel to the last.
-    pub stages: Vec<Stage>,
-    /// From before any wheel to the last.
+    #[serde(skip)]
     pub profiles: Vec<WornProfile>,
-    /// What the reader should know.
+    /// What the reader should know of the run.
+    #[serde(skip)]
     pub remarks: Vec<Message>,
-    share_cut: f64,
+    /// And of the case.
+    #[serde(skip)]
+    all_remarks: Vec<Message>,
+    #[serde(skip)]
     linear: Linear,
+    #[serde(skip)]
+    case: Case,
+}
+
+impl Answer for EvolutionAnswer {
+    const NAME: &'static str = "spectrum";
+    const DOCUMENT: &'static str = "evolution.json";
+
+    fn introduction(&self) -> Vec<Message> {
+        words::introduction(self)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![words::bands(&self.bands), self.bands_table(), self.profiles_table()]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        words::sentences(self)
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.spectrum_figure()
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let figures = [
+            ResultFile::Lines(Self::NAME, self.figure()),
+            ResultFile::Lines("profile", self.profile_figure()),
+            ResultFile::Stages("passages", self.stage_figures()),
+        ];
+        let grid = ResultFile::Grid("evolution", self.grid());
+        figures.into_iter().chain(ResultFile::tables(self.tables())).chain([grid]).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.all_remarks
+    }
 }

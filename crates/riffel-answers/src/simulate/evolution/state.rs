@@ -42,7 +42,7 @@ pub struct WornProfile {
 /// What a rail and a passage over it are like.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Stage {
+pub(super) struct Stage {
     /// Wheels so far.
     pub passages: u64,
     /// Depth worn off everywhere.
@@ -70,7 +70,7 @@ impl Stage {
 /// Loss of contact and forces of a passage.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Extremes {
+pub(super) struct Extremes {
     /// Share of the time without contact.
     pub contact_loss_fraction: f64,
     /// Least normal force.

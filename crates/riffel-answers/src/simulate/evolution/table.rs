@@ -1,66 +1,52 @@
-//! Tables of a rail after many wheels.
+//! Tables and grid of a rail after many wheels.
 
-use std::io::{self, Write};
-use std::path::Path;
-
-use super::{BandDocument, EvolutionAnswer, EvolutionDocument};
-use crate::AnswerError;
+use super::{Band, EvolutionAnswer, Stages};
 use crate::netcdf::{Grid, Variable};
+use crate::{Column, Table};
 
 impl EvolutionAnswer {
     /// One row for each stage and band.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn bands_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["passages", "wavelength_m", "level_db", "linear_level_db", "shift_m"])?;
-        let bands = self.bands();
-        for (index, stage) in self.stages.iter().enumerate() {
-            for band in &bands {
-                writer.serialize((
-                    stage.passages,
-                    band.wavelength_m,
-                    band.level_db[index],
-                    band.linear_level_db[index],
-                    band.shift_m[index],
-                ))?;
-            }
+    pub(super) fn bands_table(&self) -> Table {
+        let stages = self.stages.passages.iter().enumerate();
+        let rows =
+            || stages.clone().flat_map(|(stage, passages)| self.bands.iter().map(move |band| (stage, *passages, band)));
+        let column = |name: &str, of: fn(usize, &Band) -> f64| {
+            Column::exact(name, rows().map(|(stage, _, band)| of(stage, band)))
+        };
+        Table {
+            name: "bands",
+            columns: vec![
+                Column::names("passages", rows().map(|(_, passages, _)| passages)),
+                column("wavelength_m", |_, band| band.wavelength_m),
+                column("level_db", |stage, band| band.level_db[stage]),
+                column("linear_level_db", |stage, band| band.linear_level_db[stage]),
+                column("shift_m", |stage, band| band.shift_m[stage]),
+            ],
         }
-        writer.flush()
     }
 
     /// One row for each place, one column for each profile that was kept.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn profiles_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let names = self.profiles.iter().map(|profile| format!("height_after_{}_passages_m", profile.passages));
-        writer.write_record(["position_m".to_owned()].into_iter().chain(names))?;
-        for index in 0..self.profiles[0].heights_m.len() {
-            let heights = self.profiles.iter().map(|profile| profile.heights_m[index]);
-            let row = [index as f64 * self.spacing].into_iter().chain(heights);
-            writer.serialize(row.collect::<Vec<f64>>())?;
-        }
-        writer.flush()
+    pub(super) fn profiles_table(&self) -> Table {
+        let places = (0..self.profiles[0].heights_m.len()).map(|index| index as f64 * self.spacing);
+        let profiles = self.profiles.iter().map(|profile| {
+            let name = format!("height_after_{}_passages_m", profile.passages);
+            Column::exact(&name, profile.heights_m.iter().copied())
+        });
+        let places = Column::exact("position_m", places);
+        Table { name: "profile", columns: [places].into_iter().chain(profiles).collect() }
     }
 
-    /// Levels, growth, forces and profiles as NetCDF-3, under the names that Python has.
-    ///
-    /// # Errors
-    /// [`AnswerError::Grid`].
-    pub fn netcdf(&self, title: &str, path: &Path) -> Result<(), AnswerError> {
-        let document = self.document();
+    /// Levels, growth, forces and profiles, under the names that Python has.
+    pub(super) fn grid(&self) -> Grid<'_> {
         let axes = vec![
-            ("passages", document.stages.passages.len()),
-            ("wavelength", document.bands.len()),
+            ("passages", self.stages.passages.len()),
+            ("wavelength", self.bands.len()),
             ("profile_passages", self.profiles.len()),
             ("position", self.profiles[0].heights_m.len()),
         ];
-        let mut variables = over_passages(&document);
-        variables.extend(over_wavelength(&document));
-        variables.extend(over_both(&document));
+        let mut variables = over_passages(&self.stages);
+        variables.extend(over_wavelength(&self.bands));
+        variables.extend(over_both(&self.bands));
         let count = axes[3].1;
         variables.extend([
             Variable {
@@ -91,12 +77,11 @@ impl EvolutionAnswer {
                 }),
             },
         ]);
-        Grid { title, axes, variables }.write(path)
+        Grid { title: self.title(), axes, variables }
     }
 }
 
-fn over_passages(document: &EvolutionDocument) -> Vec<Variable<'_>> {
-    let stages = &document.stages;
+fn over_passages(stages: &Stages) -> Vec<Variable<'_>> {
     let known = |values: &[Option<f64>]| -> Vec<f64> {
         let values = values.iter();
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
@@ -130,17 +115,14 @@ fn over_passages(document: &EvolutionDocument) -> Vec<Variable<'_>> {
 /// Re 1 µm, in the letters of NetCDF-3.
 const DECIBELS: &str = "dB re 1 um";
 
-fn over_wavelength(document: &EvolutionDocument) -> Vec<Variable<'_>> {
-    type Of = fn(&BandDocument) -> Option<f64>;
+fn over_wavelength(bands: &[Band]) -> Vec<Variable<'_>> {
+    type Of = fn(&Band) -> Option<f64>;
     let of = |(name, unit, long_name, value): (_, _, _, Of)| Variable {
         name,
         axes: &["wavelength"],
         unit,
         long_name,
-        values: Box::new(move || {
-            let bands = document.bands.iter();
-            bands.map(|band| value(band).unwrap_or(f64::NAN)).collect()
-        }),
+        values: Box::new(move || bands.iter().map(|band| value(band).unwrap_or(f64::NAN)).collect()),
     };
     let variables: [(_, _, _, Of); 7] = [
         ("wavelength", "m", "centre of the one-third octave", |band| Some(band.wavelength_m)),
@@ -158,16 +140,16 @@ fn over_wavelength(document: &EvolutionDocument) -> Vec<Variable<'_>> {
     variables.into_iter().map(of).collect()
 }
 
-fn over_both(document: &EvolutionDocument) -> Vec<Variable<'_>> {
-    type Of = fn(&BandDocument) -> &[f64];
+fn over_both(bands: &[Band]) -> Vec<Variable<'_>> {
+    type Of = fn(&Band) -> &[f64];
     let of = |(name, unit, long_name, value): (_, _, _, Of)| Variable {
         name,
         axes: &["passages", "wavelength"],
         unit,
         long_name,
         values: Box::new(move || {
-            let stages = 0..document.stages.passages.len();
-            let row = |stage: usize| document.bands.iter().map(move |band| value(band)[stage]);
+            let stages = 0..bands.first().map_or(0, |band| value(band).len());
+            let row = |stage: usize| bands.iter().map(move |band| value(band)[stage]);
             stages.flat_map(row).collect()
         }),
     };

@@ -5,7 +5,7 @@ use std::path::Path;
 use riffel::roughness::{Profile, Spectrum, Weld};
 use riffel_answers::simulate::Surface;
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, fixed, number, say as message};
 use riffel_rail::{GroundRail, LabelledSpectrum, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, LengthPair, Simulate, positive};
@@ -62,9 +62,7 @@ pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::R
 fn whole_bays(length: f64, bay: f64) -> f64 {
     let whole = (length / bay - 1e-6).ceil() * bay;
     if (whole / length - 1.0).abs() > 1e-6 {
-        say(format_args!(
-            "note: the rail is {whole:.3} m long, whole bays of {bay} m, so that its end meets its beginning"
-        ));
+        say(message!(rail_of_whole_bays, length = fixed(whole, 3), bay = number(bay)));
     }
     whole
 }
@@ -84,10 +82,7 @@ fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::
     })?;
     let left = spectrum.levels().len() - kept.levels().len();
     if left > 0 {
-        say(format_args!(
-            "note: {left} bands below {:.1} mm are left out: the contact is as long and averages them",
-            1e3 * patch
-        ));
+        say(message!(bands_below_patch_left_out, bands = number(left), length = fixed(1e3 * patch, 1)));
     }
     let longest = kept.levels().last().map_or(0.0, |level| level.band.wavelength());
     Ok(kept.drawn(length, step, seed).map_err(|error| match error {
@@ -116,7 +111,7 @@ fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
     let Some(last) = last.map(str::to_owned) else {
         return Ok(levels.latest().0);
     };
-    say(format_args!("note: of the levels those after {last} passages are taken"));
+    say(message!(levels_after_passages_taken, passages = &last));
     let mut choices = vec![format!("{COLUMN}={last}")];
     // Two columns of levels stand beside each other there, as of two rails.
     let is_own = |record: &LabelledSpectrum| record.label("rail") == Some("level_db");
@@ -153,10 +148,10 @@ fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<P
     let longest = rail.stretches.iter().max_by(|one, other| one.length().total_cmp(&other.length()));
     let profile = longest.ok_or_else(|| refuse("the rail has no heights".to_owned()))?;
     if rail.stretches.len() > 1 {
-        say(format_args!(
-            "of {} stretches without a gap the longest is taken, from {:.3} m on",
-            rail.stretches.len(),
-            profile.start()
+        say(message!(
+            longest_stretch_taken,
+            stretches = number(rail.stretches.len()),
+            start = fixed(profile.start(), 3)
         ));
     }
     for warning in &record.warnings {
