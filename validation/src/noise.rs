@@ -4,8 +4,11 @@ use std::sync::LazyLock;
 
 use riffel::noise::{FrequencyBand, Surroundings, a_weighting};
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_answers::noise::{Levels, NoiseQuestion, RoughWheels};
-use riffel_case::{Case, MAIN_LINE_CASE, TrackRadiator};
+use riffel_answers::noise::{DecayRates, Levels, NoiseQuestion, RoughWheels};
+use riffel_answers::question::Nobody;
+use riffel_case::{Case, MAIN_LINE_CASE};
+use riffel_keys::quantity::Quantity;
+use riffel_rail::Survey;
 
 use crate::Row;
 
@@ -105,13 +108,15 @@ impl Section {
             let question = NoiseQuestion {
                 wheel_modes: wheel_modes.map(str::to_owned),
                 wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
-                radiator: TrackRadiator { decay_rate: Some(rates.collect()), ..TrackRadiator::default() },
-                transfer: Some(["cnossos-monobloc-hard-pads", "cnossos-wheel-920"].map(str::to_owned)),
-                distance: 2.5,
+                decay_rate: Some(rates.collect::<DecayRates>().into()),
+                track_transfer: Some("cnossos-monobloc-hard-pads".to_owned()),
+                vehicle_transfer: Some("cnossos-wheel-920".to_owned()),
+                distance: Quantity::new(2.5).into(),
                 surroundings: Surroundings::OnPlate,
-                ..NoiseQuestion::of_a_coach(SPEED, roughness, "iso-3095-2013".to_owned())
+                ..NoiseQuestion::of_a_coach(case.clone(), Survey::of_spectrum(roughness), SPEED, "iso-3095-2013")
+                    .expect("a question")
             };
-            question.answer(&case, &|_| ()).expect("levels")
+            question.answer(&Nobody).expect("levels")
         };
         let rigid = answer(None);
         let transfer = rigid.by_transfer_functions.expect("levels");

@@ -82,6 +82,67 @@ pub trait Answer: Serialize {
     fn remarks(&self) -> &[Message];
 }
 
+/// An answer of any type.
+pub trait AnyAnswer {
+    /// Its document, indented.
+    fn document(&self) -> String;
+    /// Name of the file of its document.
+    fn document_name(&self) -> &'static str;
+    /// What it is about, in lines before the tables.
+    fn introduction(&self) -> Vec<Message>;
+    /// Tables, for files and readers.
+    fn tables(&self) -> Vec<Table>;
+    /// What a reader sees above a table of a name, a line each.
+    fn above(&self, table: &str) -> Vec<Message>;
+    /// What a reader sees below a table of a name, a line each.
+    fn below(&self, table: &str) -> Vec<Message>;
+    /// What the tables do not say, a line each.
+    fn sentences(&self) -> Vec<Message>;
+    /// The files beside the document.
+    fn files(&self) -> Vec<ResultFile<'_>>;
+    /// What the reader should know.
+    fn remarks(&self) -> &[Message];
+}
+
+impl<A: Answer> AnyAnswer for A {
+    fn document(&self) -> String {
+        // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
+        serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+
+    fn document_name(&self) -> &'static str {
+        A::DOCUMENT
+    }
+
+    fn introduction(&self) -> Vec<Message> {
+        Answer::introduction(self)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        Answer::tables(self)
+    }
+
+    fn above(&self, table: &str) -> Vec<Message> {
+        Answer::above(self, table)
+    }
+
+    fn below(&self, table: &str) -> Vec<Message> {
+        Answer::below(self, table)
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        Answer::sentences(self)
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        Answer::files(self)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        Answer::remarks(self)
+    }
+}
+
 /// The file of a case, as documents repeat it.
 pub(crate) fn inputs<S: Serializer>(case: &Case, serializer: S) -> Result<S::Ok, S::Error> {
     case.file.serialize(serializer)

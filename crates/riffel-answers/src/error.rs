@@ -2,7 +2,7 @@
 
 use miette::Diagnostic;
 use riffel::profile::ProfileError;
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, say};
 use riffel_plot::PlotError;
 use thiserror::Error;
 
@@ -14,6 +14,20 @@ pub enum AnswerError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Case(#[from] CaseError),
+
+    /// A key of the case that an option has set cannot have this value.
+    #[error("{option}: {message}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// What is wrong.
+        message: Message,
+    },
+
+    /// A calibration is not there, or not finished.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Calibration(#[from] riffel_calibrate::CalibrationError),
 
     /// A value is outside the range of the physics.
     #[error("{0}")]
@@ -32,6 +46,27 @@ pub enum AnswerError {
         value: String,
         /// What it must be.
         rule: String,
+    },
+
+    /// A value of an argument that cannot be taken as it is written.
+    #[error("{argument}{message}")]
+    Range {
+        /// The argument.
+        argument: &'static str,
+        /// After the name of the argument, with what separates it.
+        message: String,
+    },
+
+    /// A key of a question is unknown, missing or of the wrong kind.
+    #[error("{message}")]
+    #[diagnostic(help(
+        "`riffel {question} --help` says what each takes, `riffel schema --question {question}` as JSON"
+    ))]
+    Question {
+        /// The name of the question.
+        question: &'static str,
+        /// The sentence.
+        message: String,
     },
 
     /// A model of the field was named that cannot be read from the case.
@@ -86,6 +121,7 @@ impl AnswerError {
             Self::Case(error) => error.message(),
             Self::Physics(error) => error.into(),
             Self::Profile(error) => error.into(),
+            Self::Option { option, message } => say!(place_and_fault, place = *option, fault = message),
             other => Message::verbatim(other.to_string()),
         }
     }

@@ -56,6 +56,7 @@ mod parameters;
 mod plan_document;
 pub mod point;
 pub mod profile;
+pub mod question;
 pub mod rail_damage;
 pub mod receptance;
 pub mod remedies;
@@ -76,7 +77,7 @@ pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
 
-pub use answer::{Answer, ResultFile};
+pub use answer::{Answer, AnyAnswer, ResultFile};
 pub use banded::Banded;
 pub use calibration::{Calibration, four_digits};
 pub use capital::{capital, sentence};
@@ -96,6 +97,13 @@ pub use table::{Column, Table, Values};
 pub use track_in_words::place;
 pub(crate) use wear_limit::wear_spread;
 pub use wear_limit::{WearLimitDocument, for_whom, unlikely_wear};
+
+/// All questions that are data.
+pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
+    &question::of::<noise::NoiseQuestion>(),
+    &question::of::<shakedown::ShakedownQuestion>(),
+    &question::of::<stability_map::StabilityQuestion>(),
+];
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

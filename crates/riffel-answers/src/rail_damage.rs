@@ -7,7 +7,7 @@ use riffel_rail::GroundRail;
 use serde::Serialize;
 
 use crate::forecast::{CrackedWave, ForecastAnswer, ForecastHorizon, ForecastRequest};
-use crate::shakedown::{ShakedownAnswer, ShakedownQuestion};
+use crate::shakedown::{ShakedownAnswer, ShakedownLimits};
 use crate::{AnswerError, level_limit};
 
 /// The limit that the rail is ground to, by some decibels below.
@@ -36,7 +36,7 @@ impl RailDamage {
     /// # Errors
     /// [`AnswerError`] for a wave that the case does not know, and as of [`ForecastAnswer::new`].
     pub fn new(case: &Case, traffic: Option<&Traffic>, wave: [f64; 2]) -> Result<Self, AnswerError> {
-        let question = ShakedownQuestion { wave: Some(wave), ..ShakedownQuestion::default() };
+        let question = ShakedownLimits { wave: Some(wave), ..ShakedownLimits::default() };
         let mut damage =
             Self { shakedown: question.answer(case)?, months: None, cracks: Vec::new(), findings: Vec::new() };
         if case.has_other_damage() {

@@ -3,11 +3,14 @@
 use rayon::prelude::*;
 use riffel::feedback::Stability;
 use riffel_case::Case;
-use riffel_keys::quantity::Quantity;
+use riffel_keys::quantity::{Quantity, Ratio};
 use riffel_keys::{CaseError, Message, fixed, say, shown_speed};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
+use crate::answer::AnyAnswer;
+use crate::question::{Asker, CaseSource, Question};
 use crate::stress::contour;
 use crate::{Answer, AnswerError, Column, Table};
 
@@ -17,6 +20,33 @@ const SPEEDS: usize = 31;
 const APART: f64 = 1.12;
 /// Growth \[1/s\] of which lines are drawn.
 const LEVELS: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+
+/// Where over speed and friction the loop oscillates without any profile, as in squeal, how fast and at what frequency.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct StabilityQuestion {
+    #[serde(flatten)]
+    case: CaseSource,
+    /// Friction coefficients, separated by commas [default: 23, from 0.05 to 0.6].
+    #[schemars(extend("value_name" = "LIST", "separator" = ","))]
+    friction: Vec<Quantity<Ratio>>,
+}
+
+impl Question for StabilityQuestion {
+    const NAME: &'static str = "stability";
+    const EXAMPLE: &'static str = "\
+        Example: riffel stability case.toml --friction 0.1,0.2,0.3,0.4,0.5 --set 'map.speed={min=\"20 km/h\",max=\"80 km/h\"}'\n\n\
+        Each friction has the mean state of its own; the speeds are those of map.speed.";
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError> {
+        let case = self.case.read(asker)?;
+        let friction = match self.friction.is_empty() {
+            true => StabilityMap::frictions(),
+            false => self.friction.iter().map(Quantity::si).collect(),
+        };
+        let step = asker.begin(say!(progress_stability), friction.len());
+        Ok(Box::new(StabilityMap::new(&case, &friction, &step)?))
+    }
+}
 
 /// The loop over speed and friction.
 #[derive(Debug, Serialize)]

@@ -20,7 +20,7 @@ use std::any::TypeId;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use arguments::{Arguments, Ask, Command};
+use arguments::{Arguments, AskedQuestion, Command, Commands};
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use error::CliError;
 use messages::{Reader, Verbosity, complain_of, complain_of_usage};
@@ -39,22 +39,26 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
     messages::lay_out_errors();
     let words: Vec<OsString> = arguments.into_iter().collect();
     match parse(&words) {
-        Ok((arguments @ Arguments { command: Command::Ask(Ask { translations, page, .. }), .. }, _)) => {
-            if let Some(process) = page {
-                riffel_keys::seal::seal();
-                end_with(process);
-            }
-            let reader = Reader::Program { translations };
-            messages::begin(arguments.verbosity(), arguments.language(), reader);
-            match asked(&arguments) {
-                Ok(words) => run_parsed(parse(&words), &words, reader, program),
-                Err(error) => {
-                    complain_of(error.into());
-                    BAD_INPUT
-                }
-            }
-        }
+        Ok((arguments, _)) if arguments.ask().is_some() => ask(arguments, program),
         parsed => run_parsed(parsed, &words, Reader::Person, program),
+    }
+}
+
+/// Answer the question on standard input.
+fn ask(arguments: Arguments, program: &[OsString]) -> u8 {
+    let translations = arguments.ask().is_some_and(|ask| ask.translations);
+    if let Some(process) = arguments.ask().and_then(|ask| ask.page) {
+        riffel_keys::seal::seal();
+        end_with(process);
+    }
+    let reader = Reader::Program { translations };
+    messages::begin(arguments.verbosity(), arguments.language(), reader);
+    match asked(arguments) {
+        Ok((parsed, words)) => run_parsed(parsed, &words, reader, program),
+        Err(error) => {
+            complain_of(error.into());
+            BAD_INPUT
+        }
     }
 }
 
@@ -99,17 +103,28 @@ fn with_numbers_below_zero(command: clap::Command) -> clap::Command {
     names.iter().fold(command, |command, name| command.mut_subcommand(name, with_numbers_below_zero))
 }
 
-/// The command line of the question on standard input.
-fn asked(arguments: &Arguments) -> Result<Vec<OsString>, CliError> {
-    let Command::Ask(Ask { name, .. }) = &arguments.command else {
-        return Ok(Vec::new());
+/// The question on standard input, with its command line where it is not yet one that is data.
+fn asked(arguments: Arguments) -> Result<(Parsed, Vec<OsString>), CliError> {
+    let name = arguments.ask().map(|ask| ask.name.clone()).unwrap_or_default();
+    let data = riffel_answers::question::named(&name.join(" "));
+    let command = match data {
+        None => Some(question::find(&Arguments::command(), &name)?),
+        Some(_) => None,
     };
-    let command = question::find(&Arguments::command(), name)?;
-    let question = riffel_keys::question::read();
-    let question = question.map_err(|reason| CliError::ReadQuestion { reason })?;
+    let keys = riffel_keys::question::read();
+    let keys = keys.map_err(|reason| CliError::ReadQuestion { reason })?;
+    if let (Some(data), None) = (data, &command) {
+        let question = AskedQuestion::of_json(data, keys)?;
+        let inputs = question.inputs();
+        return Ok((Ok((arguments.asking(question), inputs)), Vec::new()));
+    }
     let options = arguments.options_of_all().map(OsString::from);
     let words = [OsString::from("riffel")].into_iter().chain(options);
-    Ok(words.chain(question::words(&command, name, &question)?).collect())
+    let words = match &command {
+        Some(command) => words.chain(question::words(command, &name, &keys)?).collect(),
+        None => Vec::new(),
+    };
+    Ok((parse(&words), words))
 }
 
 fn run_parsed(parsed: Parsed, words: &[OsString], reader: Reader, program: &[OsString]) -> u8 {
@@ -137,7 +152,7 @@ fn run_parsed(parsed: Parsed, words: &[OsString], reader: Reader, program: &[OsS
     }
     staging::set_inputs(inputs);
     // The page ends its own work.
-    if !matches!(arguments.command, Command::Serve(_)) {
+    if !matches!(&arguments.command, Commands::Other(command) if matches!(**command, Command::Serve(_))) {
         staging::clean_up_on_interrupt();
     }
     match execute(arguments.command, program) {
@@ -158,15 +173,19 @@ fn asked_language(words: &[OsString]) -> Language {
     }
 }
 
-fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
+fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
+    let command = match command {
+        Commands::Question(asked) => {
+            command::question::run(&asked)?;
+            return Ok(0);
+        }
+        Commands::Other(command) => *command,
+    };
     match command {
         Command::Init(arguments) => command::init::run(&arguments)?,
         Command::Point(arguments) => command::point::run(&arguments)?,
         Command::Map(arguments) => command::map::run(&arguments)?,
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
-        Command::Noise(arguments) => command::noise::run(&arguments)?,
-        Command::Shakedown(arguments) => command::shakedown::run(&arguments)?,
-        Command::Stability(arguments) => command::stability::run(&arguments)?,
         Command::Wheelset(arguments) => command::wheelset::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
         Command::Contact(arguments) => command::contact::run(&arguments)?,

@@ -76,7 +76,11 @@ pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
 /// tables beside it.
 pub(crate) fn json(document: &impl Serialize) -> String {
     // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
-    let write = || serde_json::to_string_pretty(document).unwrap_or_default();
+    json_of(|| serde_json::to_string_pretty(document).unwrap_or_default())
+}
+
+/// [`json`] of a document that `write` writes.
+pub(crate) fn json_of(write: impl FnOnce() -> String) -> String {
     let (mut text, known) = match has_translations() {
         true => with_translations(write),
         false => (write(), Translations::default()),

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
+use riffel_answers::question;
 use riffel_answers::{AnswerError, OverPosterior, PosteriorDraws};
-use riffel_calibrate::{Chains, Plan, finished};
+use riffel_calibrate::{Chains, Plan};
 
 use crate::arguments::{CaseArguments, Posterior};
-use crate::error::CliError;
+use crate::command::question::Terminal;
 use crate::messages::print_remarks;
-use crate::progress::Progress;
 
 impl Posterior {
     /// The draws of a calibration of the case, if a folder is given.
@@ -28,26 +28,10 @@ pub(crate) fn over(
     draws: Option<&PosteriorDraws>,
     answer: impl FnOnce(&PosteriorDraws, &(dyn Fn(usize) + Sync)) -> Result<OverPosterior, AnswerError>,
 ) -> Result<Option<OverPosterior>, AnswerError> {
-    let Some(draws) = draws else {
-        return Ok(None);
-    };
-    let progress = Progress::new(riffel_keys::say!(progress_draws_of_calibration), draws.count());
-    answer(draws, &|by| progress.advance(by)).map(Some)
+    question::over(draws, &Terminal, answer)
 }
 
 /// The plan and the chains of a folder, which are of the case that is named and of no other.
 pub(crate) fn finished_of(case: &CaseArguments, folder: &Path) -> miette::Result<(Plan, Chains)> {
-    let (plan, chains) = finished(folder, None)?;
-    if !case.is_just(&plan.inputs[1]) {
-        return Err(CliError::Argument {
-            argument: "--posterior",
-            value: folder.display().to_string(),
-            rule: format!(
-                "a calibration of the case that is named, without --set; it is of {}",
-                plan.inputs[1].display()
-            ),
-        }
-        .into());
-    }
-    Ok((plan, chains))
+    Ok(question::finished_of(&|path| case.is_just(path), folder)?)
 }

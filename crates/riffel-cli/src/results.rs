@@ -1,12 +1,14 @@
 //! The results of a command: a document on standard output, or files and words on them.
 
-use riffel_answers::{Answer, Table};
+use riffel_answers::{AnyAnswer, Table};
 use riffel_keys::Message;
+
+use std::path::PathBuf;
 
 use crate::arguments::{CaseArguments, ResultsArguments};
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
-use crate::output::{json, print, table_of};
+use crate::output::{json_of, print, table_of};
 use crate::staging::Staging;
 
 /// Where the results of a command on a case go: with `--json` the document is printed, and files are written only to a
@@ -14,13 +16,19 @@ use crate::staging::Staging;
 pub(crate) struct Results<'a> {
     /// The command, which gives the folder its name where none is named.
     command: &'static str,
-    case: &'a CaseArguments,
+    /// The file that it is about, without its ending, which gives it the rest.
+    stem: String,
     to: &'a ResultsArguments,
 }
 
 impl<'a> Results<'a> {
-    pub(crate) fn of(command: &'static str, case: &'a CaseArguments, to: &'a ResultsArguments) -> Self {
-        Self { command, case, to }
+    pub(crate) fn of(command: &'static str, case: &CaseArguments, to: &'a ResultsArguments) -> Self {
+        Self::named(command, case.stem(), to)
+    }
+
+    /// Results that are named after a file with this stem.
+    pub(crate) fn named(command: &'static str, stem: String, to: &'a ResultsArguments) -> Self {
+        Self { command, stem, to }
     }
 
     /// Hand out the document, or files and what is said of them on a terminal; with `--json` and a folder both, and nothing
@@ -37,7 +45,8 @@ impl<'a> Results<'a> {
                 return Ok(());
             }
         }
-        let folder = self.case.folder(self.to.output.as_deref(), self.command);
+        let named = || PathBuf::from(format!("{}-{}", self.stem, self.command));
+        let folder = self.to.output.clone().unwrap_or_else(named);
         let mut staging = Staging::new(self.command, &folder)?;
         write(&mut staging)?;
         let files = staging.publish()?.join(" ");
@@ -48,15 +57,15 @@ impl<'a> Results<'a> {
     }
 
     /// Hand out an answer: its figure, a file for each table and its document, or what they say in words; then its remarks.
-    pub(crate) fn answer<A: Answer>(&self, answer: &A) -> Result<(), CliError> {
+    pub(crate) fn answer(&self, answer: &dyn AnyAnswer) -> Result<(), CliError> {
         let tables = answer.tables();
         self.hand_out(
-            || json(answer),
+            || json_of(|| answer.document()),
             |staging| {
                 for file in answer.files() {
                     staging.write_result(file)?;
                 }
-                staging.write(A::DOCUMENT, json(answer))
+                staging.write(answer.document_name(), json_of(|| answer.document()))
             },
             || readable(answer, &tables),
         )?;
@@ -66,7 +75,7 @@ impl<'a> Results<'a> {
 }
 
 /// An answer in words.
-pub(crate) fn readable<A: Answer>(answer: &A, tables: &[Table]) -> String {
+pub(crate) fn readable(answer: &dyn AnyAnswer, tables: &[Table]) -> String {
     let lines = |messages: Vec<Message>| -> String {
         let lines = messages.iter().map(|line| line.text(language()) + "\n");
         lines.collect()

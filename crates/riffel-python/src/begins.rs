@@ -1,14 +1,12 @@
 //! The rail that a forecast begins with.
 
-use std::path::Path;
-
 use jiff::civil::Date;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use riffel::roughness::LevelLimit;
 use riffel_answers::forecast::RailStart;
 use riffel_keys::Message;
-use riffel_rail::{Elapsed, GroundRail, LabelledSpectrum, RailDates, Survey, read_date};
+use riffel_rail::{Elapsed, GroundRail, RailDates, Survey, read_date};
 
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
@@ -70,8 +68,7 @@ impl Begins {
 /// The levels of now with those before them.
 pub(crate) fn survey((now, earlier, dates): &GivenDates<'_>) -> PyResult<Survey> {
     let of = |(wavelengths, levels): &GivenLevels<'_>| {
-        let record = LabelledSpectrum { labels: Vec::new(), spectrum: spectrum(&owned(wavelengths), &owned(levels))? };
-        Survey::new(Path::new("spectrum"), vec![record], Vec::new()).map_err(of_case)
+        Ok::<_, PyErr>(Survey::of_spectrum(spectrum(&owned(wavelengths), &owned(levels))?))
     };
     let mut now = of(now)?;
     if earlier.is_empty() {

@@ -3,18 +3,17 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use riffel::noise::Surroundings;
 use riffel::roughness::Spectrum;
 use riffel_answers::noise::{NoiseQuestion, RoughWheels};
-use riffel_case::TrackRadiator;
-use riffel_rail::read_decay_rates;
+use riffel_answers::question::{Nobody, Source};
+use riffel_keys::quantity::Quantity;
 
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
 use crate::begins::{GivenDates, GivenLevels, survey};
 use crate::case::Case;
 use crate::document::document;
-use crate::errors::{of_answer, of_case};
+use crate::errors::of_answer;
 use crate::forecast::GivenTraffic;
 
 /// The train: wheels on one rail, its length \[m\], distance and height of the receiver \[m\].
@@ -52,34 +51,29 @@ pub(crate) fn noise<'py>(
     let (rail_foot, sleeper_area) = radiators;
     let (months, limit_dba) = ahead;
     let survey = survey(&measured)?;
+    let length = |metres: f64| Quantity::new(metres).into();
+    let [track_transfer, vehicle_transfer] = transfer.map_or([None, None], |names| names.map(Some));
     let question = NoiseQuestion {
-        speed,
-        roughness: survey.mean(),
-        history: survey.history,
-        rails: Vec::new(),
-        before: None,
         wheel_roughness: match wheel_roughness {
             Some(GivenWheels::Table(name)) => Some(RoughWheels::Named(name)),
             Some(GivenWheels::Levels(levels)) => Some(RoughWheels::Given(roughness_of(&levels)?)),
             None => None,
         },
         wheel_modes,
-        radiator: TrackRadiator {
-            rail_foot,
-            sleeper_area,
-            decay_rate: decay_rate.as_deref().map(read_decay_rates).transpose().map_err(of_case)?,
-        },
-        transfer,
-        limit,
+        rail_foot: length(rail_foot),
+        sleeper_area: Quantity::new(sleeper_area).into(),
+        decay_rate: decay_rate.map(Source::File),
+        track_transfer,
+        vehicle_transfer,
         wheels,
-        train_length,
-        distance,
-        height,
-        surroundings: Surroundings::HardGround,
-        traffic: traffic.map(|traffic| traffic.traffic()).transpose()?,
+        train_length: train_length.map(length),
+        distance: length(distance),
+        height: length(height),
+        traffic: traffic.map(|traffic| traffic.traffic()).transpose()?.map(Source::from),
         months,
         limit_dba,
+        ..NoiseQuestion::of_a_coach(case.case.clone(), survey, speed, &limit).map_err(of_answer)?
     };
-    let answer = case.compute(py, move |case| question.answer(case, &|_| ()))?;
+    let answer = case.compute(py, move |_| question.answer(&Nobody))?;
     document(py, &answer.map_err(of_answer)?)
 }

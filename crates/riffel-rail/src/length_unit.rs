@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use riffel_keys::{Exponents, Unit};
+use serde::{Deserialize, Deserializer, de};
 
 /// A unit of length, as in mm or um.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,6 +20,12 @@ impl FromStr for LengthUnit {
         } else {
             Err(format!("\"{text}\" is no unit of length; write m, mm, um or km"))
         }
+    }
+}
+
+impl<'de> Deserialize<'de> for LengthUnit {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(de::Error::custom)
     }
 }
 

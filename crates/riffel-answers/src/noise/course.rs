@@ -7,8 +7,9 @@ use riffel_case::{Case, Variant};
 use riffel_keys::{Message, fixed, number, say};
 use serde::Serialize;
 
+use super::at_least;
 use super::sources::Radiation;
-use super::{Train, at_least};
+use super::train::Train;
 use crate::AnswerError;
 use crate::forecast::RailStart;
 
@@ -35,21 +36,20 @@ impl Course {
     /// growth; wavelengths outside the map of the case keep their level.
     pub(super) fn new(
         case: &Case,
-        train: &Train<'_>,
+        train: &Train,
         radiation: &Radiation<'_>,
         traffic: &Traffic,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<(Option<Self>, Vec<Message>), AnswerError> {
-        let question = train.question;
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
         let per_month = on.passages_per_month().ok_or(AnswerError::NoPassagesPerDay)?;
         let start = RailStart {
-            levels: question.roughness.clone().into(),
+            levels: train.roughness.clone().into(),
             is_measured: true,
             is_of_case: true,
-            growth: (question.history.as_ref()).and_then(|history| history.growth(None, on.passages_per_day)),
+            growth: (train.history.as_ref()).and_then(|history| history.growth(None, on.passages_per_day)),
         };
-        let has_dates = question.history.is_some();
+        let has_dates = train.history.is_some();
         let per_day = on.passages_per_day;
         let without = RailStart::without_dates(std::slice::from_ref(&start), has_dates, false, per_day);
         let forecast = start.forecast(&on).map_err(AnswerError::OutsideWindow)?;
@@ -61,7 +61,7 @@ impl Course {
         }
         // The course ends at one month whatever time is asked for, and so does a limit that is reached before.
         let linear = forecast.valid_to() / per_month;
-        let end = question.months.min(linear);
+        let end = train.months.min(linear);
         let month: Vec<f64> = if end > 0.0 {
             let share = |step| f64::from(step) / f64::from(STEPS);
             (0..=STEPS).map(|step| end * share(step)).collect()
@@ -70,19 +70,19 @@ impl Course {
         };
         let level = |month: f64| -> Result<f64, AnswerError> {
             let passages = (month * per_month).min(forecast.valid_to());
-            let roughness = then(&question.roughness, &forecast.spectrum(passages)?)?;
+            let roughness = then(&train.roughness, &forecast.spectrum(passages)?)?;
             let heard = train.levels(radiation, &roughness)?;
             Ok(heard.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY))
         };
         let levels = month.iter().map(|&month| level(month));
         let total_dba = levels.collect::<Result<Vec<_>, _>>()?;
         let course = Self {
-            months_to_limit: match question.limit_dba {
+            months_to_limit: match train.limit_dba {
                 Some(limit) => reached(&month, &total_dba, limit, level)?,
                 None => None,
             },
-            beyond_linear_range: linear < question.months,
-            limit_dba: question.limit_dba,
+            beyond_linear_range: linear < train.months,
+            limit_dba: train.limit_dba,
             month,
             total_dba,
         };

@@ -4,8 +4,9 @@ use riffel::noise::Part;
 use riffel_keys::{Language, Message, number, say, shown_speed};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
+use super::since::lower_bound_up_to;
 use super::tables::name_of;
-use super::{Course, NoiseAnswer, at_least, lower_bound_up_to};
+use super::{Course, NoiseAnswer, at_least};
 
 pub(super) fn figure(answer: &NoiseAnswer, parameters: &str, language: Language) -> LineFigure {
     let mut panels = vec![parts(answer, language), measures(answer, language)];

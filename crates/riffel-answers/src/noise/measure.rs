@@ -6,8 +6,8 @@ use riffel_case::Case;
 use riffel_keys::{Message, fixed, say, shown_speed};
 use serde::Serialize;
 
-use super::Train;
 use super::sources::Radiation;
+use super::train::Train;
 use crate::AnswerError;
 use crate::pads::with_pads_of;
 
@@ -35,11 +35,11 @@ const DAMPED: f64 = 0.01;
 /// Grinding, speed, pads and dampers, each alone.
 pub(super) fn measures(
     case: &Case,
-    train: &Train<'_>,
+    train: &Train,
     radiation: &Radiation<'_>,
     now: &Energies,
 ) -> Result<Vec<Measure>, AnswerError> {
-    let (roughness, speed) = (&train.question.roughness, train.question.speed);
+    let (roughness, speed) = (&train.roughness, train.speed);
     let total = |levels: &Energies| levels.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY);
     let mut found = Vec::new();
     let mut add = |title: Message, levels: Energies| {
@@ -72,7 +72,7 @@ pub(super) fn measures(
     }
     let pad = case.file.track.pad.as_ref().and_then(|pad| pad.stiffness);
     // Measured decay rates are those of the pads that are there.
-    if let (Some(stiffness), None) = (pad, &train.question.radiator.decay_rate) {
+    if let (Some(stiffness), None) = (pad, &train.radiator.decay_rate) {
         for (factor, title) in [(0.5, say!(softer_pads)), (2.0, say!(stiffer_pads))] {
             let other = with_pads_of(case, factor * stiffness.si())?;
             let other = train.radiation(&other, train.wheel_modes(), speed)?;
@@ -83,9 +83,9 @@ pub(super) fn measures(
 }
 
 /// The rail with no band above the limit; bands without a limit stay.
-fn ground_to_limit(train: &Train<'_>) -> Result<Spectrum, AnswerError> {
+fn ground_to_limit(train: &Train) -> Result<Spectrum, AnswerError> {
     let (_, limit) = &train.limit;
-    Ok(train.question.roughness.map(|level| {
+    Ok(train.roughness.map(|level| {
         let limit = limit.spectrum().level(level.band);
         level.level.min(limit.unwrap_or(f64::INFINITY))
     })?)

@@ -5,28 +5,23 @@ use riffel_case::Case;
 use riffel_keys::{Message, Value, fixed, number, say};
 use riffel_rail::name_in_words;
 
-use super::Train;
+use super::train::Train;
 
 /// Distance of pass-by measurements up to which what absorbs is left out by the field \[m\]: ISO 3095 measures at 7.5 and 25 m.
 const FAR: f64 = 25.0;
 /// Difference of radii up to which modes are taken to be those of the wheel.
 const LARGEST_DIFFERENCE: f64 = 0.05;
 
-pub(super) fn remarks(
-    case: &Case,
-    train: &Train<'_>,
-    powers: &[SoundPower],
-    left_out: &[FrequencyBand],
-) -> Vec<Message> {
+pub(super) fn remarks(case: &Case, train: &Train, powers: &[SoundPower], left_out: &[FrequencyBand]) -> Vec<Message> {
     let mut remarks = Vec::new();
-    if let [_, _, ..] = &train.question.rails[..] {
-        let rails = train.question.rails.iter();
+    if let [_, _, ..] = &train.rails[..] {
+        let rails = train.rails.iter();
         let rails: Value = rails.map(|rail| name_in_words(rail)).collect();
         remarks.push(say!(noise_on_mean_of_rails, rails = rails));
     }
     match &train.modes {
         None => remarks.push(say!(rigid_wheel)),
-        Some(table) => {
+        Some((_, table)) => {
             remarks.push(say!(ringing_wheel));
             let radius = case.hertz.rolling_radius();
             if (table.rolling_radius / radius - 1.0).abs() > LARGEST_DIFFERENCE {
@@ -38,10 +33,10 @@ pub(super) fn remarks(
             }
         }
     }
-    if train.question.distance > FAR {
-        remarks.push(say!(far_away, distance = train.question.distance, far = FAR));
+    if train.distance > FAR {
+        remarks.push(say!(far_away, distance = train.distance, far = FAR));
     }
-    if train.wheels.is_none() {
+    if train.wheel_roughness.is_none() {
         remarks.push(say!(smooth_wheels));
     }
     // The amplitude of a sinusoid of the same mean square, as in the forecast.
@@ -50,7 +45,7 @@ pub(super) fn remarks(
     if ratio >= 1.0 {
         remarks.push(say!(noise_beyond_linear_range, ratio = fixed(ratio, 2)));
     }
-    if let (None, Some(track)) = (&train.question.radiator.decay_rate, case.track.structure.as_deref()) {
+    if let (None, Some(track)) = (&train.radiator.decay_rate, case.track.structure.as_deref()) {
         let bands = powers.iter().map(|power| power.band);
         let far: Vec<FrequencyBand> = bands.filter(|band| RailDecay::runs_on(track, band.centre())).collect();
         if !far.is_empty() {

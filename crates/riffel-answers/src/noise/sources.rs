@@ -8,7 +8,7 @@ use riffel::roughness::Spectrum;
 use riffel_case::Case;
 use riffel_rail::TransferTable;
 
-use super::Train;
+use super::train::Train;
 use crate::AnswerError;
 
 /// Sound powers of the parts.
@@ -29,7 +29,7 @@ pub(super) struct Radiation<'a> {
     bands: Vec<BandRadiation>,
 }
 
-impl Train<'_> {
+impl Train {
     /// Pressures beside the track of some sound powers of a wheel on one rail.
     pub(super) fn heard(&self, powers: &[SoundPower]) -> Energies {
         let air = Air::default();
@@ -71,14 +71,7 @@ impl Train<'_> {
         Ok(Radiation {
             case,
             speed,
-            bands: self.question.radiator.bands(
-                case,
-                &case.feedback,
-                &case.track,
-                modes,
-                speed,
-                FrequencyBand::all(),
-            )?,
+            bands: self.radiator.bands(case, &case.feedback, &case.track, modes, speed, FrequencyBand::all())?,
         })
     }
 
@@ -88,7 +81,7 @@ impl Train<'_> {
         case: &Case,
         [track, vehicle]: [&TransferTable; 2],
     ) -> Result<Energies, AnswerError> {
-        let excitation = self.excitation(case, &self.question.roughness, self.question.speed)?;
+        let excitation = self.excitation(case, &self.roughness, self.speed)?;
         let air = Air::default();
         let mut bands = Vec::new();
         for band in FrequencyBand::all().filter(|band| excitation.covers(*band)) {
@@ -108,7 +101,7 @@ impl Train<'_> {
     }
 
     fn excitation(&self, case: &Case, roughness: &Spectrum, speed: f64) -> Result<Excitation, AnswerError> {
-        let wheel = self.wheels.as_ref().map(|(_, spectrum)| spectrum);
+        let wheel = self.wheel_roughness.as_ref().map(|(_, spectrum)| spectrum);
         let filter = ContactFilter::of(&case.hertz);
         Ok(Excitation::new(roughness, wheel, filter, speed)?)
     }

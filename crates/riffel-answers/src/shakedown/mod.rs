@@ -7,15 +7,65 @@ use rayon::prelude::*;
 use riffel::{HertzContact, LoopState};
 use riffel_case::Case;
 use riffel_case::file::LimitName;
+use riffel_keys::quantity::{Length, Quantity, Ratio, Speed};
 use riffel_keys::{Message, fixed, say, significant};
 use riffel_plot::LineFigure;
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
+use crate::answer::AnyAnswer;
+use crate::question::{AsWritten, Asker, CaseSource, Question, Rule};
 use crate::{Answer, AnswerError, Table};
 
-/// What is asked.
-#[derive(Debug, Clone, Default)]
+/// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct ShakedownQuestion {
+    #[serde(flatten)]
+    case: CaseSource,
+    /// Values of the utilised friction |Q|/P at which limits are told, separated by commas [default: 31, from 0 to 0.6].
+    #[schemars(extend("value_name" = "LIST", "separator" = ","))]
+    utilised_friction: Vec<Quantity<Ratio>>,
+    /// Wavelength of a wave along which the contact is followed.
+    wavelength: Option<AsWritten<Length>>,
+    /// Speed over it.
+    speed: Option<AsWritten<Speed>>,
+    /// Amplitude of the wave [default: that of the case].
+    amplitude: Option<AsWritten<Length>>,
+}
+
+impl Question for ShakedownQuestion {
+    const NAME: &'static str = "shakedown";
+    const EXAMPLE: &'static str =
+        "Example: riffel shakedown case.toml --wavelength \"300 mm\" --speed \"50 km/h\" --amplitude \"50 um\"";
+    const RULES: &'static [Rule] = &[
+        Rule::Needs("wavelength", &["speed"]),
+        Rule::Needs("speed", &["wavelength"]),
+        Rule::Needs("amplitude", &["wavelength"]),
+    ];
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError> {
+        let case = self.case.read(asker)?;
+        let mut covering = None;
+        let wave = match (&self.wavelength, &self.speed) {
+            (Some(wavelength), Some(speed)) => {
+                let wavelength = wavelength.within("--wavelength", asker)?;
+                let speed = speed.within("--speed", asker)?;
+                case.check_points([wavelength; 2], [speed; 2])?;
+                covering = Some(crate::question::covering(&case, wavelength, wavelength)?);
+                Some([wavelength, speed])
+            }
+            _ => None,
+        };
+        let amplitude = self.amplitude.as_ref().map(|amplitude| amplitude.within("--amplitude", asker)).transpose()?;
+        let utilised_friction = self.utilised_friction.iter().map(Quantity::si).collect();
+        let limits = ShakedownLimits { utilised_friction, wave, amplitude };
+        Ok(Box::new(limits.answer(covering.as_ref().unwrap_or(&case))?))
+    }
+}
+
+/// What is computed of a contact, in SI.
+#[derive(Debug, Clone, Default)]
+pub struct ShakedownLimits {
     /// Values of f = |Q|/P; none: equally spaced to 0.6.
     pub utilised_friction: Vec<f64>,
     /// Wavelength \[m\] and speed \[m/s\] of a wave along which the operating point goes.
@@ -96,7 +146,7 @@ pub struct OperatingPoint {
     pub demand: f64,
 }
 
-impl ShakedownQuestion {
+impl ShakedownLimits {
     /// Utilised friction beyond which nothing has been compared.
     const LARGEST: f64 = 0.6;
 

@@ -10,6 +10,7 @@ mod forecast;
 mod line_growth;
 mod motions;
 mod pass_by;
+mod questions;
 mod remedies;
 mod shakedown;
 

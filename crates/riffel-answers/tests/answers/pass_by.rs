@@ -4,8 +4,11 @@ use std::path::PathBuf;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_answers::noise::{NoiseQuestion, RoughWheels};
+use riffel_answers::question::Nobody;
 use riffel_calibrate::Plan;
 use riffel_case::Case;
+use riffel_keys::quantity::Quantity;
+use riffel_rail::Survey;
 
 /// Trains at both ends of six million passages.
 const HEARD: &str = "passages,level_dba,speed_km_per_h\n0,80,100\n6000000,84,100\n";
@@ -71,12 +74,18 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
         });
         let question = NoiseQuestion {
             wheels: 8,
-            distance: 25.0,
-            height: 3.5,
+            distance: Quantity::new(25.0).into(),
+            height: Quantity::new(3.5).into(),
             wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
-            ..NoiseQuestion::of_a_coach(100.0 / 3.6, Spectrum::new(of_bands).unwrap(), "iso-3095-2013".to_owned())
+            ..NoiseQuestion::of_a_coach(
+                case.clone(),
+                Survey::of_spectrum(Spectrum::new(of_bands).unwrap()),
+                100.0 / 3.6,
+                "iso-3095-2013",
+            )
+            .unwrap()
         };
-        let answer = question.answer(&case, &|_| ()).unwrap();
+        let answer = question.answer(&Nobody).unwrap();
         let place = predicted.len() - 2 + train;
         let heard = measured - observed[place] + predicted[place];
         let told = answer.level.total_dba.unwrap();

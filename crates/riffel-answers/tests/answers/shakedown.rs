@@ -1,6 +1,6 @@
 //! Operating points along a wave, against numbers made apart from Riffel.
 
-use riffel_answers::shakedown::ShakedownQuestion;
+use riffel_answers::shakedown::ShakedownLimits;
 use riffel_case::Case;
 use serde_json::Value;
 
@@ -45,7 +45,7 @@ fn operating_points() {
         let shear = growth["shear_yield_pa"][row[0]].as_f64().unwrap();
         for (limit, column) in [("line", 12), ("surface", 11)] {
             let case = case_of(of, "wave_geometry = false", shear, limit);
-            let question = ShakedownQuestion {
+            let question = ShakedownLimits {
                 utilised_friction: vec![0.3],
                 wave: Some([number(1), number(2)]),
                 amplitude: Some(number(3)),
@@ -75,7 +75,7 @@ fn more_friction_than_there_is_is_told() {
     let traction = ["contact.tractive_ratio=0.9".to_owned()];
     let case = Case::parse("case.toml", &text.unwrap(), &traction).unwrap();
     for (amplitude, told) in [(500e-6, true), (5e-6, false)] {
-        let question = ShakedownQuestion {
+        let question = ShakedownLimits {
             utilised_friction: Vec::new(),
             wave: Some([0.3, 50.0 / 3.6]),
             amplitude: Some(amplitude),
@@ -102,7 +102,7 @@ fn operating_points_on_waves() {
             let hertz = row["hertz"].as_str().unwrap();
             let contact = format!("hertz = \"{hertz}\"\nwave_geometry = true");
             let case = case_of(of, &contact, number("shear_yield_pa"), limit);
-            let ask = |amplitude| ShakedownQuestion {
+            let ask = |amplitude| ShakedownLimits {
                 utilised_friction: vec![0.3],
                 wave: Some([number("wavelength_m"), number("speed_m_per_s")]),
                 amplitude: Some(amplitude),

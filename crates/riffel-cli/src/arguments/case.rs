@@ -70,6 +70,11 @@ impl CaseArguments {
         }
     }
 
+    /// What results are named after.
+    pub(crate) fn stem(&self) -> String {
+        stem(&self.path)
+    }
+
     /// The folder given for results, or one named after the case and what it holds.
     pub(crate) fn folder(&self, given: Option<&Path>, what: &str) -> PathBuf {
         given.map_or_else(|| PathBuf::from(format!("{}-{what}", stem(&self.path))), Path::to_owned)
@@ -100,6 +105,5 @@ fn protect(path: &Path, file: &CaseFile) {
 
 /// The case with a contact that answers from one wavelength \[m\] to another.
 pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
-    // The window was not written by the user.
-    case.covering(from, to).map_err(|error| CliError::Case { option: "--wavelength", message: error.without_key() })
+    Ok(riffel_answers::question::covering(case, from, to)?)
 }

@@ -4,6 +4,7 @@ mod asked;
 mod axlebox;
 mod calibrate;
 mod case;
+mod commands;
 mod decide;
 mod earlier;
 mod figures;
@@ -11,22 +12,20 @@ mod forecast;
 mod listed_length;
 mod map;
 pub(crate) mod network;
-mod noise;
 mod number;
 mod page;
 mod point_in_rail;
 mod posterior;
 mod profile;
+mod question;
 mod receptance;
 mod roughness;
-mod shakedown;
 mod simulate;
-mod stability;
 mod study;
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, ValueEnum};
 use riffel_answers::paper::Model;
 use riffel_keys::Language;
 use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
@@ -39,6 +38,7 @@ pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
 pub(crate) use calibrate::{Calibrate, CalibrateChains, CalibrateCommand, CheckCalibration};
 pub(crate) use case::{CaseArguments, covering, stem};
+pub(crate) use commands::{Command, Commands};
 pub(crate) use decide::Decide;
 pub(crate) use earlier::Earlier;
 pub(crate) use figures::{Figures, ModelArgument};
@@ -46,15 +46,13 @@ pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Mode
 pub(crate) use listed_length::ListedLength;
 pub(crate) use map::Map;
 pub(crate) use network::{Judged, Network, NetworkCommand};
-pub(crate) use noise::Noise;
 pub(crate) use page::Page;
 pub(crate) use posterior::Posterior;
 pub(crate) use profile::{Alignment, Orientation, Profile};
+pub(crate) use question::AskedQuestion;
 pub(crate) use receptance::{DirectionArgument, Receptance};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
-pub(crate) use shakedown::Shakedown;
 pub(crate) use simulate::{LengthPair, Simulate};
-pub(crate) use stability::Stability;
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
@@ -68,7 +66,7 @@ pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
-    pub(crate) command: Command,
+    pub(crate) command: Commands,
 
     /// Print results and errors only: no notes, no progress.
     #[arg(short, long, global = true, conflicts_with = "verbose")]
@@ -93,6 +91,22 @@ pub(crate) enum Spoken {
 }
 
 impl Arguments {
+    /// What `riffel ask` was given, if it is that.
+    pub(crate) fn ask(&self) -> Option<&Ask> {
+        match &self.command {
+            Commands::Other(command) => match &**command {
+                Command::Ask(ask) => Some(ask),
+                _ => None,
+            },
+            Commands::Question(_) => None,
+        }
+    }
+
+    /// The same with a question in place of the command.
+    pub(crate) fn asking(self, question: AskedQuestion) -> Self {
+        Self { command: Commands::Question(question), ..self }
+    }
+
     /// The language in which it is said.
     pub(crate) fn language(&self) -> Language {
         match self.language {
@@ -122,73 +136,6 @@ impl Arguments {
     }
 }
 
-#[derive(Subcommand)]
-pub(crate) enum Command {
-    /// Write a commented case file to start from, a traffic file or the plan of a study.
-    Init(Init),
-    /// The whole loop at one wavelength and speed.
-    Point(Point),
-    /// Growth over wavelength and speed: picture, page, tables.
-    Map(Map),
-    /// Receptance of track, wheel and contact over frequency.
-    Receptance(Receptance),
-    /// The wheelset: natural frequencies with their names, mode shapes, receptances at the contacts.
-    Wheelset(Wheelset),
-    /// A wheel along a rail in time: large amplitudes, loss of contact.
-    Simulate(Simulate),
-    /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
-    Contact(Contact),
-    /// Profiles of wheels and rails: outline and curvature, or where a wheelset touches its track.
-    Profile(Profile),
-    /// A bogie in a curve: creepages, forces and wear number of each wheel, and over the radius.
-    Curve(Curve),
-    /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
-    Roughness(Roughness),
-    /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
-    #[command(name = "axlebox")]
-    AxleBox(AxleBox),
-    /// Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding.
-    Network(Network),
-    /// Dominant wavelengths of a measured rail, and what may have made them.
-    Diagnose(Diagnose),
-    /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
-    Report(Report),
-    /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
-    Forecast(Forecast),
-    /// What would help: growth on a case and on variants of it, side by side.
-    Compare(Compare),
-    /// How loud a train is on a rough rail, and what would make it quieter.
-    Noise(Noise),
-    /// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
-    Shakedown(Shakedown),
-    /// Where over speed and friction the loop oscillates without any profile, as in squeal, how fast and at what frequency.
-    Stability(Stability),
-    /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
-    Study(Study),
-    /// What measurements say of the uncertain values of a case.
-    Calibrate(Calibrate),
-    /// Which action pays, over the posterior of a calibration, and what to measure first.
-    Decide(Decide),
-    /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
-    Figures(Figures),
-    /// The page: the whole model in a browser on this machine.
-    Serve(Serve),
-    /// The page as one file, with a case inside: it opens without server and network.
-    Page(Page),
-    /// List the presets, or show one with the sources of its values.
-    Presets(Presets),
-    /// Answer a question in JSON on standard input: a command with its options as keys.
-    Ask(Ask),
-    /// Print the JSON schema of the case file, of the traffic file, of the plan of a study or of a question.
-    Schema(Schema),
-    /// Print completions of this command line for a shell.
-    Completions(Completions),
-    /// Print the manual page, or write those of all commands.
-    Man(ManPages),
-    /// Hold the program against reference numbers and published statements.
-    Validate(Validate),
-}
-
 /// Where results go.
 #[derive(Args, Default)]
 pub(crate) struct ResultsArguments {
@@ -203,17 +150,7 @@ pub(crate) struct ResultsArguments {
 
 /// The value of an argument that must be above zero, in SI.
 pub(crate) fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64, CliError> {
-    /// Nothing about a railway is smaller or larger in SI.
-    const RANGE: [f64; 2] = [1e-12, 1e12];
-    let si = value.si();
-    if (RANGE[0]..=RANGE[1]).contains(&si) {
-        return Ok(si);
-    }
-    let rule = match si > 0.0 {
-        true => format!("between {:e} and {:e} in SI", RANGE[0], RANGE[1]),
-        false => "greater than zero".to_owned(),
-    };
-    Err(CliError::Argument { argument, value: value.to_string(), rule })
+    Ok(riffel_answers::question::positive(argument, value)?)
 }
 
 #[derive(Args)]

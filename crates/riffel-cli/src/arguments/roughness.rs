@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use riffel::roughness::{AnalysisSettings, GrindSettings};
+use riffel_answers::question::{RecordLayout, Source};
 use riffel_answers::roughness::ProfileRequest;
 use riffel_keys::quantity::{Frequency, Length, Quantity};
-use riffel_rail::{LengthUnit, RecordPart};
+use riffel_rail::LengthUnit;
 
 use super::number::plain_number;
 use super::{CaseArguments, Earlier, Ground, HoldArgument, ResultsArguments};
@@ -57,6 +58,20 @@ pub(crate) struct Part {
 }
 
 impl Layout {
+    /// The same in a question.
+    pub(crate) fn records(&self) -> RecordLayout {
+        RecordLayout {
+            format: self.format.clone().map(Source::File),
+            spacing: self.spacing,
+            height_unit: self.height_unit.clone(),
+            position_unit: self.position_unit.clone(),
+            rail: self.part.rail.clone(),
+            from: self.part.from,
+            to: self.part.to,
+            keep_defects: self.keep_defects,
+        }
+    }
+
     /// The first argument given.
     pub(crate) fn given(&self) -> Option<&'static str> {
         let given = [
@@ -76,11 +91,6 @@ impl Part {
     fn given(&self) -> Option<&'static str> {
         let given = [("--rail", self.rail.is_some()), ("--from", self.from.is_some()), ("--to", self.to.is_some())];
         given.into_iter().find(|(_, is)| *is).map(|(name, _)| name)
-    }
-
-    /// What is taken of a file.
-    pub(crate) fn of_record(&self) -> RecordPart {
-        RecordPart { rail: self.rail.clone(), from: self.from, to: self.to }
     }
 }
 

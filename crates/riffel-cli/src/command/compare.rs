@@ -9,7 +9,7 @@ use riffel_keys::{CaseError, Message, say, shown_speed};
 use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, outside};
-use super::history::History;
+use super::question::Terminal;
 use super::roughness::survey;
 use crate::arguments::{Compare, Models};
 use crate::error::CliError;
@@ -55,9 +55,10 @@ pub(super) fn compare(case: &Case, arguments: &Compare, survey: Option<Survey>) 
     };
     let (table, limit) = riffel_answers::level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
-    History::check_now(&arguments.earlier, arguments.spectrum.as_deref())?;
-    let (path, layout) = (arguments.spectrum.as_deref(), &arguments.layout);
-    let dated = |survey| History::of_dates(survey, &arguments.earlier, path, layout, &arguments.choose);
+    arguments.earlier.check_now(arguments.spectrum.as_deref())?;
+    let (path, layout) = (arguments.spectrum.as_deref(), arguments.layout.records());
+    let earlier = arguments.earlier.records();
+    let dated = |survey| earlier.of_dates(survey, path, &layout, &arguments.choose, &Terminal);
     let survey = survey.map(dated).transpose()?;
     let steps = (1 + variants.len()) * traffic.file.vehicle.len();
     let limit = (table, limit);

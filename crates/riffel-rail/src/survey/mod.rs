@@ -63,6 +63,12 @@ impl Survey {
         Ok(survey)
     }
 
+    /// One spectrum that is in no file.
+    pub fn of_spectrum(spectrum: Spectrum) -> Self {
+        let record = LabelledSpectrum { labels: Vec::new(), spectrum };
+        Self { path: PathBuf::from("spectrum"), records: vec![record], warnings: Vec::new(), history: None }
+    }
+
     /// What was read of a file; profiles are processed after EN 15610, see [`RailAnalysis`].
     ///
     /// # Errors

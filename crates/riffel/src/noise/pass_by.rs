@@ -4,12 +4,13 @@ use super::Air;
 use crate::Error;
 
 /// What is around source and receiver.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Surroundings {
     /// Nothing.
     FreeField,
     /// Hard ground under source and receiver; source and image add in energy, as they do in one-third octaves for
     /// receivers some metres away.
+    #[default]
     HardGround,
     /// A receiver in the face of a large hard plate, where the pressure is twice that of the free field.
     OnPlate,

@@ -12,7 +12,6 @@ use riffel_rail::history::SpectraChoice;
 use riffel_rail::{RailRecord, RoughnessFile};
 
 use crate::arguments::{DiagnosisArguments, positive, within};
-use crate::command::history::check_dates;
 use crate::command::roughness::{choose_nothing, read};
 use crate::error::CliError;
 
@@ -35,7 +34,7 @@ pub(crate) fn diagnosis(
         bending: modes("--bending", &arguments.bending)?,
         instrument: if arguments.from_vehicle { Instrument::Vehicle } else { Instrument::Trolley },
     };
-    check_dates(&arguments.earlier)?;
+    arguments.earlier.records().check()?;
     let files: Vec<RoughnessFile> =
         arguments.earlier.files.iter().map(|path| read(path, &arguments.layout)).collect::<miette::Result<_>>()?;
     if matches!(file, RoughnessFile::Profile(_)) {

@@ -5,7 +5,7 @@ use riffel_keys::Message;
 use riffel_rail::{Elapsed, RailDates, Survey};
 
 use crate::arguments::Spectra;
-use crate::command::history::History;
+use crate::command::question::Terminal;
 use crate::error::CliError;
 
 /// The survey of now, with its history, and the oldest one, with the days between if they are dated.
@@ -23,7 +23,8 @@ impl Dated {
     pub(super) fn new(spectra: &Spectra, given: Survey) -> miette::Result<Self> {
         let mut now = given.clone().choose(&spectra.choose)?.on_one_device();
         let path = spectra.spectrum.as_deref();
-        let mut history = History::read(&spectra.earlier, path, &spectra.layout, &spectra.earlier_choose)?;
+        let records = spectra.earlier.records();
+        let mut history = records.read(path, &spectra.layout.records(), &spectra.earlier_choose, &Terminal)?;
         if history.surveys.is_empty() && !spectra.earlier_choose.is_empty() {
             let earlier = given.choose(&spectra.earlier_choose)?;
             history.surveys.push(earlier);

@@ -17,7 +17,6 @@ use riffel_rail::Survey;
 use wear::wear_report;
 
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
-use crate::command::history::History;
 use crate::command::roughness::survey;
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
@@ -67,7 +66,7 @@ pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey
     let traffic = Traffic::read(arguments.traffic.as_deref().unwrap_or_else(|| Path::new("")))?;
     let (table, limit) = level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
-    History::check_now(&arguments.spectra.earlier, arguments.spectra.spectrum.as_deref())?;
+    arguments.spectra.earlier.check_now(arguments.spectra.spectrum.as_deref())?;
     let dated = survey.map(|survey| Dated::new(&arguments.spectra, survey)).transpose()?;
     let progress = Progress::new(riffel_keys::say!(progress_traffic), traffic.file.vehicle.len());
     let measured_on = dated.as_ref().and_then(|dated| dated.date);

@@ -12,7 +12,7 @@ use riffel_rail::{LimitTable, Survey};
 use super::{Now, level_limit};
 use crate::arguments::Report;
 use crate::command::forecast::Measured;
-use crate::command::history::History;
+use crate::command::question::Terminal;
 use crate::error::CliError;
 use crate::progress::Progress;
 
@@ -29,7 +29,7 @@ impl Before {
     pub(super) fn of_arguments(arguments: &Report, now: Option<&mut Now<'_>>) -> miette::Result<Option<Self>> {
         let record = &arguments.record;
         let path = arguments.roughness.as_deref();
-        let history = History::read(&record.earlier, path, &record.layout, &record.choose)?;
+        let history = record.earlier.records().read(path, &record.layout.records(), &record.choose, &Terminal)?;
         let Some(oldest) = history.surveys.first() else {
             return Ok(None);
         };

@@ -12,6 +12,7 @@ use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::{ForecastAnswer, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion, RoughWheels};
+use riffel_answers::question::Source;
 use riffel_answers::report::{
     GENERATOR, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip, report,
 };
@@ -30,6 +31,7 @@ use crate::arguments::{
 use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
 use crate::command::forecast::forecast;
+use crate::command::question::Terminal;
 use crate::command::roughness::profile::judged;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
@@ -343,22 +345,16 @@ fn heard(
     let Some(limit) = level_limit(arguments, limits) else {
         return Ok(Err(say!(needs_a_limit_of_levels)));
     };
-    let traffic = arguments.record.traffic.as_deref();
     let question = NoiseQuestion {
-        traffic: traffic.map(Traffic::read).transpose()?,
+        traffic: arguments.record.traffic.clone().map(Source::File),
         months: arguments.months.unwrap_or(MONTHS_OF_NOISE),
         limit_dba: arguments.limit_dba,
-        rails: now.survey.rails(),
         wheel_roughness: arguments.wheel_roughness.clone().map(RoughWheels::Named),
         wheel_modes: arguments.wheel_modes.clone(),
-        history: now.survey.history.clone(),
-        ..NoiseQuestion::of_a_coach(now.speed, now.survey.mean(), limit)
+        ..NoiseQuestion::of_a_coach(case.clone(), now.survey.clone(), now.speed, &limit)?
     };
     // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
-    let answer = question.answer(case, &|_| ()).and_then(|mut answer| {
-        answer.over_posterior = over(draws, |draws, progress| question.over(draws, progress))?;
-        Ok(answer)
-    });
+    let answer = question.answer_over(draws, &Terminal);
     Ok(answer.map_err(|error| error.message()))
 }
 

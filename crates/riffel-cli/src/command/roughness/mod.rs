@@ -9,10 +9,10 @@ mod synthesise;
 use std::path::{Path, PathBuf};
 
 use riffel_keys::Message;
-use riffel_keys::text_file::is_standard_input;
-use riffel_rail::{LimitTable, ReaderFormat, RoughnessFile, Survey};
+use riffel_rail::{LimitTable, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, Roughness, positive, stem};
+use crate::command::question::Terminal;
 use crate::error::CliError;
 use crate::progress::Progress;
 
@@ -54,21 +54,7 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
 
 /// Read what is asked for of a file, with a bar of how far it is.
 pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile> {
-    if let Some(spacing) = layout.spacing {
-        positive("--spacing", spacing)?;
-    }
-    let part = layout.part.of_record();
-    let format = layout.format.as_deref();
-    let layout = riffel_rail::Layout {
-        format: format.map(ReaderFormat::read).transpose()?,
-        spacing: layout.spacing,
-        height_unit: layout.height_unit.clone(),
-        position_unit: layout.position_unit.clone(),
-    };
-    let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
-    let file =
-        with_progress(riffel_keys::say!(progress_reading), size, |advance| RoughnessFile::read(path, &layout, advance));
-    Ok(file?.part(path, &part)?)
+    Ok(layout.records().read(path, &Terminal)?)
 }
 
 /// A choice among spectra means nothing for a profile.
@@ -84,32 +70,9 @@ pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -
     }
 }
 
-/// What grows of a rail: a file without single defects, unless they are kept.
-fn read_growing(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile> {
-    let file = read(path, layout)?;
-    Ok(match layout.keep_defects {
-        true => file,
-        false => file.without_defects(),
-    })
-}
-
 /// The spectra of a file, those of a profile computed.
 pub(crate) fn survey(path: &Path, layout: &Layout) -> miette::Result<Survey> {
-    Ok(Survey::of(path, read_growing(path, layout)?)?)
-}
-
-/// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
-/// standard input and is gone.
-pub(crate) fn places_of_both(earlier: &Path, later: &Path, layout: &Layout) -> miette::Result<Option<[Survey; 2]>> {
-    if is_standard_input(earlier) || is_standard_input(later) {
-        return Ok(None);
-    }
-    let before = read_growing(earlier, layout)?;
-    if !matches!(before, RoughnessFile::Profile(_)) {
-        return Ok(None);
-    }
-    let now = read_growing(later, layout)?;
-    Ok(Survey::at_same_places((earlier, &before), (later, &now))?)
+    Ok(layout.records().survey(path, &Terminal)?)
 }
 
 /// The limit tables asked for, or all that come with Riffel.

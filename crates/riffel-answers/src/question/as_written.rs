@@ -1,0 +1,76 @@
+//! Quantities whose range depends on the key.
+
+use std::borrow::Cow;
+use std::fmt::Display;
+use std::marker::PhantomData;
+
+use riffel_keys::PhysicalRange;
+use riffel_keys::quantity::{Dimension, Quantity};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
+
+use super::Asker;
+use crate::AnswerError;
+
+/// A quantity as it was written, which its number in SI does not tell: 108, or 108 km/h.
+#[derive(Debug)]
+pub struct AsWritten<D> {
+    text: String,
+    dimension: PhantomData<fn() -> D>,
+}
+
+impl<D> Clone for AsWritten<D> {
+    fn clone(&self) -> Self {
+        Self { text: self.text.clone(), dimension: PhantomData }
+    }
+}
+
+impl<D: Dimension> AsWritten<D> {
+    /// The value in SI, within the physical range of the argument; `asker` is told what is not usual.
+    ///
+    /// # Errors
+    /// [`AnswerError::Range`] for a text that is no such quantity, or is outside the range.
+    pub fn within(&self, argument: &'static str, asker: &dyn Asker) -> Result<f64, AnswerError> {
+        let wrong = |message: &dyn Display| AnswerError::Range { argument, message: message.to_string() };
+        let _: Quantity<D> = self.text.parse().map_err(|error| wrong(&format!(": {error}")))?;
+        let (si, remark) = PhysicalRange::read::<D>(argument, &self.text).map_err(|rule| wrong(&format!(" {rule}")))?;
+        asker.remark(remark.as_slice());
+        Ok(si)
+    }
+}
+
+impl<D: Dimension> From<Quantity<D>> for AsWritten<D> {
+    /// A quantity that nobody wrote, with its unit.
+    fn from(quantity: Quantity<D>) -> Self {
+        Self { text: quantity.to_string(), dimension: PhantomData }
+    }
+}
+
+impl<'de, D: Dimension> Deserialize<'de> for AsWritten<D> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        let text = match Value::deserialize(deserializer)? {
+            Value::String(text) => text,
+            other => other.to_string(),
+        };
+        let _: Quantity<D> = text.parse().map_err(serde::de::Error::custom)?;
+        Ok(Self { text, dimension: PhantomData })
+    }
+}
+
+impl<D: Dimension> JsonSchema for AsWritten<D> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        Quantity::<D>::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut schema = Quantity::<D>::json_schema(generator);
+        let name = D::NAME.trim_start_matches("an ").trim_start_matches("a ");
+        schema.insert("value_name".to_owned(), name.to_uppercase().into());
+        schema
+    }
+}

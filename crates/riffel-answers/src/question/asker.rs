@@ -1,0 +1,33 @@
+//! Who asks a question.
+
+use std::path::Path;
+
+use riffel_keys::Message;
+
+/// Called after some more steps of the work.
+pub type Step<'a> = Box<dyn Fn(usize) + Sync + 'a>;
+
+/// Who asks: is told how far the work is, and what is unusual about the question.
+pub trait Asker: Sync {
+    /// Begin work of so many steps; it ends when the returned function goes.
+    fn begin(&self, work: Message, steps: usize) -> Step<'_>;
+
+    /// What should be asked about a value or a file before the answer is trusted.
+    fn remark(&self, remarks: &[Message]);
+
+    /// Name a file that the answer is made of, which no result may replace.
+    fn reads(&self, path: &Path);
+}
+
+/// Nobody who listens.
+pub struct Nobody;
+
+impl Asker for Nobody {
+    fn begin(&self, _: Message, _: usize) -> Step<'_> {
+        Box::new(|_| ())
+    }
+
+    fn remark(&self, _: &[Message]) {}
+
+    fn reads(&self, _: &Path) {}
+}

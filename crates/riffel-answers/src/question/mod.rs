@@ -1,0 +1,137 @@
+//! Questions as data: one type for each command of the program.
+//!
+//! The fields of a question are its keys in JSON, the options of the program and the keywords of Python; their docs are the help, the
+//! schema and the reference; their defaults stand once, in the schema. Whoever asks hands in a map of keys, which is checked here: a wrong
+//! value is refused by the same sentence everywhere.
+
+mod as_written;
+mod asker;
+mod case_source;
+mod key;
+mod posterior_source;
+mod rail_records;
+mod rule;
+mod source;
+
+use std::marker::PhantomData;
+
+use schemars::{JsonSchema, Schema, schema_for};
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value, json};
+
+pub use as_written::AsWritten;
+pub use asker::{Asker, Nobody, Step};
+pub use case_source::{CaseSource, covering};
+pub use key::{Key, Kind};
+pub use posterior_source::{PosteriorSource, finished_of, over};
+pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
+pub use rule::Rule;
+pub use source::Source;
+
+use crate::answer::AnyAnswer;
+use crate::{AnswerError, QUESTIONS};
+
+/// A question of its own type; its docs say what it asks.
+pub trait Question: DeserializeOwned + JsonSchema {
+    /// Name of the question, and of the command of the program.
+    const NAME: &'static str;
+    /// Command lines to try, below the help.
+    const EXAMPLE: &'static str;
+    /// Which keys need or exclude others.
+    const RULES: &'static [Rule] = &[];
+
+    /// The answer; `asker` is told how far it is and what is unusual about the question.
+    ///
+    /// # Errors
+    /// [`AnswerError`] with the key or the file at fault.
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError>;
+}
+
+/// A question of any type, by its keys.
+pub trait AnyQuestion: Sync {
+    /// Name of the question, and of the command of the program.
+    fn name(&self) -> &'static str;
+    /// Command lines to try, below the help.
+    fn example(&self) -> &'static str;
+    /// What it asks, in one line.
+    fn about(&self) -> String;
+    /// Its keys, in the order of its fields.
+    fn keys(&self) -> Vec<Key>;
+    /// The JSON schema of its keys.
+    fn schema(&self) -> Value;
+    /// The answer to the question that has these keys.
+    ///
+    /// # Errors
+    /// [`AnswerError::Question`] for a key that is unknown, missing or of the wrong kind; those of [`Question::ask`].
+    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError>;
+}
+
+/// The question of a name.
+pub fn named(name: &str) -> Option<&'static dyn AnyQuestion> {
+    QUESTIONS.iter().copied().find(|question| question.name() == name)
+}
+
+/// A question of some keys, for whom they are no object of their own.
+pub(crate) fn of_keys<Q: Question>(keys: Value) -> Result<Q, AnswerError> {
+    match keys {
+        Value::Object(keys) => key::question(&Key::all(&schema_for!(Q)), keys),
+        other => {
+            let message = format!("the question is {other}, but must be an object");
+            Err(AnswerError::Question { question: Q::NAME, message })
+        }
+    }
+}
+
+/// The questions of a type.
+#[derive(Debug)]
+pub struct Of<Q>(PhantomData<fn() -> Q>);
+
+/// The questions of a type, by their keys.
+pub const fn of<Q: Question>() -> Of<Q> {
+    Of(PhantomData)
+}
+
+impl<Q: Question> Of<Q> {
+    fn generated() -> Schema {
+        schema_for!(Q)
+    }
+}
+
+impl<Q: Question> AnyQuestion for Of<Q> {
+    fn name(&self) -> &'static str {
+        Q::NAME
+    }
+
+    fn example(&self) -> &'static str {
+        Q::EXAMPLE
+    }
+
+    fn about(&self) -> String {
+        key::description(Self::generated().get("description"))
+    }
+
+    fn keys(&self) -> Vec<Key> {
+        Key::all(&Self::generated())
+    }
+
+    fn schema(&self) -> Value {
+        let keys = self.keys();
+        let required = keys.iter().filter(|key| key.is_required).map(|key| &key.name);
+        let properties = keys.iter().map(|key| (key.name.clone(), key.property()));
+        let properties = properties.chain([("output".to_owned(), key::output())]);
+        json!({
+            "$schema": "https://json-schema.org/draft/2020-12/schema",
+            "title": format!("riffel ask {}", self.name()),
+            "description": self.about(),
+            "type": "object",
+            "properties": properties.collect::<Map<_, _>>(),
+            "required": required.collect::<Vec<_>>(),
+            "additionalProperties": false,
+        })
+    }
+
+    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError> {
+        let question = key::question::<Q>(&self.keys(), keys)?;
+        question.ask(asker)
+    }
+}

@@ -1,0 +1,257 @@
+//! Records of a rail that a question names.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use jiff::civil::Date;
+use riffel_keys::quantity::{Dimension, Length, Quantity};
+use riffel_keys::say;
+use riffel_keys::text_file::is_standard_input;
+use riffel_rail::{Elapsed, Layout, LengthUnit, RailDates, ReaderFormat, RecordPart, RoughnessFile, Survey, read_date};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer};
+
+use super::{Asker, Source};
+use crate::AnswerError;
+
+/// How files of roughness are laid out, and what is taken of them.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+pub struct RecordLayout {
+    /// Reader profile that says how profiles are laid out [default: found from their first lines].
+    #[schemars(extend("value_name" = "TOML"))]
+    pub format: Option<Source<ReaderFormat>>,
+    /// Step between samples of files without positions, in metres or with its unit.
+    #[schemars(extend("value_name" = "LENGTH"))]
+    pub spacing: Option<Quantity<Length>>,
+    /// Unit of the heights, as mm or um, whatever the file says [default: that of its head or of a remark, else um].
+    #[schemars(with = "Option<String>", extend("value_name" = "UNIT"))]
+    pub height_unit: Option<LengthUnit>,
+    /// Unit of the positions, as m or km, whatever the file says [default: that of its head or of a remark, else by
+    /// their step].
+    #[schemars(with = "Option<String>", extend("value_name" = "UNIT"))]
+    pub position_unit: Option<LengthUnit>,
+    /// Take this rail alone [default: all, each judged on its own].
+    #[schemars(extend("value_name" = "NAME"))]
+    pub rail: Option<String>,
+    /// Take profiles from this position on, as in --from "12.4 km".
+    #[schemars(extend("value_name" = "POSITION"))]
+    pub from: Option<Quantity<Length>>,
+    /// Take profiles up to this position.
+    #[schemars(extend("value_name" = "POSITION"))]
+    pub to: Option<Quantity<Length>>,
+    /// Keep welds, joints and squats in the spectra of a profile that are diagnosed, forecast or heard [default: they are
+    /// listed and left out; limits and marches in time always have them].
+    pub keep_defects: bool,
+}
+
+impl RecordLayout {
+    /// What is asked for of a file.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] for a step that is not above zero, [`AnswerError::Case`] with the file at fault.
+    pub fn read(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
+        if let Some(spacing) = self.spacing {
+            positive("--spacing", spacing)?;
+        }
+        let format = self.format.as_ref().map(|format| format.value(ReaderFormat::read)).transpose()?;
+        let layout = Layout {
+            format: format.map(Arc::unwrap_or_clone),
+            spacing: self.spacing,
+            height_unit: self.height_unit.clone(),
+            position_unit: self.position_unit.clone(),
+        };
+        let part = RecordPart { rail: self.rail.clone(), from: self.from, to: self.to };
+        let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
+        let file = RoughnessFile::read(path, &layout, &asker.begin(say!(progress_reading), size));
+        Ok(file?.part(path, &part)?)
+    }
+
+    /// The spectra of a file, those of a profile computed.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read), and [`AnswerError::Case`] where a profile has no spectrum.
+    pub fn survey(&self, path: &Path, asker: &dyn Asker) -> Result<Survey, AnswerError> {
+        Ok(Survey::of(path, self.read_growing(path, asker)?)?)
+    }
+
+    /// What grows of a rail: a file without single defects, unless they are kept.
+    fn read_growing(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
+        let file = self.read(path, asker)?;
+        Ok(match self.keep_defects {
+            true => file,
+            false => file.without_defects(),
+        })
+    }
+
+    /// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
+    /// standard input and is gone.
+    fn places_of_both(
+        &self,
+        earlier: &Path,
+        later: &Path,
+        asker: &dyn Asker,
+    ) -> Result<Option<[Survey; 2]>, AnswerError> {
+        if is_standard_input(earlier) || is_standard_input(later) {
+            return Ok(None);
+        }
+        let before = self.read_growing(earlier, asker)?;
+        if !matches!(before, RoughnessFile::Profile(_)) {
+            return Ok(None);
+        }
+        let now = self.read_growing(later, asker)?;
+        Ok(Survey::at_same_places((earlier, &before), (later, &now))?)
+    }
+}
+
+/// The value of an argument that must be above zero, in SI.
+///
+/// # Errors
+/// [`AnswerError::Argument`] with the rule.
+pub fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64, AnswerError> {
+    /// Nothing about a railway is smaller or larger in SI.
+    const RANGE: [f64; 2] = [1e-12, 1e12];
+    let si = value.si();
+    if (RANGE[0]..=RANGE[1]).contains(&si) {
+        return Ok(si);
+    }
+    let rule = match si > 0.0 {
+        true => format!("between {:e} and {:e} in SI", RANGE[0], RANGE[1]),
+        false => "greater than zero".to_owned(),
+    };
+    Err(AnswerError::Argument { argument, value: value.to_string(), rule })
+}
+
+/// Earlier records of the rail that is measured.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+pub struct EarlierRecords {
+    /// An earlier record of the same rail, by which it goes on growing; may be repeated, the oldest first.
+    #[schemars(extend("value_name" = "FILE"))]
+    pub earlier: Vec<Source<Survey>>,
+    /// Dates of all records, as 2026-01-31 or 31.01.2026, separated by commas, the oldest first and that of now last.
+    #[serde(deserialize_with = "dates")]
+    #[schemars(with = "Vec<String>", extend("separator" = ","))]
+    pub dates: Vec<Date>,
+}
+
+fn dates<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Date>, D::Error> {
+    let dates = Vec::<String>::deserialize(deserializer)?;
+    let dates = dates.iter().map(|date| read_date(date).map_err(|said| serde::de::Error::custom(said.to_string())));
+    dates.collect()
+}
+
+impl EarlierRecords {
+    /// `Ok` if there is a date for each record, each later than the one before, or none at all.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] with the rule.
+    pub fn check(&self) -> Result<(), AnswerError> {
+        let (dates, records) = (&self.dates, self.earlier.len() + 1);
+        if dates.is_empty() || (dates.len() == records && dates.is_sorted_by(|one, next| one < next)) {
+            return Ok(());
+        }
+        let written: Vec<String> = dates.iter().map(Date::to_string).collect();
+        Err(AnswerError::Argument {
+            argument: "--dates",
+            value: written.join(","),
+            rule: match dates.len() == records {
+                true => "days that rise from each record to the next, that of now last".to_owned(),
+                false => {
+                    format!("{records} dates, one for each --earlier and one for the record of now")
+                }
+            },
+        })
+    }
+
+    /// The records, each as it is chosen, beside the one of now in a file.
+    ///
+    /// # Errors
+    /// Those of [`check`](Self::check) and [`RecordLayout::survey`].
+    pub fn read(
+        &self,
+        now: Option<&Path>,
+        layout: &RecordLayout,
+        choose: &[String],
+        asker: &dyn Asker,
+    ) -> Result<History, AnswerError> {
+        self.check()?;
+        let chosen = |source: &Source<Survey>| {
+            let survey = source.value(|path| layout.survey(path, asker))?;
+            Ok(Arc::unwrap_or_clone(survey).choose(choose)?)
+        };
+        Ok(History {
+            surveys: self.earlier.iter().map(chosen).collect::<Result<_, AnswerError>>()?,
+            places: match (self.earlier.first().and_then(Source::path), now) {
+                (Some(before), Some(now)) => layout.places_of_both(before, now, asker)?,
+                _ => None,
+            },
+            dates: self.dates.clone(),
+        })
+    }
+
+    /// The latest of a survey as it is chosen, with the records that are named beside it, each with its date.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read), and [`AnswerError::Argument`] for records without dates.
+    pub fn of_dates(
+        &self,
+        survey: Survey,
+        now: Option<&Path>,
+        layout: &RecordLayout,
+        choose: &[String],
+        asker: &dyn Asker,
+    ) -> Result<Survey, AnswerError> {
+        if !self.earlier.is_empty() && self.dates.is_empty() {
+            return Err(AnswerError::Argument {
+                argument: "--dates",
+                value: "left out".to_owned(),
+                rule: "given beside --earlier: the date of each record, that of now last".to_owned(),
+            });
+        }
+        let (survey, _) = survey.choose(choose)?.latest();
+        Ok(self.read(now, layout, choose, asker)?.before(survey, None))
+    }
+}
+
+/// What was measured of a rail before now, the oldest first.
+pub struct History {
+    /// All that were named.
+    pub surveys: Vec<Survey>,
+    /// The oldest and now place by place, where both are profiles: more records tell how sure a change is.
+    pub places: Option<[Survey; 2]>,
+    dates: Vec<Date>,
+}
+
+impl History {
+    /// Date of now, and the days since the oldest; none without dates.
+    pub fn days(&self) -> Option<(Date, f64)> {
+        let (oldest, latest) = (self.dates.first()?, self.dates.last()?);
+        Some((*latest, days_between(*oldest, *latest)?))
+    }
+
+    /// The survey of now with these before it, at their dates or else, of one, so many axle passages ago; unless it is of several dates.
+    pub fn before(&self, mut now: Survey, passages: Option<f64>) -> Survey {
+        if now.history.is_some() || self.surveys.is_empty() {
+            return now;
+        }
+        let latest = self.dates.last();
+        let days = (self.dates.iter()).map(|date| days_between(*date, *latest?));
+        let (ago, elapsed) = match (passages, days.collect::<Option<Vec<f64>>>()) {
+            (Some(passages), _) if self.surveys.len() == 1 => (vec![passages], Elapsed::Passages),
+            (_, Some(days)) if !days.is_empty() => (days, Elapsed::Days),
+            _ => return now,
+        };
+        let dated = |now: &Survey, surveys: &[Survey]| {
+            let earlier = ago.iter().copied().zip(surveys.iter().cloned());
+            RailDates::new(now, earlier.collect(), elapsed)
+        };
+        now.history = Some(match (&self.places, &self.surveys[..]) {
+            (Some([before, now]), [_]) => dated(now, std::slice::from_ref(before)),
+            _ => dated(&now, &self.surveys),
+        });
+        now
+    }
+}
+
+fn days_between(earlier: Date, later: Date) -> Option<f64> {
+    Some(f64::from(later.since(earlier).ok()?.get_days()))
+}

@@ -1,0 +1,79 @@
+//! Where a value comes from: a file, or memory.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer};
+
+/// A value by its file, or as it is; a document that stands in a question in place of a file has a path, too.
+pub enum Source<T> {
+    /// To be read.
+    File(PathBuf),
+    /// In memory.
+    Given(Arc<T>),
+}
+
+impl<T> Source<T> {
+    /// The path, if it is to be read.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::File(path) => Some(path),
+            Self::Given(_) => None,
+        }
+    }
+
+    /// The value, by `read` if it stands in a file.
+    ///
+    /// # Errors
+    /// Those of `read`.
+    pub fn value<E>(&self, read: impl FnOnce(&Path) -> Result<T, E>) -> Result<Arc<T>, E> {
+        match self {
+            Self::File(path) => read(path).map(Arc::new),
+            Self::Given(value) => Ok(value.clone()),
+        }
+    }
+}
+
+impl<T> From<T> for Source<T> {
+    fn from(value: T) -> Self {
+        Self::Given(Arc::new(value))
+    }
+}
+
+impl<T> Clone for Source<T> {
+    fn clone(&self) -> Self {
+        match self {
+            Self::File(path) => Self::File(path.clone()),
+            Self::Given(value) => Self::Given(value.clone()),
+        }
+    }
+}
+
+impl<T> fmt::Debug for Source<T> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_tuple("Source").field(&self.path()).finish()
+    }
+}
+
+impl<'de, T> Deserialize<'de> for Source<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        PathBuf::deserialize(deserializer).map(Self::File)
+    }
+}
+
+impl<T> JsonSchema for Source<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed("Source")
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": ["string", "object"] })
+    }
+}

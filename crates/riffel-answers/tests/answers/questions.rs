@@ -1,0 +1,70 @@
+//! Questions by their keys: what is left out, and what is wrong.
+
+use riffel_answers::question::{AnyQuestion, Kind, Nobody, named};
+use serde_json::{Value, json};
+
+fn question(name: &str) -> &'static dyn AnyQuestion {
+    named(name).unwrap()
+}
+
+/// Why there is no answer.
+fn refusal(name: &str, keys: &Value) -> String {
+    let keys = keys.as_object().unwrap().clone();
+    question(name).answer(keys, &Nobody).err().unwrap().to_string()
+}
+
+#[test]
+fn what_is_wrong_is_told_by_its_key() {
+    let noise = |key: &str, value: Value| {
+        let mut keys = json!({ "case": "none.toml", "roughness": "none.csv", "speed": 30 });
+        keys[key] = value;
+        refusal("noise", &keys)
+    };
+    for (key, value, sentence) in [
+        ("sped", json!(1), "`sped` is not a key of noise; its keys are case, set, roughness"),
+        ("wheels", json!(0), "--wheels is 0, but must be an integer from 1 to 10000"),
+        ("wheels", json!("-1"), "--wheels is -1, but must be an integer from 1 to 10000"),
+        ("wheels", json!(4.5), "--wheels is 4.5, but must be an integer"),
+        ("speed", json!(true), "--speed is true, but must be a number, a text"),
+        ("speed", json!([30]), "--speed is [30], but must be a number, a text"),
+        ("speed", json!("30 kg"), "--speed: "),
+        ("speed", Value::Null, "--speed is missing"),
+        ("keep_defects", json!("yes"), "--keep-defects is \"yes\", but must be true or false"),
+        ("height_unit", json!("kg"), "--height-unit: \"kg\" is no unit of length"),
+        ("months", json!(3), "--months needs --traffic or --posterior"),
+        ("dates", json!("2026-05-01"), "--dates needs --earlier"),
+        ("track_transfer", json!("a"), "--track-transfer needs --vehicle-transfer"),
+    ] {
+        let told = noise(key, value.clone());
+        assert!(told.starts_with(sentence), "{key} = {value}: {told}");
+    }
+    let both = json!({ "case": "", "roughness": "", "speed": 1, "traffic": "a", "posterior": "b" });
+    assert_eq!(refusal("noise", &both), "--traffic cannot be given with --posterior");
+}
+
+#[test]
+fn keys_say_what_they_take() {
+    let keys = question("noise").keys();
+    let key = |name: &str| keys.iter().find(|key| key.name == name).unwrap();
+    assert_eq!(key("wheels").kind, Kind::Integer([1, 10_000]));
+    assert_eq!((key("wheels").default.clone(), key("wheels").is_required), (Some(json!(4)), false));
+    assert_eq!(key("roughness").kind, Kind::File);
+    assert_eq!(key("speed").kind, Kind::Text { or_number: true });
+    assert_eq!(key("keep_defects").kind, Kind::Flag);
+    assert!(key("where").takes_many && key("case").is_positional && key("speed").is_required);
+    assert_eq!(question("noise").schema()["required"], json!(["case", "roughness", "speed"]));
+}
+
+/// A list as JSON has one, and as one text.
+#[test]
+fn a_list_is_one_in_either_way() {
+    let answer = |friction: Value| {
+        let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/nominal.toml");
+        let keys = json!({ "case": case, "friction": friction });
+        let answer = question("stability").answer(keys.as_object().unwrap().clone(), &Nobody).unwrap();
+        serde_json::from_str::<Value>(&answer.document()).unwrap()
+    };
+    let list = answer(json!([0.2, "0.3"]));
+    assert_eq!(list["friction"], json!([0.2, 0.3]));
+    assert_eq!(answer(json!("0.2,30 %")), list);
+}

@@ -1,0 +1,125 @@
+//! Questions on the command line: their keys as options.
+
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
+use riffel_answers::question::{AnyQuestion, Key, Kind};
+use riffel_keys::text_file::is_standard_input;
+use serde_json::{Map, Value};
+
+use super::ResultsArguments;
+use super::case::stem;
+use crate::error::CliError;
+
+/// A question with its keys as they were given, and where its results go.
+pub(crate) struct AskedQuestion {
+    pub(crate) question: &'static dyn AnyQuestion,
+    pub(crate) keys: Map<String, Value>,
+    pub(crate) results: ResultsArguments,
+}
+
+impl AskedQuestion {
+    /// The question of a command line.
+    pub(crate) fn of(question: &'static dyn AnyQuestion, matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let keys = question.keys();
+        let given = keys.iter().filter_map(|key| Some((key.name.clone(), given(key, matches)?)));
+        Ok(Self { question, keys: given.collect(), results: ResultsArguments::from_arg_matches(matches)? })
+    }
+
+    /// The question of an object in JSON, which may name a place for results.
+    pub(crate) fn of_json(question: &'static dyn AnyQuestion, mut keys: Map<String, Value>) -> Result<Self, CliError> {
+        let output = keys.remove("output").filter(|value| !value.is_null());
+        let asked = Self { question, keys, results: ResultsArguments { json: true, ..ResultsArguments::default() } };
+        let is_standard_input =
+            |key: &&Key| key.kind == Kind::File && asked.keys.get(&key.name).is_some_and(|path| path == "-");
+        if let Some(key) = question.keys().iter().find(is_standard_input) {
+            let message = format!("`{}` is \"-\", but must be a file: standard input holds the question", key.name);
+            return Err(CliError::Question { message });
+        }
+        match output {
+            None => Ok(asked),
+            Some(Value::String(path)) => {
+                Ok(Self { results: ResultsArguments { output: Some(path.into()), json: true }, ..asked })
+            }
+            Some(other) => Err(CliError::Question { message: format!("`output` is {other}, but must be a folder") }),
+        }
+    }
+
+    /// The texts among the values of its keys.
+    fn texts(&self) -> impl Iterator<Item = &str> {
+        self.keys.values().flat_map(one_or_many).filter_map(Value::as_str)
+    }
+
+    /// The files that it names, of which none may be replaced.
+    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
+        let paths = self.texts().map(PathBuf::from);
+        paths.filter(|path| path.is_file() || is_standard_input(path)).collect()
+    }
+
+    /// What its results are named after: the file that stands without an option.
+    pub(crate) fn stem(&self) -> String {
+        let keys = self.question.keys();
+        let first = keys.iter().find(|key| key.is_positional);
+        let path = first.and_then(|key| self.keys.get(&key.name)).and_then(Value::as_str);
+        path.map_or_else(|| self.question.name().to_owned(), |path| stem(path.as_ref()))
+    }
+}
+
+/// The values of a list, or the one that is none.
+fn one_or_many(value: &Value) -> &[Value] {
+    match value {
+        Value::Array(list) => list,
+        one => std::slice::from_ref(one),
+    }
+}
+
+/// What a command line gives for a key.
+fn given(key: &Key, matches: &ArgMatches) -> Option<Value> {
+    use clap::parser::ValueSource::CommandLine;
+    (matches.value_source(&key.name) == Some(CommandLine)).then(|| match (&key.kind, key.takes_many) {
+        (Kind::Flag, _) => Value::Bool(true),
+        (_, true) => matches.get_many::<String>(&key.name).into_iter().flatten().cloned().collect(),
+        (_, false) => matches.get_one::<String>(&key.name).cloned().into(),
+    })
+}
+
+/// The command of a question.
+pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
+    let command = Command::new(question.name()).after_help(question.example());
+    let command = command.args(question.keys().iter().map(option));
+    // Its docs would become those of the command.
+    ResultsArguments::augment_args(command).about(question.about())
+}
+
+/// The option of a key.
+fn option(key: &Key) -> Arg {
+    let option = Arg::new(key.name.clone()).help(key.help.clone()).required(key.is_required);
+    let option = match key.is_positional {
+        true => option,
+        false => option.long(key.name.replace('_', "-")),
+    };
+    if key.kind == Kind::Flag {
+        return option.action(ArgAction::SetTrue);
+    }
+    let is_number = !matches!(key.kind, Kind::File | Kind::Choice(_) | Kind::Text { or_number: false });
+    let option = option
+        .action(if key.takes_many { ArgAction::Append } else { ArgAction::Set })
+        .allow_hyphen_values(is_number && !key.is_positional)
+        .value_delimiter(key.separator)
+        .value_name(key.value_name.clone().unwrap_or_else(|| key.name.to_uppercase()));
+    let option = match &key.default {
+        Some(Value::String(text)) => option.default_value(text.clone()),
+        Some(number) => option.default_value(number.to_string()),
+        None => option,
+    };
+    let option = match &key.alias {
+        Some(alias) => option.visible_alias(alias.clone()),
+        None => option,
+    };
+    match &key.kind {
+        _ if key.is_path => option.value_hint(ValueHint::AnyPath),
+        Kind::Choice(words) => option.value_parser(PossibleValuesParser::new(words.clone())),
+        _ => option,
+    }
+}
