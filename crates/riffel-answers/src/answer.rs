@@ -143,6 +143,11 @@ impl<A: Answer> AnyAnswer for A {
     }
 }
 
+/// The title that somebody gave, or the usual one.
+pub(crate) fn titled(title: Option<&String>, usual: Message) -> Message {
+    title.map_or(usual, Message::verbatim)
+}
+
 /// The file of a case, as documents repeat it.
 pub(crate) fn inputs<S: Serializer>(case: &Case, serializer: S) -> Result<S::Ok, S::Error> {
     case.file.serialize(serializer)

@@ -65,6 +65,7 @@ pub mod report;
 pub mod ridge;
 pub mod roughness;
 pub mod shakedown;
+mod side;
 pub mod simulate;
 mod stability;
 pub mod stability_map;

@@ -5,6 +5,8 @@ use std::io::{self, Write};
 use riffel::Complex64;
 use riffel_keys::{Language, Message};
 
+use crate::forecast::number_alone;
+
 /// A table by columns of equal length.
 #[derive(Debug, Clone)]
 pub struct Table {
@@ -119,6 +121,15 @@ impl Column {
     /// Words for readers only, which a file has as numbers.
     pub fn shown(head: Message, words: Vec<Message>) -> Self {
         Self::words("", head, words)
+    }
+
+    /// Numbers for readers alone, to so many digits after the point; none where there is nothing.
+    pub fn digits<T: Into<Option<f64>>>(head: Message, digits: usize, values: impl Iterator<Item = T>) -> Self {
+        let cells = values.map(|value| match value.into() {
+            Some(value) => number_alone(format_args!("{value:.digits$}")),
+            None => Message::verbatim(""),
+        });
+        Self::shown(head, cells.collect())
     }
 
     /// Numbers for files alone, as they are; none where there is nothing.

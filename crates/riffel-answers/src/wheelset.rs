@@ -6,12 +6,12 @@ use std::sync::Arc;
 use riffel::Direction;
 use riffel::wheelset::{BendingPlane, ContactReceptances, ModeName, Port, Wheelset};
 use riffel_case::{Case, CaseWheelset, WheelsetMode};
-use riffel_keys::{CaseError, Message, decimal, say};
+use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::{Serialize, Serializer};
 
+use crate::answer::titled;
 use crate::complex::as_matrices;
-use crate::forecast::number_alone;
 use crate::parameters::parameters;
 use crate::{Answer, Column, ResultFile, Table, mode_in_words};
 
@@ -86,10 +86,7 @@ impl WheelsetAnswer {
         ];
         if !self.modes.is_empty() {
             columns.extend([
-                Column::shown(
-                    say!(natural_frequency_column),
-                    modes().map(|mode| number_alone(decimal(mode.frequency, 2))).collect(),
-                ),
+                Column::digits(say!(natural_frequency_column), 2, modes().map(|mode| mode.frequency)),
                 Column::shown(say!(mode_column), modes().map(|mode| mode_in_words(&mode.name)).collect()),
             ]);
         }
@@ -164,12 +161,11 @@ impl Answer for WheelsetAnswer {
     const NAME: &'static str = "receptance";
 
     fn introduction(&self) -> Vec<Message> {
-        let title = self.case.file.title.clone();
         let why = || match &*self.wheelset {
             CaseWheelset::Measured(_) => say!(wheelset_was_measured),
             _ => say!(wheelset_is_rigid),
         };
-        let title = title.map_or_else(|| say!(wheelset_title), Message::verbatim);
+        let title = titled(self.case.file.title.as_ref(), say!(wheelset_title));
         [title].into_iter().chain(self.modes.is_empty().then(why)).collect()
     }
 

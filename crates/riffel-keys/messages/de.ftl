@@ -2108,7 +2108,6 @@ progress-traffic = Wachstum unter dem Verkehr
 progress-variants = Wachstum der Varianten
 progress-bay = Wachstum über das Schwellenfach
 progress-writing-map = Schreiben von map.csv
-progress-writing-bay = Schreiben von bay-mean.csv
 progress-draws = Ziehungen
 progress-simulations = Simulationen
 progress-samples = Stichproben

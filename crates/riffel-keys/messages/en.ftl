@@ -2124,7 +2124,6 @@ progress-traffic = growth under traffic
 progress-variants = growth of the variants
 progress-bay = growth over the bay
 progress-writing-map = writing map.csv
-progress-writing-bay = writing bay-mean.csv
 progress-draws = draws
 progress-simulations = simulations
 progress-samples = samples

@@ -75,7 +75,7 @@ impl crate::Question for Question {
             },
             contact_loss_fraction: answer.contact_loss_fraction,
             static_normal_force_n: static_normal_force,
-            remarks: answer.remarks,
+            remarks: answer.own_remarks,
             course,
         })
     }

@@ -141,6 +141,6 @@ pub(crate) fn contact_under_load<'py>(
     let title = case.file.title.clone();
     let answer = interruptible(py, move || UnderLoadAnswer::new(&case, &shifts, yaw, load))?;
     let answer = answer.map_err(of_answer)?;
-    let remarks = answer.remarks.iter().map(ToString::to_string).collect();
+    let remarks = answer.own_remarks.iter().map(ToString::to_string).collect();
     Ok((title, document(py, &answer)?, remarks))
 }

@@ -109,7 +109,7 @@ pub(crate) fn simulate<'py>(
             told.set_item("contact_loss_fraction", answer.contact_loss_fraction)?;
             told.set_item("minimum_normal_force", answer.minimum_normal_force_n)?;
             told.set_item("maximum_normal_force", answer.maximum_normal_force_n)?;
-            told.set_item("remarks", words(&answer.remarks))?;
+            told.set_item("remarks", words(&answer.own_remarks))?;
             arrays(py, &answer.courses.iter().collect::<Vec<_>>())?
         }
         Rail::Profile(profile) => {
@@ -126,7 +126,7 @@ pub(crate) fn simulate<'py>(
             told.set_item("contact_loss_fraction", answer.contact_loss_fraction)?;
             told.set_item("minimum_normal_force", answer.minimum_normal_force_n)?;
             told.set_item("maximum_normal_force", answer.maximum_normal_force_n)?;
-            told.set_item("remarks", words(&answer.remarks))?;
+            told.set_item("remarks", words(&answer.own_remarks))?;
             if answer.contacts.len() > 1 {
                 told.set_item("contacts", document(py, &answer.contacts)?)?;
             }
@@ -148,7 +148,7 @@ pub(crate) fn on_smooth_rail<'py>(
     let answer = case.compute(py, move |case| SmoothRailAnswer::new(case, speed, step))?;
     let answer = answer.map_err(of_answer)?;
     let courses = arrays(py, &answer.courses().collect::<Vec<_>>())?;
-    Ok((courses, document(py, &answer)?, words(&answer.remarks)))
+    Ok((courses, document(py, &answer)?, words(&answer.own_remarks)))
 }
 
 /// What `riffel simulate --passages --json` prints; passages of the profiles that are kept, their heights \[m\] and spacing
@@ -196,5 +196,5 @@ pub(crate) fn evolve<'py>(
     let count = answer.profiles[0].heights_m.len();
     let heights: Vec<f64> = answer.profiles.into_iter().flat_map(|profile| profile.heights_m).collect();
     let heights = heights.into_pyarray(py).reshape([stages.len(), count])?;
-    Ok((document, stages, heights, answer.spacing, words(&answer.remarks)))
+    Ok((document, stages, heights, answer.spacing, words(&answer.own_remarks)))
 }

@@ -6,14 +6,14 @@ use riffel_case::file::CreepLawName;
 use riffel_keys::{Message, fixed, say};
 
 use super::RollingTheories;
+use crate::answer::titled;
 
 /// The ellipse, the mean state and what the table after them shows.
 pub(super) fn introduction(theories: &RollingTheories, has_response: bool) -> Vec<Message> {
     let hertz = &theories.hertz;
     let KalkerCoefficients { c11, c22, c23, c33 } = theories.laws.kalker;
-    let title = theories.contact.file.title.clone();
     let mut lines = vec![
-        title.map_or_else(|| say!(contact_title), Message::verbatim),
+        titled(theories.contact.file.title.as_ref(), say!(contact_title)),
         say!(
             ellipse_of_contact,
             along = fixed(2e3 * hertz.semi_axis_longitudinal(), 2),

@@ -13,6 +13,8 @@ use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
+use crate::answer::titled;
+use crate::side::side;
 use crate::{Answer, Table};
 use equilibrium::Equilibrium;
 use over_radius::OverRadius;
@@ -26,8 +28,8 @@ pub struct CurveAnswer {
     continuation: Vec<Step>,
     /// Further ones that were found.
     other_equilibria: Vec<Other>,
-    /// Of the equilibrium.
-    remarks: Vec<Message>,
+    #[serde(rename = "remarks")]
+    own_remarks: Vec<Message>,
     /// At listed radii.
     #[serde(skip_serializing_if = "Option::is_none")]
     over_radius: Option<OverRadius>,
@@ -40,7 +42,7 @@ pub struct CurveAnswer {
     title: Option<String>,
     /// Of the case and of the equilibrium.
     #[serde(skip)]
-    all_remarks: Vec<Message>,
+    remarks: Vec<Message>,
 }
 
 /// A step of the way from straight track.
@@ -89,8 +91,8 @@ impl CurveAnswer {
     pub fn of_vehicle(case: &CurvingCase, vehicle: VehicleInCurve) -> Result<Self, CaseError> {
         let mut states = case.equilibria(&vehicle)?.into_iter();
         let state = states.next().expect("at least one equilibrium");
-        let mut remarks = case.remarks_of_profiles()?;
-        remarks.extend(remarks::of(case, &vehicle, &state));
+        let mut own_remarks = case.remarks_of_profiles()?;
+        own_remarks.extend(remarks::of(case, &vehicle, &state));
         let step = |step: &ContinuationStep| Step {
             fraction: step.fraction,
             residual: step.residual,
@@ -100,8 +102,8 @@ impl CurveAnswer {
             equilibrium: Equilibrium::new(&state, vehicle.curve.speed),
             continuation: state.continuation.iter().map(step).collect(),
             other_equilibria: states.map(|other| Other::new(&other)).collect(),
-            all_remarks: case.remarks.iter().chain(&remarks).cloned().collect(),
-            remarks,
+            remarks: case.remarks.iter().chain(&own_remarks).cloned().collect(),
+            own_remarks,
             over_radius: None,
             over_usual_radii: OnceCell::new(),
             vehicle,
@@ -131,7 +133,7 @@ impl CurveAnswer {
             Some(say!(
                 wheelset_on_two_points,
                 wheelset = number(wheel.wheelset),
-                rail = tables::side(wheel.rail),
+                rail = side(wheel.rail),
                 share = fixed(share, 0)
             ))
         })
@@ -159,7 +161,7 @@ impl Answer for CurveAnswer {
             _ => say!(vehicle_in_a_curve),
         };
         vec![
-            self.title.clone().map_or(usual, Message::verbatim),
+            titled(self.title.as_ref(), usual),
             say!(
                 acceleration_and_power,
                 acceleration = fixed(self.equilibrium.uncompensated_lateral_acceleration_m_s2, 2),
@@ -182,6 +184,6 @@ impl Answer for CurveAnswer {
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.all_remarks
+        &self.remarks
     }
 }

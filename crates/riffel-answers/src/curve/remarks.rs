@@ -6,6 +6,8 @@ use riffel::curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_case::CurvingCase;
 use riffel_keys::{Message, fixed, say};
 
+use crate::side::side;
+
 /// Lateral shift \[m\] beyond the play that wheelsets have to their flanges.
 const PLAY: f64 = 0.01;
 
@@ -48,20 +50,13 @@ pub(super) fn of(case: &CurvingCase, vehicle: &VehicleInCurve, state: &VehicleSt
         remarks.push(say!(
             t_gamma_below_zero,
             wheelset = wheel.wheelset,
-            rail = side(wheel.rail),
+            rail = side(wheel.rail.name()),
             wear = fixed(wear_of(wheel), 3)
         ));
     }
     remarks.extend(wide_ellipse(case, state));
     remarks.extend(flange_under_yaw(case, state));
     remarks
-}
-
-fn side(rail: Rail) -> Message {
-    match rail {
-        Rail::Left => say!(left),
-        Rail::Right => say!(right),
-    }
 }
 
 /// The widest ellipse, where it is wider than a profile keeps its curvature.
@@ -80,7 +75,7 @@ fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Message> {
         say!(
             ellipse_of_wheel_too_wide,
             wheelset = wheel.wheelset,
-            rail = side(wheel.rail),
+            rail = side(wheel.rail.name()),
             width = fixed(1e3 * width, 0)
         )
     })

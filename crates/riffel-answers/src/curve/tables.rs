@@ -4,22 +4,13 @@ use riffel_keys::{Message, number, say};
 
 use super::equilibrium::{Creep, Forces, Wheel, Wheelset};
 use crate::forecast::number_alone;
+use crate::side::side;
 use crate::{Column, Table};
-
-/// A rail by its name.
-pub(super) fn side(rail: &str) -> Message {
-    match rail {
-        "left" => say!(left),
-        _ => say!(right),
-    }
-}
 
 /// Shift and yaw of each wheelset.
 pub(super) fn wheelsets(wheelsets: &[Wheelset]) -> Table {
-    let thousandths = |head, of: fn(&Wheelset) -> f64| {
-        let cells = wheelsets.iter().map(|wheelset| number_alone(format_args!("{:.3}", 1e3 * of(wheelset))));
-        Column::shown(head, cells.collect())
-    };
+    let thousandths =
+        |head, of: fn(&Wheelset) -> f64| Column::digits(head, 3, wheelsets.iter().map(|wheelset| 1e3 * of(wheelset)));
     Table {
         name: "wheelsets",
         columns: vec![
@@ -41,9 +32,7 @@ pub(super) fn wheels(wheels: &[Wheel]) -> Table {
         })
         .collect();
     let column = |head, digits: usize, of: &dyn Fn(&Creep, &Forces) -> f64| {
-        let cells =
-            contacts.iter().map(|(_, creep, forces)| number_alone(format_args!("{:.digits$}", of(creep, forces))));
-        Column::shown(head, cells.collect())
+        Column::digits(head, digits, contacts.iter().map(|(_, creep, forces)| of(creep, forces)))
     };
     Table {
         name: "wheels",

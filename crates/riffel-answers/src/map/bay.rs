@@ -16,6 +16,9 @@ use crate::{AnswerError, Column, ResultFile, Table};
 /// Points of the curve from one support to the next.
 const POINTS: usize = 121;
 
+/// A wavelength with growth rates over a support, in mid-span and of the mean.
+type Rates = (f64, [f64; 3]);
+
 /// Growth over a sleeper bay: serialised, a part of what `riffel map --bay --json` prints.
 #[derive(Serialize)]
 pub struct BayGrowth {
@@ -37,10 +40,9 @@ pub struct BayGrowth {
     ridges: [Ridge; 3],
     #[serde(skip)]
     states: Vec<(f64, LoopState)>,
-    /// At the speed of the curve: each wavelength with the growth rates over a support, in mid-span
-    /// and of the mean.
+    /// At the speed of the curve.
     #[serde(skip)]
-    spectrum: Vec<(f64, [f64; 3])>,
+    spectrum: Vec<Rates>,
 }
 
 impl BayGrowth {
@@ -210,8 +212,7 @@ impl BayGrowth {
 
     /// One row for each wavelength at the speed of the curve.
     fn over_wavelengths(&self) -> Table {
-        let column =
-            |name: &str, of: &dyn Fn(&(f64, [f64; 3])) -> f64| Column::exact(name, self.spectrum.iter().map(of));
+        let column = |name: &str, of: &dyn Fn(&Rates) -> f64| Column::exact(name, self.spectrum.iter().map(of));
         Table {
             name: "bay-wavelength",
             columns: vec![
@@ -226,7 +227,7 @@ impl BayGrowth {
 }
 
 /// Growth rates over the wavelengths at one speed.
-fn spectrum(bay: &Bay, wavelength: Axis, speed: f64, rate: f64) -> Vec<(f64, [f64; 3])> {
+fn spectrum(bay: &Bay, wavelength: Axis, speed: f64, rate: f64) -> Vec<Rates> {
     /// Enough for a smooth curve.
     const WAVELENGTHS: usize = 401;
     let (over_support, mid_span) = (bay.at(0.0), bay.at(0.5 * bay.spacing()));

@@ -12,7 +12,7 @@ use riffel_keys::{Message, fixed, number, say};
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
-use crate::answer::inputs;
+use crate::answer::{inputs, titled};
 use crate::capital::as_sentence;
 use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, branches_table, ridge_table};
 use crate::stability::StabilityAtSpeed;
@@ -185,7 +185,7 @@ impl Answer for MapAnswer {
     const NAME: &'static str = "map";
 
     fn introduction(&self) -> Vec<Message> {
-        let title = self.case.file.title.clone().map_or_else(|| say!(growth_map), Message::verbatim);
+        let title = titled(self.case.file.title.as_ref(), say!(growth_map));
         let under_traffic = self.under_traffic.iter().flat_map(|it| it.remarks.clone());
         let over = self.over_posterior.iter().flat_map(growth_in_words);
         let remarks = under_traffic.chain(over).map(|remark| as_sentence(&remark));

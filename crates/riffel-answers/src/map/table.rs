@@ -102,15 +102,15 @@ pub(super) fn shown(case: &Case, ridge: &Ridge) -> Table {
     let shown = |head, cell: &dyn Fn(&RidgePoint) -> Message| {
         Column::shown(head, points.iter().map(|point| cell(point)).collect())
     };
+    let number =
+        |head, digits, of: fn(&RidgePoint) -> f64| Column::digits(head, digits, points.iter().map(|point| of(point)));
     Table {
         name: "ridge",
         columns: vec![
-            shown(say!(speed_column), &|point| number_alone(format_args!("{:.digits$}", 3.6 * point.speed))),
-            shown(say!(wavelength_of_band), &|point| number_alone(format_args!("{:.1}", 1e3 * point.wavelength))),
-            shown(say!(frequency_in_hertz), &|point| number_alone(format_args!("{:.0}", point.frequency))),
-            shown(Message::verbatim("Re Ŵ₁"), &|point| {
-                number_alone(format_args!("{:.4}", point.normalized_dissipation))
-            }),
+            number(say!(speed_column), digits, |point| 3.6 * point.speed),
+            number(say!(wavelength_of_band), 1, |point| 1e3 * point.wavelength),
+            number(say!(frequency_in_hertz), 0, |point| point.frequency),
+            number(Message::verbatim("Re Ŵ₁"), 4, |point| point.normalized_dissipation),
             shown(say!(growth_rate_per_passage_column), &|point| {
                 number_alone(format_args!("{:.2e}", point.growth_rate))
             }),

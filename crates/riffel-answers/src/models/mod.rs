@@ -17,7 +17,7 @@ pub use difference::Difference;
 
 use passing::Passing;
 
-use crate::answer::inputs;
+use crate::answer::{inputs, titled};
 use crate::forecast::number_alone;
 use crate::highest::{Highest, wavelengths_of};
 use crate::{Answer, AnswerError, Column, ResultFile, Table, WearLimitDocument, growth_lines};
@@ -198,8 +198,7 @@ impl Answer for ModelsAnswer {
     const NAME: &'static str = "models";
 
     fn introduction(&self) -> Vec<Message> {
-        let title = self.case.file.title.clone();
-        let title = title.map_or_else(|| say!(models_of_the_field), Message::verbatim);
+        let title = titled(self.case.file.title.as_ref(), say!(models_of_the_field));
         vec![say!(under_title, title = title, passing = self.passing.clone())]
     }
 

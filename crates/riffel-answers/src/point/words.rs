@@ -9,6 +9,7 @@ use riffel_keys::{Message, fixed, number, say};
 
 use super::{IrregularSupports, Neighbours, PointAnswer, Spread};
 use crate::forecast::number_alone;
+use crate::side::side;
 use crate::{Column, Table, for_whom};
 
 const AMPLITUDES: &str = "amplitudes";
@@ -177,13 +178,6 @@ fn contacts(answer: &PointAnswer) -> Option<Table> {
             ],
         )
     })
-}
-
-fn side(rail: &str) -> Message {
-    match rail {
-        "left" => say!(left),
-        _ => say!(right),
-    }
 }
 
 /// What each law of damage does.

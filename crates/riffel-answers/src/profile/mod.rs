@@ -10,19 +10,11 @@ pub use outline::OutlineAnswer;
 pub use under_load::UnderLoadAnswer;
 pub use wear::{WearAnswer, WearSettings, alignment_name, alignment_named};
 
-use riffel_keys::{Message, say};
+use riffel_keys::Message;
 
 use crate::forecast::number_alone;
 
 /// A number of a table; a dash where there is none.
 fn or_dash(value: Option<f64>, digits: usize) -> Message {
     value.map_or_else(|| Message::verbatim("–"), |value| number_alone(format_args!("{value:.digits$}")))
-}
-
-/// A rail by its name.
-fn side(rail: &str) -> Message {
-    match rail {
-        "left" => say!(left),
-        _ => say!(right),
-    }
 }

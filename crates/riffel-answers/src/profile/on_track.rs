@@ -6,6 +6,7 @@ use riffel_keys::{Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::Serialize;
 
+use crate::answer::titled;
 use crate::forecast::number_alone;
 use crate::{Answer, AnswerError, Column, Table};
 
@@ -248,7 +249,7 @@ impl Answer for OnTrackAnswer {
     const NAME: &'static str = "wheelset";
 
     fn introduction(&self) -> Vec<Message> {
-        vec![self.title.clone().map_or_else(|| say!(wheelset_on_its_track), Message::verbatim)]
+        vec![titled(self.title.as_ref(), say!(wheelset_on_its_track))]
     }
 
     fn tables(&self) -> Vec<Table> {

@@ -7,7 +7,8 @@ use riffel_keys::{Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
-use super::{or_dash, side};
+use super::or_dash;
+use crate::side::side;
 use crate::{Answer, AnswerError, Column, Table};
 
 /// Both contacts of a wheelset under a normal force each, at lateral shifts: serialised, what
@@ -22,10 +23,10 @@ pub struct UnderLoadAnswer {
     pressed: Vec<(WheelsetContact, [Pressed; 2])>,
     /// Of the patches.
     #[serde(skip)]
-    pub remarks: Vec<Message>,
+    pub own_remarks: Vec<Message>,
     /// Of the case too.
     #[serde(skip)]
-    all_remarks: Vec<Message>,
+    remarks: Vec<Message>,
 }
 
 /// A contact on the contact plane and on the rail's own surface, which may have none where a profile ends.
@@ -111,12 +112,12 @@ impl UnderLoadAnswer {
             }
             pressed.push((at, loaded));
         }
-        let remarks: Vec<Message> = of_turn(&rows).into_iter().collect();
+        let own_remarks: Vec<Message> = of_turn(&rows).into_iter().collect();
         let of_case = case.remarks.iter().cloned().chain(case.remarks_of_profiles()?);
         Ok(Self {
             normal_force_n: normal_force,
-            all_remarks: remarks.iter().cloned().chain(of_case).collect(),
-            remarks,
+            remarks: own_remarks.iter().cloned().chain(of_case).collect(),
+            own_remarks,
             contacts: rows,
             pressed,
         })
@@ -233,7 +234,7 @@ impl Answer for UnderLoadAnswer {
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.all_remarks
+        &self.remarks
     }
 }
 

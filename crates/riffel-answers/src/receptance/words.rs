@@ -5,7 +5,7 @@ use riffel_case::Origin;
 use riffel_keys::{Message, decimal, fixed, number, say};
 
 use super::{NamedResonance, ReceptanceAnswer};
-use crate::forecast::number_alone;
+use crate::answer::titled;
 use crate::{Column, Table};
 
 fn has_model(answer: &ReceptanceAnswer) -> bool {
@@ -13,8 +13,7 @@ fn has_model(answer: &ReceptanceAnswer) -> bool {
 }
 
 pub(super) fn introduction(answer: &ReceptanceAnswer) -> Vec<Message> {
-    let title = answer.case.file.title.clone();
-    let title = title.map_or_else(|| say!(receptance_title), Message::verbatim);
+    let title = titled(answer.case.file.title.as_ref(), say!(receptance_title));
     let nothing = answer.resonances.is_empty().then(|| match has_model(answer) {
         true => say!(no_resonance_to_name),
         false => say!(no_peak_or_dip),
@@ -27,9 +26,7 @@ pub(super) fn resonances(answer: &ReceptanceAnswer) -> Table {
     let rows = || answer.resonances.iter();
     let optional = |name, of: fn(&NamedResonance) -> Option<f64>| Column::exact(name, rows().map(of));
     let shown = |head, cell: &dyn Fn(&NamedResonance) -> Message| Column::shown(head, rows().map(cell).collect());
-    let to_tenths = |head, of: fn(&NamedResonance) -> Option<f64>| {
-        shown(head, &|it| of(it).map_or_else(|| Message::verbatim(""), |value| number_alone(decimal(value, 1))))
-    };
+    let to_tenths = |head, of: fn(&NamedResonance) -> Option<f64>| Column::digits(head, 1, rows().map(of));
     let mut columns = vec![
         Column::names("resonance", rows().map(|it| it.kind)),
         Column::exact("frequency_hz", rows().map(|it| it.frequency_hz)),
@@ -41,7 +38,7 @@ pub(super) fn resonances(answer: &ReceptanceAnswer) -> Table {
         columns.extend([
             shown(say!(resonance_column), &|it| Message::verbatim(it.kind.to_string())),
             to_tenths(say!(frequency_in_hertz), |it| Some(it.frequency_hz)),
-            shown(Message::verbatim("|H| nm/N"), &|it| number_alone(decimal(1e9 * it.modulus(), 3))),
+            Column::digits(Message::verbatim("|H| nm/N"), 3, rows().map(|it| 1e9 * it.modulus())),
             shown(say!(resonance_of), &|it| of(answer, it.kind)),
         ]);
         if !has_model(answer) {

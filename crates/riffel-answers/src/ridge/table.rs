@@ -26,8 +26,8 @@ pub(crate) fn ridge_table(name: &'static str, ridge: &Ridge) -> Table {
 /// One row for each point of each branch, counted from zero, the strongest.
 pub(crate) fn branches_table(name: &'static str, ridge: &Ridge) -> Table {
     let branches = ridge.branches.iter().enumerate();
-    let numbers = branches.clone().flat_map(|(index, branch)| branch.points().iter().map(move |_| index));
+    let numbers = branches.flat_map(|(index, branch)| branch.points().iter().map(move |_| index));
     let number = Column::names("branch", numbers);
-    let columns = columns(branches.flat_map(|(_, branch)| branch.points()));
+    let columns = columns(ridge.branches.iter().flat_map(|branch| branch.points()));
     Table { name, columns: [number].into_iter().chain(columns).collect() }
 }

@@ -8,7 +8,8 @@ use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure};
 use serde::Serialize;
 
-use super::{Course, file_of, force_in_words, remarks};
+use super::{Course, files, force_in_words, remarks};
+use crate::answer::titled;
 use crate::parameters::parameters_on_rail;
 use crate::{Answer, AnswerError, ResultFile, Table};
 
@@ -59,10 +60,10 @@ pub struct PassageAnswer {
     pub contacts: Vec<ContactName>,
     /// What the reader should know of the passage.
     #[serde(skip)]
-    pub remarks: Vec<Message>,
+    pub own_remarks: Vec<Message>,
     /// And of the case.
     #[serde(skip)]
-    all_remarks: Vec<Message>,
+    remarks: Vec<Message>,
     #[serde(skip)]
     profile: Profile,
     #[serde(skip)]
@@ -94,7 +95,8 @@ impl PassageAnswer {
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         let contacts = case.contact_names();
         let on_all_axes = !contacts.is_empty();
-        let remarks: Vec<Message> = remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model)).collect();
+        let own_remarks: Vec<Message> =
+            remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model)).collect();
         let course = course(profile, &passage.contacts, 0.0, on_all_axes);
         let along = case.feedback.contacts().iter().map(|contact| contact.along);
         let others = contacts.iter().zip(along).skip(1).zip(&passage.others);
@@ -116,8 +118,8 @@ impl PassageAnswer {
             track_share_cut: model.structures.share_cut(),
             other_contacts: others.collect(),
             course,
-            all_remarks: case.remarks_at(request.speed).iter().chain(&remarks).cloned().collect(),
-            remarks,
+            remarks: case.remarks_at(request.speed).iter().chain(&own_remarks).cloned().collect(),
+            own_remarks,
             contacts,
             profile: request.profile,
             case: case.clone(),
@@ -146,10 +148,9 @@ impl Answer for PassageAnswer {
     const DOCUMENT: &'static str = "passage.json";
 
     fn introduction(&self) -> Vec<Message> {
-        let title = self.case.file.title.clone();
         let force = [self.minimum_normal_force_n, self.maximum_normal_force_n];
         vec![
-            title.map_or_else(|| say!(wheel_along_a_profile), Message::verbatim),
+            titled(self.case.file.title.as_ref(), say!(wheel_along_a_profile)),
             say!(
                 length_of_passage,
                 length = fixed(self.profile.length(), 2),
@@ -182,16 +183,12 @@ impl Answer for PassageAnswer {
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let figure = self.figure();
-        let grid = self.course.grid(figure.title.clone());
-        let own = ResultFile::Lines(Self::NAME, figure);
-        let tables = ResultFile::tables(self.tables());
-        let others = self.other_contacts.iter().map(|other| file_of(Self::NAME, other.name, &other.course));
-        [own].into_iter().chain(tables).chain([ResultFile::Grid(Self::NAME, grid)]).chain(others).collect()
+        let others = self.other_contacts.iter().map(|other| (other.name, &other.course));
+        files(self, &self.course, others)
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.all_remarks
+        &self.remarks
     }
 }
 

@@ -16,7 +16,7 @@ pub use smooth_rail::SmoothRailAnswer;
 use riffel_case::ContactName;
 use riffel_keys::{Message, fixed, say};
 
-use crate::ResultFile;
+use crate::{Answer, ResultFile};
 
 /// Least and largest normal force \[N\], and the share of the time without contact.
 fn force_in_words(force: [f64; 2], loss: f64) -> Message {
@@ -31,7 +31,17 @@ fn contact_in_words(loss: f64) -> Message {
     }
 }
 
-/// The table of a contact beside the first.
-fn file_of(name: &'static str, contact: ContactName, course: &Course) -> ResultFile<'static> {
-    ResultFile::TableAs(format!("{name}-{}-{}", contact.wheel, contact.rail), course.table(name))
+/// The picture, tables and grid of an answer with a course, and tables of the other contacts.
+fn files<'a, A: Answer>(
+    answer: &A,
+    course: &'a Course,
+    others: impl Iterator<Item = (ContactName, &'a Course)>,
+) -> Vec<ResultFile<'a>> {
+    let figure = answer.figure();
+    let grid = ResultFile::Grid(A::NAME, course.grid(figure.title.clone()));
+    let tables = ResultFile::tables(answer.tables());
+    let others = others.map(|(ContactName { wheel, rail }, course)| {
+        ResultFile::TableAs(format!("{}-{wheel}-{rail}", A::NAME), course.table(A::NAME))
+    });
+    [ResultFile::Lines(A::NAME, figure)].into_iter().chain(tables).chain([grid]).chain(others).collect()
 }

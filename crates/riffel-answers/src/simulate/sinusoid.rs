@@ -11,7 +11,8 @@ use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure};
 use serde::Serialize;
 
-use super::{Course, force_in_words, remarks};
+use super::{Course, files, force_in_words, remarks};
+use crate::answer::titled;
 use crate::forecast::number_alone;
 use crate::parameters::parameters_on_rail;
 use crate::{Answer, AnswerError, Column, ResultFile, Table};
@@ -61,10 +62,10 @@ pub struct SinusoidAnswer {
     pub courses: Vec<Course>,
     /// What the reader should know of the march.
     #[serde(skip)]
-    pub remarks: Vec<Message>,
+    pub own_remarks: Vec<Message>,
     /// And of the case.
     #[serde(skip)]
-    all_remarks: Vec<Message>,
+    remarks: Vec<Message>,
     #[serde(skip)]
     on_supports: bool,
     #[serde(skip)]
@@ -201,7 +202,7 @@ impl SinusoidAnswer {
         let supports = remarks::of_supports(&model, &profile);
         let elements = transient.then(|| remarks::of_elements(&case.transient_contact(), &settled, profile)).flatten();
         let remarks = remarks::of_track(&model).into_iter().chain(troughs).chain(supports).chain(elements);
-        let remarks: Vec<Message> = remarks.collect();
+        let own_remarks: Vec<Message> = remarks.collect();
         let names = case.contact_names();
         let on_all_axes = !names.is_empty();
         let all = || std::iter::once(&settled).chain(&others);
@@ -225,8 +226,8 @@ impl SinusoidAnswer {
             track_share_cut: model.structures.share_cut(),
             contacts: contacts.collect(),
             courses: all().map(|settled| course(profile, settled, on_all_axes)).collect(),
-            all_remarks: case.remarks_at(speed).iter().chain(&remarks).cloned().collect(),
-            remarks,
+            remarks: case.remarks_at(speed).iter().chain(&own_remarks).cloned().collect(),
+            own_remarks,
             on_supports: !even,
             case: case.clone(),
         })
@@ -234,16 +235,12 @@ impl SinusoidAnswer {
 
     /// Harmonics for a reader: amplitudes, and of harmonic zero the means.
     fn harmonics(&self) -> Table {
-        let size = |number: usize, [re, im]: [f64; 2], scale: f64| {
-            let value = match number {
-                0 => scale * re,
-                _ => scale * Complex64::new(re, im).norm(),
-            };
-            number_alone(format_args!("{value:.4}"))
+        let size = |(number, [re, im]): (usize, [f64; 2])| match number {
+            0 => re,
+            _ => Complex64::new(re, im).norm(),
         };
-        let column = |head, scale: f64, of: &dyn Fn(&HarmonicDocument) -> [f64; 2]| {
-            let harmonics = self.harmonics.iter().enumerate();
-            Column::shown(head, harmonics.map(|(number, harmonic)| size(number, of(harmonic), scale)).collect())
+        let column = |head, scale: f64, of: fn(&HarmonicDocument) -> [f64; 2]| {
+            Column::digits(head, 4, self.harmonics.iter().map(of).enumerate().map(|harmonic| scale * size(harmonic)))
         };
         let numbers = (0..self.harmonics.len()).map(|number| match number {
             0 => say!(mean_column),
@@ -251,20 +248,23 @@ impl SinusoidAnswer {
         });
         let mut columns = vec![
             Column::shown(say!(harmonic_column), numbers.collect()),
-            column(say!(normal_force_in_kilonewton), 1e-3, &|harmonic| harmonic.normal_force_n),
-            column(say!(creep_force_column), 1e-3, &|harmonic| harmonic.tangential_force_n),
-            column(say!(creepage_in_percent_column), 100.0, &|harmonic| harmonic.creepage),
-            column(say!(dissipation_column), 1.0, &|harmonic| harmonic.dissipation_j_per_m),
+            column(say!(normal_force_in_kilonewton), 1e-3, |harmonic| harmonic.normal_force_n),
+            column(say!(creep_force_column), 1e-3, |harmonic| harmonic.tangential_force_n),
+            column(say!(creepage_in_percent_column), 100.0, |harmonic| harmonic.creepage),
+            column(say!(dissipation_column), 1.0, |harmonic| harmonic.dissipation_j_per_m),
         ];
         if !self.contacts.is_empty() {
             columns.extend([
-                column(say!(lateral_force_column), 1e-3, &|harmonic| harmonic.lateral_force_n.unwrap_or_default()),
-                column(say!(lateral_creepage_column), 100.0, &|harmonic| harmonic.lateral_creepage.unwrap_or_default()),
+                column(say!(lateral_force_column), 1e-3, |harmonic| harmonic.lateral_force_n.unwrap_or_default()),
+                column(say!(lateral_creepage_column), 100.0, |harmonic| harmonic.lateral_creepage.unwrap_or_default()),
             ]);
         }
         if let Some(energy) = self.energy_at_rail_j_per_m {
-            let energy = energy.into_iter().enumerate().map(|(number, value)| size(number, value, 1.0));
-            columns.push(Column::shown(say!(dissipation_at_the_rail_column), energy.collect()));
+            columns.push(Column::digits(
+                say!(dissipation_at_the_rail_column),
+                4,
+                energy.into_iter().enumerate().map(size),
+            ));
         }
         Table { name: "harmonics", columns }
     }
@@ -289,9 +289,8 @@ impl Answer for SinusoidAnswer {
     const DOCUMENT: &'static str = "harmonics.json";
 
     fn introduction(&self) -> Vec<Message> {
-        let title = self.case.file.title.clone();
         vec![
-            title.map_or_else(|| say!(wheel_over_a_sinusoid), Message::verbatim),
+            titled(self.case.file.title.as_ref(), say!(wheel_over_a_sinusoid)),
             say!(
                 wave_and_speed,
                 wavelength = fixed(1e3 * self.wavelength_m, 1),
@@ -332,14 +331,10 @@ impl Answer for SinusoidAnswer {
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let figure = self.figure();
-        let grid = self.courses[0].grid(figure.title.clone());
-        let own = ResultFile::Lines(Self::NAME, figure);
-        let tables = ResultFile::tables(self.tables());
-        [own].into_iter().chain(tables).chain([ResultFile::Grid(Self::NAME, grid)]).collect()
+        files(self, &self.courses[0], std::iter::empty())
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.all_remarks
+        &self.remarks
     }
 }

@@ -7,7 +7,8 @@ use riffel_plot::{Arrangement, LineFigure};
 use serde::{Serialize, Serializer};
 
 use super::along_rail::check_step;
-use super::{Course, file_of, remarks};
+use super::{Course, files, remarks};
+use crate::answer::titled;
 use crate::forecast::number_alone;
 use crate::parameters::parameters_on_rail;
 use crate::{Answer, AnswerError, Column, ResultFile, Table};
@@ -44,10 +45,10 @@ pub struct SmoothRailAnswer {
     others: Vec<Course>,
     /// What the reader should know of the motion.
     #[serde(skip)]
-    pub remarks: Vec<Message>,
+    pub own_remarks: Vec<Message>,
     /// And of the case.
     #[serde(skip)]
-    all_remarks: Vec<Message>,
+    remarks: Vec<Message>,
     #[serde(skip)]
     case: Case,
 }
@@ -137,7 +138,7 @@ impl SmoothRailAnswer {
             .on_smooth_rail(step, growth)
             .map_err(|error| CaseError::Physics { input: "--smooth".to_owned(), error })?;
         let roots = stability.as_ref().map(|stability| stability.unstable_roots);
-        let remarks: Vec<Message> = remarks::of_track(&model)
+        let own_remarks: Vec<Message> = remarks::of_track(&model)
             .into_iter()
             .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
             .chain(remarks::of_linear_loop(&motion, roots))
@@ -161,8 +162,8 @@ impl SmoothRailAnswer {
             others: (1..names.len()).map(course).collect(),
             contacts: names.into_iter().zip(&motion.contacts).map(|(name, it)| ContactSwings::new(name, it)).collect(),
             track_share_cut: model.structures.share_cut(),
-            all_remarks: case.remarks_at(speed).iter().chain(&remarks).cloned().collect(),
-            remarks,
+            remarks: case.remarks_at(speed).iter().chain(&own_remarks).cloned().collect(),
+            own_remarks,
             case: case.clone(),
         })
     }
@@ -239,9 +240,8 @@ impl Answer for SmoothRailAnswer {
     const DOCUMENT: &'static str = "smooth.json";
 
     fn introduction(&self) -> Vec<Message> {
-        let title = self.case.file.title.clone();
         vec![
-            title.map_or_else(|| say!(wheels_on_a_smooth_rail), Message::verbatim),
+            titled(self.case.file.title.as_ref(), say!(wheels_on_a_smooth_rail)),
             say!(
                 smooth_rail_at,
                 speed = fixed(3.6 * self.speed_m_per_s, 1),
@@ -281,16 +281,11 @@ impl Answer for SmoothRailAnswer {
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let figure = self.figure();
-        let grid = self.course.grid(figure.title.clone());
-        let own = ResultFile::Lines(Self::NAME, figure);
-        let tables = ResultFile::tables(self.tables());
-        let others = self.contacts.iter().zip(self.courses()).skip(1);
-        let others = others.map(|(contact, course)| file_of(Self::NAME, contact.name, course));
-        [own].into_iter().chain(tables).chain([ResultFile::Grid(Self::NAME, grid)]).chain(others).collect()
+        let others = self.contacts.iter().map(|contact| contact.name).zip(self.courses()).skip(1);
+        files(self, &self.course, others)
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.all_remarks
+        &self.remarks
     }
 }

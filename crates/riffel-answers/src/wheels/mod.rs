@@ -12,7 +12,7 @@ use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
-use crate::answer::inputs;
+use crate::answer::{inputs, titled};
 use crate::map::RidgeMap;
 use crate::ridge::BranchDocument;
 use crate::{Answer, AnswerError, Highest, LineGrowth, ResultFile, Table, WearLimitDocument};
@@ -263,9 +263,8 @@ impl Answer for WheelsAnswer {
     const NAME: &'static str = "growth";
 
     fn introduction(&self) -> Vec<Message> {
-        let title = self.case.file.title.clone();
         vec![
-            title.map_or_else(|| say!(wheels_of_a_curve), Message::verbatim),
+            titled(self.case.file.title.as_ref(), say!(wheels_of_a_curve)),
             say!(
                 all_wheels_in_the_curve,
                 radius = fixed(self.radius_m.abs(), 0),

@@ -215,7 +215,7 @@ impl EvolutionRun {
         let airborne = airborne.then(|| remarks::of_air(last.passages));
         let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
         let linear = Linear::new(&self.vehicles, &self.bands, &profiles[0].heights_m, spacing_m)?;
-        let remarks: Vec<Message> = worst.and_then(remarks::of_track).into_iter().chain(airborne).collect();
+        let own_remarks: Vec<Message> = worst.and_then(remarks::of_track).into_iter().chain(airborne).collect();
         // Extremes of a stage are those of the first passage after the one before.
         let lifted = stages.windows(2).find(|pair| {
             let after = pair[1].extremes.as_ref();
@@ -236,8 +236,8 @@ impl EvolutionRun {
             spacing: spacing_m,
             profiles,
             linear,
-            all_remarks: self.case.remarks.iter().chain(&remarks).cloned().collect(),
-            remarks,
+            remarks: self.case.remarks.iter().chain(&own_remarks).cloned().collect(),
+            own_remarks,
             case: self.case.clone(),
         })
     }
@@ -341,10 +341,10 @@ pub struct EvolutionAnswer {
     pub profiles: Vec<WornProfile>,
     /// What the reader should know of the run.
     #[serde(skip)]
-    pub remarks: Vec<Message>,
+    pub own_remarks: Vec<Message>,
     /// And of the case.
     #[serde(skip)]
-    all_remarks: Vec<Message>,
+    remarks: Vec<Message>,
     #[serde(skip)]
     linear: Linear,
     #[serde(skip)]
@@ -382,6 +382,6 @@ impl Answer for EvolutionAnswer {
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.all_remarks
+        &self.remarks
     }
 }

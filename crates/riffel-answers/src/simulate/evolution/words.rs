@@ -3,6 +3,7 @@
 use riffel_keys::{Message, Value, decimal, fixed, number, say};
 
 use super::{Band, EvolutionAnswer};
+use crate::answer::titled;
 use crate::forecast::{number_alone, per_million, three_digits};
 use crate::simulate::contact_in_words;
 use crate::{Column, Table};
@@ -12,7 +13,6 @@ const NOTHING: f64 = -100.0;
 
 /// The run, with a line for each vehicle where there is more than one wheel at one speed.
 pub(super) fn introduction(answer: &EvolutionAnswer) -> Vec<Message> {
-    let title = answer.case.file.title.clone();
     let run = say!(
         passages_over_rail,
         passages = number(three_digits(answer.passages as f64)),
@@ -33,7 +33,7 @@ pub(super) fn introduction(answer: &EvolutionAnswer) -> Vec<Message> {
             deviation = fixed(3.6 * vehicle.speed_deviation_m_per_s, 1)
         )
     });
-    let title = title.map_or_else(|| say!(rail_under_many_wheels), Message::verbatim);
+    let title = titled(answer.case.file.title.as_ref(), say!(rail_under_many_wheels));
     [title, run].into_iter().chain(vehicles).collect()
 }
 
