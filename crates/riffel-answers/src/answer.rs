@@ -36,13 +36,28 @@ impl ResultFile<'_> {
     }
 }
 
+/// What serialises to a document.
+pub trait Document {
+    /// The document, indented.
+    fn document(&self) -> String;
+}
+
+impl<T: Serialize> Document for T {
+    fn document(&self) -> String {
+        // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
+        serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+}
+
 /// An answer as data; its document is what `--json` prints.
-pub trait Answer: Serialize {
+pub trait Answer: Document {
     /// Its name in files, as in `noise.png`.
-    const NAME: &'static str;
+    fn name(&self) -> &'static str;
 
     /// The file of its document.
-    const DOCUMENT: &'static str = "summary.json";
+    fn document_name(&self) -> &'static str {
+        "summary.json"
+    }
 
     /// What it is about, in lines before the tables.
     fn introduction(&self) -> Vec<Message> {
@@ -74,73 +89,12 @@ pub trait Answer: Serialize {
 
     /// The files beside the document, in the order in which they are named.
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let figure = ResultFile::Lines(Self::NAME, self.figure());
+        let figure = ResultFile::Lines(self.name(), self.figure());
         [figure].into_iter().chain(ResultFile::tables(self.tables())).collect()
     }
 
     /// What the reader should know.
     fn remarks(&self) -> &[Message];
-}
-
-/// An answer of any type.
-pub trait AnyAnswer {
-    /// Its document, indented.
-    fn document(&self) -> String;
-    /// Name of the file of its document.
-    fn document_name(&self) -> &'static str;
-    /// What it is about, in lines before the tables.
-    fn introduction(&self) -> Vec<Message>;
-    /// Tables, for files and readers.
-    fn tables(&self) -> Vec<Table>;
-    /// What a reader sees above a table of a name, a line each.
-    fn above(&self, table: &str) -> Vec<Message>;
-    /// What a reader sees below a table of a name, a line each.
-    fn below(&self, table: &str) -> Vec<Message>;
-    /// What the tables do not say, a line each.
-    fn sentences(&self) -> Vec<Message>;
-    /// The files beside the document.
-    fn files(&self) -> Vec<ResultFile<'_>>;
-    /// What the reader should know.
-    fn remarks(&self) -> &[Message];
-}
-
-impl<A: Answer> AnyAnswer for A {
-    fn document(&self) -> String {
-        // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
-        serde_json::to_string_pretty(self).unwrap_or_default()
-    }
-
-    fn document_name(&self) -> &'static str {
-        A::DOCUMENT
-    }
-
-    fn introduction(&self) -> Vec<Message> {
-        Answer::introduction(self)
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Answer::tables(self)
-    }
-
-    fn above(&self, table: &str) -> Vec<Message> {
-        Answer::above(self, table)
-    }
-
-    fn below(&self, table: &str) -> Vec<Message> {
-        Answer::below(self, table)
-    }
-
-    fn sentences(&self) -> Vec<Message> {
-        Answer::sentences(self)
-    }
-
-    fn files(&self) -> Vec<ResultFile<'_>> {
-        Answer::files(self)
-    }
-
-    fn remarks(&self) -> &[Message] {
-        Answer::remarks(self)
-    }
 }
 
 /// The title that somebody gave, or the usual one.

@@ -57,7 +57,9 @@ fn name(value: &Ranked) -> Message {
 }
 
 impl Answer for CalibrationCheck {
-    const NAME: &'static str = "ranks";
+    fn name(&self) -> &'static str {
+        "ranks"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![say!(truth_among_draws, runs = self.simulated.runs)]
@@ -73,7 +75,7 @@ impl Answer for CalibrationCheck {
         let probability = values.iter().map(|value| Some(value.probability));
         let simulations = values.iter().map(|value| Some(value.ranks.len() as f64));
         vec![Table {
-            name: Self::NAME,
+            name: self.name(),
             columns: vec![
                 Column::words("value", say!(checked_value), values.iter().map(name).collect()),
                 Column::fixed("simulations", say!(simulations), simulations, 0),

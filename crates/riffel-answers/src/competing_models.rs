@@ -166,7 +166,9 @@ fn remarks(comparison: &Comparison) -> Vec<Message> {
 }
 
 impl Answer for CompetingModels {
-    const NAME: &'static str = "models";
+    fn name(&self) -> &'static str {
+        "models"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![say!(models_by_what_they_predict)]

@@ -113,7 +113,9 @@ fn percent(share: f64) -> Option<f64> {
 }
 
 impl Answer for DecideAnswer {
-    const NAME: &'static str = "decision";
+    fn name(&self) -> &'static str {
+        "decision"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let title = self.title.as_deref().map(Message::verbatim);

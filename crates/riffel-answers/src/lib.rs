@@ -78,7 +78,7 @@ pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
 
-pub use answer::{Answer, AnyAnswer, ResultFile};
+pub use answer::{Answer, Document, ResultFile};
 pub use banded::Banded;
 pub use calibration::{Calibration, four_digits};
 pub use capital::{capital, sentence};
@@ -101,6 +101,10 @@ pub use wear_limit::{WearLimitDocument, for_whom, unlikely_wear};
 
 /// All questions that are data.
 pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
+    &question::of::<receptance::ReceptanceQuestion>(),
+    &question::of::<wheelset::WheelsetQuestion>(),
+    &question::of::<contact::ContactQuestion>(),
+    &question::of::<curve::CurveQuestion>(),
     &question::of::<noise::NoiseQuestion>(),
     &question::of::<shakedown::ShakedownQuestion>(),
     &question::of::<stability_map::StabilityQuestion>(),

@@ -9,7 +9,6 @@ use riffel_plot::{LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::answer::AnyAnswer;
 use crate::question::{Asker, CaseSource, Question};
 use crate::stress::contour;
 use crate::{Answer, AnswerError, Column, Table};
@@ -37,7 +36,7 @@ impl Question for StabilityQuestion {
         Example: riffel stability case.toml --friction 0.1,0.2,0.3,0.4,0.5 --set 'map.speed={min=\"20 km/h\",max=\"80 km/h\"}'\n\n\
         Each friction has the mean state of its own; the speeds are those of map.speed.";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let case = self.case.read(asker)?;
         let friction = match self.friction.is_empty() {
             true => StabilityMap::frictions(),
@@ -226,7 +225,9 @@ impl StabilityBranch {
 }
 
 impl Answer for StabilityMap {
-    const NAME: &'static str = "stability";
+    fn name(&self) -> &'static str {
+        "stability"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         self.title.clone().map(Message::verbatim).into_iter().collect()

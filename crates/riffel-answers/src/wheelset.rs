@@ -6,17 +6,24 @@ use std::sync::Arc;
 use riffel::Direction;
 use riffel::wheelset::{BendingPlane, ContactReceptances, ModeName, Port, Wheelset};
 use riffel_case::{Case, CaseWheelset, WheelsetMode};
+use riffel_keys::quantity::Frequency;
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
-use serde::{Serialize, Serializer};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::answer::titled;
 use crate::complex::as_matrices;
 use crate::parameters::parameters;
-use crate::{Answer, Column, ResultFile, Table, mode_in_words};
+use crate::question::{AsWritten, Asker, CaseSource, Question};
+use crate::receptance::ReceptanceCurves;
+use crate::{Answer, AnswerError, Column, ResultFile, Table, mode_in_words};
 
 /// Up to which natural frequencies are listed \[Hz\].
-pub const HIGHEST: f64 = 2000.0;
+pub(crate) const HIGHEST: f64 = 2000.0;
+
+/// Frequencies of the receptances where none are listed: the lowest \[Hz\], and how many.
+const USUAL: (f64, u32) = (20.0, 600);
 
 /// Shapes drawn of each kind of motion, the lowest.
 const DRAWN: usize = 4;
@@ -24,10 +31,39 @@ const DRAWN: usize = 4;
 /// Points along the axle in a picture.
 const ALONG: usize = 121;
 
+/// The wheelset: natural frequencies with their names, mode shapes, receptances at the contacts.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct WheelsetQuestion {
+    #[serde(flatten)]
+    case: CaseSource,
+    /// Frequencies of the receptances, separated by commas, in Hz or with their unit [default: 600 from 20 Hz to
+    /// 2 kHz].
+    #[schemars(extend("value_name" = "LIST", "separator" = ","))]
+    frequencies: Vec<AsWritten<Frequency>>,
+}
+
+impl Question for WheelsetQuestion {
+    const NAME: &'static str = "wheelset";
+    const EXAMPLE: &'static str = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json";
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let case = self.case.read(asker)?;
+        let frequencies = match &self.frequencies[..] {
+            [] => {
+                let wheelset = case.wheelset.as_ref();
+                let (lowest, highest) = wheelset.map_or((0.0, f64::INFINITY), |wheelset| wheelset.frequency_range());
+                ReceptanceCurves::frequencies(USUAL.0.max(lowest), HIGHEST.min(highest), USUAL.1)
+            }
+            listed => AsWritten::all_within(listed, "--frequencies", asker)?,
+        };
+        Ok(Box::new(WheelsetAnswer::new(&case, frequencies)?))
+    }
+}
+
 /// The wheelset of a case over frequency: serialised, what `riffel wheelset --json` prints.
 #[derive(Serialize)]
 pub struct WheelsetAnswer {
-    /// Natural frequencies up to [`HIGHEST`], lowest first.
+    /// Natural frequencies up to 2 kHz, lowest first.
     #[serde(rename = "natural_frequencies", serialize_with = "natural_frequencies")]
     pub modes: Vec<WheelsetMode>,
     frequency_hz: Vec<f64>,
@@ -158,7 +194,9 @@ impl WheelsetAnswer {
 }
 
 impl Answer for WheelsetAnswer {
-    const NAME: &'static str = "receptance";
+    fn name(&self) -> &'static str {
+        "receptance"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let why = || match &*self.wheelset {
@@ -207,7 +245,7 @@ impl Answer for WheelsetAnswer {
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let own = ResultFile::Lines(Self::NAME, self.figure());
+        let own = ResultFile::Lines(self.name(), self.figure());
         let shapes = self.shapes().map(|shapes| ResultFile::Lines("modes", shapes));
         [own].into_iter().chain(shapes).chain(ResultFile::tables(self.tables())).collect()
     }

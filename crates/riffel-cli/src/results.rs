@@ -1,6 +1,6 @@
 //! The results of a command: a document on standard output, or files and words on them.
 
-use riffel_answers::{AnyAnswer, Table};
+use riffel_answers::{Answer, Table};
 use riffel_keys::Message;
 
 use std::path::PathBuf;
@@ -57,7 +57,7 @@ impl<'a> Results<'a> {
     }
 
     /// Hand out an answer: its figure, a file for each table and its document, or what they say in words; then its remarks.
-    pub(crate) fn answer(&self, answer: &dyn AnyAnswer) -> Result<(), CliError> {
+    pub(crate) fn answer(&self, answer: &dyn Answer) -> Result<(), CliError> {
         let tables = answer.tables();
         self.hand_out(
             || json_of(|| answer.document()),
@@ -75,7 +75,7 @@ impl<'a> Results<'a> {
 }
 
 /// An answer in words.
-pub(crate) fn readable(answer: &dyn AnyAnswer, tables: &[Table]) -> String {
+pub(crate) fn readable(answer: &dyn Answer, tables: &[Table]) -> String {
     let lines = |messages: Vec<Message>| -> String {
         let lines = messages.iter().map(|line| line.text(language()) + "\n");
         lines.collect()

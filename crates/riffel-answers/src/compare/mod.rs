@@ -250,7 +250,9 @@ impl CompareAnswer {
 }
 
 impl Answer for CompareAnswer {
-    const NAME: &'static str = "compare";
+    fn name(&self) -> &'static str {
+        "compare"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let title = self.case.file.title.clone();

@@ -4,6 +4,7 @@ mod contact_patch;
 mod creep_curves;
 mod frequency_response;
 mod patch;
+mod question;
 mod theories;
 mod wave_response;
 mod words;
@@ -15,6 +16,7 @@ use serde::Serialize;
 pub use contact_patch::ContactPatch;
 pub use creep_curves::{CreepCurve, CreepCurves};
 pub use frequency_response::{FrequencyResponse, InputResponse, OutputResponse};
+pub use question::ContactQuestion;
 pub use theories::RollingTheories;
 pub use wave_response::WaveResponse;
 
@@ -77,7 +79,9 @@ impl ContactAnswer {
 }
 
 impl Answer for ContactAnswer {
-    const NAME: &'static str = "contact";
+    fn name(&self) -> &'static str {
+        "contact"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         words::introduction(&self.theories, self.response.is_some())

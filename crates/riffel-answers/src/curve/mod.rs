@@ -9,15 +9,59 @@ use std::cell::OnceCell;
 
 use riffel::curving::{ContinuationStep, VehicleInCurve, VehicleState, WheelsetState};
 use riffel_case::CurvingCase;
+use riffel_keys::quantity::Length;
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 use riffel_plot::LineFigure;
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use crate::answer::titled;
+use crate::question::{AsWritten, Asker, CaseSource, Question};
 use crate::side::side;
-use crate::{Answer, Table};
+use crate::{Answer, AnswerError, Table};
 use equilibrium::Equilibrium;
 use over_radius::OverRadius;
+
+/// A bogie in a curve: creepages, forces and wear number of each wheel, and over the radius.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct CurveQuestion {
+    #[serde(flatten)]
+    case: CaseSource<CurvingCase>,
+    /// Radii of the picture and its table, separated by commas, above zero to the right, each at the lateral acceleration of
+    /// the case [default: from a fifth to twenty times that of the case].
+    #[schemars(extend("value_name" = "LIST", "separator" = ","))]
+    radius: Vec<AsWritten<Length>>,
+}
+
+impl CurveQuestion {
+    /// The radii that are listed \[m\]; none where none are.
+    fn radii(&self, case: &CurvingCase) -> Result<Option<Vec<f64>>, AnswerError> {
+        let wrong = |value: String, rule: String| AnswerError::Argument { argument: "--radius", value, rule };
+        let listed: Vec<f64> = self.radius.iter().map(AsWritten::si).collect();
+        let bare = self.radius.iter().find(|radius| radius.is_bare());
+        let with_unit = self.radius.iter().find(|radius| !radius.is_bare());
+        if let (Some(bare), Some(_)) = (bare, with_unit) {
+            let rule = "a list whose items all have a unit or none; commas part the items, so that 3,800 m are two";
+            let value = format!("{} without a unit beside others with one", bare.si());
+            return Err(wrong(value, rule.to_owned()));
+        }
+        if let Some((radius, rule)) = case.radius_that_no_curve_has(&listed) {
+            return Err(wrong(format!("{radius} m"), rule));
+        }
+        Ok((!listed.is_empty()).then_some(listed))
+    }
+}
+
+impl Question for CurveQuestion {
+    const NAME: &'static str = "curve";
+    const EXAMPLE: &'static str = "\
+        Examples:\n  riffel curve case.toml --set \"curve.radius=300 m\"\n  riffel curve case.toml --radius \"300 m,600 m,1200 m\" --json";
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let case = self.case.read(asker)?;
+        Ok(Box::new(CurveAnswer::new(&case, self.radii(&case)?.as_deref())?))
+    }
+}
 
 /// The equilibrium of the vehicle of a case: serialised, what `riffel curve --json` prints.
 #[derive(Serialize)]
@@ -152,7 +196,9 @@ impl CurveAnswer {
 }
 
 impl Answer for CurveAnswer {
-    const NAME: &'static str = "curve";
+    fn name(&self) -> &'static str {
+        "curve"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let usual = match self.equilibrium.wheelsets.len() {

@@ -67,7 +67,9 @@ fn fixed_text(number: f64, digits: usize) -> String {
 const SHARES: [&str; 5] = ["q05", "q25", "q50", "q75", "q95"];
 
 impl Answer for PosteriorForecast {
-    const NAME: &'static str = "forecast";
+    fn name(&self) -> &'static str {
+        "forecast"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let forecast = &self.forecast;

@@ -182,7 +182,9 @@ impl MapAnswer {
 }
 
 impl Answer for MapAnswer {
-    const NAME: &'static str = "map";
+    fn name(&self) -> &'static str {
+        "map"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let title = titled(self.case.file.title.as_ref(), say!(growth_map));
@@ -215,9 +217,9 @@ impl Answer for MapAnswer {
         let figure = self.map_figure();
         let grid = table::grid(&self.on.map, figure.title.clone());
         let own = [
-            ResultFile::Maps(Self::NAME, figure),
-            ResultFile::Map(Self::NAME, &self.on.map),
-            ResultFile::Grid(Self::NAME, grid),
+            ResultFile::Maps(self.name(), figure),
+            ResultFile::Map(self.name(), &self.on.map),
+            ResultFile::Grid(self.name(), grid),
         ];
         let bay = self.bay.iter().flat_map(|bay| bay.files(&self.case));
         own.into_iter().chain(ResultFile::tables(self.tables())).chain(bay).collect()

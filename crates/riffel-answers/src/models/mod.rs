@@ -195,7 +195,9 @@ impl ModelsAnswer {
 }
 
 impl Answer for ModelsAnswer {
-    const NAME: &'static str = "models";
+    fn name(&self) -> &'static str {
+        "models"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let title = titled(self.case.file.title.as_ref(), say!(models_of_the_field));
@@ -225,7 +227,7 @@ impl Answer for ModelsAnswer {
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {
-        let own = ResultFile::Lines(Self::NAME, self.figure());
+        let own = ResultFile::Lines(self.name(), self.figure());
         let plane = figure::complex_plane(self).map(|plane| ResultFile::Lines("complex-plane", plane));
         let growth = ResultFile::Table(self.growth_table());
         [own].into_iter().chain(plane).chain([growth]).collect()

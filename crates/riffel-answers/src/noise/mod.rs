@@ -172,7 +172,9 @@ fn nominal(levels: &Energies) -> Vec<f64> {
 }
 
 impl Answer for NoiseAnswer {
-    const NAME: &'static str = "noise";
+    fn name(&self) -> &'static str {
+        "noise"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         tables::introduction(self)

@@ -14,11 +14,10 @@ use serde_json::json;
 
 use super::NoiseAnswer;
 use super::train::Train;
-use crate::answer::AnyAnswer;
 use crate::question::{
     AsWritten, Asker, CaseSource, EarlierRecords, PosteriorSource, Question, RecordLayout, Rule, Source, of_keys, over,
 };
-use crate::{AnswerError, PosteriorDraws};
+use crate::{Answer, AnswerError, PosteriorDraws};
 
 /// How loud a train is on a rough rail, and what would make it quieter.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -192,7 +191,7 @@ impl Question for NoiseQuestion {
         Rule::Needs("limit_dba", &["traffic", "posterior"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         Ok(Box::new(self.answer(asker)?))
     }
 }

@@ -226,7 +226,9 @@ impl PointAnswer {
 }
 
 impl Answer for PointAnswer {
-    const NAME: &'static str = "point";
+    fn name(&self) -> &'static str {
+        "point"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         words::introduction(self)

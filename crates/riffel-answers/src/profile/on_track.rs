@@ -246,7 +246,9 @@ impl OnTrackAnswer {
 }
 
 impl Answer for OnTrackAnswer {
-    const NAME: &'static str = "wheelset";
+    fn name(&self) -> &'static str {
+        "wheelset"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![titled(self.title.as_ref(), say!(wheelset_on_its_track))]

@@ -100,7 +100,9 @@ impl OutlineAnswer {
 }
 
 impl Answer for OutlineAnswer {
-    const NAME: &'static str = "profile";
+    fn name(&self) -> &'static str {
+        "profile"
+    }
 
     fn tables(&self) -> Vec<Table> {
         let shown =

@@ -204,7 +204,9 @@ impl UnderLoadAnswer {
 }
 
 impl Answer for UnderLoadAnswer {
-    const NAME: &'static str = "contact";
+    fn name(&self) -> &'static str {
+        "contact"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![self.title()]

@@ -308,7 +308,9 @@ impl WearAnswer {
 }
 
 impl Answer for WearAnswer {
-    const NAME: &'static str = "wear";
+    fn name(&self) -> &'static str {
+        "wear"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![self.title()]

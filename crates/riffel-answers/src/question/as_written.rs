@@ -27,6 +27,20 @@ impl<D> Clone for AsWritten<D> {
 }
 
 impl<D: Dimension> AsWritten<D> {
+    /// The values of a list, each as by [`within`](Self::within).
+    ///
+    /// # Errors
+    /// Those of [`within`](Self::within).
+    pub fn all_within(list: &[Self], argument: &'static str, asker: &dyn Asker) -> Result<Vec<f64>, AnswerError> {
+        list.iter().map(|quantity| quantity.within(argument, asker)).collect()
+    }
+
+    /// The value in SI, whatever it is.
+    pub fn si(&self) -> f64 {
+        // It was read when it was written.
+        self.text.parse::<Quantity<D>>().map_or(f64::NAN, |quantity| quantity.si())
+    }
+
     /// The value in SI, within the physical range of the argument; `asker` is told what is not usual.
     ///
     /// # Errors
@@ -37,6 +51,13 @@ impl<D: Dimension> AsWritten<D> {
         let (si, remark) = PhysicalRange::read::<D>(argument, &self.text).map_err(|rule| wrong(&format!(" {rule}")))?;
         asker.remark(remark.as_slice());
         Ok(si)
+    }
+}
+
+impl<D> AsWritten<D> {
+    /// Whether it was written without a unit: in a list that commas part it may be the head of a number with a comma in it.
+    pub fn is_bare(&self) -> bool {
+        self.text.trim().parse::<f64>().is_ok()
     }
 }
 

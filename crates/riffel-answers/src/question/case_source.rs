@@ -1,27 +1,87 @@
 //! The case of a question.
 
+use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
-use riffel_case::Case;
+use riffel_case::file::CaseFile;
+use riffel_case::{Case, CaseContact, CurvingCase};
+use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::{CaseError, say};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{Asker, Source};
 use crate::AnswerError;
 
-/// A case file with overrides.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
-pub struct CaseSource {
+/// A case file with overrides, of which a question takes the whole or a part.
+#[derive(Deserialize, JsonSchema)]
+#[serde(bound = "")]
+#[schemars(bound = "")]
+pub struct CaseSource<T = Case> {
     /// Case file, or - for standard input.
     #[schemars(extend("positional" = true, "value_name" = "CASE"))]
-    case: Source<Case>,
+    case: Source<T>,
     /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
     #[schemars(extend("value_name" = "KEY=VALUE"))]
     set: Vec<String>,
 }
 
-impl CaseSource {
+/// What is read of a case file.
+pub trait OfCase: Sized {
+    /// Read it with overrides.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule.
+    fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError>;
+
+    /// The keys, where they may name a file of a measured track.
+    fn file(&self) -> Option<&CaseFile>;
+}
+
+impl OfCase for Case {
+    fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::read(path, overrides)
+    }
+
+    fn file(&self) -> Option<&CaseFile> {
+        Some(&self.file)
+    }
+}
+
+impl OfCase for CaseContact {
+    fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::read(path, overrides)
+    }
+
+    fn file(&self) -> Option<&CaseFile> {
+        Some(&self.file)
+    }
+}
+
+impl OfCase for CurvingCase {
+    fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::read(path, overrides)
+    }
+
+    fn file(&self) -> Option<&CaseFile> {
+        None
+    }
+}
+
+impl<T> Clone for CaseSource<T> {
+    fn clone(&self) -> Self {
+        Self { case: self.case.clone(), set: self.set.clone() }
+    }
+}
+
+impl<T> fmt::Debug for CaseSource<T> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("CaseSource").field("case", &self.case).field("set", &self.set).finish()
+    }
+}
+
+impl<T: OfCase> CaseSource<T> {
     /// Whether it is the case of a file without any override.
     pub fn is_just(&self, path: &Path) -> bool {
         let real = |path: &Path| std::fs::canonicalize(path).ok();
@@ -32,13 +92,36 @@ impl CaseSource {
     ///
     /// # Errors
     /// [`AnswerError::Case`] with the key, the value and the rule.
-    pub fn read(&self, asker: &dyn Asker) -> Result<Arc<Case>, AnswerError> {
-        let case = self.case.value(|path| Case::read(path, &self.set))?;
-        if let (Some(path), Some(measurement)) = (self.case.path(), &case.file.track.measurement) {
+    pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>, AnswerError> {
+        let case = self.case.value(|path| T::read(path, &self.set))?;
+        let measurement = case.file().and_then(|file| file.track.measurement.as_ref());
+        if let (Some(path), Some(measurement)) = (self.case.path(), measurement) {
             let folder = path.parent().unwrap_or_else(|| Path::new(""));
             asker.reads(&folder.join(&measurement.file));
         }
         Ok(case)
+    }
+}
+
+impl CaseSource {
+    /// The case with the wheel at another place of the bay.
+    ///
+    /// # Errors
+    /// [`AnswerError::Option`] for a place that the bay does not have, and on a track that has no bay.
+    pub fn read_at(&self, position: Option<Quantity<Length>>, asker: &dyn Asker) -> Result<Arc<Case>, AnswerError> {
+        let case = self.read(asker)?;
+        let Some(position) = position else {
+            return Ok(case);
+        };
+        let option = "--position";
+        match case.edit(|keys| keys.track.position = Some(position)) {
+            Err(CaseError::Changed { message, .. }) => Err(AnswerError::Option { option, message }),
+            Ok(case) if case.track.support_spacing().is_none() => {
+                let model = case.file.track.model.name();
+                Err(AnswerError::Option { option, message: say!(track_is_the_same_everywhere, model = model) })
+            }
+            case => Ok(Arc::new(case?)),
+        }
     }
 }
 
@@ -48,8 +131,8 @@ impl From<Case> for CaseSource {
     }
 }
 
-impl From<Arc<Case>> for CaseSource {
-    fn from(case: Arc<Case>) -> Self {
+impl<T> From<Arc<T>> for CaseSource<T> {
+    fn from(case: Arc<T>) -> Self {
         Self { case: Source::Given(case), set: Vec::new() }
     }
 }

@@ -16,8 +16,8 @@ pub enum Kind {
     Number,
     /// An integer from one to another.
     Integer([u64; 2]),
-    /// One of some words.
-    Choice(Vec<String>),
+    /// One of some words, each with what it means.
+    Choice(Vec<[String; 2]>),
     /// A text, or a quantity: a number in SI or a text with its unit.
     Text {
         /// Whether a number may stand in its place.
@@ -111,7 +111,7 @@ impl Key {
         };
         let mut one = json!({ "type": kind });
         if let Kind::Choice(words) = &self.kind {
-            one["enum"] = json!(words);
+            one["enum"] = words.iter().map(|[word, _]| word.as_str()).collect();
         }
         let mut property = match self.takes_many {
             true => json!({ "type": "array", "items": one }),
@@ -166,9 +166,12 @@ impl Key {
                     _ => (value, format!("an integer from {low} to {high}")),
                 }
             }
-            (Kind::Choice(words), Value::String(word)) => match words.contains(&word) {
+            (Kind::Choice(words), Value::String(word)) => match words.iter().any(|[one, _]| *one == word) {
                 true => return Ok(word.into()),
-                false => (word.into(), format!("one of {}", words.join(", "))),
+                false => {
+                    let words = words.iter().map(|[word, _]| word.as_str()).collect::<Vec<_>>();
+                    (word.into(), format!("one of {}", words.join(", ")))
+                }
             },
             (Kind::Flag, value) => (value, "true or false".to_owned()),
             (Kind::Number, value) => (value, "a number".to_owned()),
@@ -187,10 +190,10 @@ impl Kind {
     fn of(property: &Value) -> Self {
         let has = |name: &str| types(property).any(|kind| kind == name);
         let end = |name: &str, or: u64| property[name].as_u64().unwrap_or(or);
-        match property["enum"].as_array() {
+        match property["oneOf"].as_array() {
             Some(words) => {
-                let words = words.iter().filter_map(Value::as_str);
-                Self::Choice(words.map(str::to_owned).collect())
+                let word = |one: &Value| Some([one["const"].as_str()?.to_owned(), description(one.get("description"))]);
+                Self::Choice(words.iter().filter_map(word).collect())
             }
             None if has("boolean") => Self::Flag,
             None if has("integer") => Self::Integer([end("minimum", 0), end("maximum", u64::MAX)]),

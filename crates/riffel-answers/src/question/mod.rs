@@ -21,15 +21,14 @@ use serde_json::{Map, Value, json};
 
 pub use as_written::AsWritten;
 pub use asker::{Asker, Nobody, Step};
-pub use case_source::{CaseSource, covering};
+pub use case_source::{CaseSource, OfCase, covering};
 pub use key::{Key, Kind};
 pub use posterior_source::{PosteriorSource, finished_of, over};
 pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
 pub use rule::Rule;
 pub use source::Source;
 
-use crate::answer::AnyAnswer;
-use crate::{AnswerError, QUESTIONS};
+use crate::{Answer, AnswerError, QUESTIONS};
 
 /// A question of its own type; its docs say what it asks.
 pub trait Question: DeserializeOwned + JsonSchema {
@@ -44,7 +43,7 @@ pub trait Question: DeserializeOwned + JsonSchema {
     ///
     /// # Errors
     /// [`AnswerError`] with the key or the file at fault.
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError>;
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError>;
 }
 
 /// A question of any type, by its keys.
@@ -63,7 +62,7 @@ pub trait AnyQuestion: Sync {
     ///
     /// # Errors
     /// [`AnswerError::Question`] for a key that is unknown, missing or of the wrong kind; those of [`Question::ask`].
-    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError>;
+    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError>;
 }
 
 /// The question of a name.
@@ -130,7 +129,7 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         })
     }
 
-    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError> {
+    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let question = key::question::<Q>(&self.keys(), keys)?;
         question.ask(asker)
     }

@@ -54,7 +54,9 @@ impl MatrixAnswer {
 }
 
 impl Answer for MatrixAnswer {
-    const NAME: &'static str = "matrix";
+    fn name(&self) -> &'static str {
+        "matrix"
+    }
 
     /// One row for each frequency, the entries of both bodies on and above the diagonal.
     fn tables(&self) -> Vec<Table> {

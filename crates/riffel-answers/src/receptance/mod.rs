@@ -2,6 +2,7 @@
 
 mod curves;
 mod matrix;
+mod question;
 mod words;
 
 use std::cell::OnceCell;
@@ -16,6 +17,7 @@ use serde::{Serialize, Serializer};
 
 pub use curves::{ReceptanceCurve, ReceptanceCurves};
 pub use matrix::MatrixAnswer;
+pub use question::ReceptanceQuestion;
 
 use crate::complex::pairs;
 use crate::parameters::parameters;
@@ -216,7 +218,9 @@ impl ReceptanceAnswer {
 }
 
 impl Answer for ReceptanceAnswer {
-    const NAME: &'static str = "receptance";
+    fn name(&self) -> &'static str {
+        "receptance"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         words::introduction(self)
@@ -279,7 +283,7 @@ impl Answer for ReceptanceAnswer {
 
     fn files(&self) -> Vec<ResultFile<'_>> {
         let picture = self.decay().map(|rates| ResultFile::Picture("decay-rate", self.decay_figure(rates)));
-        let own = ResultFile::Lines(Self::NAME, self.figure());
+        let own = ResultFile::Lines(self.name(), self.figure());
         [own].into_iter().chain(ResultFile::tables(self.tables())).chain(picture).collect()
     }
 

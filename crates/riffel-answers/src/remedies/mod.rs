@@ -217,7 +217,9 @@ impl Remedy {
 }
 
 impl Answer for RemediesAnswer {
-    const NAME: &'static str = "remedies";
+    fn name(&self) -> &'static str {
+        "remedies"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         self.under_traffic.remarks.clone()

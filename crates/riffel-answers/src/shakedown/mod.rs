@@ -13,7 +13,6 @@ use riffel_plot::LineFigure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::answer::AnyAnswer;
 use crate::question::{AsWritten, Asker, CaseSource, Question, Rule};
 use crate::{Answer, AnswerError, Table};
 
@@ -43,7 +42,7 @@ impl Question for ShakedownQuestion {
         Rule::Needs("amplitude", &["wavelength"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn AnyAnswer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let case = self.case.read(asker)?;
         let mut covering = None;
         let wave = match (&self.wavelength, &self.speed) {
@@ -310,7 +309,9 @@ impl ShakedownAnswer {
 }
 
 impl Answer for ShakedownAnswer {
-    const NAME: &'static str = "shakedown";
+    fn name(&self) -> &'static str {
+        "shakedown"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         tables::introduction(self)

@@ -144,8 +144,12 @@ fn course(profile: &Profile, contacts: &[ContactInstant], along: f64, on_all_axe
 }
 
 impl Answer for PassageAnswer {
-    const NAME: &'static str = "passage";
-    const DOCUMENT: &'static str = "passage.json";
+    fn name(&self) -> &'static str {
+        "passage"
+    }
+    fn document_name(&self) -> &'static str {
+        "passage.json"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         let force = [self.minimum_normal_force_n, self.maximum_normal_force_n];
@@ -169,7 +173,7 @@ impl Answer for PassageAnswer {
     }
 
     fn tables(&self) -> Vec<Table> {
-        vec![self.course.table(Self::NAME)]
+        vec![self.course.table(self.name())]
     }
 
     /// The passage as strips.

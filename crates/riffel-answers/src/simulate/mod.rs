@@ -32,16 +32,17 @@ fn contact_in_words(loss: f64) -> Message {
 }
 
 /// The picture, tables and grid of an answer with a course, and tables of the other contacts.
-fn files<'a, A: Answer>(
-    answer: &A,
+fn files<'a>(
+    answer: &dyn Answer,
     course: &'a Course,
     others: impl Iterator<Item = (ContactName, &'a Course)>,
 ) -> Vec<ResultFile<'a>> {
     let figure = answer.figure();
-    let grid = ResultFile::Grid(A::NAME, course.grid(figure.title.clone()));
+    let name = answer.name();
+    let grid = ResultFile::Grid(name, course.grid(figure.title.clone()));
     let tables = ResultFile::tables(answer.tables());
     let others = others.map(|(ContactName { wheel, rail }, course)| {
-        ResultFile::TableAs(format!("{}-{wheel}-{rail}", A::NAME), course.table(A::NAME))
+        ResultFile::TableAs(format!("{name}-{wheel}-{rail}"), course.table(name))
     });
-    [ResultFile::Lines(A::NAME, figure)].into_iter().chain(tables).chain([grid]).chain(others).collect()
+    [ResultFile::Lines(name, figure)].into_iter().chain(tables).chain([grid]).chain(others).collect()
 }

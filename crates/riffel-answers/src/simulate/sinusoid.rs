@@ -285,8 +285,12 @@ fn course(profile: Sinusoid, settled: &Settled, on_all_axes: bool) -> Course {
 }
 
 impl Answer for SinusoidAnswer {
-    const NAME: &'static str = "wave";
-    const DOCUMENT: &'static str = "harmonics.json";
+    fn name(&self) -> &'static str {
+        "wave"
+    }
+    fn document_name(&self) -> &'static str {
+        "harmonics.json"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![
@@ -302,7 +306,7 @@ impl Answer for SinusoidAnswer {
     }
 
     fn tables(&self) -> Vec<Table> {
-        vec![self.harmonics(), self.courses[0].table(Self::NAME)]
+        vec![self.harmonics(), self.courses[0].table(self.name())]
     }
 
     fn sentences(&self) -> Vec<Message> {

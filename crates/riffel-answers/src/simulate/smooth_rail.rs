@@ -236,8 +236,12 @@ impl SmoothRailAnswer {
 }
 
 impl Answer for SmoothRailAnswer {
-    const NAME: &'static str = "smooth";
-    const DOCUMENT: &'static str = "smooth.json";
+    fn name(&self) -> &'static str {
+        "smooth"
+    }
+    fn document_name(&self) -> &'static str {
+        "smooth.json"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![
@@ -253,7 +257,7 @@ impl Answer for SmoothRailAnswer {
     }
 
     fn tables(&self) -> Vec<Table> {
-        vec![self.swings(), self.course.table(Self::NAME)]
+        vec![self.swings(), self.course.table(self.name())]
     }
 
     /// A few periods of the contact that swings most, as strips.

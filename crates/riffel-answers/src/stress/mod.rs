@@ -4,6 +4,7 @@ mod contour;
 
 pub(crate) use contour::contour;
 mod figure;
+mod point_in_rail;
 mod tables;
 
 use riffel::damage::stress::{Depth, EllipseStress, StressMaximum, StressMeasure, Traction};
@@ -11,6 +12,8 @@ use riffel_case::CaseContact;
 use riffel_keys::{CaseError, Message, number, say};
 use riffel_plot::LineFigure;
 use serde::Serialize;
+
+pub(crate) use point_in_rail::PointInRail;
 
 use crate::{Answer, Table};
 
@@ -229,7 +232,9 @@ fn over_friction(ellipse: &EllipseStress, direction: [f64; 2]) -> Vec<FrictionRo
 }
 
 impl Answer for StressAnswer {
-    const NAME: &'static str = "stress";
+    fn name(&self) -> &'static str {
+        "stress"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         tables::introduction(self)

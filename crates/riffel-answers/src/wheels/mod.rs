@@ -260,7 +260,9 @@ impl WheelInLoop {
 }
 
 impl Answer for WheelsAnswer {
-    const NAME: &'static str = "growth";
+    fn name(&self) -> &'static str {
+        "growth"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         vec![
@@ -304,7 +306,7 @@ impl Answer for WheelsAnswer {
 
     fn files(&self) -> Vec<ResultFile<'_>> {
         let maps = figure::maps(self).map(|maps| ResultFile::Maps("map", maps));
-        let own = [ResultFile::Lines(Self::NAME, self.figure())];
+        let own = [ResultFile::Lines(self.name(), self.figure())];
         let tables = self.tables().into_iter().map(ResultFile::Table);
         let files = maps.into_iter().chain(own).chain(tables);
         files.chain([ResultFile::Grid("map", table::grid(self))]).collect()

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use riffel_case::file::CaseFile;
-use riffel_case::{Case, CaseContact, CurvingCase};
+use riffel_case::{Case, CurvingCase};
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::text_file::is_standard_input;
 use riffel_keys::{CaseError, say};
@@ -38,13 +38,6 @@ impl CaseArguments {
 
     pub(crate) fn read(&self) -> miette::Result<Case> {
         Ok(protected(&self.path, Case::read(&self.path, &self.overrides)?))
-    }
-
-    /// The contact of the case alone.
-    pub(crate) fn read_contact(&self) -> miette::Result<CaseContact> {
-        let contact = CaseContact::read(&self.path, &self.overrides)?;
-        protect(&self.path, &contact.file);
-        Ok(contact)
     }
 
     /// The tables of curving of the case.

@@ -99,18 +99,10 @@ pub(crate) enum Command {
     Point(Point),
     /// Growth over wavelength and speed: picture, page, tables.
     Map(Map),
-    /// Receptance of track, wheel and contact over frequency.
-    Receptance(Receptance),
-    /// The wheelset: natural frequencies with their names, mode shapes, receptances at the contacts.
-    Wheelset(Wheelset),
     /// A wheel along a rail in time: large amplitudes, loss of contact.
     Simulate(Simulate),
-    /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
-    Contact(Contact),
     /// Profiles of wheels and rails: outline and curvature, or where a wheelset touches its track.
     Profile(Profile),
-    /// A bogie in a curve: creepages, forces and wear number of each wheel, and over the radius.
-    Curve(Curve),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
     Roughness(Roughness),
     /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.

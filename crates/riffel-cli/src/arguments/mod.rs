@@ -9,16 +9,13 @@ mod decide;
 mod earlier;
 mod figures;
 mod forecast;
-mod listed_length;
 mod map;
 pub(crate) mod network;
 mod number;
 mod page;
-mod point_in_rail;
 mod posterior;
 mod profile;
 mod question;
-mod receptance;
 mod roughness;
 mod simulate;
 mod study;
@@ -28,11 +25,10 @@ use std::path::PathBuf;
 use clap::{Args, Parser, ValueEnum};
 use riffel_answers::paper::Model;
 use riffel_keys::Language;
-use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
+use riffel_keys::quantity::{Dimension, Length, Quantity, Speed};
 
 use crate::error::CliError;
 use crate::messages::Verbosity;
-use point_in_rail::PointInRail;
 
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
@@ -43,14 +39,12 @@ pub(crate) use decide::Decide;
 pub(crate) use earlier::Earlier;
 pub(crate) use figures::{Figures, ModelArgument};
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
-pub(crate) use listed_length::ListedLength;
 pub(crate) use map::Map;
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use page::Page;
 pub(crate) use posterior::Posterior;
 pub(crate) use profile::{Alignment, Orientation, Profile};
 pub(crate) use question::AskedQuestion;
-pub(crate) use receptance::{DirectionArgument, Receptance};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use simulate::{LengthPair, Simulate};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
@@ -232,66 +226,6 @@ pub(crate) struct Point {
     /// Print one JSON document; complex numbers as [re, im].
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(Args)]
-#[command(after_help = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json")]
-pub(crate) struct Wheelset {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    /// Frequencies of the receptances, separated by commas, in Hz or with their unit [default: 600 from 20 Hz to
-    /// 2 kHz].
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub(crate) frequencies: Vec<Asked<Frequency>>,
-
-    #[command(flatten)]
-    pub(crate) results: ResultsArguments,
-}
-
-#[derive(Args)]
-#[command(after_help = "Example: riffel contact case.toml --ratio 4,8,16 --set contact.hertz=exact")]
-pub(crate) struct Contact {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    /// Creepages of the creep curves, as ratios or with %, separated by commas [default: 40, to 1.2
-    /// times that of full slip].
-    #[arg(long, value_name = "CREEPAGES", value_delimiter = ',')]
-    pub(crate) creepage: Vec<Quantity<Ratio>>,
-
-    /// Wavelengths of the frequency response in semi-axes λ/a, separated by commas [default: 61, from 2
-    /// to 100].
-    #[arg(long, value_name = "RATIOS", value_delimiter = ',')]
-    pub(crate) ratio: Vec<Quantity<Ratio>>,
-
-    /// Stress in the rail under the mean state, at the surface and below, in place of creep curves and responses.
-    #[arg(long, conflicts_with_all = ["creepage", "ratio"])]
-    pub(crate) stress: bool,
-
-    /// Stress at a point too, x/a, y/b, z/a with z into the rail, as --stress-at=-0.8,0,0.1; may be repeated.
-    #[arg(long, value_name = "X,Y,Z", requires = "stress")]
-    pub(crate) stress_at: Vec<PointInRail>,
-
-    #[command(flatten)]
-    pub(crate) results: ResultsArguments,
-}
-
-#[derive(Args)]
-#[command(
-    after_help = "Examples:\n  riffel curve case.toml --set \"curve.radius=300 m\"\n  riffel curve case.toml --radius \"300 m,600 m,1200 m\" --json"
-)]
-pub(crate) struct Curve {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    /// Radii of the picture and its table, separated by commas, above zero to the right, each at the lateral acceleration of
-    /// the case [default: from a fifth to twenty times that of the case].
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub(crate) radius: Vec<ListedLength>,
-
-    #[command(flatten)]
-    pub(crate) results: ResultsArguments,
 }
 
 #[derive(Args)]

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
 use riffel_answers::question::{AnyQuestion, Key, Kind};
 use riffel_keys::text_file::is_standard_input;
@@ -119,7 +119,10 @@ fn option(key: &Key) -> Arg {
     };
     match &key.kind {
         _ if key.is_path => option.value_hint(ValueHint::AnyPath),
-        Kind::Choice(words) => option.value_parser(PossibleValuesParser::new(words.clone())),
+        Kind::Choice(words) => {
+            let word = |[word, help]: &[String; 2]| PossibleValue::new(word.clone()).help(help.clone());
+            option.value_parser(PossibleValuesParser::new(words.iter().map(word)))
+        }
         _ => option,
     }
 }

@@ -18,7 +18,7 @@ pub(crate) fn run(arguments: &Decide) -> miette::Result<()> {
     } else {
         let tables = answer.tables();
         let mut staging = Staging::new("decide", &arguments.folder)?;
-        staging.write_figure(DecideAnswer::NAME, &answer.figure())?;
+        staging.write_figure(answer.name(), &answer.figure())?;
         for table in &tables {
             staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
         }

@@ -352,8 +352,12 @@ pub struct EvolutionAnswer {
 }
 
 impl Answer for EvolutionAnswer {
-    const NAME: &'static str = "spectrum";
-    const DOCUMENT: &'static str = "evolution.json";
+    fn name(&self) -> &'static str {
+        "spectrum"
+    }
+    fn document_name(&self) -> &'static str {
+        "evolution.json"
+    }
 
     fn introduction(&self) -> Vec<Message> {
         words::introduction(self)
@@ -373,7 +377,7 @@ impl Answer for EvolutionAnswer {
 
     fn files(&self) -> Vec<ResultFile<'_>> {
         let figures = [
-            ResultFile::Lines(Self::NAME, self.figure()),
+            ResultFile::Lines(self.name(), self.figure()),
             ResultFile::Lines("profile", self.profile_figure()),
             ResultFile::Stages("passages", self.stage_figures()),
         ];

@@ -165,12 +165,12 @@ fn conclusions(
     if plan.passages_per_day.is_some() && plan.has_levels() {
         let limit = level_limit(LIMIT)?;
         let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
-        staging.write_figure(PosteriorForecast::NAME, &answer.figure())?;
+        staging.write_figure(answer.name(), &answer.figure())?;
         text += &readable(&answer, &answer.tables());
         tables.extend(answer.tables());
     }
     if let Some(models) = models {
-        staging.write_figure(CompetingModels::NAME, &models.figure())?;
+        staging.write_figure(models.name(), &models.figure())?;
         staging.write("models.json", json(models))?;
         text += &readable(models, &models.tables());
         tables.extend(models.tables());

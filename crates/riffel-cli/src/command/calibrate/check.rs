@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
     })?;
     if let Some(folder) = &arguments.output {
         let mut staging = Staging::new("calibrate check", folder)?;
-        staging.write_figure(CalibrationCheck::NAME, &answer.figure())?;
+        staging.write_figure(answer.name(), &answer.figure())?;
         for table in &tables {
             staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
         }
