@@ -58,7 +58,6 @@ impl<'a> Results<'a> {
 
     /// Hand out an answer: its figure, a file for each table and its document, or what they say in words; then its remarks.
     pub(crate) fn answer(&self, answer: &dyn Answer) -> Result<(), CliError> {
-        let tables = answer.tables();
         self.hand_out(
             || json_of(|| answer.document()),
             |staging| {
@@ -67,7 +66,7 @@ impl<'a> Results<'a> {
                 }
                 staging.write(answer.document_name(), json_of(|| answer.document()))
             },
-            || readable(answer, &tables),
+            || readable(answer),
         )?;
         print_remarks(answer.remarks());
         Ok(())
@@ -75,15 +74,15 @@ impl<'a> Results<'a> {
 }
 
 /// An answer in words.
-pub(crate) fn readable(answer: &dyn Answer, tables: &[Table]) -> String {
+pub(crate) fn readable(answer: &dyn Answer) -> String {
     let lines = |messages: Vec<Message>| -> String {
         let lines = messages.iter().map(|line| line.text(language()) + "\n");
         lines.collect()
     };
-    let shown = tables.iter().filter(|table| table.is_shown());
+    let shown = answer.tables().into_iter().filter(Table::is_shown);
     let tables = shown.map(|table| {
         let [above, below] = [answer.above(table.name), answer.below(table.name)].map(lines);
-        format!("{above}{}\n{below}", table_of(table))
+        format!("{above}{}\n{below}", table_of(&table))
     });
     let tables = tables.collect::<String>();
     lines(answer.introduction()) + &tables + &lines(answer.sentences())

@@ -16,16 +16,15 @@ pub(crate) fn run(arguments: &Decide) -> miette::Result<()> {
     if arguments.json {
         print(&json(&answer))?;
     } else {
-        let tables = answer.tables();
         let mut staging = Staging::new("decide", &arguments.folder)?;
         staging.write_figure(answer.name(), &answer.figure())?;
-        for table in &tables {
+        for table in answer.tables() {
             staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
         }
         staging.write("decision.json", json(&answer))?;
         let files = staging.publish()?.join(" ");
         let folder = arguments.folder.display();
-        print(&format!("{}{folder}: {files}\n", readable(&answer, &tables)))?;
+        print(&format!("{}{folder}: {files}\n", readable(&answer)))?;
     }
     print_remarks(answer.remarks());
     Ok(())

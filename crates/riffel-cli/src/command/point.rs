@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let answer = PointAnswer::new(&case, request)?;
     match arguments.json {
         true => print_json(&answer)?,
-        false => print(&readable(&answer, &answer.tables()))?,
+        false => print(&readable(&answer))?,
     }
     print_remarks(answer.remarks());
     Ok(())

@@ -166,13 +166,13 @@ fn conclusions(
         let limit = level_limit(LIMIT)?;
         let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
         staging.write_figure(answer.name(), &answer.figure())?;
-        text += &readable(&answer, &answer.tables());
+        text += &readable(&answer);
         tables.extend(answer.tables());
     }
     if let Some(models) = models {
         staging.write_figure(models.name(), &models.figure())?;
         staging.write("models.json", json(models))?;
-        text += &readable(models, &models.tables());
+        text += &readable(models);
         tables.extend(models.tables());
     }
     for table in &tables {

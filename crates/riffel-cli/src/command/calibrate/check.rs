@@ -27,15 +27,14 @@ pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
         return Ok(INTERRUPTED);
     };
     let answer = CalibrationCheck::new(plan.file.title.clone(), simulated);
-    let tables = answer.tables();
     print(&match arguments.json {
         true => json(&answer),
-        false => readable(&answer, &tables),
+        false => readable(&answer),
     })?;
     if let Some(folder) = &arguments.output {
         let mut staging = Staging::new("calibrate check", folder)?;
         staging.write_figure(answer.name(), &answer.figure())?;
-        for table in &tables {
+        for table in answer.tables() {
             staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
         }
         staging.write("ranks.json", json(&answer))?;
