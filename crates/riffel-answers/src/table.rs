@@ -3,9 +3,7 @@
 use std::io::{self, Write};
 
 use riffel::Complex64;
-use riffel_keys::{Language, Message};
-
-use crate::forecast::number_alone;
+use riffel_keys::{Language, Message, number, say};
 
 /// A table by columns of equal length.
 #[derive(Debug, Clone)]
@@ -126,7 +124,7 @@ impl Column {
     /// Numbers for readers alone, to so many digits after the point; none where there is nothing.
     pub fn digits<T: Into<Option<f64>>>(head: Message, digits: usize, values: impl Iterator<Item = T>) -> Self {
         let cells = values.map(|value| match value.into() {
-            Some(value) => number_alone(format_args!("{value:.digits$}")),
+            Some(value) => say!(number_alone, number = number(format_args!("{value:.digits$}"))),
             None => Message::verbatim(""),
         });
         Self::shown(head, cells.collect())
