@@ -54,6 +54,11 @@ pub trait Answer: Document {
     /// Its name in files, as in `noise.png`.
     fn name(&self) -> &'static str;
 
+    /// What its folder is named after, where that is not the question.
+    fn folder_name(&self) -> Option<&'static str> {
+        None
+    }
+
     /// The file of its document.
     fn document_name(&self) -> &'static str {
         "summary.json"

@@ -1,5 +1,7 @@
 //! Why there is no answer.
 
+use std::path::PathBuf;
+
 use miette::Diagnostic;
 use riffel::profile::ProfileError;
 use riffel_keys::{CaseError, Message, say};
@@ -66,6 +68,17 @@ pub enum AnswerError {
         /// The name of the question.
         question: &'static str,
         /// The sentence.
+        message: String,
+    },
+
+    /// A line of a table of observations is wrong.
+    #[error("{path}, line {line}: {message}", path = path.display())]
+    Observation {
+        /// The file.
+        path: PathBuf,
+        /// The line.
+        line: usize,
+        /// What is wrong.
         message: String,
     },
 

@@ -101,6 +101,8 @@ pub use wear_limit::{WearLimitDocument, for_whom, unlikely_wear};
 
 /// All questions that are data.
 pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
+    &question::of::<point::PointQuestion>(),
+    &question::of::<map::MapQuestion>(),
     &question::of::<receptance::ReceptanceQuestion>(),
     &question::of::<wheelset::WheelsetQuestion>(),
     &question::of::<contact::ContactQuestion>(),

@@ -4,7 +4,6 @@ use std::io;
 use std::path::PathBuf;
 
 use miette::Diagnostic;
-use riffel_keys::Message;
 use thiserror::Error;
 
 /// Bad input on the command line or a file that cannot be read or written.
@@ -68,18 +67,8 @@ pub(crate) enum CliError {
         message: String,
     },
 
-    #[error("{option}: {message}")]
-    Case {
-        /// The option that sets a key of the case.
-        option: &'static str,
-        message: Message,
-    },
-
     #[error("{input}: {error}")]
     Physics { input: String, error: riffel::Error },
-
-    #[error("{path}, line {line}: {message}", path = path.display())]
-    Observation { path: PathBuf, line: usize, message: String },
 
     #[error("{error}")]
     #[diagnostic(help("choose another port, or --port 0 for any that is free"))]

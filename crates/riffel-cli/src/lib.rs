@@ -7,7 +7,6 @@ mod command;
 mod error;
 mod fingerprint;
 mod messages;
-mod observations;
 mod output;
 mod posterior;
 mod progress;
@@ -183,8 +182,6 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
     };
     match command {
         Command::Init(arguments) => command::init::run(&arguments)?,
-        Command::Point(arguments) => command::point::run(&arguments)?,
-        Command::Map(arguments) => command::map::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
         Command::Profile(arguments) => command::profile::run(&arguments)?,
         Command::AxleBox(arguments) => command::axlebox::run(&arguments)?,

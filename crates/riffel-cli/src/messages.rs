@@ -11,10 +11,8 @@ use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_answers::AnswerError;
 use riffel_keys::message::translations;
 use riffel_keys::text_file::in_a_message;
-use riffel_keys::{CaseError, Language, Message, say};
+use riffel_keys::{CaseError, Language, Message};
 use serde_json::{Value, json};
-
-use crate::error::CliError;
 
 /// How much is said.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -163,10 +161,6 @@ fn words_of(report: &Report) -> (Message, Option<Message>) {
     });
     if let Some(error) = case {
         return (error.message(), error.advice());
-    }
-    if let Some(CliError::Case { option, message }) = report.downcast_ref() {
-        let message = say!(place_and_fault, place = *option, fault = message);
-        return (message, None);
     }
     let message = answer.map_or_else(|| report.to_string().into(), AnswerError::message);
     (message, report.help().map(|help| help.to_string().into()))

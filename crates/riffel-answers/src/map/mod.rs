@@ -1,8 +1,10 @@
 //! Growth over wavelength and speed.
 
 mod bay;
+mod observations;
 mod over_posterior;
 mod panel;
+mod question;
 mod ridge_map;
 mod table;
 
@@ -21,6 +23,7 @@ use crate::{Answer, LineGrowth, OverPosterior, ResultFile, Table, WearLimitDocum
 pub use bay::BayGrowth;
 pub use over_posterior::{growth_in_words, growth_over};
 pub use panel::{Shown, map_figure, panel};
+pub use question::MapQuestion;
 pub use ridge_map::RidgeMap;
 pub use table::map_csv;
 

@@ -1,5 +1,6 @@
 //! The whole loop at one wavelength and speed.
 
+mod question;
 mod words;
 
 use riffel::LoopState;
@@ -11,6 +12,8 @@ use serde::Serialize;
 
 use crate::stability::StabilityDocument;
 use crate::{Answer, Table, WearLimitDocument};
+
+pub use question::PointQuestion;
 
 /// What is asked of one wavelength and speed.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -39,6 +39,9 @@ pub trait Question: DeserializeOwned + JsonSchema {
     /// Which keys need or exclude others.
     const RULES: &'static [Rule] = &[];
 
+    /// Whether the program writes files of the answer, where only a document and words are not enough.
+    const WRITES_FILES: bool = true;
+
     /// The answer; `asker` is told how far it is and what is unusual about the question.
     ///
     /// # Errors
@@ -52,6 +55,8 @@ pub trait AnyQuestion: Sync {
     fn name(&self) -> &'static str;
     /// Command lines to try, below the help.
     fn example(&self) -> &'static str;
+    /// Whether the program writes files of the answer.
+    fn writes_files(&self) -> bool;
     /// What it asks, in one line.
     fn about(&self) -> String;
     /// Its keys, in the order of its fields.
@@ -105,6 +110,10 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         Q::EXAMPLE
     }
 
+    fn writes_files(&self) -> bool {
+        Q::WRITES_FILES
+    }
+
     fn about(&self) -> String {
         key::description(Self::generated().get("description"))
     }
@@ -117,7 +126,7 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         let keys = self.keys();
         let required = keys.iter().filter(|key| key.is_required).map(|key| &key.name);
         let properties = keys.iter().map(|key| (key.name.clone(), key.property()));
-        let properties = properties.chain([("output".to_owned(), key::output())]);
+        let properties = properties.chain(Q::WRITES_FILES.then(|| ("output".to_owned(), key::output())));
         json!({
             "$schema": "https://json-schema.org/draft/2020-12/schema",
             "title": format!("riffel ask {}", self.name()),

@@ -264,6 +264,10 @@ impl Answer for WheelsAnswer {
         "growth"
     }
 
+    fn folder_name(&self) -> Option<&'static str> {
+        Some("wheels")
+    }
+
     fn introduction(&self) -> Vec<Message> {
         vec![
             titled(self.case.file.title.as_ref(), say!(wheels_of_a_curve)),

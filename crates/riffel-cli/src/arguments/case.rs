@@ -5,11 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use riffel_case::file::CaseFile;
 use riffel_case::{Case, CurvingCase};
-use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::text_file::is_standard_input;
-use riffel_keys::{CaseError, say};
 
-use crate::error::CliError;
 use crate::staging::add_input;
 
 /// A case file with overrides.
@@ -45,24 +42,6 @@ impl CaseArguments {
         Ok(CurvingCase::read(&self.path, &self.overrides)?)
     }
 
-    /// The case with the wheel at another place of the bay.
-    pub(crate) fn read_at(&self, position: Option<Quantity<Length>>) -> miette::Result<Case> {
-        let Some(position) = position else {
-            return self.read();
-        };
-        let option = "--position";
-        let case = Case::read(&self.path, &self.overrides)?;
-        match case.edit(|keys| keys.track.position = Some(position)) {
-            Err(CaseError::Changed { message, .. }) => Err(CliError::Case { option, message })?,
-            Ok(case) if case.track.support_spacing().is_none() => {
-                let model = case.file.track.model.name();
-                let message = say!(track_is_the_same_everywhere, model = model);
-                Err(CliError::Case { option, message })?
-            }
-            case => Ok(protected(&self.path, case?)),
-        }
-    }
-
     /// What results are named after.
     pub(crate) fn stem(&self) -> String {
         stem(&self.path)
@@ -94,9 +73,4 @@ fn protect(path: &Path, file: &CaseFile) {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         add_input(folder.join(&measurement.file));
     }
-}
-
-/// The case with a contact that answers from one wavelength \[m\] to another.
-pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
-    Ok(riffel_answers::question::covering(case, from, to)?)
 }

@@ -95,10 +95,6 @@ impl FromArgMatches for Commands {
 pub(crate) enum Command {
     /// Write a commented case file to start from, a traffic file or the plan of a study.
     Init(Init),
-    /// The whole loop at one wavelength and speed.
-    Point(Point),
-    /// Growth over wavelength and speed: picture, page, tables.
-    Map(Map),
     /// A wheel along a rail in time: large amplitudes, loss of contact.
     Simulate(Simulate),
     /// Profiles of wheels and rails: outline and curvature, or where a wheelset touches its track.

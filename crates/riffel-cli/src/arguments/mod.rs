@@ -9,7 +9,6 @@ mod decide;
 mod earlier;
 mod figures;
 mod forecast;
-mod map;
 pub(crate) mod network;
 mod number;
 mod page;
@@ -25,7 +24,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, ValueEnum};
 use riffel_answers::paper::Model;
 use riffel_keys::Language;
-use riffel_keys::quantity::{Dimension, Length, Quantity, Speed};
+use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::error::CliError;
 use crate::messages::Verbosity;
@@ -33,13 +32,12 @@ use crate::messages::Verbosity;
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
 pub(crate) use calibrate::{Calibrate, CalibrateChains, CalibrateCommand, CheckCalibration};
-pub(crate) use case::{CaseArguments, covering, stem};
+pub(crate) use case::{CaseArguments, stem};
 pub(crate) use commands::{Command, Commands};
 pub(crate) use decide::Decide;
 pub(crate) use earlier::Earlier;
 pub(crate) use figures::{Figures, ModelArgument};
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
-pub(crate) use map::Map;
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use page::Page;
 pub(crate) use posterior::Posterior;
@@ -181,51 +179,6 @@ pub(crate) struct Init {
     /// Replace the file if it is there.
     #[arg(long)]
     pub(crate) force: bool,
-}
-
-#[derive(Args)]
-#[command(after_help = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\"")]
-pub(crate) struct Point {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    /// Wavelength, in metres or with its unit.
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) wavelength: Asked<Length>,
-
-    /// Speed, in m/s or with its unit.
-    #[arg(long, value_name = "SPEED")]
-    pub(crate) speed: Asked<Speed>,
-
-    /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) position: Option<Quantity<Length>>,
-
-    /// What the growth rate answers to: its derivative by every quantity of the case, by wavelength and speed.
-    #[arg(long)]
-    pub(crate) sensitivity: bool,
-
-    /// On discrete supports: growth of the wave together with N neighbours on each side, 1/λ ± n/d, which the passing of
-    /// supports makes of it; 3 is usual.
-    #[arg(long, value_name = "N")]
-    pub(crate) neighbours: Option<usize>,
-
-    /// On discrete supports: growth along a stretch whose supports stand at drawn distances, normal about that of the case with
-    /// this standard deviation, at most a quarter of it, and cut at three; 1 to 5 cm are usual.
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) spacing_deviation: Option<Quantity<Length>>,
-
-    /// Supports of that stretch, 8 to 200 [default: 60].
-    #[arg(long, value_name = "N", requires = "spacing_deviation")]
-    pub(crate) supports: Option<usize>,
-
-    /// Seed of the draw [default: 1].
-    #[arg(long, value_name = "N", requires = "spacing_deviation")]
-    pub(crate) seed: Option<u64>,
-
-    /// Print one JSON document; complex numbers as [re, im].
-    #[arg(long)]
-    pub(crate) json: bool,
 }
 
 #[derive(Args)]

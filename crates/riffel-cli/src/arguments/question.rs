@@ -24,12 +24,13 @@ impl AskedQuestion {
     pub(crate) fn of(question: &'static dyn AnyQuestion, matches: &ArgMatches) -> Result<Self, clap::Error> {
         let keys = question.keys();
         let given = keys.iter().filter_map(|key| Some((key.name.clone(), given(key, matches)?)));
-        Ok(Self { question, keys: given.collect(), results: ResultsArguments::from_arg_matches(matches)? })
+        Ok(Self { question, keys: given.collect(), results: results(question, matches)? })
     }
 
     /// The question of an object in JSON, which may name a place for results.
     pub(crate) fn of_json(question: &'static dyn AnyQuestion, mut keys: Map<String, Value>) -> Result<Self, CliError> {
-        let output = keys.remove("output").filter(|value| !value.is_null());
+        let output = if question.writes_files() { keys.remove("output") } else { None };
+        let output = output.filter(|value| !value.is_null());
         let asked = Self { question, keys, results: ResultsArguments { json: true, ..ResultsArguments::default() } };
         let is_standard_input =
             |key: &&Key| key.kind == Kind::File && asked.keys.get(&key.name).is_some_and(|path| path == "-");
@@ -66,6 +67,22 @@ impl AskedQuestion {
     }
 }
 
+/// Where the results of a question that writes no files go.
+#[derive(Args)]
+struct JustJson {
+    /// Print one JSON document; complex numbers as [re, im].
+    #[arg(long)]
+    json: bool,
+}
+
+/// Where results go.
+fn results(question: &dyn AnyQuestion, matches: &ArgMatches) -> Result<ResultsArguments, clap::Error> {
+    match question.writes_files() {
+        true => ResultsArguments::from_arg_matches(matches),
+        false => Ok(ResultsArguments { json: JustJson::from_arg_matches(matches)?.json, output: None }),
+    }
+}
+
 /// The values of a list, or the one that is none.
 fn one_or_many(value: &Value) -> &[Value] {
     match value {
@@ -89,7 +106,11 @@ pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
     let command = Command::new(question.name()).after_help(question.example());
     let command = command.args(question.keys().iter().map(option));
     // Its docs would become those of the command.
-    ResultsArguments::augment_args(command).about(question.about())
+    let command = match question.writes_files() {
+        true => ResultsArguments::augment_args(command),
+        false => JustJson::augment_args(command),
+    };
+    command.about(question.about())
 }
 
 /// The option of a key.

@@ -7,8 +7,9 @@ use riffel_keys::Message;
 
 use crate::arguments::AskedQuestion;
 use crate::messages::print_remarks;
+use crate::output::print;
 use crate::progress::Progress;
-use crate::results::Results;
+use crate::results::{Results, readable};
 use crate::staging::add_input;
 
 /// The person or program at this terminal.
@@ -31,7 +32,12 @@ impl Asker for Terminal {
 
 /// Answer a question, and hand the answer out.
 pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<()> {
-    let results = Results::named(asked.question.name(), asked.stem(), &asked.results);
     let answer = asked.question.answer(asked.keys.clone(), &Terminal)?;
-    Ok(results.answer(&*answer)?)
+    if !asked.question.writes_files() && !asked.results.json {
+        print(&readable(&*answer))?;
+        print_remarks(answer.remarks());
+        return Ok(());
+    }
+    let name = answer.folder_name().unwrap_or(asked.question.name());
+    Ok(Results::named(name, asked.stem(), &asked.results).answer(&*answer)?)
 }
