@@ -106,6 +106,7 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<receptance::ReceptanceQuestion>(),
     &question::of::<wheelset::WheelsetQuestion>(),
     &question::of::<contact::ContactQuestion>(),
+    &question::of::<profile::ProfileQuestion>(),
     &question::of::<curve::CurveQuestion>(),
     &question::of::<noise::NoiseQuestion>(),
     &question::of::<shakedown::ShakedownQuestion>(),

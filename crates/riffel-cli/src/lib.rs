@@ -183,7 +183,6 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
     match command {
         Command::Init(arguments) => command::init::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
-        Command::Profile(arguments) => command::profile::run(&arguments)?,
         Command::AxleBox(arguments) => command::axlebox::run(&arguments)?,
         Command::Network(arguments) => command::network::run(&arguments)?,
         Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,

@@ -2,11 +2,13 @@
 
 mod on_track;
 mod outline;
+mod question;
 mod under_load;
 mod wear;
 
 pub use on_track::OnTrackAnswer;
 pub use outline::OutlineAnswer;
+pub use question::ProfileQuestion;
 pub use under_load::UnderLoadAnswer;
 pub use wear::{WearAnswer, WearSettings, alignment_name, alignment_named};
 

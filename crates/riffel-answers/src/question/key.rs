@@ -78,7 +78,10 @@ impl Key {
         Self {
             name: name.to_owned(),
             help: description(property.get("description")),
-            is_required: is_required && !takes_many && kind != Kind::Flag && property.get("default").is_none(),
+            is_required: is_required
+                && (!takes_many || property["minItems"] == 1)
+                && kind != Kind::Flag
+                && property.get("default").is_none(),
             is_path: kind == Kind::File || property["path"] == true,
             kind,
             value_name: text("value_name"),
@@ -132,7 +135,7 @@ impl Key {
         let list = match (value, self.separator) {
             (Value::Array(list), _) => list,
             (Value::String(text), Some(separator)) => text.split(separator).map(Value::from).collect(),
-            (one, _) => vec![one],
+            (one, _) => return Ok(json!([self.read_one(&self.name, one)?])),
         };
         let list = list.into_iter().enumerate();
         list.map(|(place, one)| self.read_one(&format!("{}.{place}", self.name), one)).collect()
@@ -190,6 +193,8 @@ impl Kind {
     fn of(property: &Value) -> Self {
         let has = |name: &str| types(property).any(|kind| kind == name);
         let end = |name: &str, or: u64| property[name].as_u64().unwrap_or(or);
+        // What may be left out is this or null.
+        let property = property["anyOf"].get(0).unwrap_or(property);
         match property["oneOf"].as_array() {
             Some(words) => {
                 let word = |one: &Value| Some([one["const"].as_str()?.to_owned(), description(one.get("description"))]);

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use riffel_case::Case;
 use riffel_case::file::CaseFile;
-use riffel_case::{Case, CurvingCase};
 use riffel_keys::text_file::is_standard_input;
 
 use crate::staging::add_input;
@@ -35,11 +35,6 @@ impl CaseArguments {
 
     pub(crate) fn read(&self) -> miette::Result<Case> {
         Ok(protected(&self.path, Case::read(&self.path, &self.overrides)?))
-    }
-
-    /// The tables of curving of the case.
-    pub(crate) fn read_curving(&self) -> miette::Result<CurvingCase> {
-        Ok(CurvingCase::read(&self.path, &self.overrides)?)
     }
 
     /// What results are named after.

@@ -97,8 +97,6 @@ pub(crate) enum Command {
     Init(Init),
     /// A wheel along a rail in time: large amplitudes, loss of contact.
     Simulate(Simulate),
-    /// Profiles of wheels and rails: outline and curvature, or where a wheelset touches its track.
-    Profile(Profile),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
     Roughness(Roughness),
     /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.

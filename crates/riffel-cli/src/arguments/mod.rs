@@ -13,7 +13,6 @@ pub(crate) mod network;
 mod number;
 mod page;
 mod posterior;
-mod profile;
 mod question;
 mod roughness;
 mod simulate;
@@ -41,7 +40,6 @@ pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Mode
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use page::Page;
 pub(crate) use posterior::Posterior;
-pub(crate) use profile::{Alignment, Orientation, Profile};
 pub(crate) use question::AskedQuestion;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use simulate::{LengthPair, Simulate};

@@ -62,7 +62,7 @@ impl AskedQuestion {
     pub(crate) fn stem(&self) -> String {
         let keys = self.question.keys();
         let first = keys.iter().find(|key| key.is_positional);
-        let path = first.and_then(|key| self.keys.get(&key.name)).and_then(Value::as_str);
+        let path = first.and_then(|key| one_or_many(self.keys.get(&key.name)?).first()?.as_str());
         path.map_or_else(|| self.question.name().to_owned(), |path| stem(path.as_ref()))
     }
 }
@@ -117,6 +117,7 @@ pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
 fn option(key: &Key) -> Arg {
     let option = Arg::new(key.name.clone()).help(key.help.clone()).required(key.is_required);
     let option = match key.is_positional {
+        true if key.takes_many => option.num_args(1..),
         true => option,
         false => option.long(key.name.replace('_', "-")),
     };

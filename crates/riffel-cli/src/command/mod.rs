@@ -14,7 +14,6 @@ mod models;
 pub(crate) mod network;
 pub(crate) mod page;
 pub(crate) mod presets;
-pub(crate) mod profile;
 pub(crate) mod question;
 mod remedies;
 pub(crate) mod report;
