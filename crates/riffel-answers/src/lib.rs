@@ -44,6 +44,7 @@ mod highest;
 mod level_limit;
 mod line_growth;
 pub mod map;
+pub mod map_question;
 mod mode_in_words;
 pub mod models;
 mod netcdf;
@@ -102,7 +103,7 @@ pub use wear_limit::{WearLimitDocument, for_whom, unlikely_wear};
 /// All questions that are data.
 pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<point::PointQuestion>(),
-    &question::of::<map::MapQuestion>(),
+    &question::of::<map_question::MapQuestion>(),
     &question::of::<receptance::ReceptanceQuestion>(),
     &question::of::<wheelset::WheelsetQuestion>(),
     &question::of::<contact::ContactQuestion>(),

@@ -13,6 +13,7 @@ mod progress;
 mod question;
 mod results;
 mod staging;
+mod terminal;
 mod threads;
 
 use std::any::TypeId;

@@ -7,8 +7,8 @@ use riffel_answers::{AnswerError, OverPosterior, PosteriorDraws};
 use riffel_calibrate::{Chains, Plan};
 
 use crate::arguments::{CaseArguments, Posterior};
-use crate::command::question::Terminal;
 use crate::messages::print_remarks;
+use crate::terminal::Terminal;
 
 impl Posterior {
     /// The draws of a calibration of the case, if a folder is given.

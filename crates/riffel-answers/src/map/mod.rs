@@ -1,10 +1,9 @@
 //! Growth over wavelength and speed.
 
 mod bay;
-mod observations;
+pub(crate) mod observations;
 mod over_posterior;
 mod panel;
-mod question;
 mod ridge_map;
 mod table;
 
@@ -23,7 +22,6 @@ use crate::{Answer, LineGrowth, OverPosterior, ResultFile, Table, WearLimitDocum
 pub use bay::BayGrowth;
 pub use over_posterior::{growth_in_words, growth_over};
 pub use panel::{Shown, map_figure, panel};
-pub use question::MapQuestion;
 pub use ridge_map::RidgeMap;
 pub use table::map_csv;
 

@@ -17,7 +17,7 @@ const LABEL: &str = "label|name|bezeichnung|ort";
 /// Read a table with the columns wavelength, speed and (optional) label, in any order, divided by commas, semicolons or
 /// tabulators. A cell has its unit with it, or its column in the head, as in `wavelength_mm` or `speed [km/h]`; bare
 /// numbers are SI. Where commas do not divide cells, they may be decimal marks.
-pub(super) fn read(path: &Path) -> Result<Vec<Observation>, AnswerError> {
+pub(crate) fn read(path: &Path) -> Result<Vec<Observation>, AnswerError> {
     let bytes = read_bounded(path, "file of observations", LARGEST_KEYS)?;
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(CaseError::data(path, "the file is empty").into());

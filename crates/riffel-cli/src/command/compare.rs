@@ -9,13 +9,13 @@ use riffel_keys::{CaseError, Message, say, shown_speed};
 use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, outside};
-use super::question::Terminal;
 use super::roughness::survey;
 use crate::arguments::{Compare, Models};
 use crate::error::CliError;
 use crate::posterior::over;
 use crate::progress::Progress;
 use crate::results::Results;
+use crate::terminal::Terminal;
 
 pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     if let Some(Models(models)) = &arguments.models {

@@ -5,8 +5,8 @@ use riffel_keys::Message;
 use riffel_rail::{Elapsed, RailDates, Survey};
 
 use crate::arguments::Spectra;
-use crate::command::question::Terminal;
 use crate::error::CliError;
+use crate::terminal::Terminal;
 
 /// The survey of now, with its history, and the oldest one, with the days between if they are dated.
 pub(super) struct Dated {

@@ -12,9 +12,9 @@ use riffel_rail::{LimitTable, Survey};
 use super::{Now, level_limit};
 use crate::arguments::Report;
 use crate::command::forecast::Measured;
-use crate::command::question::Terminal;
 use crate::error::CliError;
 use crate::progress::Progress;
+use crate::terminal::Terminal;
 
 /// The rail as it was before.
 #[derive(Clone)]

@@ -31,7 +31,6 @@ use crate::arguments::{
 use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
 use crate::command::forecast::forecast;
-use crate::command::question::Terminal;
 use crate::command::roughness::profile::judged;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
@@ -40,6 +39,7 @@ use crate::output::print;
 use crate::posterior::{finished_of, over};
 use crate::progress::Progress;
 use crate::staging::{Existing, write_file};
+use crate::terminal::Terminal;
 use fit::Before;
 use inputs::inputs;
 

@@ -12,9 +12,9 @@ use riffel_keys::Message;
 use riffel_rail::{LimitTable, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, Roughness, positive, stem};
-use crate::command::question::Terminal;
 use crate::error::CliError;
 use crate::progress::Progress;
+use crate::terminal::Terminal;
 
 pub(crate) use bands::bands_table;
 pub(crate) use grind::grind_table;

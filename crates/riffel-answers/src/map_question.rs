@@ -8,8 +8,8 @@ use riffel_plot::Observation;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::observations::read;
-use super::{BayGrowth, MapAnswer, growth_over};
+use crate::map::observations::read;
+use crate::map::{BayGrowth, MapAnswer, growth_over};
 use crate::question::{AsWritten, Asker, CaseSource, PosteriorSource, Question, Rule, Source, covering, over};
 use crate::wheels::WheelsAnswer;
 use crate::{Answer, AnswerError, LineGrowth};
