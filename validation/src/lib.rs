@@ -4,6 +4,7 @@
 //! the book's table.
 
 mod appendix;
+mod checked;
 mod classes;
 mod contact;
 mod contact_filter;
@@ -31,8 +32,11 @@ mod twisting_rail;
 mod wave_geometry;
 mod wheelset;
 
+pub use checked::Checked;
+use serde::Serialize;
+
 /// The outcome of one check.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
     /// What is claimed.
     pub statement: &'static str,

@@ -3,7 +3,7 @@
 use riffel::GrowthMap;
 use riffel_case::Case;
 use riffel_keys::Message;
-use riffel_plot::{LineFigure, MapFigure};
+use riffel_plot::{BarFigure, LineFigure, MapFigure, StripFigure};
 use serde::{Serialize, Serializer};
 
 use crate::Table;
@@ -19,6 +19,10 @@ pub enum ResultFile<'a> {
     Maps(&'static str, MapFigure),
     /// A growth map as CSV, written row by row.
     Map(&'static str, &'a GrowthMap),
+    /// A picture of strips, as PNG and SVG.
+    Strips(&'static str, StripFigure),
+    /// A picture of bars, as PNG and SVG.
+    Bars(&'static str, BarFigure),
     /// A table as CSV.
     Table(Table),
     /// A table as CSV under a name of its own.
@@ -47,6 +51,16 @@ impl<T: Serialize> Document for T {
         // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
         serde_json::to_string_pretty(self).unwrap_or_default()
     }
+}
+
+/// What a reader sees of an answer.
+pub enum Told {
+    /// A line.
+    Line(Message),
+    /// A table.
+    Table(Table),
+    /// A table of texts, wrapped.
+    Texts(Table),
 }
 
 /// An answer as data; its document is what `--json` prints.
@@ -85,6 +99,17 @@ pub trait Answer: Document {
     /// What the tables do not say, a line each.
     fn sentences(&self) -> Vec<Message> {
         Vec::new()
+    }
+
+    /// What a reader sees, in its order.
+    fn told(&self) -> Vec<Told> {
+        let lines = |lines: Vec<Message>| lines.into_iter().map(Told::Line);
+        let shown = self.tables().into_iter().filter(Table::is_shown);
+        let tables = shown.flat_map(|table| {
+            let [above, below] = [self.above(table.name), self.below(table.name)].map(lines);
+            above.chain([Told::Table(table)]).chain(below)
+        });
+        lines(self.introduction()).chain(tables).chain(lines(self.sentences())).collect()
     }
 
     /// The picture; without panels where there is none.

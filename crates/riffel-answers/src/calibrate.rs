@@ -15,7 +15,7 @@ const SHOWN: usize = 400;
 const PAIRS: usize = 4;
 
 /// Directions of the values, those that the data tell first.
-pub fn directions(told: &Identifiability) -> Table {
+pub(crate) fn directions(told: &Identifiability) -> Table {
     let directions = &told.directions;
     let by = |direction: &Direction| match direction.is_told() {
         true => say!(told_by_data),
@@ -40,17 +40,17 @@ pub fn directions(told: &Identifiability) -> Table {
 }
 
 /// Correlations of all pairs, for a file.
-pub fn correlations(told: &Identifiability) -> Table {
+pub(crate) fn correlations(told: &Identifiability) -> Table {
     let names = |place: usize| {
         let pairs = told.correlations.iter();
-        pairs.map(|pair| Message::verbatim(&pair.names[place])).collect()
+        pairs.map(move |pair| pair.names[place].as_str())
     };
     let values = told.correlations.iter().map(|pair| pair.correlation);
     Table {
         name: "correlations",
         columns: vec![
-            Column::words("parameter", say!(first_of_pair), names(0)),
-            Column::words("other", say!(second_of_pair), names(1)),
+            Column::names("parameter", names(0)),
+            Column::names("other", names(1)),
             Column::in_file("correlation", values),
         ],
     }
@@ -64,7 +64,7 @@ fn closest_first(told: &Identifiability) -> Vec<&Correlation> {
 }
 
 /// A sentence on each pair that the data do not part.
-pub fn close_pairs(told: &Identifiability) -> Vec<Message> {
+pub(crate) fn close_pairs(told: &Identifiability) -> Vec<Message> {
     let close = closest_first(told).into_iter();
     let pairs = close.take_while(|pair| pair.is_close()).map(|pair| {
         let [one, other] = &pair.names;
@@ -100,13 +100,13 @@ impl LogEvidence {
             runs: told.len(),
         })
     }
-}
 
-/// ln of the evidence, with what it hangs on; `None` where the sampler tells none.
-pub fn log_evidence(chains: &Chains) -> Option<Message> {
-    let LogEvidence { value, range, runs } = LogEvidence::of(chains)?;
-    let [low, high] = range.map(|it| fixed(it, 2));
-    Some(say!(log_evidence, value = fixed(value, 2), low = low, high = high, runs = runs))
+    /// The same with what it hangs on.
+    pub(crate) fn in_words(&self) -> Message {
+        let Self { value, range, runs } = *self;
+        let [low, high] = range.map(|it| fixed(it, 2));
+        say!(log_evidence, value = fixed(value, 2), low = low, high = high, runs = runs)
+    }
 }
 
 /// Name and unit of a value.
@@ -201,7 +201,7 @@ fn pair(plan: &Plan, chains: &Chains, pair: &Correlation) -> Option<LinePanel> {
 }
 
 /// Marginal distributions after and before the data, and pairs: those that the data do not part, or else the closest.
-pub fn figure(plan: &Plan, chains: &Chains, summary: &Summary, told: &Identifiability) -> LineFigure {
+pub(crate) fn figure(plan: &Plan, chains: &Chains, summary: &Summary, told: &Identifiability) -> LineFigure {
     let pairs = closest_first(told);
     let parameters = plan.posterior.parameters();
     let marginals = parameters.iter().zip(&summary.marginals).enumerate();

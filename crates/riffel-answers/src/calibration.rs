@@ -3,10 +3,13 @@
 use riffel_calibrate::file::SamplerFile;
 use riffel_calibrate::{Chains, Identifiability, Marginal, Outlying, Plan, Predicted, Summary, TOLD};
 use riffel_keys::{Message, fixed, say};
+use riffel_plot::LineFigure;
 use serde::Serialize;
 
-use crate::calibrate::{Densities, LogEvidence, close_pairs};
+use crate::calibrate::{Densities, LogEvidence, close_pairs, correlations, directions, figure};
+use crate::forecast::number_alone;
 use crate::outlying::in_words;
+use crate::{Answer, Column, Table};
 
 /// What the chains of a plan say of each value, and of the data.
 #[derive(Serialize)]
@@ -34,6 +37,11 @@ pub struct Calibration {
     /// ln of the evidence, where the sampler tells it.
     #[serde(skip_serializing_if = "Option::is_none")]
     log_evidence: Option<LogEvidence>,
+    #[serde(skip)]
+    tables: Vec<Table>,
+    /// Marginal distributions and pairs.
+    #[serde(skip)]
+    figure: LineFigure,
 }
 
 /// How the posterior was sampled.
@@ -132,7 +140,59 @@ impl Calibration {
             doubts,
             remarks: plan.remarks.clone(),
             log_evidence: LogEvidence::of(chains),
+            tables: vec![marginals(summary), directions(told), correlations(told)],
+            figure: figure(plan, chains, summary, told),
         }
+    }
+}
+
+impl Answer for Calibration {
+    fn name(&self) -> &'static str {
+        "posterior"
+    }
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.title.as_deref().map(Message::verbatim);
+        vec![title.unwrap_or_else(|| say!(calibration_word))]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        self.tables.clone()
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let evidence = self.log_evidence.as_ref().map(LogEvidence::in_words);
+        self.together.iter().cloned().chain(evidence).collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.figure.clone()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}
+
+/// What the data say of each parameter, as a reader sees it.
+fn marginals(summary: &Summary) -> Table {
+    let shown = |head: Message, of: &dyn Fn(&Marginal) -> Message| {
+        Column::shown(head, summary.marginals.iter().map(of).collect())
+    };
+    let quantile =
+        |head: Message, place: usize| shown(head, &|found| number_alone(four_digits(found.quantiles[place])));
+    let told = |found: &Marginal| number_alone(format!("{:.0} %", 100.0 * found.contraction.max(0.0)));
+    Table {
+        name: "marginals",
+        columns: vec![
+            shown(Message::verbatim(""), &|found| Message::verbatim(&found.name)),
+            quantile(say!(median), 2),
+            quantile(number_alone("5 %"), 0),
+            quantile(number_alone("95 %"), 4),
+            shown(Message::verbatim("R̂"), &|found| number_alone(format!("{:.3}", found.rhat))),
+            shown(say!(told_by_data_column), &told),
+            shown(say!(unit_column), &|found| Message::verbatim(&found.unit)),
+        ],
     }
 }
 
@@ -180,7 +240,7 @@ fn untold_value(marginal: &Marginal) -> Message {
 }
 
 /// A number with four digits.
-pub fn four_digits(number: f64) -> String {
+fn four_digits(number: f64) -> String {
     match number.abs() {
         size if (0.01..1e5).contains(&size) => {
             let decimals = (3 - size.log10().floor() as i32).clamp(0, 6);

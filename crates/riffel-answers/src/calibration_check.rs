@@ -61,6 +61,10 @@ impl Answer for CalibrationCheck {
         "ranks"
     }
 
+    fn document_name(&self) -> &'static str {
+        "ranks.json"
+    }
+
     fn introduction(&self) -> Vec<Message> {
         vec![say!(truth_among_draws, runs = self.simulated.runs)]
     }

@@ -15,7 +15,14 @@ pub fn sentence(message: &Message, language: Language) -> String {
 
 /// The same as a message.
 pub(crate) fn as_sentence(message: &Message) -> Message {
-    let english = sentence(message, Language::English);
-    let german = sentence(message, Language::German);
-    say!(verbatim, words = Words::new(english, Some(german)))
+    in_each(|language| sentence(message, language))
+}
+
+/// A message with a capital first letter.
+pub(crate) fn capitalised(message: &Message) -> Message {
+    in_each(|language| message.capitalised(language))
+}
+
+fn in_each(words: impl Fn(Language) -> String) -> Message {
+    say!(verbatim, words = Words::new(words(Language::English), Some(words(Language::German))))
 }

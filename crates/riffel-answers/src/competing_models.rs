@@ -170,6 +170,10 @@ impl Answer for CompetingModels {
         "models"
     }
 
+    fn document_name(&self) -> &'static str {
+        "models.json"
+    }
+
     fn introduction(&self) -> Vec<Message> {
         vec![say!(models_by_what_they_predict)]
     }

@@ -117,6 +117,10 @@ impl Answer for DecideAnswer {
         "decision"
     }
 
+    fn document_name(&self) -> &'static str {
+        "decision.json"
+    }
+
     fn introduction(&self) -> Vec<Message> {
         let title = self.title.as_deref().map(Message::verbatim);
         let decision = &self.decision;

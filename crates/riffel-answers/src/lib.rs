@@ -21,7 +21,7 @@
 mod answer;
 pub mod axlebox;
 mod banded;
-pub mod calibrate;
+mod calibrate;
 mod calibration;
 pub mod calibration_check;
 mod capital;
@@ -48,6 +48,8 @@ pub mod map_question;
 mod mode_in_words;
 pub mod models;
 mod netcdf;
+#[cfg(not(target_family = "wasm"))] // its store is a folder
+pub mod network;
 pub mod noise;
 mod outlying;
 mod over_posterior;
@@ -79,9 +81,9 @@ pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
 
-pub use answer::{Answer, Document, ResultFile};
+pub use answer::{Answer, Document, ResultFile, Told};
 pub use banded::Banded;
-pub use calibration::{Calibration, four_digits};
+pub use calibration::Calibration;
 pub use capital::{capital, sentence};
 pub use cause::Cause;
 pub use error::AnswerError;

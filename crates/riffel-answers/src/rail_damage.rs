@@ -6,7 +6,7 @@ use riffel_keys::Message;
 use riffel_rail::GroundRail;
 use serde::Serialize;
 
-use crate::forecast::{CrackedWave, ForecastAnswer, ForecastHorizon, ForecastRequest};
+use crate::forecast::{CrackedWave, ForecastHorizon, ForecastRequest, TrackForecast};
 use crate::shakedown::{ShakedownAnswer, ShakedownLimits};
 use crate::{AnswerError, level_limit};
 
@@ -34,7 +34,7 @@ impl RailDamage {
     /// Of a case over a wave of a wavelength \[m\] at a speed \[m/s\], under a traffic or else the usual one of the line.
     ///
     /// # Errors
-    /// [`AnswerError`] for a wave that the case does not know, and as of [`ForecastAnswer::new`].
+    /// [`AnswerError`] for a wave that the case does not know, and as of [`TrackForecast::new`].
     pub fn new(case: &Case, traffic: Option<&Traffic>, wave: [f64; 2]) -> Result<Self, AnswerError> {
         let question = ShakedownLimits { wave: Some(wave), ..ShakedownLimits::default() };
         let mut damage =
@@ -50,7 +50,7 @@ impl RailDamage {
 }
 
 /// The forecast of a rail that was just ground.
-fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<ForecastAnswer, AnswerError> {
+fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<TrackForecast, AnswerError> {
     let traffic = match traffic {
         Some(traffic) => traffic.clone(),
         None => UsualTraffic::of(case).traffic()?,
@@ -67,5 +67,5 @@ fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<ForecastAnsw
         limit: (table, limit),
         date: None,
     };
-    ForecastAnswer::new(case, request, &|_| ())
+    TrackForecast::new(case, request, &|_| ())
 }

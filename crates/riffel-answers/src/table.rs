@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use riffel::Complex64;
 use riffel_keys::{Language, Message, number, say};
+use serde::Serialize;
 
 /// A table by columns of equal length.
 #[derive(Debug, Clone)]
@@ -149,6 +150,20 @@ impl Column {
 }
 
 impl Table {
+    /// Rows with a column for each of their keys, for files alone; without rows there are no columns.
+    pub(crate) fn of_rows(name: &'static str, rows: &[impl Serialize]) -> Self {
+        let mut writer = csv::WriterBuilder::new().has_headers(true).from_writer(Vec::new());
+        // Writing to memory does not fail.
+        let _ = rows.iter().try_for_each(|row| writer.serialize(row));
+        let written = writer.into_inner().unwrap_or_default();
+        let mut reader = csv::Reader::from_reader(&written[..]);
+        let keys = reader.headers().cloned().unwrap_or_default();
+        let rows: Vec<csv::StringRecord> = reader.records().filter_map(Result::ok).collect();
+        let columns = keys.iter().enumerate();
+        let columns = columns.map(|(place, key)| Column::names(key, rows.iter().map(|row| &row[place])));
+        Self { name, columns: columns.collect() }
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         let columns = self.columns.iter();

@@ -128,9 +128,13 @@ pub(crate) fn table(header: &[impl ToString]) -> Table {
     table
 }
 
-/// A table whose cells are all text, wrapped to the terminal or, where there is none, to 110 columns.
+/// A table whose cells are all text.
 pub(crate) fn text_table(header: &[&str]) -> Table {
-    let mut table = table(header);
+    as_text(table(header))
+}
+
+/// A table as one of text, wrapped to the terminal or, where there is none, to 110 columns.
+pub(crate) fn as_text(mut table: Table) -> Table {
     for column in table.column_iter_mut() {
         column.set_cell_alignment(CellAlignment::Left);
     }

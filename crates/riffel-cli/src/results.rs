@@ -1,73 +1,65 @@
 //! The results of a command: a document on standard output, or files and words on them.
 
-use riffel_answers::{Answer, Table};
-use riffel_keys::Message;
+use std::path::{Path, PathBuf};
 
-use std::path::PathBuf;
+use riffel_answers::{Answer, Told};
 
 use crate::arguments::{CaseArguments, ResultsArguments};
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
-use crate::output::{json_of, print, table_of};
+use crate::output::{as_text, json_of, print, table_of};
 use crate::staging::Staging;
 
-/// Where the results of a command on a case go: with `--json` the document is printed, and files are written only to a
-/// folder that is named.
-pub(crate) struct Results<'a> {
-    /// The command, which gives the folder its name where none is named.
+/// Where the results of a command go: with `--json` the document is printed, and files are written only to a folder that is
+/// named.
+pub(crate) struct Results {
     command: &'static str,
-    /// The file that it is about, without its ending, which gives it the rest.
-    stem: String,
-    to: &'a ResultsArguments,
+    folder: PathBuf,
+    /// Whether the document is printed.
+    json: bool,
+    /// Whether files are written.
+    writes: bool,
 }
 
-impl<'a> Results<'a> {
-    pub(crate) fn of(command: &'static str, case: &CaseArguments, to: &'a ResultsArguments) -> Self {
+impl Results {
+    /// Those of a command on a case, which give the folder its name where none is named.
+    pub(crate) fn of(command: &'static str, case: &CaseArguments, to: &ResultsArguments) -> Self {
         Self::named(command, case.stem(), to)
     }
 
-    /// Results that are named after a file with this stem.
-    pub(crate) fn named(command: &'static str, stem: String, to: &'a ResultsArguments) -> Self {
-        Self { command, stem, to }
+    /// Those of a command on a file with this stem, likewise.
+    pub(crate) fn named(command: &'static str, stem: String, to: &ResultsArguments) -> Self {
+        Self::in_folder(command, Path::new(&(stem + "-" + command)), to.output.as_deref(), to.json)
     }
 
-    /// Hand out the document, or files and what is said of them on a terminal; with `--json` and a folder both, and nothing
-    /// is said.
-    pub(crate) fn hand_out(
-        &self,
-        document: impl FnOnce() -> String,
-        write: impl FnOnce(&mut Staging) -> Result<(), CliError>,
-        readable: impl FnOnce() -> String,
-    ) -> Result<(), CliError> {
-        if self.to.json {
+    /// Those of a command that has a folder where none is named.
+    pub(crate) fn in_folder(command: &'static str, folder: &Path, output: Option<&Path>, json: bool) -> Self {
+        Self { command, folder: output.unwrap_or(folder).to_owned(), json, writes: !json || output.is_some() }
+    }
+
+    /// The same of a command that is called otherwise than the folder.
+    pub(crate) fn by(self, command: &'static str) -> Self {
+        Self { command, ..self }
+    }
+
+    /// Hand out an answer: its files and its document, or what they say in words; then its remarks. With `--json` and a folder both,
+    /// and nothing is said.
+    pub(crate) fn answer(&self, answer: &dyn Answer) -> Result<(), CliError> {
+        let document = || json_of(|| answer.document());
+        if self.json {
             print(&document())?;
-            if self.to.output.is_none() {
-                return Ok(());
+        }
+        if self.writes {
+            let mut staging = Staging::new(self.command, &self.folder)?;
+            for file in answer.files() {
+                staging.write_result(file)?;
+            }
+            staging.write(answer.document_name(), document())?;
+            let files = staging.publish()?.join(" ");
+            if !self.json {
+                print(&format!("{}{}: {files}\n", readable(answer), self.folder.display()))?;
             }
         }
-        let named = || PathBuf::from(format!("{}-{}", self.stem, self.command));
-        let folder = self.to.output.clone().unwrap_or_else(named);
-        let mut staging = Staging::new(self.command, &folder)?;
-        write(&mut staging)?;
-        let files = staging.publish()?.join(" ");
-        if self.to.json {
-            return Ok(());
-        }
-        print(&format!("{}{}: {files}\n", readable(), folder.display()))
-    }
-
-    /// Hand out an answer: its figure, a file for each table and its document, or what they say in words; then its remarks.
-    pub(crate) fn answer(&self, answer: &dyn Answer) -> Result<(), CliError> {
-        self.hand_out(
-            || json_of(|| answer.document()),
-            |staging| {
-                for file in answer.files() {
-                    staging.write_result(file)?;
-                }
-                staging.write(answer.document_name(), json_of(|| answer.document()))
-            },
-            || readable(answer),
-        )?;
         print_remarks(answer.remarks());
         Ok(())
     }
@@ -75,15 +67,10 @@ impl<'a> Results<'a> {
 
 /// An answer in words.
 pub(crate) fn readable(answer: &dyn Answer) -> String {
-    let lines = |messages: Vec<Message>| -> String {
-        let lines = messages.iter().map(|line| line.text(language()) + "\n");
-        lines.collect()
-    };
-    let shown = answer.tables().into_iter().filter(Table::is_shown);
-    let tables = shown.map(|table| {
-        let [above, below] = [answer.above(table.name), answer.below(table.name)].map(lines);
-        format!("{above}{}\n{below}", table_of(&table))
+    let told = answer.told().into_iter().map(|told| match told {
+        Told::Line(line) => line.text(language()) + "\n",
+        Told::Table(table) => format!("{}\n", table_of(&table)),
+        Told::Texts(table) => format!("{}\n", as_text(table_of(&table))),
     });
-    let tables = tables.collect::<String>();
-    lines(answer.introduction()) + &tables + &lines(answer.sentences())
+    told.collect()
 }

@@ -143,6 +143,8 @@ impl Staging {
                 self.write_picture(name, &maps.picture()?)?;
                 self.write(&format!("{name}.html"), maps.html()?)
             }
+            ResultFile::Strips(name, strips) => self.write_picture(name, &strips.picture()?),
+            ResultFile::Bars(name, bars) => self.write_picture(name, &bars.picture()?),
             ResultFile::Table(table) => self.write_table(table.name, &table),
             ResultFile::TableAs(name, table) => self.write_table(&name, &table),
             ResultFile::Stages(name, figures) => {

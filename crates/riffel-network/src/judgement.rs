@@ -57,19 +57,6 @@ pub enum DefectKind {
     Unknown,
 }
 
-impl DefectKind {
-    /// In words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Corrugation => "corrugation",
-            Self::Joint => "joints",
-            Self::Weld => "welds or squats",
-            Self::Ground => "ground",
-            Self::Unknown => "joints or corrugation",
-        }
-    }
-}
-
 /// A section in one band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SectionInBand {

@@ -1,7 +1,5 @@
 //! All surveys of lines, kilometre by date.
 
-use std::io::{self, Write};
-
 use rayon::prelude::*;
 use riffel_plot::{ChainageUnit, Rgb, Strip, StripClass, StripFigure, StripPanel, StripRow};
 use serde::Serialize;
@@ -105,39 +103,6 @@ impl StripChart {
             }
         }
         Ok(Self { limit: judgement.limit.clone(), section_m: length, lines })
-    }
-
-    /// One row for each section of each survey.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record([
-            "line",
-            "date",
-            "from_m",
-            "to_m",
-            "rail",
-            "band_from_m",
-            "band_to_m",
-            "rms_m",
-            "rms_over_limit",
-        ])?;
-        for line in &self.lines {
-            for survey in &line.surveys {
-                for section in &survey.sections {
-                    writer.serialize((
-                        (&line.line, &survey.date),
-                        [section.from_m, section.to_m],
-                        &section.rail,
-                        section.band_m,
-                        [section.rms_m, section.rms_over_limit],
-                    ))?;
-                }
-            }
-        }
-        writer.flush()
     }
 
     /// Lines that the picture leaves out.

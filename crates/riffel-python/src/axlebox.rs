@@ -70,5 +70,5 @@ pub(crate) fn axlebox<'py>(
     let request =
         AxleBoxRequest { shortest, longest, slowest, contact_filter, keep_defects, block, ..AxleBoxRequest::default() };
     let answer = case.compute(py, move |case| AxleBoxAnswer::new(case, &files, &limits, &request, &|_| ()))?;
-    document(py, &answer.map_err(of_answer)?.document())
+    document(py, &answer.map_err(of_answer)?)
 }

@@ -50,7 +50,6 @@ pub(crate) fn diagnose<'py>(
     };
     let speeds = speeds.map_err(of_physics)?;
     let layout = layout.layout()?;
-    let name = rail.0.display().to_string();
     let rail = Record::new(py, &rail, &layout)?;
     let earlier = earlier.iter();
     let earlier = earlier.map(|given| Record::new(py, given, &layout)).collect::<PyResult<Vec<_>>>()?;
@@ -67,5 +66,5 @@ pub(crate) fn diagnose<'py>(
     })?;
     let mut diagnosis = diagnosis.map_err(of_case)?;
     diagnosis.warnings.splice(0..0, remark);
-    document(py, &diagnosis.document(&name))
+    document(py, &diagnosis)
 }

@@ -200,7 +200,7 @@ pub(crate) fn fit_wear<'py>(
     let passages = passages
         .ok_or_else(|| wrong("days needs traffic with passages_per_day or mgt_per_year under [line]; give passages"))?;
     let report = WearReport::new(&on, rail.as_deref(), &earlier, &later, passages);
-    document(py, &report.map_err(of_case)?.document())
+    document(py, &report.map_err(of_case)?)
 }
 
 /// A file of changes, or its keys.

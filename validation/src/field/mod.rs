@@ -8,6 +8,7 @@
 mod draw;
 mod sample;
 mod site;
+mod told;
 
 use include_dir::{Dir, include_dir};
 use rayon::prelude::*;

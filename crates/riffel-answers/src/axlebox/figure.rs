@@ -1,16 +1,13 @@
 //! Roughness felt by axle boxes as a picture.
 
-use riffel_case::Case;
 use riffel_keys::Language;
 use riffel_plot::{Area, Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
-use riffel_rail::LimitTable;
 
 use super::{AxleBoxAnswer, AxleBoxRail};
-use crate::parameters;
 use crate::roughness::figure::{level_panel, levels, limit_curves, moving_rms};
 
-pub(super) fn figure(answer: &AxleBoxAnswer, case: &Case, limits: &[LimitTable]) -> LineFigure {
-    let mut panels = vec![spectra(answer, limits)];
+pub(super) fn figure(answer: &AxleBoxAnswer) -> LineFigure {
+    let mut panels = vec![spectra(answer)];
     let ends = answer.ends();
     let along = answer.rails.iter();
     panels.extend(along.map(|rail| moving_rms(&rail.rail, ends, Language::English)));
@@ -19,7 +16,7 @@ pub(super) fn figure(answer: &AxleBoxAnswer, case: &Case, limits: &[LimitTable])
         caption: format!(
             "One-third-octave levels, grey with pads of half to twice the stiffness; highest moving RMS in blocks along the \
              rail, its limit dashed. {}",
-            parameters(case)
+            answer.parameters
         ),
         panels,
         arrangement: Arrangement::Stacked,
@@ -27,7 +24,7 @@ pub(super) fn figure(answer: &AxleBoxAnswer, case: &Case, limits: &[LimitTable])
 }
 
 /// Levels with their limit, and what unknown pads leave open of the first.
-fn spectra(answer: &AxleBoxAnswer, limits: &[LimitTable]) -> LinePanel {
+fn spectra(answer: &AxleBoxAnswer) -> LinePanel {
     let rails = answer.rails.iter().enumerate();
     let mut series: Vec<Series> = rails
         .map(|(index, rail)| {
@@ -36,7 +33,7 @@ fn spectra(answer: &AxleBoxAnswer, limits: &[LimitTable]) -> LinePanel {
             levels(&rail.rail.name, &rail.rail.analysis.spectrum, LineStyle::Solid, color)
         })
         .collect();
-    series.extend(limit_curves(limits));
+    series.extend(limit_curves(&answer.limits));
     LinePanel { areas: answer.rails.first().map(pads).into_iter().collect(), ..level_panel(series, Language::English) }
 }
 

@@ -1,12 +1,10 @@
 //! A rail as the axle boxes of a train felt it.
 
-mod document;
 mod figure;
 mod listening;
 mod pads;
 mod wheels;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use riffel::axlebox::RunSettings;
@@ -15,13 +13,15 @@ use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message, fixed, number, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defects_in_words, rail_in_words};
+use riffel_rail::{AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defects_in_words, name_in_words};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
-pub use document::AxleBoxDocument;
 pub use wheels::{WheelMark, WheelMarkKind};
 
-use crate::AnswerError;
-use crate::roughness::{Judged, RailAnswer, Verdict, tables, worst_first};
+use crate::forecast::number_alone;
+use crate::roughness::{GroundSection, Judged, RailAnswer, Verdict, tables, worst_first};
+use crate::{Answer, AnswerError, Column, Table, parameters};
 use listening::{Heard, Longest, listen, lower};
 
 /// What is asked of axle boxes.
@@ -83,6 +83,18 @@ pub struct LevelRange {
     pub range: [f64; 2],
 }
 
+impl Serialize for LevelRange {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let [lowest, highest] = self.range;
+        let mut level = serializer.serialize_struct("LevelRange", 4)?;
+        level.serialize_field("wavelength_m", &self.band.wavelength())?;
+        level.serialize_field("level_db", &self.level)?;
+        level.serialize_field("lowest_db", &lowest)?;
+        level.serialize_field("highest_db", &highest)?;
+        level.end()
+    }
+}
+
 /// A channel with all that was computed of it.
 pub struct AxleBoxRail {
     /// What is judged, as of a trolley's record.
@@ -95,16 +107,43 @@ pub struct AxleBoxRail {
     pub levels: Vec<LevelRange>,
 }
 
+impl Serialize for AxleBoxRail {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (of, [slowest, mean, fastest]) = (&self.rail, self.speeds);
+        let mut rail = serializer.serialize_struct("AxleBoxRail", 13)?;
+        rail.serialize_field("name", &of.name)?;
+        rail.serialize_field("length_m", &of.length_m)?;
+        rail.serialize_field("lowest_speed_m_per_s", &slowest)?;
+        rail.serialize_field("mean_speed_m_per_s", &mean)?;
+        rail.serialize_field("highest_speed_m_per_s", &fastest)?;
+        rail.serialize_field("shortest_wavelength_m", &self.known.from())?;
+        rail.serialize_field("longest_wavelength_m", &self.known.to())?;
+        rail.serialize_field("spectrum", &self.levels)?;
+        rail.serialize_field("bands", &of.bands)?;
+        rail.serialize_field("verdicts", &of.verdicts)?;
+        rail.serialize_field("defects", &of.defects)?;
+        rail.serialize_field("grind", &GroundSection::of_rail(of).collect::<Vec<_>>())?;
+        rail.serialize_field("grind_share_of_length", &of.grind_share_of_length)?;
+        rail.end()
+    }
+}
+
 /// Roughness from axle-box acceleration.
+#[derive(Serialize)]
 pub struct AxleBoxAnswer {
-    /// The files.
-    pub files: Vec<PathBuf>,
+    riffel_version: &'static str,
+    files: Vec<String>,
     /// The channels, the worst first.
     pub rails: Vec<AxleBoxRail>,
     /// What turns with wheels, and is left out of their rails.
     pub wheels: Vec<WheelMark>,
     /// What the reader should know.
     pub remarks: Vec<Message>,
+    /// Those of the case, for the figure.
+    #[serde(skip)]
+    parameters: String,
+    #[serde(skip)]
+    limits: Vec<LimitTable>,
 }
 
 impl AxleBoxAnswer {
@@ -180,18 +219,11 @@ impl AxleBoxAnswer {
                 level.range[0] -= lower(&channel.without, level.band);
             }
             remarks.extend(wheels::bound(&name, &levels, &channel.without));
-            let words = several.then(|| rail_in_words(&name));
-            let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis)).into_iter();
             rails.push(AxleBoxRail {
                 levels,
                 speeds,
                 known,
-                rail: RailAnswer {
-                    sections: analysis.grind(&request.grinding),
-                    verdicts: verdicts.map(|verdict| verdict.on_rail(&name).of(words.as_ref())).collect(),
-                    name,
-                    analysis,
-                },
+                rail: RailAnswer::new(name, analysis, several, limits, &request.grinding),
             });
         }
         worst_first(&mut rails);
@@ -203,7 +235,15 @@ impl AxleBoxAnswer {
             rails.iter().flat_map(|AxleBoxRail { rail, .. }| defects_in_words(&rail.name, &rail.analysis.defects, are));
         remarks.extend(defects);
         remarks.extend(validity(case, request));
-        Ok(Self { files: files.iter().map(|(path, _)| path.clone()).collect(), rails, wheels, remarks })
+        Ok(Self {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            files: files.iter().map(|(path, _)| path.display().to_string()).collect(),
+            rails,
+            wheels,
+            remarks,
+            parameters: parameters(case),
+            limits: limits.to_vec(),
+        })
     }
 
     /// First and last place of all channels \[m\].
@@ -214,62 +254,99 @@ impl AxleBoxAnswer {
         [from, to]
     }
 
-    /// Levels with their limit, and the moving RMS along each rail.
-    pub fn figure(&self, case: &Case, limits: &[LimitTable]) -> LineFigure {
-        figure::figure(self, case, limits)
+    /// What is judged of each.
+    fn rails_judged(&self) -> impl Iterator<Item = &RailAnswer> {
+        self.rails.iter().map(|rail| &rail.rail)
     }
 
-    /// The answer as data: what `riffel axlebox --json` prints.
-    pub fn document(&self) -> AxleBoxDocument<'_> {
-        document::document(self)
-    }
-
-    /// Levels of each rail, which `riffel roughness`, `diagnose` and `forecast` read.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn spectrum_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["rail", "wavelength_m", "level_db"])?;
-        for rail in &self.rails {
-            for level in &rail.levels {
-                writer.serialize((&rail.rail.name, level.band.wavelength(), level.level))?;
-            }
-        }
-        writer.flush()
+    fn verdicts(&self) -> Vec<Message> {
+        let verdicts = self.rails_judged().flat_map(|rail| &rail.verdicts);
+        verdicts.map(|verdict| verdict.sentence.clone()).collect()
     }
 
     /// Levels of each rail with what unknown pads leave open.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn pads_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["rail", "wavelength_m", "level_db", "lowest_db", "highest_db"])?;
-        for rail in &self.rails {
-            for level in &rail.levels {
-                let [lowest, highest] = level.range;
-                let name = &rail.rail.name;
-                writer.serialize((name, level.band.wavelength(), level.level, lowest, highest))?;
-            }
+    fn pads(&self) -> Table {
+        let rows: Vec<(&RailAnswer, &LevelRange)> =
+            self.rails.iter().flat_map(|rail| rail.levels.iter().map(|level| (&rail.rail, level))).collect();
+        let exact =
+            |name: &str, of: fn(&LevelRange) -> f64| Column::exact(name, rows.iter().map(|(_, level)| of(level)));
+        let shown = |head: Message, of: fn(&LevelRange) -> Message| {
+            Column::shown(head, rows.iter().map(|(_, level)| of(level)).collect())
+        };
+        Table {
+            name: "pads",
+            columns: vec![
+                Column::names("rail", rows.iter().map(|(rail, _)| &rail.name)),
+                exact("wavelength_m", |level| level.band.wavelength()),
+                exact("level_db", |level| level.level),
+                exact("lowest_db", |level| level.range[0]),
+                exact("highest_db", |level| level.range[1]),
+                Column::shown(say!(rail_word), rows.iter().map(|(rail, _)| name_in_words(&rail.name)).collect()),
+                shown(say!(wavelength_of_band), |level| number_alone(level.band.nominal_millimetres())),
+                shown(say!(felt_level_column), |level| number_alone(format!("{:.1}", level.level))),
+                shown(say!(with_pads_column), |level| {
+                    let [low, high] = level.range.map(|end| number(format!("{end:.1}")));
+                    say!(from_to, from = low, to = high)
+                }),
+            ],
         }
-        writer.flush()
+    }
+}
+
+impl Answer for AxleBoxAnswer {
+    fn name(&self) -> &'static str {
+        "axlebox"
     }
 
-    /// RMS of each block, and the highest moving RMS in it.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn block_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        tables::block_csv(self.rails.iter().map(|rail| &rail.rail), file)
+    fn introduction(&self) -> Vec<Message> {
+        let rails = self.rails.iter().map(|rail| {
+            let [slowest, _, fastest] = rail.speeds.map(|speed| fixed(3.6 * speed, 0));
+            say!(
+                rail_is_heard,
+                rail = rail.rail.name.as_str(),
+                length = fixed(rail.rail.length_m, 1),
+                slowest = slowest,
+                fastest = fastest,
+                shortest = fixed(1e3 * rail.known.from(), 1),
+                longest = fixed(1e3 * rail.known.to(), 0)
+            )
+        });
+        rails.collect()
     }
 
-    /// What to grind of each rail, the worst first.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn grind_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        tables::grind_csv(self.rails.iter().map(|rail| &rail.rail), file)
+    /// Levels, which `riffel roughness`, `diagnose` and `forecast` read, first.
+    fn tables(&self) -> Vec<Table> {
+        let levels = self.rails_judged().map(|rail| (&*rail.name, &rail.analysis.spectrum));
+        vec![
+            tables::levels(levels),
+            self.pads(),
+            tables::bands(self.rails_judged()),
+            tables::blocks(self.rails_judged()),
+            tables::shown_grind(self.rails_judged(), tables::SHOWN),
+            tables::grind(self.rails_judged()),
+        ]
+    }
+
+    fn above(&self, table: &str) -> Vec<Message> {
+        match table {
+            tables::GRIND => self.verdicts(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        match self.rails_judged().map(|rail| rail.sections.len()).sum() {
+            0 => self.verdicts(),
+            sections => tables::more(sections).into_iter().collect(),
+        }
+    }
+
+    fn figure(&self) -> LineFigure {
+        figure::figure(self)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
     }
 }
 

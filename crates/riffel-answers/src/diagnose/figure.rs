@@ -9,7 +9,7 @@ use super::Diagnosis;
 use crate::roughness::figure::file_name;
 
 /// Spectra with the dominant wavelengths marked.
-pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineFigure {
+pub(super) fn of(diagnosis: &Diagnosis, language: Language) -> LineFigure {
     let (series, label, what) = match &diagnosis.curves {
         Curves::Fine(spectra) => {
             let curve = |spectrum: &FineSpectrum, level: fn(&FineBand) -> f64| {
@@ -61,7 +61,7 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineF
         title: say!(dominant_wavelengths).text(language),
         caption: say!(
             caption_of_diagnosis,
-            file = file_name(std::path::Path::new(file)),
+            file = file_name(std::path::Path::new(&diagnosis.file)),
             record = diagnosis.words.clone(),
             bands = what
         )

@@ -1,24 +1,20 @@
 //! Diagnosis: the dominant wavelengths of a rail, held against a case.
 
-mod candidate_row;
 mod case_mechanisms;
-mod document;
 mod figure;
 mod finding;
+mod finding_document;
 pub(crate) mod mechanism_words;
 mod reason;
 mod sideband;
-mod tables;
-
-use std::io::{self, Write};
+pub(crate) mod tables;
+mod told;
 
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{Evidence, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart};
 
 use case_mechanisms::{Wheels, near, wheelset_modes};
 
-pub use candidate_row::candidate_row;
-pub use document::DiagnosisDocument;
 pub use finding::Finding;
 pub(crate) use reason::course_in_words;
 pub use sideband::Sideband;
@@ -26,10 +22,14 @@ pub use sideband::Sideband;
 use riffel::roughness::RailDefect;
 use riffel_case::Case;
 use riffel_case::traffic::UsualTraffic;
-use riffel_keys::{CaseError, Language, Message, say};
+use riffel_keys::{CaseError, Language, Message, number, say};
 use riffel_plot::LineFigure;
 use riffel_rail::RailRecord;
 use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
+use serde::{Serialize, Serializer};
+
+use crate::defect_document::DefectDocument;
+use crate::{Answer, Table, Told};
 
 /// What a diagnosis goes by besides case and records.
 #[derive(Debug, Clone)]
@@ -47,20 +47,39 @@ pub struct DiagnosisSettings<'a> {
 }
 
 /// All findings of a record.
+#[derive(Serialize)]
 pub struct Diagnosis {
+    /// The record, or what it is called.
+    file: String,
+    /// What the records are, in words.
+    #[serde(rename = "record")]
+    pub words: Message,
+    speed_min_m_per_s: f64,
+    speed_max_m_per_s: f64,
+    /// What the shares mean.
+    share: Message,
     /// The dominant wavelengths with their candidates: rail by rail, the one with the highest level first, and of a
     /// rail the most prominent first; behind them those that are gone by grinding.
+    #[serde(rename = "dominant_wavelengths")]
     pub findings: Vec<Finding>,
-    /// Speeds of the traffic.
-    pub speeds: TrafficSpeeds,
-    /// What a figure shows of the records.
-    pub curves: Curves,
-    /// What the records are, in words.
-    pub words: Message,
     /// Welds, joints and squats by rail, which the spectra leave out unless they were kept.
+    #[serde(serialize_with = "as_documents")]
     pub defects: Vec<(String, RailDefect)>,
     /// What was put right in the records, and what the case knows nothing of.
     pub warnings: Vec<Message>,
+    /// Speeds of the traffic.
+    #[serde(skip)]
+    pub speeds: TrafficSpeeds,
+    /// What a figure shows of the records.
+    #[serde(skip)]
+    pub curves: Curves,
+    /// That of the case.
+    #[serde(skip)]
+    title: Option<String>,
+}
+
+fn as_documents<S: Serializer>(defects: &[(String, RailDefect)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(defects.iter().map(|(rail, defect)| DefectDocument::new(rail, defect)))
 }
 
 impl Diagnosis {
@@ -132,6 +151,11 @@ impl Diagnosis {
             });
         }
         Ok(Self {
+            file: present.name.display().to_string(),
+            speed_min_m_per_s: speeds.slowest(),
+            speed_max_m_per_s: speeds.fastest(),
+            share: say!(share_of_belief),
+            title: case.file.title.clone(),
             findings,
             curves: records.curves,
             words: records.words,
@@ -141,30 +165,9 @@ impl Diagnosis {
         })
     }
 
-    /// The diagnosis as data: what `riffel diagnose --json` prints; `file` is the name of the record.
-    pub fn document(&self, file: &str) -> DiagnosisDocument {
-        DiagnosisDocument::new(file, self)
-    }
-
     /// Spectra with the dominant wavelengths marked.
-    pub fn figure(&self, file: &str, language: Language) -> LineFigure {
-        figure::of(file, self, language)
-    }
-
-    /// One row for each candidate of each finding.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn candidates_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        tables::candidates(self, file)
-    }
-
-    /// Where the dominant wavelengths stand, one row for each place.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn places_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        tables::places(self, file)
+    pub(crate) fn figure_in(&self, language: Language) -> LineFigure {
+        figure::of(self, language)
     }
 
     /// The speeds of the usual traffic of a line, where none are known, and a remark on them.
@@ -181,5 +184,43 @@ impl Diagnosis {
             Some(growing) => (speeds.growing_under(growing), sentence),
             None => (speeds, sentence),
         })
+    }
+}
+
+impl Answer for Diagnosis {
+    fn name(&self) -> &'static str {
+        "diagnosis"
+    }
+
+    fn document_name(&self) -> &'static str {
+        "diagnosis.json"
+    }
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.title.as_deref().map_or_else(|| say!(the_case), Message::verbatim);
+        let held = say!(held_against, title = title, speeds = number(self.speeds.words()));
+        let nothing = self.findings.is_empty().then(|| say!(nothing_stands_out));
+        [self.words.clone().about(self.file.as_str()), held].into_iter().chain(nothing).collect()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![tables::candidates(self), tables::places(self)]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        Vec::new()
+    }
+
+    fn told(&self) -> Vec<Told> {
+        let introduction = self.introduction().into_iter().map(Told::Line);
+        introduction.chain(self.findings.iter().flat_map(told::finding)).collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.figure_in(Language::English)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.warnings
     }
 }

@@ -5,10 +5,10 @@ use riffel_case::traffic::vehicle_in_words;
 use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
-use super::{ForecastAnswer, number};
+use super::{TrackForecast, number};
 use crate::roughness::figure::{level_panel, levels};
 
-pub(super) fn figure(answer: &ForecastAnswer, case: &Case, language: Language) -> LineFigure {
+pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) -> LineFigure {
     let traffic = answer.growth();
     let rail = answer.leading();
     let of_rail = |words: Message| match answer.rail(rail) {
@@ -86,7 +86,7 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case, language: Language) -
 
 /// Length of cracks over the passages at the phases of the wave where they become longest; none where none
 /// grows.
-fn crack_panel(answer: &ForecastAnswer, until: f64, language: Language) -> Option<LinePanel> {
+fn crack_panel(answer: &TrackForecast, until: f64, language: Language) -> Option<LinePanel> {
     const STEPS: u32 = 24;
     let longest = (answer.cracks().into_iter())
         .max_by(|a, b| a.crack_length_m.total_cmp(&b.crack_length_m))

@@ -7,7 +7,7 @@ use riffel_keys::{Message, fixed, number as numeral, say};
 use super::damage::{CrackedWave, HardenedWave};
 use super::rail_forecast::RailForecast;
 use super::words::{millions, number};
-use super::{Crossing, ForecastAnswer, WearReport};
+use super::{Crossing, TrackForecast, WearReport};
 
 /// What a spread does, where it is worth a word.
 fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
@@ -30,7 +30,7 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
     Some(say!(spread_takes_down, vehicle = vehicle, what = what, factor = factor))
 }
 
-impl ForecastAnswer {
+impl TrackForecast {
     /// Between how many months the leading rail reaches its limit by 80 %; none where it is over it now or never reaches it.
     pub(crate) fn months_80(&self) -> Option<[f64; 2]> {
         let rail = self.leading();

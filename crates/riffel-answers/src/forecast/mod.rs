@@ -1,7 +1,7 @@
 //! The future of a rail under traffic.
 
+mod answer;
 mod damage;
-mod document;
 mod figure;
 mod findings;
 mod horizon;
@@ -10,8 +10,6 @@ mod rail_forecast;
 mod reach;
 mod wear_report;
 mod words;
-
-use std::io::{self, Write};
 
 use jiff::ToSpan;
 use jiff::civil::Date;
@@ -24,18 +22,18 @@ use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
 
-use crate::{AnswerError, unlikely_wear, wear_spread};
+use crate::{AnswerError, Column, Table, unlikely_wear, wear_spread};
 use words::beyond;
 
+pub use answer::ForecastAnswer;
 pub use damage::{CrackedWave, HardenedWave};
-pub use document::ForecastDocument;
 pub(crate) use figure::{rate_panel, zero};
 pub use horizon::ForecastHorizon;
 pub use over_posterior::PosteriorForecast;
 pub(crate) use rail_forecast::rates_without_time;
 pub use rail_forecast::{RailForecast, RailStart};
 pub(crate) use reach::ReachDocument;
-pub use wear_report::{WearDocument, WearReport, rail_to_fit};
+pub use wear_report::{WearReport, rail_to_fit};
 pub use words::number_alone;
 pub(crate) use words::{number, reached, when};
 pub use words::{per_million, three_digits};
@@ -57,7 +55,7 @@ pub struct ForecastRequest {
 }
 
 /// The future of the rails of a track under one traffic.
-pub struct ForecastAnswer {
+pub struct TrackForecast {
     /// The traffic.
     pub traffic: Traffic,
     /// The traffic on the case.
@@ -104,7 +102,7 @@ struct Crossing<'a> {
 /// Least rise of a level that a table shows \[dB\].
 const RISE_SHOWN: f64 = 0.05;
 
-impl ForecastAnswer {
+impl TrackForecast {
     /// The forecast of the rail that will be ground, or else of what was measured; `progress` is told of each vehicle.
     ///
     /// # Errors
@@ -172,40 +170,6 @@ impl ForecastAnswer {
     /// The figure of the forecast.
     pub fn figure(&self, case: &Case, language: Language) -> LineFigure {
         figure::figure(self, case, language)
-    }
-
-    /// The forecast as data: what `riffel forecast --json` prints; `spectrum` is the name of the record.
-    pub fn document<'a>(&'a self, case: &'a Case, spectrum: Option<String>) -> ForecastDocument<'a> {
-        document::document(self, case, spectrum)
-    }
-
-    /// One row for each band of every rail, the rail that leads first.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn bands_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        document::band_table(self, file)
-    }
-
-    /// Growth rate of every line under the mix and under each vehicle.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn growth_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        document::line_table(self, file)
-    }
-
-    /// Cracks of every band of the leading rail at the phases of its waves, one row each.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn cracks_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        document::rows(&self.cracks(), file)
-    }
-
-    /// Whether fatigue is among the laws of any vehicle.
-    pub fn has_cracks(&self) -> bool {
-        !self.cracks().is_empty()
     }
 
     /// Contact fatigue beside wear along the waves of the leading rail, at the end of the forecast; empty without fatigue among the laws.
@@ -312,8 +276,17 @@ impl ForecastAnswer {
         }
     }
 
-    /// Heads of the table by band.
-    pub fn heads(&self) -> Vec<Message> {
+    /// What a reader sees by band: the rail that leads first and of each the longest wavelength; the name of the rail first, where there
+    /// are several.
+    pub(crate) fn table(&self) -> Table {
+        let rows: Vec<Vec<Message>> = self.rails.iter().flat_map(|rail| self.rows_of(rail)).collect();
+        let columns = self.heads().into_iter().enumerate();
+        let columns =
+            columns.map(|(place, head)| Column::shown(head, rows.iter().map(|row| row[place].clone()).collect()));
+        Table { name: "bands", columns: columns.collect() }
+    }
+
+    fn heads(&self) -> Vec<Message> {
         let mut heads = vec![
             say!(wavelength_of_band),
             say!(now_in_decibels),
@@ -332,12 +305,6 @@ impl ForecastAnswer {
     /// Whether the table by band has a column of rails.
     pub fn names_rails(&self) -> bool {
         self.rails.len() > 1
-    }
-
-    /// The cells of the table by band, the rail that leads first and of each the longest wavelength; the name of the
-    /// rail first, where there are several.
-    pub fn rows(&self) -> Vec<Vec<Message>> {
-        self.rails.iter().flat_map(|rail| self.rows_of(rail)).collect()
     }
 
     fn rows_of(&self, rail: &RailForecast) -> Vec<Vec<Message>> {

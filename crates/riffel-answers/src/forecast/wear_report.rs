@@ -6,15 +6,17 @@ use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 use riffel_rail::{Survey, rail_in_words};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::words::millions;
-use super::{RailForecast, RailStart};
+use super::{RailForecast, RailStart, number_alone};
+use crate::{Column, Table};
 
 /// Days of a year.
 const YEAR: f64 = 365.25;
 
 /// A fit with what it was made of.
+#[derive(Clone)]
 pub struct WearReport {
     /// The fit.
     pub fit: WearFit,
@@ -30,9 +32,9 @@ pub struct WearReport {
     remarks: Vec<Message>,
 }
 
-/// A fit with keys and units, to be serialised: what `riffel forecast --json` prints of it.
+/// What is told of a fit.
 #[derive(Serialize)]
-pub struct WearDocument {
+struct WearDocument {
     passages_between: f64,
     records_earlier: usize,
     records_later: usize,
@@ -279,12 +281,53 @@ impl WearReport {
         Some(say!(forecast_with_coefficient, value = format!("{coefficient:.3e}")))
     }
 
-    /// The fit as data.
-    pub fn document(&self) -> WearDocument {
+    /// Its table.
+    pub(super) const TABLE: &'static str = "wear";
+
+    /// Between which records it is, before its table.
+    pub(super) fn change(&self) -> Message {
+        let [earlier, later] = self.records;
+        let passages = scientific(self.passages);
+        match self.fit.paired {
+            true => say!(change_between_paired_records, passages = passages, earlier = earlier, later = later),
+            false => say!(change_between_records, passages = passages, earlier = earlier, later = later),
+        }
+    }
+
+    /// What a reader sees by band, the longest first.
+    pub(super) fn table(&self) -> Table {
+        let shown = |head: Message, of: &dyn Fn(&FittedBand) -> Message| {
+            Column::shown(head, self.fit.bands.iter().rev().map(of).collect())
+        };
+        let decibels = |value: f64| number_alone(format_args!("{value:+.1}"));
+        let fitted = |value: f64| match self.fit.verdict.is_fit() {
+            true => decibels(value),
+            false => Message::verbatim(""),
+        };
+        Table {
+            name: Self::TABLE,
+            columns: vec![
+                shown(say!(wavelength_of_band), &|band| number_alone(band.band.nominal_millimetres())),
+                shown(say!(measured_in_decibels), &|band| decibels(band.measured)),
+                shown(say!(model_in_decibels), &|band| decibels(band.predicted)),
+                shown(say!(fitted_in_decibels), &|band| fitted(band.fitted)),
+                shown(say!(residual_in_decibels), &|band| fitted(band.residual())),
+                shown(Message::verbatim(""), &|band| match (band.grows, band.predicted > 0.0) {
+                    (true, _) => Message::verbatim(""),
+                    (false, false) => say!(decays_in_the_model),
+                    (false, true) => say!(decays_at_first_in_the_model),
+                }),
+            ],
+        }
+    }
+}
+
+impl Serialize for WearReport {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let fit = &self.fit;
         let claimed = fit.verdict.is_fit();
         let scaled = |(low, high): (f64, f64), by: f64| [low * by, high * by];
-        WearDocument {
+        let told = WearDocument {
             passages_between: self.passages,
             records_earlier: self.records[0],
             records_later: self.records[1],
@@ -320,6 +363,7 @@ impl WearReport {
                 .collect(),
             sentences: self.sentences(),
             remarks: self.remarks.clone(),
-        }
+        };
+        told.serialize(serializer)
     }
 }

@@ -10,7 +10,7 @@ use riffel_plot::{MapFigure, MapWords, Observation, PlotError};
 use super::outlook::{Outlook, drawing};
 use super::page::{Section, escape, figure, list, said, sentence, table, texts};
 use crate::diagnose::mechanism_words::{source, validity};
-use crate::diagnose::{Diagnosis, Finding, candidate_row};
+use crate::diagnose::{Diagnosis, Finding, tables};
 use crate::map::{MapAnswer, Shown, growth_in_words, panel};
 use crate::parameters::parameters_in;
 use crate::ridge::{BranchDocument, mechanism_name};
@@ -92,8 +92,8 @@ fn observations(case: &Case, diagnosis: &Diagnosis, marks: &mut Vec<Observation>
 }
 
 /// Dominant wavelengths with their candidates.
-pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis, language: Language) -> Result<Section, PlotError> {
-    let mut html = drawing(diagnosis.figure(file, language), language)?;
+pub(super) fn diagnosis(diagnosis: &Diagnosis, language: Language) -> Result<Section, PlotError> {
+    let mut html = drawing(diagnosis.figure_in(language), language)?;
     if diagnosis.findings.is_empty() {
         let nothing = sentence(&say!(nothing_stands_out), language);
         html += &format!("<p>{nothing}</p>\n");
@@ -131,12 +131,11 @@ fn of_finding(finding: &Finding, shown: &mut Vec<MechanismKind>, language: Langu
     if finding.candidates.is_empty() {
         return html + &format!("<p><b>{summary}</b></p>\n");
     }
-    let rows = finding.candidates.iter().map(|candidate| {
-        let [name, share, frequency, wavelengths] = candidate_row(finding, candidate, language);
-        let bar = format!("{share}<span class=\"bar\"><i style=\"width:{:.1}%\"></i></span>", 100.0 * candidate.share);
-        vec![escape(&name), bar, frequency, wavelengths]
-    });
-    let rows: Vec<Vec<String>> = rows.collect();
+    let (_, mut rows) = tables::of_finding(finding).shown(language);
+    for (row, candidate) in rows.iter_mut().zip(&finding.candidates) {
+        row[0] = escape(&row[0]);
+        row[1] += &format!("<span class=\"bar\"><i style=\"width:{:.1}%\"></i></span>", 100.0 * candidate.share);
+    }
     let heads = [say!(candidate_head), say!(share_head), say!(frequency_in_hertz_head), say!(predicts_in_millimetres)];
     html += &table("", &texts(heads, language), &rows);
     let _ = writeln!(html, "<p><b>{summary}</b></p>");

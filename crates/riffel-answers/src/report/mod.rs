@@ -26,7 +26,7 @@ pub use site::Site;
 use crate::AnswerError;
 use crate::compare::CompareAnswer;
 use crate::diagnose::{Diagnosis, Finding, course_in_words};
-use crate::forecast::{ForecastAnswer, PosteriorForecast};
+use crate::forecast::{PosteriorForecast, TrackForecast};
 use crate::map::MapAnswer;
 use crate::noise::NoiseAnswer;
 use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict};
@@ -102,7 +102,7 @@ pub struct ReportRequest<'a> {
     /// The case and its growth map, if there is one.
     pub case: Option<(&'a Case, &'a MapAnswer)>,
     /// What becomes of the rail, or why that is left out.
-    pub forecast: Result<&'a ForecastAnswer, Message>,
+    pub forecast: Result<&'a TrackForecast, Message>,
     /// What becomes of the rail of a calibration, if there is one.
     pub posterior_forecast: Option<&'a PosteriorForecast>,
     /// What would help, or why that is left out.
@@ -122,7 +122,7 @@ fn labelled(label: &Message, mut sentences: Vec<String>, language: Language) -> 
 }
 
 /// Why growth under the traffic is not to be believed, if it is not.
-fn doubt(forecast: Option<&ForecastAnswer>, compare: Option<&CompareAnswer>) -> Option<Message> {
+fn doubt(forecast: Option<&TrackForecast>, compare: Option<&CompareAnswer>) -> Option<Message> {
     let remarks = forecast.into_iter().flat_map(|answer| &answer.on.remarks);
     let of_compare = compare.into_iter();
     let of_compare = of_compare.flat_map(|answer| &answer.comparison.base().remarks);
@@ -160,17 +160,16 @@ impl Body {
         &mut self,
         case: &Case,
         map: &MapAnswer,
-        diagnosis: Result<(&Path, &Diagnosis), Message>,
+        diagnosis: Result<&Diagnosis, Message>,
     ) -> Result<(), PlotError> {
         let language = self.language;
-        let found = diagnosis.as_ref().ok().map(|(_, diagnosis)| *diagnosis);
+        let found = diagnosis.as_ref().ok().copied();
         let map = mechanism::growth_map(case, map, found, language)?;
         match diagnosis {
             // What the map says in brief, the diagnosis says of the wavelengths that were measured.
-            Ok((path, diagnosis)) => {
-                let file = path.display().to_string();
+            Ok(diagnosis) => {
                 self.sections.push(map.section);
-                let section = mechanism::diagnosis(&file, diagnosis, language)?;
+                let section = mechanism::diagnosis(diagnosis, language)?;
                 self.sections.push(section);
                 self.put_brief(&say!(since_when), since(diagnosis, language));
                 self.put_brief(&say!(why_and_how_sure), dominant(diagnosis, language));
@@ -206,7 +205,7 @@ impl Body {
 /// What comes, what helps and what is heard, each under its label; or why one of them is left out.
 fn outlooks(
     case: &Case,
-    forecast: Result<&ForecastAnswer, Message>,
+    forecast: Result<&TrackForecast, Message>,
     compare: Result<&CompareAnswer, Message>,
     noise: Result<&NoiseAnswer, Message>,
     language: Language,
@@ -254,13 +253,12 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
     let mut diagnosis = Err(say!(no_roughness_given));
     match rail {
         Some(rail) => {
-            let diagnosed = rail.diagnosis.map(|diagnosis| (rail.path, diagnosis));
-            diagnosis = diagnosed.ok_or_else(|| say!(roughness_not_diagnosed));
+            diagnosis = rail.diagnosis.ok_or_else(|| say!(roughness_not_diagnosed));
             if let MeasuredRoughness::Profile { answer, .. } = &rail.roughness {
                 map = strip_map::strip_map(answer, rail.diagnosis, language);
-                to_grind = Some(answer.line_to_grind().0).filter(|length| *length > 0.0);
+                to_grind = Some(answer.grind.total_m).filter(|length| *length > 0.0);
             }
-            let (own, words) = measured(rail.path, rail.roughness, limits, language)?;
+            let (own, words) = measured(rail.roughness, limits, language)?;
             body.sections.extend(own);
             body.put_brief(&say!(how_bad_and_where), words);
             body.warnings.extend_from_slice(rail.warnings);
@@ -309,7 +307,6 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
 
 /// The sections on the roughness, and sentences for those in a hurry.
 fn measured(
-    path: &Path,
     roughness: MeasuredRoughness,
     limits: &[LimitTable],
     language: Language,
@@ -321,13 +318,13 @@ fn measured(
             let worst = worst.map(|worst| sentence(&worst, language));
             let total = roughness::total(&answer);
             let total: Vec<String> = total.iter().map(|one| sentence(one, language)).collect();
-            let verdicts = answer.verdicts().map(marked);
+            let verdicts = answer.verdicts.iter().map(marked);
             let brief = worst.into_iter().chain(verdicts).chain([total.join(" ")]);
             let brief = brief.collect();
             let sections = [
                 strips.0,
                 roughness::moving_rms(&answer, language)?,
-                roughness::spectrum_of_profile(path, &answer, limits, language)?,
+                roughness::spectrum_of_profile(&answer, limits, language)?,
                 roughness::bands(&answer, limits, language),
                 roughness::grind(&answer, language),
             ];
@@ -335,7 +332,7 @@ fn measured(
         }
         MeasuredRoughness::Spectra(answer) => {
             let mut sections = of_roughness().map(|heading| Section::LeftOut(heading, say!(levels_are_no_profile)));
-            sections[2] = roughness::spectrum_of_means(path, &answer, limits, language)?;
+            sections[2] = roughness::spectrum_of_means(&answer, limits, language)?;
             let brief = answer.verdicts_of_now().iter().map(marked);
             (sections, brief.collect())
         }

@@ -8,7 +8,7 @@ use riffel_plot::{LineFigure, PlotError};
 use super::page::{Section, escape, figure, list, said, sentence, table};
 use crate::Answer;
 use crate::compare::{CompareAnswer, Effect, Outcome, held_in_words, outcomes};
-use crate::forecast::{ForecastAnswer, WearReport, number};
+use crate::forecast::{TrackForecast, WearReport, number};
 
 /// A section with a sentence for those in a hurry and what to warn of.
 pub(super) struct Outlook {
@@ -49,11 +49,9 @@ pub(super) fn of_answer<A: Answer>(
 }
 
 /// What becomes of the spectrum under the traffic.
-pub(super) fn forecast(case: &Case, report: &ForecastAnswer, language: Language) -> Result<Outlook, PlotError> {
-    let rows = report.rows().into_iter();
-    let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(|cell| said(cell, language)).collect()).collect();
-    let heads = report.heads();
-    let heads: Vec<String> = heads.iter().map(|head| head.text(language)).collect();
+pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) -> Result<Outlook, PlotError> {
+    let (heads, rows) = report.table().shown(language);
+    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
     let mut findings = report.findings();
     let wear = report.wear.as_ref();
     let of_wear = wear.into_iter();

@@ -1,15 +1,14 @@
 //! Roughness in a report: profile, spectrum, bands, what to grind.
 
-use std::path::Path;
-
 use riffel::roughness::Profile;
 use riffel_keys::{Language, Message, Value, fixed, number, say};
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, PlotError, Series};
 use riffel_rail::{Limit, LimitTable, Record, name_in_words};
 
 use super::page::{Section, escape, figure, list, said, sentence, table, texts};
+use crate::Table;
 use crate::roughness::figure::position_axis;
-use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, band_row, grind_row};
+use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, tables};
 
 /// Columns of a profile strip: more than a printer resolves on A4.
 const COLUMNS: usize = 900;
@@ -87,28 +86,26 @@ pub fn block_of_strip(record: &Record) -> f64 {
 
 /// Levels of a profile with their limit.
 pub(super) fn spectrum_of_profile(
-    path: &Path,
     report: &ProfileAnswer,
     limits: &[LimitTable],
     language: Language,
 ) -> Result<Section, PlotError> {
-    let drawing = report.figure(path, limits, language);
-    let removed = report.removed();
+    let drawing = report.figure_in(language);
+    let removed = report.removed;
     let caption =
         say!(caption_of_levels, spikes = say!(spikes, count = removed.spikes), pits = say!(pits, count = removed.pits));
     let html = spectrum(drawing, caption, limits, language)?;
-    let html = html + &verdicts(report.verdicts(), language);
+    let html = html + &verdicts(report.verdicts.iter(), language);
     Ok(Section::There(say!(spectrum_and_limits), html))
 }
 
 /// Means of spectra with their limit.
 pub(super) fn spectrum_of_means(
-    path: &Path,
     means: &SpectraAnswer,
     limits: &[LimitTable],
     language: Language,
 ) -> Result<Section, PlotError> {
-    let mut drawing = means.figure(path, limits, language);
+    let mut drawing = means.figure_in(language);
     drawing.panels[0].subtitle.clear();
     let groups = means.groups.iter();
     let groups: Value = groups
@@ -163,14 +160,7 @@ pub(super) fn marked(verdict: &Verdict, language: Language) -> String {
 
 /// Statistics of the bands.
 pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Language) -> Section {
-    let rails = report.rails.iter();
-    let rows: Vec<Vec<String>> = rails
-        .flat_map(|rail| {
-            let name = said(&name_in_words(&rail.name), language);
-            let bands = rail.analysis.bands.iter();
-            bands.map(move |band| numbers(&name, band_row("", band), 0, language))
-        })
-        .collect();
+    let rows = cells(&tables::bands(report.rails.iter()), language);
     let heads = [
         say!(rail_word),
         say!(band_in_millimetres),
@@ -191,11 +181,10 @@ pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Lan
     Section::There(say!(wavelength_bands), table + &note)
 }
 
-/// A row of numbers, with the name of the rail in one of its cells.
-fn numbers<const N: usize>(rail: &str, row: [String; N], place: usize, language: Language) -> Vec<String> {
-    let mut cells = row.map(|cell| language.numbers(&cell)).to_vec();
-    cells[place] = rail.to_owned();
-    cells
+/// The cells of a table as a reader sees them.
+fn cells(shown: &Table, language: Language) -> Vec<Vec<String>> {
+    let (_, rows) = shown.shown(language);
+    rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect()
 }
 
 /// What to grind.
@@ -209,14 +198,7 @@ pub(super) fn grind(report: &ProfileAnswer, language: Language) -> Section {
         let nothing = sentence(&report.nothing_to_grind(), language);
         return Section::There(heading, format!("<p>{nothing}</p>\n"));
     }
-    let rows = sections.iter().take(GRIND_ROWS).enumerate();
-    let rows: Vec<Vec<String>> = rows
-        .map(|(index, (rail, section))| {
-            let row = grind_row(index, rail, section, language);
-            let name = escape(&row[1]);
-            numbers(&name, row, 1, language)
-        })
-        .collect();
+    let rows = cells(&tables::shown_grind(report.rails.iter(), GRIND_ROWS), language);
     let heads = [
         say!(section_head),
         say!(rail_word),

@@ -8,15 +8,10 @@ use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, LineStyle, O
 use riffel_rail::{Limit, LimitTable, name_in_words};
 
 use super::words::name;
-use super::{MeanSpectra, ProfileAnswer, RailAnswer};
+use super::{MeanSpectra, ProfileAnswer, RailAnswer, SpectraAnswer};
 
 /// Levels with their limit, and the moving RMS along each rail.
-pub(crate) fn of_profile(
-    path: &Path,
-    profile: &ProfileAnswer,
-    limits: &[LimitTable],
-    language: Language,
-) -> LineFigure {
+pub(crate) fn of_profile(profile: &ProfileAnswer, language: Language) -> LineFigure {
     let mut curves: Vec<Series> = profile
         .rails
         .iter()
@@ -31,7 +26,7 @@ pub(crate) fn of_profile(
     if profile.rails.len() > 1 {
         curves.push(levels(&say!(energy_mean).text(language), &profile.spectrum, LineStyle::Dotted, Rgb::BLACK));
     }
-    curves.extend(limit_curves(limits));
+    curves.extend(limit_curves(&profile.limits));
     let mut panels = vec![level_panel(curves, language)];
     let ends = [profile.record.from, profile.record.to];
     let strips = profile.rails.iter();
@@ -40,7 +35,8 @@ pub(crate) fn of_profile(
     let block = blocks.map(|block| block.to - block.from).fold(0.0, f64::max);
     LineFigure {
         title: say!(rail_roughness).text(language),
-        caption: say!(caption_of_profile, file = file_name(path), block = fixed(block, 1)).text(language),
+        caption: say!(caption_of_profile, file = file_name(Path::new(&profile.file)), block = fixed(block, 1))
+            .text(language),
         panels,
         arrangement: Arrangement::Stacked,
     }
@@ -108,19 +104,20 @@ pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2], language: Lang
 }
 
 /// Energy means of groups of spectra with their limits.
-pub(crate) fn of_spectra(path: &Path, groups: &[MeanSpectra], limits: &[LimitTable], language: Language) -> LineFigure {
+pub(crate) fn of_spectra(answer: &SpectraAnswer, language: Language) -> LineFigure {
+    let groups = &answer.groups;
     let curves = |mean: fn(&MeanSpectra) -> &Spectrum| {
         let curves = groups.iter().enumerate().map(move |(index, group)| {
             let color = OKABE_ITO[index % OKABE_ITO.len()];
             levels(&group.name, mean(group), LineStyle::Solid, color)
         });
-        curves.chain(limit_curves(limits)).collect()
+        curves.chain(limit_curves(&answer.limits)).collect()
     };
     let panel =
         |subtitle: Message, series| LinePanel { subtitle: subtitle.text(language), ..level_panel(series, language) };
     LineFigure {
         title: say!(rail_roughness).text(language),
-        caption: say!(caption_of_means, file = file_name(path)).text(language),
+        caption: say!(caption_of_means, file = file_name(Path::new(&answer.file))).text(language),
         panels: vec![
             panel(say!(mean_of_energies), curves(|group| &group.energy)),
             panel(say!(mean_of_levels), curves(|group| &group.arithmetic)),

@@ -4,19 +4,23 @@ use std::path::Path;
 
 use riffel::roughness::{
     AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit, Spectrum,
-    WavelengthBand, line_length,
+    WavelengthBand,
 };
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::{CaseError, Language, Message, fixed, number, say};
 use riffel_plot::{LineFigure, LinePanel};
-use riffel_rail::{DefectsAre, Limit, LimitTable, LinePlace, Record, defects_in_words, rail_in_words};
+use riffel_rail::{DefectsAre, Limit, LimitTable, LinePlace, ReaderFormat, Record, defects_in_words, rail_in_words};
+use serde::Serialize;
 
-use super::document::{Grind, RailDocument, Removed, RoughnessDocument, bands, levels};
-use super::figure;
+use super::band::Band;
+use super::grind::Grind;
+use super::level::as_levels;
+use super::rail::{RailAnswer, Removed};
 use super::section_verdict::SectionVerdict;
-use super::verdict::{Judged, Verdict, worst_first};
+use super::verdict::{Verdict, worst_first};
 use super::words::name;
-use crate::AnswerError;
+use super::{figure, tables};
+use crate::{Answer, AnswerError, Table};
 
 /// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
 const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
@@ -35,61 +39,44 @@ pub struct ProfileRequest {
 }
 
 /// A record with all that was computed of it.
+#[derive(Serialize)]
 pub struct ProfileAnswer {
-    /// The record; its heights are used up.
-    pub record: Record,
-    /// Each rail on its own, the worst first.
-    pub rails: Vec<RailAnswer>,
+    pub(super) file: String,
+    sample_spacing_m: f64,
+    /// Mean length of the rails \[m\].
+    #[serde(rename = "length_m")]
+    pub length: f64,
+    /// Where there are several rails. Every list has it first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    worst_rail: Option<String>,
+    /// Energy mean over the rails; each is judged by its own.
+    #[serde(serialize_with = "as_levels")]
+    pub spectrum: Spectrum,
+    bands: Vec<Band>,
+    /// What was taken out of all rails.
+    pub removed: Removed,
+    /// Those on all rails, the worst rail first.
+    pub verdicts: Vec<Verdict>,
     /// Each section of each rail, the worst first.
+    #[serde(rename = "sections", skip_serializing_if = "Vec::is_empty")]
     pub sections_judged: Vec<SectionVerdict>,
     /// What lies along the line, by a table.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     along: Vec<LinePlace>,
-    /// Energy mean over the rails, which is not judged.
-    pub spectrum: Spectrum,
-    /// What is ground as one.
-    pub grinding: GrindSettings,
+    pub(crate) grind: Grind,
+    /// Each rail on its own, the worst first.
+    pub rails: Vec<RailAnswer>,
+    read_as: ReaderFormat,
     /// What was put right, and what the reader should know.
     pub warnings: Vec<Message>,
-    /// Mean length of the rails \[m\].
-    pub length: f64,
-}
-
-/// A rail with what is said of it.
-pub struct RailAnswer {
-    /// Its name.
-    pub name: String,
-    /// What was computed of it.
-    pub analysis: RailAnalysis,
-    /// What to grind of it.
-    pub sections: Vec<GrindSection>,
-    /// By limit table; sentences name the rail where there are several.
-    pub verdicts: Vec<Verdict>,
-}
-
-impl RailAnswer {
-    /// One rail, or one of several, held to limits.
-    fn new(
-        name: String,
-        analysis: RailAnalysis,
-        is_of_several: bool,
-        limits: &[LimitTable],
-        grinding: &GrindSettings,
-    ) -> Self {
-        let words = is_of_several.then(|| rail_in_words(&name));
-        let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis)).into_iter();
-        Self {
-            sections: analysis.grind(grinding),
-            verdicts: verdicts.map(|verdict| verdict.on_rail(&name).of(words.as_ref())).collect(),
-            name,
-            analysis,
-        }
-    }
-}
-
-impl Judged for RailAnswer {
-    fn verdicts(&self) -> &[Verdict] {
-        &self.verdicts
-    }
+    /// The record; its heights are used up.
+    #[serde(skip)]
+    pub record: Record,
+    /// What is ground as one.
+    #[serde(skip)]
+    pub grinding: GrindSettings,
+    #[serde(skip)]
+    pub(super) limits: Vec<LimitTable>,
 }
 
 /// The limit of the moving RMS: there is one at most.
@@ -169,7 +156,28 @@ impl ProfileAnswer {
             rails.iter().flat_map(|rail| defects_in_words(&rail.name, &rail.analysis.defects, DefectsAre::Judged));
         warnings.extend(defects);
         warnings.extend(remarks(&bands, &settings, record.spacing));
-        Ok(Self { rails, sections_judged, along: Vec::new(), record, spectrum, grinding, warnings, length })
+        Ok(Self {
+            file: path.display().to_string(),
+            sample_spacing_m: record.spacing,
+            length,
+            worst_rail: several.then(|| rails[0].name.clone()),
+            spectrum,
+            bands: rails.iter().flat_map(|rail| rail.bands.iter().cloned()).collect(),
+            removed: Removed {
+                spikes: rails.iter().map(|rail| rail.analysis.spikes).sum(),
+                pits: rails.iter().map(|rail| rail.analysis.pits).sum(),
+            },
+            verdicts: rails.iter().flat_map(|rail| rail.verdicts.iter().cloned()).collect(),
+            sections_judged,
+            along: Vec::new(),
+            grind: Grind::new(&rails, &grinding),
+            rails,
+            read_as: record.format.clone(),
+            warnings,
+            record,
+            grinding,
+            limits: limits.to_vec(),
+        })
     }
 
     /// The same, with what lies along the line.
@@ -187,11 +195,6 @@ impl ProfileAnswer {
         rails.map(|rail| RailAnalysis::steps(&rail.stretches)).sum()
     }
 
-    /// The verdicts on all rails, the worst rail first.
-    pub fn verdicts(&self) -> impl Iterator<Item = &Verdict> {
-        self.rails.iter().flat_map(|rail| &rail.verdicts)
-    }
-
     /// Which rail is worst, where there are several.
     pub fn worst(&self) -> Option<Message> {
         let [worst, _, ..] = &self.rails[..] else {
@@ -206,16 +209,6 @@ impl ProfileAnswer {
         })
     }
 
-    /// Length of line where a rail is to be ground \[m\], and its share of the line that was measured.
-    pub(crate) fn line_to_grind(&self) -> (f64, f64) {
-        let sections = self.rails.iter().flat_map(|rail| &rail.sections);
-        let total = line_length(sections.map(|section| (section.stretch, section.from, section.to)));
-        let rails = || self.rails.iter();
-        let ground = rails().flat_map(|rail| rail.analysis.measured_within(&rail.sections));
-        let measured = rails().flat_map(|rail| rail.analysis.numbered_stretches());
-        (total, line_length(ground) / line_length(measured))
-    }
-
     /// Whether there is a limit from which follows what to grind.
     pub fn knows_what_to_grind(&self) -> bool {
         let mut bands = self.rails.iter().flat_map(|rail| &rail.analysis.bands);
@@ -224,51 +217,89 @@ impl ProfileAnswer {
 
     /// That nothing is to be ground, with the limit from which that follows.
     pub fn nothing_to_grind(&self) -> Message {
-        let edition = self.verdicts().find_map(Verdict::edition_of_rms);
+        let edition = self.verdicts.iter().find_map(Verdict::edition_of_rms);
         say!(no_band_over_its_limit, edition = edition.unwrap_or_default())
     }
 
-    /// What was taken out of all rails.
-    pub fn removed(&self) -> Removed {
-        let rails = || self.rails.iter();
-        Removed {
-            spikes: rails().map(|rail| rail.analysis.spikes).sum(),
-            pits: rails().map(|rail| rail.analysis.pits).sum(),
-        }
+    /// What to grind of all rails, the worst rail first.
+    pub fn sections(&self) -> Vec<(&RailAnswer, &GrindSection)> {
+        let rails = self.rails.iter();
+        rails.flat_map(|rail| rail.sections.iter().map(move |section| (rail, section))).collect()
+    }
+
+    /// The sums of what to grind in a sentence.
+    pub fn total(&self) -> Message {
+        self.grind.in_words(&self.rails)
+    }
+
+    /// Which rail is worst, and the verdicts.
+    fn judged(&self) -> Vec<Message> {
+        let verdicts = self.verdicts.iter().map(|verdict| verdict.sentence.clone());
+        self.worst().into_iter().chain(verdicts).collect()
     }
 
     /// Levels with their limit, and the moving RMS along each rail.
-    pub fn figure(&self, path: &Path, limits: &[LimitTable], language: Language) -> LineFigure {
-        figure::of_profile(path, self, limits, language)
+    pub(crate) fn figure_in(&self, language: Language) -> LineFigure {
+        figure::of_profile(self, language)
     }
 
     /// The moving RMS of each band along a rail, each with its limit.
     pub fn moving_rms(&self, rail: &RailAnswer, language: Language) -> LinePanel {
         figure::moving_rms(rail, [self.record.from, self.record.to], language)
     }
+}
 
-    /// What was computed as data: what `riffel roughness --json` prints.
-    pub fn document(&self, path: &Path) -> RoughnessDocument {
-        let several = self.rails.len() > 1;
-        RoughnessDocument {
-            file: path.display().to_string(),
-            sample_spacing_m: Some(self.record.spacing),
-            length_m: Some(self.length),
-            worst_rail: several.then(|| self.rails[0].name.clone()),
-            spectrum: levels(&self.spectrum),
-            bands: self.rails.iter().flat_map(|rail| bands(&rail.name, &rail.analysis.bands)).collect(),
-            removed: self.removed(),
-            verdicts: self.verdicts().cloned().collect(),
-            sections: self.sections_judged.clone(),
-            along: self.along.clone(),
-            grind: Some(Grind::new(self)),
-            rails: self.rails.iter().map(RailDocument::new).collect(),
-            arithmetic_mean: None,
-            groups: Vec::new(),
-            findings: Vec::new(),
-            read_as: Some(self.record.format.clone()),
-            warnings: self.warnings.clone(),
+impl Answer for ProfileAnswer {
+    fn name(&self) -> &'static str {
+        "roughness"
+    }
+
+    fn introduction(&self) -> Vec<Message> {
+        let sampled = say!(
+            rail_is_sampled,
+            from = fixed(self.record.from, 3),
+            to = fixed(self.record.to, 3),
+            length = fixed(self.length, 3),
+            spacing = fixed(1e3 * self.sample_spacing_m, 4),
+            spikes = say!(spikes, count = self.removed.spikes),
+            pits = say!(pits, count = self.removed.pits)
+        );
+        vec![Message::verbatim(&self.file), self.understood(), sampled]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let rails = || self.rails.iter();
+        let own = rails().map(|rail| (&*rail.name, &rail.analysis.spectrum));
+        let mean = (self.rails.len() > 1).then_some(("energy mean", &self.spectrum));
+        let shown = self.knows_what_to_grind().then(|| tables::shown_grind(rails(), tables::SHOWN));
+        let files = [tables::blocks(rails()), tables::grind(rails())];
+        [tables::levels(own.chain(mean)), tables::bands(rails())].into_iter().chain(shown).chain(files).collect()
+    }
+
+    fn above(&self, table: &str) -> Vec<Message> {
+        match table {
+            tables::GRIND => self.judged(),
+            _ => Vec::new(),
         }
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        match (self.knows_what_to_grind(), self.sections().len()) {
+            (false, _) => self.judged(),
+            (true, 0) => self.judged().into_iter().chain([self.nothing_to_grind()]).collect(),
+            (true, sections) => vec![match tables::more(sections) {
+                Some(more) => say!(one_after_other, one = more, other = self.total()),
+                None => self.total(),
+            }],
+        }
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.figure_in(Language::English)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.warnings
     }
 }
 

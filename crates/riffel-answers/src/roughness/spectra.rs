@@ -1,53 +1,80 @@
 //! Spectra that were computed elsewhere: means, limits, change from group to group.
 
-use std::io::{self, Write};
-use std::path::Path;
-
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_keys::{CaseError, Language, Message, Value, fixed, number, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{LimitTable, Survey, rail_in_words};
+use serde::Serialize;
 
-use super::document::{GroupDocument, Removed, RoughnessDocument, levels};
 use super::figure;
+use super::level::as_levels;
+use super::rail::Removed;
 use super::verdict::{Judged, Verdict, worst_first};
+use crate::forecast::number_alone;
+use crate::{Answer, Column, Table};
 
 /// Decibels by which a band stands over both its neighbours to be called a peak.
 const PEAK: f64 = 3.0;
 
 /// The means of a group of spectra.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MeanSpectra {
     /// Name of the group.
+    #[serde(rename = "group")]
     pub name: String,
     /// How many spectra.
+    #[serde(rename = "spectra")]
     pub count: usize,
     /// Mean of their energies.
+    #[serde(rename = "spectrum", serialize_with = "as_levels")]
     pub energy: Spectrum,
     /// Mean of their levels.
+    #[serde(rename = "arithmetic_mean", serialize_with = "as_levels")]
     pub arithmetic: Spectrum,
 }
 
-/// Groups of spectra with their means and what follows from them.
+/// Groups of spectra with their means and what follows from them; what is for profiles is null or empty.
+#[derive(Serialize)]
 pub struct SpectraAnswer {
-    /// The groups, in the order of the file or of their dates.
-    pub groups: Vec<MeanSpectra>,
-    /// Over all spectra.
-    all: MeanSpectra,
+    pub(super) file: String,
+    sample_spacing_m: (),
+    length_m: (),
+    /// Energy mean over all spectra; each rail is judged by its own.
+    #[serde(serialize_with = "as_levels")]
+    spectrum: Spectrum,
+    bands: [(); 0],
+    removed: Removed,
     /// By limit table, the worst rail of a group first; of several dates the latest first.
     pub verdicts: Vec<Verdict>,
-    /// How many of these are of now: those of the latest of several dates, else all.
-    of_now: usize,
+    #[serde(serialize_with = "as_levels")]
+    arithmetic_mean: Spectrum,
+    /// The groups, in the order of the file or of their dates.
+    pub groups: Vec<MeanSpectra>,
     /// What peaks do from group to group.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<Message>,
+    /// What was put right in the file.
+    warnings: Vec<Message>,
+    /// How many of the verdicts are of now: those of the latest of several dates, else all.
+    #[serde(skip)]
+    of_now: usize,
+    /// The column of dates by which groups are told apart, where none was asked for.
+    #[serde(skip)]
+    dates: Option<String>,
+    #[serde(skip)]
+    pub(super) limits: Vec<LimitTable>,
 }
 
 impl SpectraAnswer {
-    /// The spectra of a survey held to limits, in groups by the values of a column if one is given.
+    /// The spectra of a survey held to limits, in groups by the values of a column if one is given, or else by several dates: the
+    /// mean of these is the state of no day.
     ///
     /// # Errors
     /// [`CaseError::Data`] for a column that is not there, or where there is no spectrum.
     pub fn new(survey: &Survey, limits: &[LimitTable], by: Option<&str>) -> Result<Self, CaseError> {
+        let dates = survey.column_of_several_dates();
+        let by_dates = dates.filter(|_| by.is_none());
+        let by = by.or(dates);
         let surveys: Vec<(String, Survey)> = survey
             .groups(by)?
             .into_iter()
@@ -61,7 +88,7 @@ impl SpectraAnswer {
             .collect();
         let mut by_group: Vec<Vec<Verdict>> =
             surveys.iter().map(|(name, group)| verdicts(name, group, limits)).collect();
-        let has_dates = by.is_some() && by == survey.column_of_several_dates();
+        let has_dates = by.is_some() && by == dates;
         if has_dates {
             by_group.reverse();
         }
@@ -74,7 +101,22 @@ impl SpectraAnswer {
         let (Some(groups), Some(all)) = (groups, all) else {
             return Err(CaseError::data(survey.path(), "there is no spectrum in the file"));
         };
-        Ok(Self { verdicts, of_now, findings: findings(&groups), groups, all })
+        Ok(Self {
+            file: survey.path().display().to_string(),
+            sample_spacing_m: (),
+            length_m: (),
+            spectrum: all.energy,
+            bands: [],
+            removed: Removed::default(),
+            verdicts,
+            arithmetic_mean: all.arithmetic,
+            findings: findings(&groups),
+            groups,
+            warnings: survey.warnings.clone(),
+            of_now,
+            dates: by_dates.map(str::to_owned),
+            limits: limits.to_vec(),
+        })
     }
 
     /// Verdicts on the rail as it is now: of several dates those of the latest.
@@ -87,54 +129,65 @@ impl SpectraAnswer {
         self.groups.iter().map(|group| group.count).sum()
     }
 
-    /// Bands of all groups, the longest wavelength first.
-    pub fn bands(&self) -> Vec<ThirdOctave> {
-        bands(&self.groups)
-    }
-
     /// Means of energies and means of levels of each group with their limits.
-    pub fn figure(&self, path: &Path, limits: &[LimitTable], language: Language) -> LineFigure {
-        figure::of_spectra(path, &self.groups, limits, language)
+    pub(crate) fn figure_in(&self, language: Language) -> LineFigure {
+        figure::of_spectra(self, language)
     }
 
-    /// What was computed as data: what `riffel roughness --json` prints.
-    pub fn document(&self, path: &Path) -> RoughnessDocument {
-        RoughnessDocument {
-            file: path.display().to_string(),
-            sample_spacing_m: None,
-            length_m: None,
-            worst_rail: None,
-            spectrum: levels(&self.all.energy),
-            bands: Vec::new(),
-            removed: Removed { spikes: 0, pits: 0 },
-            verdicts: self.verdicts.clone(),
-            sections: Vec::new(),
-            along: Vec::new(),
-            grind: None,
-            rails: Vec::new(),
-            arithmetic_mean: Some(levels(&self.all.arithmetic)),
-            groups: self
-                .groups
-                .iter()
-                .map(|group| GroupDocument {
-                    group: group.name.clone(),
-                    spectra: group.count,
-                    spectrum: levels(&group.energy),
-                    arithmetic_mean: levels(&group.arithmetic),
-                })
-                .collect(),
-            findings: self.findings.clone(),
-            read_as: None,
-            warnings: Vec::new(),
+    /// One row for each band: before a reader the energy mean and, behind the stroke, the mean of levels of each group.
+    fn table(&self) -> Table {
+        let bands = bands(&self.groups);
+        let wavelengths = Column::exact("wavelength_m", bands.iter().map(|band| band.wavelength()));
+        let nominal = bands.iter().map(|band| number_alone(band.nominal_millimetres()));
+        let mut columns = vec![wavelengths, Column::shown(say!(wavelength_of_band), nominal.collect())];
+        for group in &self.groups {
+            let means = [("energy_mean_db", &group.energy), ("arithmetic_mean_db", &group.arithmetic)];
+            columns.extend(means.map(|(mean, spectrum)| {
+                let levels = bands.iter().map(|band| spectrum.level(*band));
+                Column::exact(&format!("{} {mean}", group.name), levels)
+            }));
+            let words = bands.iter().map(|band| match group.energy.level(*band).zip(group.arithmetic.level(*band)) {
+                Some((energy, arithmetic)) => number_alone(format!("{energy:.1} | {arithmetic:.1}")),
+                None => Message::verbatim(""),
+            });
+            columns
+                .push(Column::shown(Message::verbatim(format!("{} ({})", group.name, group.count)), words.collect()));
         }
+        Table { name: "spectrum", columns }
+    }
+}
+
+impl Answer for SpectraAnswer {
+    fn name(&self) -> &'static str {
+        "roughness"
     }
 
-    /// One row for each band, two columns for each group.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn spectrum_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        mean_table(&self.groups, file)
+    fn introduction(&self) -> Vec<Message> {
+        let spectra = say!(one_third_octave_spectra, count = self.count());
+        let read = match &self.dates {
+            Some(column) => {
+                say!(read_as_spectra_of_dates, spectra = spectra, dates = number(self.groups.len()), column = column)
+            }
+            None => say!(read_as_spectra, spectra = spectra),
+        };
+        vec![Message::verbatim(&self.file), read, say!(means_of_spectra)]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.table()]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let verdicts = self.verdicts.iter().map(|verdict| &verdict.sentence);
+        verdicts.chain(&self.findings).cloned().collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.figure_in(Language::English)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.warnings
     }
 }
 
@@ -224,21 +277,4 @@ fn findings(groups: &[MeanSpectra]) -> Vec<Message> {
             })
         })
         .collect()
-}
-
-fn mean_table(groups: &[MeanSpectra], file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    let mut header = vec!["wavelength_m".to_owned()];
-    header.extend(
-        groups
-            .iter()
-            .flat_map(|group| ["energy_mean_db", "arithmetic_mean_db"].map(|mean| format!("{} {mean}", group.name))),
-    );
-    writer.write_record(&header)?;
-    for band in bands(groups) {
-        let mut row = vec![Some(band.wavelength())];
-        row.extend(groups.iter().flat_map(|group| [group.energy.level(band), group.arithmetic.level(band)]));
-        writer.serialize(row)?;
-    }
-    writer.flush()
 }

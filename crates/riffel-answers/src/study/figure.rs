@@ -5,7 +5,7 @@ use riffel_study::Study;
 use riffel_study::sensitivity::{Bands, Tornado};
 
 use super::Analysis;
-use super::document::with_unit;
+use super::tables::with_unit;
 
 const BLUE: Rgb = Rgb(0, 114, 178);
 const SKY: Rgb = Rgb(86, 180, 233);

@@ -1,17 +1,22 @@
 //! What matters in a study, and how sure it is.
 
-mod document;
+mod computed;
 mod figure;
 mod statistics;
+mod tables;
+mod told;
 
-use riffel_keys::range;
+use riffel_keys::{Message, range, say};
 use riffel_plot::{BarFigure, LineFigure};
 use riffel_study::file::Method;
 use riffel_study::sensitivity::{Bands, Intervals, SobolIndices, Tornado};
 use riffel_study::{ResultFolder, Study, StudyError, Variable};
+use serde::Serialize;
 
-pub use document::{SensitivityDocument, with_unit};
-pub use statistics::{Statistics, four_figures};
+use crate::{Answer, ResultFile, Table, Told};
+pub use computed::{StudyAnswer, failures};
+use statistics::four_figures;
+use told::{GrowthBands, ParameterEffect};
 
 /// The quantiles of the tornado.
 const TORNADO: [f64; 2] = [0.1, 0.9];
@@ -24,15 +29,50 @@ const ASIDE: [&str; 4] =
     ["highest_growth_wavelength", "highest_growth_speed", "highest_growth_frequency", "highest_growth_at_edge"];
 
 /// One output, and what matters for it.
+#[derive(Serialize)]
 pub struct Analysis<'a> {
     /// Name, with the band where it has several.
     pub name: String,
+    unit: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    variance: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    base_samples: Option<usize>,
+    /// With every parameter at its median.
+    at_medians: Option<f64>,
+    parameters: Vec<ParameterEffect>,
     /// The output.
+    #[serde(skip)]
     pub variable: &'a Variable,
     /// Place of its number among those of a sample.
+    #[serde(skip)]
     pub place: usize,
     /// Sobol indices, where the design gives them.
+    #[serde(skip)]
     pub indices: Option<SobolIndices>,
+}
+
+impl Analysis<'_> {
+    /// Tell what its indices and the swings of the parameters say.
+    fn tell(&mut self, study: &Study, tornado: &Tornado) {
+        let at = |outputs: &Result<Vec<f64>, String>| outputs.as_ref().ok().map(|values| values[self.place]);
+        let indices = self.indices.as_ref();
+        let parameters = study.parameters().iter().zip(&tornado.swings).enumerate();
+        let parameters = parameters.map(|(index, (parameter, swing))| ParameterEffect {
+            key: parameter.key.key.clone(),
+            first_order: indices.map(|found| found.parameters[index].first.into()),
+            total: indices.map(|found| found.parameters[index].total.into()),
+            low: swing.values[0].clone(),
+            high: swing.values[1].clone(),
+            at_low: at(&swing.outputs[0]),
+            at_high: at(&swing.outputs[1]),
+        });
+        let parameters = parameters.collect();
+        self.at_medians = at(&tornado.middle);
+        self.variance = indices.map(|indices| indices.variance);
+        self.base_samples = indices.map(|indices| indices.base_samples);
+        self.parameters = parameters;
+    }
 }
 
 /// What is asked of a finished study.
@@ -45,16 +85,28 @@ pub struct SensitivityRequest {
 }
 
 /// What matters in a study.
+#[derive(Serialize)]
 pub struct SensitivityAnswer<'a> {
-    study: &'a Study,
+    title: Option<&'a str>,
+    fingerprint: &'a str,
+    samples: u64,
     /// The outputs, each with what matters for it.
+    #[serde(rename = "outputs")]
     pub analyses: Vec<Analysis<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    growth_bands: Option<GrowthBands>,
+    /// What the reader should know.
+    pub notes: Vec<Message>,
+    #[serde(skip)]
+    study: &'a Study,
     /// Each parameter alone.
+    #[serde(skip)]
     pub tornado: Tornado,
     /// Quantiles of growth against wavelength, where the study has it.
+    #[serde(skip)]
     pub bands: Option<Bands>,
-    /// What the reader should know.
-    pub notes: Vec<String>,
+    #[serde(skip)]
+    confidence: f64,
 }
 
 impl<'a> SensitivityAnswer<'a> {
@@ -79,47 +131,108 @@ impl<'a> SensitivityAnswer<'a> {
                 let values = column(study, folder, analysis)?;
                 match SobolIndices::new(&values, study.parameters().len(), intervals) {
                     Ok(indices) => analysis.indices = Some(indices),
-                    Err(error) => notes.push(format!("{}: {error}", analysis.name)),
+                    Err(error) => notes.push(Message::verbatim(error.to_string()).about(analysis.name.as_str())),
                 }
             }
         } else {
-            notes.push(format!(
-                "Sobol indices need design.method = \"saltelli\"; this study has \"{}\"",
-                study.plan.file.design.method.name()
-            ));
+            notes.push(say!(sobol_indices_need_saltelli, method = study.plan.file.design.method.name()));
         }
         let left_out = analyses.iter().filter_map(|a| Some(a.indices.as_ref()?.left_out)).max();
         if let Some(count @ 1..) = left_out {
-            notes.push(format!("{count} base samples are left out: one of their rows has no results"));
+            notes.push(say!(base_samples_left_out, count = count));
         }
         let tornado = Tornado::new(study, TORNADO);
         let bands = bands(study, folder, is_saltelli)?;
         if bands.is_none() {
-            notes.push("bands of growth against wavelength need outputs.growth_by_wavelength".to_owned());
+            notes.push(say!(bands_need_growth_by_wavelength));
         }
-        Ok(Self { study, analyses, tornado, bands, notes })
-    }
-
-    /// What matters as data: what `riffel study sensitivity --json` prints.
-    pub fn document(&self) -> SensitivityDocument<'_> {
-        SensitivityDocument::new(self.study, &self.analyses, &self.tornado, self.bands.as_ref(), &self.notes)
+        for analysis in &mut analyses {
+            analysis.tell(study, &tornado);
+        }
+        Ok(Self {
+            title: study.plan.file.title.as_deref(),
+            fingerprint: &study.fingerprint,
+            samples: study.samples(),
+            analyses,
+            growth_bands: bands.as_ref().map(|bands| GrowthBands {
+                samples: bands.samples,
+                wavelength_m: study.outputs().wavelengths().to_vec(),
+                quantiles: bands.shares.clone(),
+                growth_rate_per_passage: bands.curves.clone(),
+            }),
+            notes,
+            study,
+            tornado,
+            bands,
+            confidence,
+        })
     }
 
     /// Sobol indices; none where the design does not give them.
-    pub fn indices_figure(&self) -> Option<BarFigure> {
+    fn indices_figure(&self) -> Option<BarFigure> {
         let mut analyses = self.analyses.iter();
         analyses.any(|analysis| analysis.indices.is_some()).then(|| figure::indices(self.study, &self.analyses))
     }
 
     /// Each parameter alone; none if the medians fail.
-    pub fn tornado_figure(&self) -> Option<BarFigure> {
+    fn tornado_figure(&self) -> Option<BarFigure> {
         figure::tornado(self.study, &self.analyses, &self.tornado)
+    }
+}
+
+/// What a study is called.
+fn title(title: Option<&str>) -> Message {
+    title.map_or_else(|| say!(study_word), Message::verbatim)
+}
+
+impl Answer for SensitivityAnswer<'_> {
+    fn name(&self) -> &'static str {
+        "growth-bands"
+    }
+
+    fn document_name(&self) -> &'static str {
+        "sensitivity.json"
+    }
+
+    fn introduction(&self) -> Vec<Message> {
+        vec![title(self.title)]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        Vec::new()
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        Vec::new()
+    }
+
+    fn told(&self) -> Vec<Told> {
+        let analyses = || self.analyses.iter();
+        let indices = analyses().filter_map(|analysis| {
+            let indices = analysis.indices.as_ref()?;
+            Some(Told::Table(tables::indices(self, analysis, indices)))
+        });
+        let alone = analyses().flat_map(|analysis| {
+            let middle = tables::at(analysis, &self.tornado.middle);
+            [Told::Table(tables::tornado(self, analysis)), Told::Line(say!(at_all_medians, value = middle))]
+        });
+        self.introduction().into_iter().map(Told::Line).chain(indices).chain(alone).collect()
     }
 
     /// Growth against wavelength over the samples.
-    pub fn bands_figure(&self) -> Option<LineFigure> {
-        let bands = self.bands.as_ref()?;
-        Some(figure::bands(self.study, bands))
+    fn figure(&self) -> LineFigure {
+        self.bands.as_ref().map_or_else(LineFigure::default, |bands| figure::bands(self.study, bands))
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let indices = self.indices_figure().map(|figure| ResultFile::Bars("sobol-indices", figure));
+        let tornado = self.tornado_figure().map(|figure| ResultFile::Bars("tornado", figure));
+        let bands = self.bands.is_some().then(|| ResultFile::Lines(self.name(), self.figure()));
+        indices.into_iter().chain(tornado).chain(bands).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.notes
     }
 }
 
@@ -158,7 +271,17 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
                 }
                 _ => variable.name.clone(),
             };
-            analyses.push(Analysis { name, variable, place: place + index, indices: None });
+            analyses.push(Analysis {
+                name,
+                unit: variable.unit,
+                variance: None,
+                base_samples: None,
+                at_medians: None,
+                parameters: Vec::new(),
+                variable,
+                place: place + index,
+                indices: None,
+            });
         }
         place += length;
     }

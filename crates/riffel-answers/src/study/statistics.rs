@@ -1,28 +1,32 @@
 //! Outputs over the samples.
 
+use riffel_keys::{Message, number, say};
 use riffel_study::{ResultFolder, Study, StudyError};
 use serde::Serialize;
+
+use crate::forecast::number_alone;
+use crate::{Column, Table};
 
 /// Most samples that are read for the table: 80 MB for each output.
 const MOST_SAMPLES: u64 = 10_000_000;
 
 /// An output that is one number for each sample, over the samples that have it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Statistics {
+pub(super) struct Statistics {
     /// Name of the output.
-    pub name: String,
+    name: String,
     /// Its unit, 1 for a ratio.
-    pub unit: &'static str,
+    unit: &'static str,
     /// How many samples have it.
-    pub samples: usize,
+    samples: usize,
     /// Arithmetic mean.
-    pub mean: f64,
+    mean: f64,
     /// 5 % quantile.
-    pub quantile_05: f64,
+    quantile_05: f64,
     /// Median.
-    pub median: f64,
+    median: f64,
     /// 95 % quantile.
-    pub quantile_95: f64,
+    quantile_95: f64,
 }
 
 impl Statistics {
@@ -30,7 +34,7 @@ impl Statistics {
     ///
     /// # Errors
     /// [`StudyError`] for results that cannot be read.
-    pub fn of(study: &Study, folder: &ResultFolder) -> Result<Vec<Self>, StudyError> {
+    pub(super) fn of(study: &Study, folder: &ResultFolder) -> Result<Vec<Self>, StudyError> {
         if study.samples() > MOST_SAMPLES {
             return Ok(Vec::new());
         }
@@ -59,8 +63,29 @@ impl Statistics {
     }
 }
 
+/// The outputs as a reader sees them; without columns where there are none.
+pub(super) fn table(outputs: &[Statistics]) -> Table {
+    let shown =
+        |head: Message, of: &dyn Fn(&Statistics) -> Message| Column::shown(head, outputs.iter().map(of).collect());
+    let figures =
+        |head: Message, of: fn(&Statistics) -> f64| shown(head, &|output| number_alone(four_figures(of(output))));
+    let columns = match outputs.is_empty() {
+        true => Vec::new(),
+        false => vec![
+            shown(say!(over_the_samples_column), &|output| Message::verbatim(&output.name)),
+            shown(say!(unit_column), &|output| Message::verbatim(if output.unit == "1" { "" } else { output.unit })),
+            figures(say!(mean_column), |output| output.mean),
+            figures(number_alone("5 %"), |output| output.quantile_05),
+            figures(say!(median), |output| output.median),
+            figures(number_alone("95 %"), |output| output.quantile_95),
+            shown(say!(samples_column), &|output| say!(number_alone, number = number(output.samples))),
+        ],
+    };
+    Table { name: "statistics", columns }
+}
+
 /// A number with four figures.
-pub fn four_figures(value: f64) -> String {
+pub(super) fn four_figures(value: f64) -> String {
     if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
         let before = value.abs().log10().floor().max(0.0) as usize;
         return format!("{value:.*}", 4usize.saturating_sub(before + 1).max(usize::from(value.abs() < 1.0) * 4));

@@ -108,6 +108,6 @@ fn whole(passages: f64) -> Result<u64, CliError> {
     })
 }
 
-fn results(arguments: &Simulate) -> Results<'_> {
+fn results(arguments: &Simulate) -> Results {
     Results::of("simulate", &arguments.case, &arguments.results)
 }

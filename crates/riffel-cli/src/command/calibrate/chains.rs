@@ -3,18 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use riffel_answers::calibrate::{close_pairs, correlations, directions, figure, log_evidence};
 use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
-use riffel_answers::{Answer, Calibration, PlanDocument, four_digits, level_limit};
+use riffel_answers::{Answer, Calibration, PlanDocument, ResultFile, Table, level_limit};
 use riffel_calibrate::file::SamplerKind;
-use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress, Summary};
-use riffel_keys::fixed;
+use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress};
+use riffel_keys::{Message, fixed, number};
 
 use super::LIMIT;
 use crate::arguments::{CalibrateChains, stem};
 use crate::messages::{complain, language, print_remarks, say};
-use crate::output::{json, print, table, table_of};
+use crate::output::{json, print};
 use crate::progress::{self, duration};
 use crate::results::readable;
 use crate::staging::{INTERRUPTED, Staging, check_files, stop_on_interrupt};
@@ -67,10 +66,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
         folder.run(&tell, &stop)
     };
     let stopped = || {
-        complain(format_args!(
-            "stopped: finished parts of the chains are kept in {}; the same command with --restart goes on from there",
-            path.display()
-        ));
+        complain(riffel_keys::say!(calibration_stopped, folder = path.display().to_string()));
         Ok(INTERRUPTED)
     };
     let Some(chains) = on_threads(arguments.threads, || sample(&folder, ""))?? else {
@@ -82,7 +78,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
             let to = (&*path, arguments.restart);
             let of_each = |folder: &Folder<'_>, title: &str| {
                 if !title.is_empty() {
-                    say(format_args!("chains of \"{title}\""));
+                    say(riffel_keys::say!(chains_of_model, title = title));
                 }
                 sample(folder, title)
             };
@@ -98,15 +94,14 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let results = folder.results(&plan, &chains, &summary)?;
     let told = Identifiability::of(&plan, &chains).map_err(CalibrationError::Refused)?;
     let answer = Calibration::new(&plan, &chains, &summary, &told);
-    let conclusions = conclusions(&plan, &chains, (&summary, &told), models.as_ref(), &path)?;
+    let conclusions = conclusions(&plan, &chains, &answer, models.as_ref(), &path)?;
     let names = results.publish()?;
-    let title = plan.file.title.as_deref().unwrap_or("Calibration");
     print(&match arguments.json {
         true => json(&answer),
-        false => format!("{title}\n{}{conclusions}{}: {}\n", marginals(&summary), path.display(), names.join(" ")),
+        false => format!("{conclusions}{}: {}\n", path.display(), names.join(" ")),
     })?;
-    say(format_args!("sampled in {}", duration(begun.elapsed().as_secs_f64())));
-    print_remarks(&plan.remarks);
+    say(riffel_keys::say!(sampled_in, time = number(duration(begun.elapsed().as_secs_f64()))));
+    print_remarks(answer.remarks());
     print_remarks(models.as_ref().map_or(&[], Answer::remarks));
     print_remarks(&answer.untold);
     print_remarks(&answer.far_from_others);
@@ -118,12 +113,12 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
 /// Say how many draws there are to be, and how long they may take where that is longer than one waits without a word.
 fn tell_plan(plan: &Plan) {
     let sampler = &plan.file.sampler;
-    say(format_args!(
-        "{} chains of {} + {} draws of {} parameters",
-        sampler.chains,
-        sampler.left_out(),
-        sampler.draws,
-        plan.posterior.parameters().len()
+    say(riffel_keys::say!(
+        chains_begin,
+        chains = number(sampler.chains),
+        warmup = number(sampler.left_out()),
+        draws = number(sampler.draws),
+        parameters = number(plan.posterior.parameters().len())
     ));
     if sampler.kind != SamplerKind::Nuts {
         return;
@@ -150,18 +145,13 @@ fn tell_plan(plan: &Plan) {
 fn conclusions(
     plan: &Plan,
     chains: &Chains,
-    (summary, told): (&Summary, &Identifiability),
+    answer: &Calibration,
     models: Option<&CompetingModels>,
     folder: &Path,
 ) -> miette::Result<String> {
     let mut staging = Staging::new("calibrate", folder)?;
-    let directions = directions(told);
-    let mut text = format!("{}\n", table_of(&directions));
-    for sentence in close_pairs(told).into_iter().chain(log_evidence(chains)) {
-        text += &format!("{}\n", sentence.text(language()));
-    }
-    let mut tables = vec![directions, correlations(told)];
-    staging.write_figure("posterior", &figure(plan, chains, summary, told))?;
+    staging.write_figure(answer.name(), &answer.figure())?;
+    let (mut text, mut tables) = (readable(answer), answer.tables());
     if plan.passages_per_day.is_some() && plan.has_levels() {
         let limit = level_limit(LIMIT)?;
         let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
@@ -171,12 +161,12 @@ fn conclusions(
     }
     if let Some(models) = models {
         staging.write_figure(models.name(), &models.figure())?;
-        staging.write("models.json", json(models))?;
+        staging.write(models.document_name(), json(models))?;
         text += &readable(models);
         tables.extend(models.tables());
     }
-    for table in &tables {
-        staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
+    for table in tables.into_iter().filter(Table::has_file) {
+        staging.write_result(ResultFile::Table(table))?;
     }
     let names = staging.publish()?;
     Ok(format!("{text}{}: {}\n", folder.display(), names.join(" ")))
@@ -184,42 +174,22 @@ fn conclusions(
 
 /// What a plan asks for.
 fn dry_run(plan: &Plan) -> miette::Result<String> {
-    let mut text = String::new();
-    for parameter in plan.posterior.parameters() {
+    let values = plan.posterior.parameters().iter().map(|parameter| {
         let touched = plan.posterior.data_of(&parameter.name);
         let data = match &touched[..] {
-            [] => "no data".to_owned(),
-            names => names.join(", "),
+            [] => riffel_keys::say!(no_data),
+            names => Message::verbatim(names.join(", ")),
         };
-        text += &format!("{}: {data}\n", parameter.name);
-    }
-    for message in what_is_compared(plan)? {
-        text += &format!("{}\n", message.text(language()));
-    }
-    Ok(text
-        + &format!(
-            "{} data, {} chains of {} + {} draws\n",
-            plan.posterior.observed().iter().map(Vec::len).sum::<usize>(),
-            plan.file.sampler.chains,
-            plan.file.sampler.left_out(),
-            plan.file.sampler.draws
-        ))
-}
-
-/// What the data say of each parameter.
-fn marginals(summary: &Summary) -> String {
-    let mut rows = table(&["", "median", "5 %", "95 %", "R̂", "told by data", "unit"]);
-    for marginal in &summary.marginals {
-        let [low, _, middle, _, high] = marginal.quantiles;
-        rows.add_row([
-            marginal.name.clone(),
-            four_digits(middle),
-            four_digits(low),
-            four_digits(high),
-            format!("{:.3}", marginal.rhat),
-            format!("{:.0} %", 100.0 * marginal.contraction.max(0.0)),
-            marginal.unit.clone(),
-        ]);
-    }
-    format!("{rows}\n")
+        data.about(parameter.name.as_str())
+    });
+    let sampler = &plan.file.sampler;
+    let asked = riffel_keys::say!(
+        plan_asks_for,
+        data = number(plan.posterior.observed().iter().map(Vec::len).sum::<usize>()),
+        chains = number(sampler.chains),
+        warmup = number(sampler.left_out()),
+        draws = number(sampler.draws)
+    );
+    let lines = values.chain(what_is_compared(plan)?).chain([asked]);
+    Ok(lines.map(|line| line.text(language()) + "\n").collect())
 }

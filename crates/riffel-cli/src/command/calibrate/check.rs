@@ -23,7 +23,7 @@ pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
     let progress = Progress::counting(riffel_keys::say!(progress_simulations), arguments.runs);
     let work = || Simulated::of(&plan, arguments.runs, &limit, &|done| progress.advance(done as usize), &stop);
     let Some(simulated) = on_threads(arguments.threads, work)?? else {
-        complain("stopped: the check begins anew");
+        complain(riffel_keys::say!(check_stopped));
         return Ok(INTERRUPTED);
     };
     let answer = CalibrationCheck::new(plan.file.title.clone(), simulated);
@@ -33,11 +33,10 @@ pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
     })?;
     if let Some(folder) = &arguments.output {
         let mut staging = Staging::new("calibrate check", folder)?;
-        staging.write_figure(answer.name(), &answer.figure())?;
-        for table in answer.tables() {
-            staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
+        for file in answer.files() {
+            staging.write_result(file)?;
         }
-        staging.write("ranks.json", json(&answer))?;
+        staging.write(answer.document_name(), json(&answer))?;
         let files = staging.publish()?.join(" ");
         if !arguments.json {
             print(&format!("{}: {files}\n", folder.display()))?;

@@ -8,19 +8,16 @@ mod wear;
 use std::path::Path;
 
 use dated::Dated;
-use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest};
+use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest, TrackForecast};
 use riffel_answers::{AnswerError, level_limit};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
-use riffel_keys::{Language, Message, say};
 use riffel_rail::Survey;
 use wear::wear_report;
 
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
 use crate::command::roughness::survey;
 use crate::error::CliError;
-use crate::messages::{language, print_remarks};
-use crate::output::{json, table};
 use crate::progress::Progress;
 use crate::results::Results;
 
@@ -37,31 +34,14 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
         None => None,
     };
     let case = arguments.case.read()?;
-    let answer = forecast(&case, arguments, survey)?;
-    let name = spectra.spectrum.as_ref();
-    let results = Results::of("forecast", &arguments.case, &arguments.results);
-    let document = || json(&answer.document(&case, name.map(|path| path.display().to_string())));
-    results.hand_out(
-        document,
-        |staging| {
-            staging.write_figure("forecast", &answer.figure(&case, Language::English))?;
-            staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
-            staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
-            if answer.has_cracks() {
-                staging.write_with("cracks.csv", |file| answer.cracks_csv(file))?;
-            }
-            staging.write("summary.json", document())
-        },
-        || readable(&case, &answer),
-    )?;
-    print_remarks(&answer.warnings);
-    print_remarks(&answer.on.remarks);
-    Ok(())
+    let name = spectra.spectrum.as_ref().map(|path| path.display().to_string());
+    let answer = ForecastAnswer::new(&case, forecast(&case, arguments, survey)?, name);
+    Ok(Results::of("forecast", &arguments.case, &arguments.results).answer(&answer)?)
 }
 
 /// The forecast of the rail that will be ground, or else of what was measured; `survey` holds all spectra of
 /// `--spectrum`.
-pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey>) -> miette::Result<ForecastAnswer> {
+pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey>) -> miette::Result<TrackForecast> {
     // It is there where no posterior is.
     let traffic = Traffic::read(arguments.traffic.as_deref().unwrap_or_else(|| Path::new("")))?;
     let (table, limit) = level_limit(&arguments.limit)?;
@@ -78,7 +58,7 @@ pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey
         limit: (table, limit),
         date: arguments.date.or(measured_on),
     };
-    let answer = ForecastAnswer::new(case, request, &|by| progress.advance(by))
+    let answer = TrackForecast::new(case, request, &|by| progress.advance(by))
         .map_err(|error| of_arguments(arguments, case, error))?;
     drop(progress);
     let wear = match &dated {
@@ -89,30 +69,6 @@ pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey
         Some(wear) => answer.with_wear(wear),
         None => answer,
     })
-}
-
-/// A forecast for the terminal.
-fn readable(case: &Case, answer: &ForecastAnswer) -> String {
-    let title = case.file.title.as_deref().map(Message::verbatim);
-    let title = title.unwrap_or_else(|| say!(growth_forecast));
-    let traffic = answer.traffic.file.title.as_deref().map(Message::verbatim);
-    let traffic = traffic.unwrap_or_else(|| say!(the_traffic));
-    let after = say!(after_amount, amount = answer.amount(answer.passages));
-    let [title, traffic, after] = [title, traffic, after].map(|said| said.text(language()));
-    let mut text = format!("{title}, {traffic}\n{after}\n");
-    let heads: Vec<String> = (answer.heads().iter()).map(|head| head.text(language())).collect();
-    let mut rows = table(&heads);
-    for row in answer.rows() {
-        rows.add_row(row.iter().map(|cell| cell.text(language())));
-    }
-    text += &format!("{rows}\n");
-    for sentence in answer.findings() {
-        text += &format!("{}\n", sentence.text(language()));
-    }
-    if let Some(wear) = &answer.wear {
-        text += &wear::readable(wear);
-    }
-    text
 }
 
 /// How far to look ahead: as asked for, or a year.

@@ -1,24 +1,22 @@
 //! The wear coefficient of two dated measurements, on the command line.
 
 use riffel::roughness::LevelLimit;
-use riffel_answers::forecast::{ForecastAnswer, WearReport, number_alone, rail_to_fit};
+use riffel_answers::forecast::{TrackForecast, WearReport, rail_to_fit};
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
-use riffel_keys::{CaseError, Message, number, say};
+use riffel_keys::CaseError;
 use riffel_rail::{RailDates, Survey};
 
 use super::dated::Dated;
 use crate::arguments::Spectra;
 use crate::error::CliError;
-use crate::messages::language;
-use crate::output::table;
 
 /// A fit, where there is an earlier measurement.
 pub(super) fn wear_report(
     spectra: &Spectra,
     dated: &Dated,
     case: &Case,
-    answer: &ForecastAnswer,
+    answer: &TrackForecast,
 ) -> miette::Result<Option<WearReport>> {
     let Some(earlier) = &dated.earlier else {
         if spectra.passages_between.is_some() {
@@ -85,50 +83,4 @@ impl<'a> Measured<'a> {
         let [earlier, now] = places.unwrap_or([self.oldest, self.now]);
         WearReport::new(on, rail, earlier, now, passages)
     }
-}
-
-/// A fit as a table and in words.
-pub(super) fn readable(report: &WearReport) -> String {
-    let claimed = report.fit.verdict.is_fit();
-    let heads = [
-        say!(wavelength_of_band),
-        say!(measured_in_decibels),
-        say!(model_in_decibels),
-        say!(fitted_in_decibels),
-        say!(residual_in_decibels),
-        Message::verbatim(""),
-    ];
-    let heads = heads.map(|head| head.text(language()));
-    let mut rows = table(&heads);
-    for band in report.fit.bands.iter().rev() {
-        let decibels = |value: f64| number_alone(format_args!("{value:+.1}"));
-        let fitted = |value: f64| match claimed {
-            true => decibels(value),
-            false => Message::verbatim(""),
-        };
-        let cells = [
-            number_alone(band.band.nominal_millimetres()),
-            decibels(band.measured),
-            decibels(band.predicted),
-            fitted(band.fitted),
-            fitted(band.residual()),
-            match (band.grows, band.predicted > 0.0) {
-                (true, _) => Message::verbatim(""),
-                (false, false) => say!(decays_in_the_model),
-                (false, true) => say!(decays_at_first_in_the_model),
-            },
-        ];
-        rows.add_row(cells.map(|cell| cell.text(language())));
-    }
-    let [earlier, later] = report.records;
-    let passages = number(format_args!("{:.2e}", report.passages));
-    let change = match report.fit.paired {
-        true => say!(change_between_paired_records, passages = passages, earlier = earlier, later = later),
-        false => say!(change_between_records, passages = passages, earlier = earlier, later = later),
-    };
-    let mut text = format!("{}\n{rows}\n", change.text(language()));
-    for sentence in report.sentences().into_iter().chain(report.advice()) {
-        text += &format!("{}\n", sentence.text(language()));
-    }
-    text
 }

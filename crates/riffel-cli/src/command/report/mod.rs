@@ -9,7 +9,7 @@ use std::path::Path;
 use jiff::civil::Date;
 use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
-use riffel_answers::forecast::{ForecastAnswer, WearReport};
+use riffel_answers::forecast::{TrackForecast, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion, RoughWheels};
 use riffel_answers::question::Source;
@@ -179,7 +179,8 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     })?;
     let existing = Existing::page(&arguments.output, arguments.force, GENERATOR);
     write_file(&arguments.output, &page, existing)?;
-    print(&format!("wrote {}; open it in a browser, print it to A4 from there\n", arguments.output.display()))?;
+    let wrote = say!(report_is_written, file = arguments.output.display().to_string());
+    print(&(wrote.text(language()) + "\n"))?;
     Ok(())
 }
 
@@ -299,7 +300,7 @@ fn outlook(
     limits: &[LimitTable],
     now: &Now<'_>,
     wear: Option<Result<WearReport, Message>>,
-) -> miette::Result<Result<ForecastAnswer, Message>> {
+) -> miette::Result<Result<TrackForecast, Message>> {
     let Some(limit) = level_limit(arguments, limits) else {
         return Ok(Err(say!(needs_a_limit_of_levels)));
     };

@@ -1,12 +1,10 @@
 //! `riffel roughness`
 
-mod bands;
-mod grind;
 pub(crate) mod profile;
 mod spectra;
 mod synthesise;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use riffel_keys::Message;
 use riffel_rail::{LimitTable, RoughnessFile, Survey};
@@ -14,10 +12,8 @@ use riffel_rail::{LimitTable, RoughnessFile, Survey};
 use crate::arguments::{Layout, Roughness, positive, stem};
 use crate::error::CliError;
 use crate::progress::Progress;
+use crate::results::Results;
 use crate::terminal::Terminal;
-
-pub(crate) use bands::bands_table;
-pub(crate) use grind::grind_table;
 
 pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     if let Some(recipe) = &arguments.synthesise {
@@ -90,7 +86,8 @@ pub(crate) fn with_progress<T>(what: Message, length: usize, work: impl FnOnce(&
     work(&|by| progress.advance(by))
 }
 
-/// The folder given for results, or one named after the file.
-fn folder(path: &Path, given: Option<&Path>) -> PathBuf {
-    given.map_or_else(|| PathBuf::from(format!("{}-roughness", stem(path))), Path::to_owned)
+/// The results of `riffel roughness` on a file.
+fn results(path: &Path, arguments: &Roughness) -> Results {
+    let folder = format!("{}-roughness", stem(path));
+    Results::in_folder("roughness", Path::new(&folder), arguments.output.as_deref(), arguments.json)
 }

@@ -4,10 +4,11 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 use riffel_rail::{DEFAULT_RECIPE, RecipeFile};
 
 use crate::arguments::Roughness;
+use crate::messages::language;
 use crate::output::print;
 use crate::staging::{Existing, write_file};
 
@@ -46,7 +47,8 @@ pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Resul
                 false => Existing::Keep("--force to replace it"),
             };
             write_file(path, &text, existing)?;
-            print(&format!("wrote {p}; next: riffel roughness {p}\n", p = path.display()))?;
+            let wrote = say!(profile_is_written, file = path.display().to_string());
+            print(&(wrote.text(language()) + "\n"))?;
         }
         None => print(&text)?,
     }

@@ -1,35 +1,19 @@
-//! A diagnosis as data: what `riffel diagnose --json` prints.
+//! A finding as data.
 
-use riffel::diagnosis::Candidate;
-use riffel_keys::{Message, say};
-use serde::Serialize;
+use riffel::diagnosis::{Candidate, Course};
+use riffel_keys::Message;
+use serde::{Serialize, Serializer};
 
+use super::Finding;
 use super::mechanism_words::{settled_by, source, validity};
 use super::reason::course_in_words;
-use super::{Diagnosis, Finding};
 use crate::capital::as_sentence;
-use crate::defect_document::DefectDocument;
 use crate::ridge::mechanism_name;
 
-/// A diagnosis with keys and units, to be serialised.
 #[derive(Serialize)]
-pub struct DiagnosisDocument {
-    file: String,
-    record: Message,
-    speed_min_m_per_s: f64,
-    speed_max_m_per_s: f64,
-    /// What the shares mean.
-    share: Message,
-    dominant_wavelengths: Vec<Dominant>,
-    /// Welds, joints and squats that the spectra leave out.
-    defects: Vec<DefectDocument>,
-    warnings: Vec<Message>,
-}
-
-#[derive(Serialize)]
-struct Dominant {
+struct Dominant<'a> {
     /// None for a table of levels that does not name its rails.
-    rail: Option<String>,
+    rail: Option<&'a str>,
     wavelength_m: f64,
     from_m: f64,
     to_m: f64,
@@ -103,65 +87,53 @@ struct CandidateDocument {
     measurement: Message,
 }
 
-impl DiagnosisDocument {
-    /// The diagnosis of a file, or of a record that is called so.
-    pub(super) fn new(file: &str, diagnosis: &Diagnosis) -> Self {
-        let speeds = &diagnosis.speeds;
-        Self {
-            file: file.to_owned(),
-            record: diagnosis.words.clone(),
-            speed_min_m_per_s: speeds.slowest(),
-            speed_max_m_per_s: speeds.fastest(),
-            share: say!(share_of_belief),
-            dominant_wavelengths: diagnosis
-                .findings
-                .iter()
-                .map(|finding| Dominant::new(finding, speeds.slowest(), speeds.fastest()))
-                .collect(),
-            defects: diagnosis.defects.iter().map(|(rail, defect)| DefectDocument::new(rail, defect)).collect(),
-            warnings: diagnosis.warnings.clone(),
-        }
-    }
-}
-
-impl Dominant {
-    fn new(finding: &Finding, slowest: f64, fastest: f64) -> Self {
-        let peak = &finding.measured.peak;
-        let rails = finding.measured.rails.iter();
-        let course = finding.measured.course.as_ref();
-        let places = finding.measured.places.iter();
-        Self {
-            rail: finding.measured.rail.clone(),
-            places: places
-                .map(|place| PlaceDocument { from_m: place.from, to_m: place.to, level_db: place.level })
-                .collect(),
-            all_along: finding.measured.all_along,
+/// What is told of a finding.
+impl Serialize for Finding {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let measured = &self.measured;
+        let (peak, speeds) = (&measured.peak, &self.speeds);
+        let places = measured.places.iter();
+        let places = places.map(|place| PlaceDocument { from_m: place.from, to_m: place.to, level_db: place.level });
+        let rails = measured.rails.iter().map(|(name, level)| Rail { name: name.clone(), level_db: *level });
+        let energies = measured.energy_levels.as_deref();
+        let candidates = self.candidates.iter();
+        let dominant = Dominant {
+            rail: measured.rail.as_deref(),
+            places: places.collect(),
+            all_along: measured.all_along,
             wavelength_m: peak.wavelength,
             from_m: peak.from,
             to_m: peak.to,
-            frequency_min_hz: slowest / peak.wavelength,
-            frequency_max_hz: fastest / peak.wavelength,
+            frequency_min_hz: speeds.slowest() / peak.wavelength,
+            frequency_max_hz: speeds.fastest() / peak.wavelength,
             level_db: peak.level,
             prominence_db: peak.prominence,
             scatter_db: peak.scatter,
             false_peaks: peak.false_peaks,
             harmonic_of_m: peak.harmonic_of.map(|harmonic| harmonic.1),
-            sideband_of_m: finding.sideband.map(|sideband| sideband.of),
-            rails: rails.map(|(name, level)| Rail { name: name.clone(), level_db: *level }).collect(),
-            course: course.map(|course| CourseDocument {
-                records: course.points.iter().map(|point| point.label.clone()).collect(),
-                levels_db: course.points.iter().map(|point| point.level).collect(),
-                energy_mean_levels_db: finding.measured.energy_levels.clone(),
-                ground_before: (course.since > 0).then(|| course.points[course.since].label.clone()),
-                slope_db: course.slope.map(|slope| slope.mean),
-                slope_scatter_db: course.slope.map(|slope| slope.scatter),
-                per: course.unit.name(),
-                probability_of_rise: course.probability_of_rise(),
-                sentence: course_in_words(course),
-            }),
-            summary: finding.summary(),
-            candidates: finding.candidates.iter().map(|candidate| CandidateDocument::new(finding, candidate)).collect(),
-            measurements: finding.measurements().map(|one| as_sentence(&one)).collect(),
+            sideband_of_m: self.sideband.map(|sideband| sideband.of),
+            rails: rails.collect(),
+            course: measured.course.as_ref().map(|course| CourseDocument::new(course, energies)),
+            summary: self.summary(),
+            candidates: candidates.map(|candidate| CandidateDocument::new(self, candidate)).collect(),
+            measurements: self.measurements().map(|one| as_sentence(&one)).collect(),
+        };
+        dominant.serialize(serializer)
+    }
+}
+
+impl CourseDocument {
+    fn new(course: &Course, energies: Option<&[f64]>) -> Self {
+        Self {
+            records: course.points.iter().map(|point| point.label.clone()).collect(),
+            levels_db: course.points.iter().map(|point| point.level).collect(),
+            energy_mean_levels_db: energies.map(<[f64]>::to_vec),
+            ground_before: (course.since > 0).then(|| course.points[course.since].label.clone()),
+            slope_db: course.slope.map(|slope| slope.mean),
+            slope_scatter_db: course.slope.map(|slope| slope.scatter),
+            per: course.unit.name(),
+            probability_of_rise: course.probability_of_rise(),
+            sentence: course_in_words(course),
         }
     }
 }

@@ -1,33 +1,29 @@
 //! A forecast as data and as tables.
 
-use riffel_keys::Message;
-use std::io::{self, Write};
-
-use riffel::forecast::{Forecast, ForecastBand, Reach};
+use riffel::forecast::{Forecast, ForecastBand, Reach, TrafficGrowth};
 use riffel_case::Case;
-use riffel_case::file::CaseFile;
 use riffel_case::traffic::{SpreadEffect, TrafficFile};
+use riffel_keys::{Language, Message, say};
+use riffel_plot::LineFigure;
 use riffel_rail::LimitTable;
 use serde::Serialize;
 
-use super::{
-    CrackedWave, ForecastAnswer, HardenedWave, RailForecast, ReachDocument, WearDocument, WearReport, per_million,
-};
-use crate::column;
+use super::{CrackedWave, HardenedWave, RailForecast, ReachDocument, TrackForecast, WearReport, per_million};
+use crate::answer::inputs;
 use crate::roughness::Level;
-use crate::{Banded, WearLimitDocument};
+use crate::{Answer, Banded, Column, Table, WearLimitDocument, column};
 
-/// What `riffel forecast --json` prints.
+/// The future of the rails of a track, told.
 #[derive(Serialize)]
-pub struct ForecastDocument<'a> {
+pub struct ForecastAnswer {
     riffel_version: &'static str,
-    inputs: Inputs<'a>,
+    inputs: Inputs,
     horizon: Amount,
     /// The rail that reaches the limit first, of which all speaks down to `bands_left_out`; null where rails are not
     /// named.
-    rail: Option<&'a str>,
+    rail: Option<String>,
     /// Every rail, the one that leads first.
-    rails: Vec<RailDocument<'a>>,
+    rails: Vec<RailDocument>,
     spectrum_now: Vec<Level>,
     /// Levels are null where the forecast ends before.
     spectrum_then: Vec<Then>,
@@ -51,14 +47,14 @@ pub struct ForecastDocument<'a> {
     /// Growth by the model over that of the leading rail as it was measured, within a tenth of the wavelength that grows fastest on it;
     /// null where none was measured.
     model_over_measured: Option<f64>,
-    limit: LimitDocument<'a>,
+    limit: LimitDocument,
     /// Of the first band that reaches the limit: the grinding interval.
     #[serde(flatten)]
     reach: ReachDocument,
     date_of_limit: Option<String>,
     wavelength_of_limit_m: Option<f64>,
-    linear_range: LinearDocument<'a>,
-    bands: Vec<Band<'a>>,
+    linear_range: LinearDocument,
+    bands: Vec<Band>,
     /// Where flow that hardens takes the bands of the leading rail.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hardening: Vec<HardenedWave>,
@@ -67,24 +63,27 @@ pub struct ForecastDocument<'a> {
     cracks: Vec<CrackedWave>,
     /// Bands that were measured, outside the wavelengths of the case.
     bands_left_out: Vec<Level>,
-    traffic: TrafficDocument<'a>,
-    wear_fit: Option<WearDocument>,
+    traffic: TrafficDocument,
+    wear_fit: Option<WearReport>,
     /// That the model does not explain how the leading rail grew, and what follows of it; left out where it does.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     unexplained: Vec<Message>,
     findings: Vec<Message>,
     remarks: Vec<Message>,
+    #[serde(skip)]
+    forecast: TrackForecast,
 }
 
 #[derive(Serialize)]
-struct Inputs<'a> {
-    case: &'a CaseFile,
-    traffic: &'a TrafficFile,
+struct Inputs {
+    #[serde(serialize_with = "inputs")]
+    case: Case,
+    traffic: TrafficFile,
     /// The file, if the rail was measured.
     spectrum: Option<String>,
     records: Option<usize>,
     /// What the rail will be ground to, if that is where the forecast begins.
-    ground: Option<&'a Message>,
+    ground: Option<Message>,
     date: Option<String>,
 }
 
@@ -109,34 +108,34 @@ struct Then {
 }
 
 #[derive(Serialize)]
-struct LimitDocument<'a> {
-    name: &'a str,
-    edition: &'a str,
-    source: &'a str,
+struct LimitDocument {
+    name: String,
+    edition: String,
+    source: String,
 }
 
 #[derive(Serialize)]
-struct LinearDocument<'a> {
+struct LinearDocument {
     force_ratio_now: f64,
     passages: Option<f64>,
     mgt: Option<f64>,
-    vehicle: &'a str,
+    vehicle: String,
 }
 
 #[derive(Serialize)]
-struct RailDocument<'a> {
-    rail: Option<&'a str>,
+struct RailDocument {
+    rail: Option<String>,
     #[serde(flatten)]
     reach: ReachDocument,
     date_of_limit: Option<String>,
     wavelength_of_limit_m: Option<f64>,
     valid_to_passages: Option<f64>,
-    bands: Vec<Band<'a>>,
+    bands: Vec<Band>,
 }
 
 #[derive(Serialize)]
-struct Band<'a> {
-    rail: Option<&'a str>,
+struct Band {
+    rail: Option<String>,
     wavelength_m: f64,
     level_now_db: f64,
     level_then_db: Option<f64>,
@@ -164,109 +163,110 @@ struct Band<'a> {
 }
 
 #[derive(Serialize)]
-struct TrafficDocument<'a> {
+struct TrafficDocument {
     passages_per_day: Option<f64>,
     axle_mass_kg: f64,
-    vehicles: Vec<VehicleDocument<'a>>,
+    vehicles: Vec<VehicleDocument>,
 }
 
 #[derive(Serialize)]
-struct VehicleDocument<'a> {
-    name: &'a str,
+struct VehicleDocument {
+    name: String,
     share: f64,
     wheel_load_n: f64,
     mean_speed_m_per_s: f64,
     speed_deviation_m_per_s: f64,
     growth_rate_per_passage: Vec<Rate>,
     /// What each spread over its wheels does to growth.
-    spreads: Vec<SpreadDocument<'a>>,
+    spreads: Vec<SpreadDocument>,
 }
 
 #[derive(Serialize)]
-struct SpreadDocument<'a> {
+struct SpreadDocument {
     /// speed | wheel_radius | load | friction | lateral_position, or a key of the case.
-    what: &'a str,
+    what: String,
     /// The fastest growth with every wheel at the mean of this spread, over that with all of them; null where nothing grows.
     reduction: Option<f64>,
 }
 
-pub(super) fn document<'a>(
-    answer: &'a ForecastAnswer,
-    case: &'a Case,
-    spectrum: Option<String>,
-) -> ForecastDocument<'a> {
-    let rail = answer.leading();
-    let forecast = &rail.forecast;
-    let traffic = answer.growth();
-    let crossings = answer.crossings(rail);
-    let first = crossings.first();
-    let now = |band: &ForecastBand| Level { wavelength_m: band.now.band.wavelength(), level_db: band.now.level };
-    let then = |band: &ForecastBand| Then {
-        wavelength_m: band.now.band.wavelength(),
-        level_db: forecast.level(band, answer.passages),
-    };
-    let valid_to = forecast.linear_range(forecast.bands()).passages;
-    let fastest = answer.fastest().and_then(|(band, _)| rail.growth_within(band, answer.wear_spread));
-    let banded = |per: f64| fastest.map(|within| within.times(per));
-    let millions_a_month = answer.on.passages_per_month().map(|it| 1e-6 * it);
-    let millions_a_month = millions_a_month.filter(|_| rail.without_time(&answer.on).is_none());
-    let warnings = answer.warnings.iter();
-    let mut remarks: Vec<Message> = warnings.cloned().collect();
-    remarks.extend(answer.on.remarks.iter().cloned());
-    ForecastDocument {
-        riffel_version: env!("CARGO_PKG_VERSION"),
-        inputs: Inputs::of(answer, case, spectrum),
-        horizon: Amount::of(answer),
-        rail: rail.name(),
-        rails: (answer.rails.iter()).map(|rail| RailDocument::of(answer, rail)).collect(),
-        spectrum_now: forecast.bands().iter().map(now).collect(),
-        spectrum_then: forecast.bands().iter().map(then).collect(),
-        valid_to_passages: valid_to,
-        valid_to_mgt: valid_to.map(|passages| traffic.mgt(passages)),
-        valid_to_months: valid_to.and_then(|passages| answer.months_of(rail, passages)),
-        valid_to_date: valid_to.and_then(|passages| answer.date_of(rail, passages)),
-        growth_rate_per_passage: rates(forecast, &|band| forecast.growth_rate(band)),
-        growth_rate_error: traffic.rate_error(),
-        wear_limit: WearLimitDocument::under(
-            case,
-            traffic.mean_wear(),
-            answer.on.wear_coefficient,
-            traffic.rates().iter().copied().max_by(f64::total_cmp),
-        ),
-        growth_db_per_million_axles: banded(1.0),
-        growth_db_per_month: millions_a_month.and_then(banded),
-        months_to_limit_band_80: answer.months_80(),
-        model_over_measured: answer.model_beside().map(|(_, ratio)| ratio),
-        limit: LimitDocument::of(&answer.table),
-        reach: ReachDocument::new(
-            Some(forecast.grinding_interval(&answer.limit).name()),
-            first.map(|first| first.passages),
-            traffic,
-            |passages| answer.months_of(rail, passages),
-        ),
-        date_of_limit: first.and_then(|first| answer.date_of(rail, first.passages)),
-        wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
-        linear_range: LinearDocument::of(forecast),
-        bands: bands(answer, rail),
-        hardening: HardenedWave::all(forecast),
-        cracks: answer.cracks(),
-        bands_left_out: bands_left_out(rail),
-        traffic: TrafficDocument::of(answer, forecast),
-        wear_fit: answer.wear.as_ref().map(WearReport::document),
-        unexplained: answer.unexplained(),
-        findings: answer.findings(),
-        remarks,
+impl ForecastAnswer {
+    /// What is told of a forecast of the rails of a case; `spectrum` is the name of the record.
+    pub fn new(case: &Case, forecast: TrackForecast, spectrum: Option<String>) -> Self {
+        let answer = &forecast;
+        let rail = answer.leading();
+        let of_rail = &rail.forecast;
+        let traffic = answer.growth();
+        let crossings = answer.crossings(rail);
+        let first = crossings.first();
+        let now = |band: &ForecastBand| Level { wavelength_m: band.now.band.wavelength(), level_db: band.now.level };
+        let then = |band: &ForecastBand| Then {
+            wavelength_m: band.now.band.wavelength(),
+            level_db: of_rail.level(band, answer.passages),
+        };
+        let valid_to = of_rail.linear_range(of_rail.bands()).passages;
+        let fastest = answer.fastest().and_then(|(band, _)| rail.growth_within(band, answer.wear_spread));
+        let banded = |per: f64| fastest.map(|within| within.times(per));
+        let millions_a_month = answer.on.passages_per_month().map(|it| 1e-6 * it);
+        let millions_a_month = millions_a_month.filter(|_| rail.without_time(&answer.on).is_none());
+        let warnings = answer.warnings.iter();
+        let mut remarks: Vec<Message> = warnings.cloned().collect();
+        remarks.extend(answer.on.remarks.iter().cloned());
+        Self {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            inputs: Inputs::of(answer, case, spectrum),
+            horizon: Amount::of(answer),
+            rail: rail.name().map(str::to_owned),
+            rails: (answer.rails.iter()).map(|rail| RailDocument::of(answer, rail)).collect(),
+            spectrum_now: of_rail.bands().iter().map(now).collect(),
+            spectrum_then: of_rail.bands().iter().map(then).collect(),
+            valid_to_passages: valid_to,
+            valid_to_mgt: valid_to.map(|passages| traffic.mgt(passages)),
+            valid_to_months: valid_to.and_then(|passages| answer.months_of(rail, passages)),
+            valid_to_date: valid_to.and_then(|passages| answer.date_of(rail, passages)),
+            growth_rate_per_passage: rates(of_rail, &|band| of_rail.growth_rate(band)),
+            growth_rate_error: traffic.rate_error(),
+            wear_limit: WearLimitDocument::under(
+                case,
+                traffic.mean_wear(),
+                answer.on.wear_coefficient,
+                traffic.rates().iter().copied().max_by(f64::total_cmp),
+            ),
+            growth_db_per_million_axles: banded(1.0),
+            growth_db_per_month: millions_a_month.and_then(banded),
+            months_to_limit_band_80: answer.months_80(),
+            model_over_measured: answer.model_beside().map(|(_, ratio)| ratio),
+            limit: LimitDocument::of(&answer.table),
+            reach: ReachDocument::new(
+                Some(of_rail.grinding_interval(&answer.limit).name()),
+                first.map(|first| first.passages),
+                traffic,
+                |passages| answer.months_of(rail, passages),
+            ),
+            date_of_limit: first.and_then(|first| answer.date_of(rail, first.passages)),
+            wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
+            linear_range: LinearDocument::of(of_rail),
+            bands: bands(answer, rail),
+            hardening: HardenedWave::all(of_rail),
+            cracks: answer.cracks(),
+            bands_left_out: bands_left_out(rail),
+            traffic: TrafficDocument::of(answer, of_rail),
+            wear_fit: answer.wear.clone(),
+            unexplained: answer.unexplained(),
+            findings: answer.findings(),
+            remarks,
+            forecast,
+        }
     }
 }
 
-impl<'a> Inputs<'a> {
-    fn of(answer: &'a ForecastAnswer, case: &'a Case, spectrum: Option<String>) -> Self {
+impl Inputs {
+    fn of(answer: &TrackForecast, case: &Case, spectrum: Option<String>) -> Self {
         Self {
-            case: &case.file,
-            traffic: &answer.traffic.file,
+            case: case.clone(),
+            traffic: answer.traffic.file.clone(),
             spectrum: spectrum.filter(|_| answer.ground.is_none()),
             records: answer.survey.as_ref().map(|survey| survey.records.len()),
-            ground: answer.ground.as_ref().map(|ground| &ground.words),
+            ground: answer.ground.as_ref().map(|ground| ground.words.clone()),
             date: answer.date.map(|date| date.to_string()),
         }
     }
@@ -274,7 +274,7 @@ impl<'a> Inputs<'a> {
 
 impl Amount {
     /// Of the whole forecast.
-    fn of(answer: &ForecastAnswer) -> Self {
+    fn of(answer: &TrackForecast) -> Self {
         let end = answer.date_after(answer.passages);
         Self {
             passages: answer.passages,
@@ -285,41 +285,41 @@ impl Amount {
     }
 }
 
-impl<'a> LimitDocument<'a> {
-    fn of(table: &'a LimitTable) -> Self {
-        Self { name: &table.name, edition: &table.edition, source: &table.source }
+impl LimitDocument {
+    fn of(table: &LimitTable) -> Self {
+        Self { name: table.name.clone(), edition: table.edition.clone(), source: table.source.clone() }
     }
 }
 
-impl<'a> LinearDocument<'a> {
-    fn of(forecast: &'a Forecast) -> Self {
+impl LinearDocument {
+    fn of(forecast: &Forecast) -> Self {
         let linear = forecast.linear_range(forecast.bands());
         let traffic = forecast.traffic();
         Self {
             force_ratio_now: linear.force_ratio,
             passages: linear.passages,
             mgt: linear.passages.map(|passages| traffic.mgt(passages)),
-            vehicle: &traffic.vehicles()[linear.vehicle].name,
+            vehicle: traffic.vehicles()[linear.vehicle].name.clone(),
         }
     }
 }
 
-impl<'a> TrafficDocument<'a> {
-    fn of(answer: &'a ForecastAnswer, forecast: &Forecast) -> Self {
+impl TrafficDocument {
+    fn of(answer: &TrackForecast, forecast: &Forecast) -> Self {
         let traffic = answer.growth();
         let vehicles = traffic.vehicles().iter().enumerate();
         let vehicles = vehicles.map(|(index, vehicle)| {
             let own = |spread: &&SpreadEffect| spread.vehicle == vehicle.name;
             let spreads = answer.spreads.iter().filter(own);
             VehicleDocument {
-                name: &vehicle.name,
+                name: vehicle.name.clone(),
                 share: vehicle.share,
                 wheel_load_n: vehicle.wheel_load,
                 mean_speed_m_per_s: vehicle.speeds.mean(),
                 speed_deviation_m_per_s: vehicle.speeds.deviation(),
                 growth_rate_per_passage: rates(forecast, &|band| forecast.vehicle_rate(band, index)),
                 spreads: spreads
-                    .map(|spread| SpreadDocument { what: &spread.what, reduction: spread.reduction })
+                    .map(|spread| SpreadDocument { what: spread.what.clone(), reduction: spread.reduction })
                     .collect(),
             }
         });
@@ -331,13 +331,13 @@ impl<'a> TrafficDocument<'a> {
     }
 }
 
-impl<'a> RailDocument<'a> {
-    fn of(answer: &'a ForecastAnswer, rail: &'a RailForecast) -> Self {
+impl RailDocument {
+    fn of(answer: &TrackForecast, rail: &RailForecast) -> Self {
         let crossings = answer.crossings(rail);
         let first = crossings.first();
         let passages_to_limit = first.map(|first| first.passages);
         Self {
-            rail: rail.name(),
+            rail: rail.name().map(str::to_owned),
             reach: ReachDocument::new(rail.reach.map(Reach::name), passages_to_limit, answer.growth(), |passages| {
                 answer.months_of(rail, passages)
             }),
@@ -366,7 +366,7 @@ fn bands_left_out(rail: &RailForecast) -> Vec<Level> {
     left_out.collect()
 }
 
-fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
+fn bands(answer: &TrackForecast, rail: &RailForecast) -> Vec<Band> {
     let forecast = &rail.forecast;
     let limits = forecast.reaches(&answer.limit);
     let bands = forecast.bands().iter();
@@ -380,7 +380,7 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
             let [low, high] = [0, 1].map(|end| within.map(|it| it.band_80[end]));
             let then = rail.level_80(band, answer.passages);
             Band {
-                rail: rail.name(),
+                rail: rail.name().map(str::to_owned),
                 wavelength_m: band.now.band.wavelength(),
                 level_now_db: band.now.level,
                 level_then_db: forecast.level(band, answer.passages),
@@ -404,35 +404,57 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
         .collect()
 }
 
-/// One row for each band of every rail, the rail that leads first.
-pub(super) fn band_table(answer: &ForecastAnswer, file: &mut impl Write) -> io::Result<()> {
-    let bands = answer.rails.iter().flat_map(|rail| bands(answer, rail));
-    rows(&bands.collect::<Vec<_>>(), file)
-}
-
-/// One row each.
-pub(super) fn rows(rows: &[impl Serialize], file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    for row in rows {
-        writer.serialize(row)?;
-    }
-    writer.flush()
-}
-
 /// Growth rate of every line under the mix and under each vehicle.
-pub(super) fn line_table(answer: &ForecastAnswer, file: &mut impl Write) -> io::Result<()> {
-    let traffic = answer.growth();
-    let mut writer = csv::Writer::from_writer(file);
-    let mut header = vec!["wavelength_m".to_owned(), "growth_rate_per_passage".to_owned()];
-    let names = traffic.vehicles().iter();
-    let names = names.map(|vehicle| &*vehicle.name);
-    header.extend(column::names(names, "growth_rate_per_passage"));
-    writer.write_record(&header)?;
-    for (line, wavelength) in traffic.wavelengths().iter().enumerate() {
-        let mut row = vec![*wavelength, traffic.rates()[line]];
-        let vehicles = traffic.vehicles().iter();
-        row.extend(vehicles.map(|vehicle| vehicle.growth.rates[line]));
-        writer.serialize(row)?;
+fn lines(traffic: &TrafficGrowth) -> Table {
+    let names = column::names(traffic.vehicles().iter().map(|vehicle| &*vehicle.name), "growth_rate_per_passage");
+    let vehicles = names.iter().zip(traffic.vehicles());
+    let vehicles = vehicles.map(|(name, vehicle)| Column::exact(name, vehicle.growth.rates.iter().copied()));
+    let mix = [
+        Column::exact("wavelength_m", traffic.wavelengths().iter().copied()),
+        Column::exact("growth_rate_per_passage", traffic.rates().iter().copied()),
+    ];
+    Table { name: "growth", columns: mix.into_iter().chain(vehicles).collect() }
+}
+
+impl Answer for ForecastAnswer {
+    fn name(&self) -> &'static str {
+        "forecast"
     }
-    writer.flush()
+
+    fn introduction(&self) -> Vec<Message> {
+        let titled = |title: &Option<String>, otherwise| title.as_deref().map_or(otherwise, Message::verbatim);
+        let title = titled(&self.inputs.case.file.title, say!(growth_forecast));
+        let traffic = titled(&self.inputs.traffic.title, say!(the_traffic));
+        let amount = self.forecast.amount(self.forecast.passages);
+        vec![say!(under_title, title = title, passing = traffic), say!(after_amount, amount = amount)]
+    }
+
+    /// One row for each band of every rail, the rail that leads first; then lines, cracks and the fit.
+    fn tables(&self) -> Vec<Table> {
+        let bands: Vec<&Band> = self.rails.iter().flat_map(|rail| &rail.bands).collect();
+        let wear = self.wear_fit.as_ref().map(WearReport::table);
+        let files =
+            [Table::of_rows("bands", &bands), lines(self.forecast.growth()), Table::of_rows("cracks", &self.cracks)];
+        [self.forecast.table()].into_iter().chain(files).chain(wear).collect()
+    }
+
+    fn above(&self, table: &str) -> Vec<Message> {
+        let wear = self.wear_fit.iter().filter(|_| table == WearReport::TABLE);
+        wear.flat_map(|wear| self.findings.iter().cloned().chain([wear.change()])).collect()
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        match &self.wear_fit {
+            Some(wear) => wear.sentences().into_iter().chain(wear.advice()).collect(),
+            None => self.findings.clone(),
+        }
+    }
+
+    fn figure(&self) -> LineFigure {
+        self.forecast.figure(&self.inputs.case, Language::English)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
 }

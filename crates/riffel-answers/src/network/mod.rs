@@ -1,0 +1,16 @@
+//! Surveys of many lines and dates, told.
+
+mod chart;
+mod growth;
+mod ingested;
+mod plan;
+mod status;
+mod words;
+mod worst;
+
+pub use chart::ChartAnswer;
+pub use growth::GrowthAnswer;
+pub use ingested::IngestedAnswer;
+pub use plan::PlanAnswer;
+pub use status::StatusAnswer;
+pub use worst::WorstAnswer;

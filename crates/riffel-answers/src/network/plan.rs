@@ -1,0 +1,83 @@
+//! A plan of grinding, told.
+
+use riffel_keys::{Message, Value, number, say};
+use riffel_network::GrindingPlan;
+use serde::Serialize;
+
+use super::words::{hundredths, kilometres, shown};
+use crate::forecast::number_alone;
+use crate::{Answer, Table};
+
+/// Sites that the table shows.
+const SITES: usize = 40;
+
+/// A plan of grinding.
+#[derive(Serialize)]
+#[serde(transparent)]
+pub struct PlanAnswer {
+    plan: GrindingPlan,
+    /// Whether costs are money.
+    #[serde(skip)]
+    money: bool,
+    #[serde(skip)]
+    remarks: Vec<Message>,
+}
+
+impl PlanAnswer {
+    /// Of a plan for a length, or for money.
+    pub fn new(plan: GrindingPlan, money: bool) -> Self {
+        let remarks = plan.remarks.iter().map(Message::verbatim).collect();
+        Self { plan, money, remarks }
+    }
+}
+
+impl Answer for PlanAnswer {
+    fn name(&self) -> &'static str {
+        "plan"
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let sites = &self.plan.sites[..self.plan.sites.len().min(SITES)];
+        if sites.is_empty() {
+            return Vec::new();
+        }
+        let mut columns = vec![
+            shown(say!(line_column), sites, |site| Message::verbatim(&site.line)),
+            shown(say!(from_kilometre_column), sites, |site| kilometres(site.from_m)),
+            shown(say!(to_kilometre_column), sites, |site| kilometres(site.to_m)),
+            shown(say!(over_limit_column), sites, |site| hundredths(site.rms_over_limit)),
+        ];
+        if self.money {
+            columns.push(shown(say!(cost_column), sites, |site| number_alone(format!("{:.0}", site.cost))));
+        }
+        vec![Table { name: "sites", columns }]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let plan = &self.plan;
+        let more = plan.sites.len().saturating_sub(SITES);
+        let more = (more > 0).then(|| say!(more_sites, count = number(more)));
+        let cost = match self.money {
+            true => say!(for_money, cost = number(format!("{:.0}", plan.cost))).into(),
+            false => Value::from(""),
+        };
+        let least = match plan.least_left_over_limit_m < plan.left_over_limit_m {
+            true => say!(no_plan_leaves_less, length = kilometres(plan.least_left_over_limit_m)).into(),
+            false => Value::from(""),
+        };
+        let planned = say!(
+            grinding_is_planned,
+            months = number(plan.months),
+            over = kilometres(plan.over_limit_m),
+            ground = kilometres(plan.length_m),
+            cost = cost,
+            left = kilometres(plan.left_over_limit_m),
+            least = least
+        );
+        more.into_iter().chain([planned]).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}
