@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::roughness::Spectrum;
 use riffel_answers::AnswerError;
-use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest};
+use riffel_answers::forecast::{ForecastHorizon, ForecastRequest, TrackForecast};
 use riffel_answers::map::MapAnswer;
 use riffel_answers::report::{Inputs, MeasuredRail, MeasuredRoughness, ReportRequest, Site, report};
 use riffel_answers::roughness::SpectraAnswer;
@@ -31,7 +31,7 @@ fn limit() -> LimitTable {
     tables.find(|table| matches!(table.limit, Limit::Levels(_))).unwrap()
 }
 
-fn forecast(case: &Case, horizon: ForecastHorizon) -> Result<ForecastAnswer, AnswerError> {
+fn forecast(case: &Case, horizon: ForecastHorizon) -> Result<TrackForecast, AnswerError> {
     forecast_of(case, TRAFFIC, survey(case), horizon)
 }
 
@@ -40,7 +40,7 @@ fn forecast_of(
     traffic: &str,
     survey: Survey,
     horizon: ForecastHorizon,
-) -> Result<ForecastAnswer, AnswerError> {
+) -> Result<TrackForecast, AnswerError> {
     let table = limit();
     let Limit::Levels(levels) = table.limit.clone() else {
         panic!("{} is a table of levels", table.name);
@@ -53,7 +53,7 @@ fn forecast_of(
         limit: (table, levels),
         date: None,
     };
-    ForecastAnswer::new(case, request, &|_| ())
+    TrackForecast::new(case, request, &|_| ())
 }
 
 #[test]
