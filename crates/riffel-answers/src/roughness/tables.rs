@@ -96,10 +96,6 @@ fn sections<'a>(rails: impl Iterator<Item = &'a RailAnswer>) -> Vec<(&'a RailAns
 pub(crate) fn grind<'a>(rails: impl Iterator<Item = &'a RailAnswer>) -> Table {
     let rows = sections(rails);
     let rows = || rows.iter();
-    let stretch = |(rail, section): &(&RailAnswer, &GrindSection)| {
-        let stretch = rail.analysis.stretch_to_name(section.stretch);
-        stretch.map_or_else(String::new, |stretch| stretch.to_string())
-    };
     Table {
         name: GRIND,
         columns: vec![
@@ -108,7 +104,7 @@ pub(crate) fn grind<'a>(rails: impl Iterator<Item = &'a RailAnswer>) -> Table {
             Column::exact("to_m", rows().map(|(_, section)| section.to)),
             Column::names("worst_band_mm", rows().map(|(_, section)| name(&section.band))),
             Column::exact("rms_over_limit", rows().map(|(_, section)| section.ratio)),
-            Column::names("stretch", rows().map(stretch)),
+            Column::names("stretch", rows().map(|(_, section)| section.stretch)),
         ],
     }
 }
