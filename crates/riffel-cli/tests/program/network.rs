@@ -139,7 +139,7 @@ fn a_chart_has_every_survey() {
     let drawn = sandbox.riffel("network chart railway");
     assert_eq!(drawn.status, Some(0), "{}", drawn.text);
     assert!(drawn.text.contains("2.000           0.100    2.00   0.500"), "{}", drawn.text);
-    assert_eq!(sandbox.list("railway-chart"), ["chart.csv", "chart.png", "chart.svg"]);
+    assert_eq!(sandbox.list("railway-chart"), ["chart.csv", "chart.png", "chart.svg", "summary.json"]);
     let table = std::fs::read_to_string(sandbox.path("railway-chart/chart.csv")).unwrap();
     assert_eq!(table.lines().count(), 41);
     for (asked, sentence) in [
