@@ -7,7 +7,7 @@ use riffel_plot::LineFigure;
 use serde::Serialize;
 
 use crate::calibrate::{Densities, LogEvidence, close_pairs, correlations, directions, figure};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::outlying::in_words;
 use crate::{Answer, Column, Table};
 

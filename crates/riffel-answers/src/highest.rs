@@ -8,7 +8,7 @@ use riffel_case::Case;
 use riffel_keys::{Message, decimal, fixed, say};
 use serde::Serialize;
 
-use crate::forecast::number_alone;
+use crate::number_alone;
 
 /// The wavelength that grows fastest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -51,6 +51,7 @@ mod netcdf;
 #[cfg(not(target_family = "wasm"))] // its store is a folder
 pub mod network;
 pub mod noise;
+mod number_alone;
 mod outlying;
 mod over_posterior;
 mod pads;
@@ -94,6 +95,7 @@ pub use level_limit::level_limit;
 pub use line_growth::{FastestGrowth, LineGrowth};
 pub use mode_in_words::mode_in_words;
 pub use netcdf::Grid;
+pub use number_alone::number_alone;
 pub use over_posterior::{NumberOverPosterior, OverPosterior, PosteriorDraws};
 pub use parameters::parameters;
 pub use plan_document::PlanDocument;

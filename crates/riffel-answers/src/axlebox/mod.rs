@@ -19,7 +19,7 @@ use serde::{Serialize, Serializer};
 
 pub use wheels::{WheelMark, WheelMarkKind};
 
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::roughness::{GroundSection, Judged, RailAnswer, Verdict, tables, worst_first};
 use crate::{Answer, AnswerError, Column, Table, parameters};
 use listening::{Heard, Longest, listen, lower};

@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Column, Table};
 
 /// Tractive ratio against creepage by one law.

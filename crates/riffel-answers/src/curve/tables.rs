@@ -3,7 +3,7 @@
 use riffel_keys::{Message, number, say};
 
 use super::equilibrium::{Creep, Forces, Wheel, Wheelset};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::side::side;
 use crate::{Column, Table};
 

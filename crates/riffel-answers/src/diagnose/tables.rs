@@ -3,7 +3,7 @@
 use riffel_keys::{Message, range, say};
 
 use super::{Diagnosis, Finding};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Column, Table};
 
 /// What a reader sees of the candidates of a finding: name, share, frequency and wavelengths.

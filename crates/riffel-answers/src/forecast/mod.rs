@@ -25,6 +25,7 @@ use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
 use crate::{AnswerError, Column, Table, unlikely_wear, wear_spread};
 use words::beyond;
 
+pub use crate::number_alone;
 pub use answer::ForecastAnswer;
 pub use damage::{CrackedWave, HardenedWave};
 pub(crate) use figure::{rate_panel, zero};
@@ -34,7 +35,6 @@ pub(crate) use rail_forecast::rates_without_time;
 pub use rail_forecast::{RailForecast, RailStart};
 pub(crate) use reach::ReachDocument;
 pub use wear_report::{WearReport, rail_to_fit};
-pub use words::number_alone;
 pub(crate) use words::{number, reached, when};
 pub use words::{per_million, three_digits};
 

@@ -1,9 +1,9 @@
 //! Numbers of a forecast in words.
 
-use std::fmt::Display;
-
 use riffel::forecast::Reach;
 use riffel_keys::{Message, Value, say, significant_digits};
+
+use crate::number_alone;
 
 /// What stands in the place of a number that the linear loop cannot give.
 pub(super) fn beyond() -> Message {
@@ -30,11 +30,6 @@ pub(crate) fn reached(reach: Reach) -> Message {
         Reach::BeyondLinearRange => beyond(),
         reach => when(reach.passages()),
     }
-}
-
-/// A number by itself, as in the cell of a table.
-pub fn number_alone(number: impl Display) -> Message {
-    say!(number_alone, number = riffel_keys::number(number))
 }
 
 /// A number to three digits in a sentence.

@@ -7,8 +7,8 @@ use riffel::{Complex64, GrowthMap, Ridge};
 use riffel_case::Case;
 use riffel_keys::{Message, say};
 
-use crate::forecast::number_alone;
 use crate::netcdf::{Grid, Variable};
+use crate::number_alone;
 use crate::{Column, Table};
 
 /// A quantity of every point of a map.

@@ -18,8 +18,8 @@ pub use difference::Difference;
 use passing::Passing;
 
 use crate::answer::{inputs, titled};
-use crate::forecast::number_alone;
 use crate::highest::{Highest, wavelengths_of};
+use crate::number_alone;
 use crate::{Answer, AnswerError, Column, ResultFile, Table, WearLimitDocument, growth_lines};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.

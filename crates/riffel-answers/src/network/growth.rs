@@ -5,7 +5,7 @@ use riffel_network::{Judgement, SectionGrowth};
 use serde::Serialize;
 
 use super::words::{hundredths, kilometres, kind_in_words, millimetres, nothing, shown, tenths};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Answer, Table};
 
 /// Sections over their surveys.

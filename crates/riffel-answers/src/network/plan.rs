@@ -5,7 +5,7 @@ use riffel_network::GrindingPlan;
 use serde::Serialize;
 
 use super::words::{hundredths, kilometres, shown};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Answer, Table};
 
 /// Sites that the table shows.

@@ -5,7 +5,7 @@ use riffel_network::{LineStatus, Status};
 use serde::Serialize;
 
 use super::words::{hundredths, kilometres, millimetres, nothing, shown};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Answer, Table};
 
 /// What a store holds.

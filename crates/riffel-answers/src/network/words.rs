@@ -4,7 +4,7 @@ use riffel_keys::{Message, range, say};
 use riffel_network::DefectKind;
 
 use crate::Column;
-use crate::forecast::number_alone;
+use crate::number_alone;
 
 /// Kilometres of metres.
 pub(super) fn kilometres(metres: f64) -> Message {

@@ -8,7 +8,7 @@ use riffel_keys::quantity::{Kind, Length, Speed};
 use riffel_keys::{Message, fixed, number, say};
 
 use super::{IrregularSupports, Neighbours, PointAnswer, Spread};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::side::side;
 use crate::{Column, Table, for_whom};
 

@@ -14,7 +14,7 @@ pub use wear::{WearAnswer, WearSettings, alignment_name, alignment_named};
 
 use riffel_keys::Message;
 
-use crate::forecast::number_alone;
+use crate::number_alone;
 
 /// A number of a table; a dash where there is none.
 fn or_dash(value: Option<f64>, digits: usize) -> Message {

@@ -7,7 +7,7 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::Serialize;
 
 use crate::answer::titled;
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Answer, AnswerError, Column, Table};
 
 /// Amplitudes of the equivalent conicity \[mm\].

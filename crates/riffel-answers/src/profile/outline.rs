@@ -9,7 +9,7 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
 use serde::Serialize;
 
 use super::or_dash;
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Answer, Column, Table};
 
 /// Distance of the points that are drawn and listed \[m\].

@@ -10,7 +10,7 @@ use super::figure;
 use super::level::as_levels;
 use super::rail::Removed;
 use super::verdict::{Judged, Verdict, worst_first};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Answer, Column, Table};
 
 /// Decibels by which a band stands over both its neighbours to be called a peak.

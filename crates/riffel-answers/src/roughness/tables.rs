@@ -6,7 +6,7 @@ use riffel_rail::name_in_words;
 
 use super::RailAnswer;
 use super::words::name;
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Column, Table};
 
 /// What to grind.

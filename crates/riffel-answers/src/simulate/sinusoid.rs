@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::{Course, files, force_in_words, remarks};
 use crate::answer::titled;
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::parameters::parameters_on_rail;
 use crate::{Answer, AnswerError, Column, ResultFile, Table};
 

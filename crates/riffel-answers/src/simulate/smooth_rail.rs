@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer};
 use super::along_rail::check_step;
 use super::{Course, files, remarks};
 use crate::answer::titled;
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::parameters::parameters_on_rail;
 use crate::{Answer, AnswerError, Column, ResultFile, Table};
 

@@ -4,7 +4,7 @@ use riffel_keys::{Message, number, say};
 use riffel_study::{ResultFolder, Study, StudyError};
 use serde::Serialize;
 
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Column, Table};
 
 /// Most samples that are read for the table: 80 MB for each output.

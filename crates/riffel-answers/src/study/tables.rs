@@ -5,7 +5,7 @@ use riffel_study::sensitivity::{Estimate, SobolIndices};
 use riffel_study::{Parameter, ParameterValue};
 
 use super::{Analysis, SensitivityAnswer, four_figures};
-use crate::forecast::number_alone;
+use crate::number_alone;
 use crate::{Column, Table};
 
 /// Sobol indices of an output with their intervals.

@@ -5,8 +5,8 @@ use riffel_case::file::{ContactOfWheel, CurveRail};
 use riffel_keys::{Message, decimal, say};
 
 use super::{WheelAnswer, WheelsAnswer};
-use crate::forecast::number_alone;
 use crate::netcdf::{Grid, Variable};
+use crate::number_alone;
 use crate::{Column, Table, growth_lines};
 
 fn rail_in_words(rail: CurveRail) -> Message {
