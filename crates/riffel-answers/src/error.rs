@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use miette::Diagnostic;
 use riffel::profile::ProfileError;
+use riffel_calibrate::CalibrationError;
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::PlotError;
 use thiserror::Error;
@@ -29,7 +30,7 @@ pub enum AnswerError {
     /// A calibration is not there, or not finished.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Calibration(#[from] riffel_calibrate::CalibrationError),
+    Calibration(Box<CalibrationError>),
 
     /// A value is outside the range of the physics.
     #[error("{0}")]
@@ -125,6 +126,12 @@ pub enum AnswerError {
     /// The gridded file cannot be written.
     #[error("cannot write the gridded file: {0}")]
     Grid(String),
+}
+
+impl From<CalibrationError> for AnswerError {
+    fn from(error: CalibrationError) -> Self {
+        Self::Calibration(Box::new(error))
+    }
 }
 
 impl AnswerError {

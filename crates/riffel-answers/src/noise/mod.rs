@@ -199,6 +199,6 @@ impl Answer for NoiseAnswer {
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.all_remarks
+        &self.all_remarks[..]
     }
 }

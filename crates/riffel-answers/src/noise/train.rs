@@ -145,26 +145,7 @@ impl Train {
         let powers = self.powers(&radiation, &self.roughness)?;
         let levels = self.heard(&powers);
         if levels.bands.is_empty() {
-            // Where the roughness fills bands that are heard, it is the decay rates that are missing.
-            if let Some(rates) = &self.radiator.decay_rate
-                && self.fills_a_band()
-            {
-                let known = || rates.iter().map(|(band, _)| band.nominal());
-                let [from, to] = [known().next(), known().next_back()].map(Option::unwrap_or_default);
-                return Err(AnswerError::Argument {
-                    argument: "--decay-rate",
-                    value: format!("known from {} to {} Hz", readable(from), readable(to)),
-                    rule: "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz"
-                        .to_owned(),
-                });
-            }
-            return Err(AnswerError::Argument {
-                argument: "--speed",
-                value: format!("{:.1} km/h", 3.6 * self.speed),
-                rule: "one at which the wavelengths of the roughness fill a one-third octave \
-                       between 100 Hz and 5 kHz"
-                    .to_owned(),
-            });
+            return Err(self.no_band_is_known());
         }
         let left_out: Vec<FrequencyBand> =
             FrequencyBand::all().filter(|band| levels.bands.iter().all(|level| level.band != *band)).collect();
@@ -235,6 +216,30 @@ impl Train {
     fn fills_a_band(&self) -> bool {
         let mut bands = self.roughness.levels().iter();
         bands.any(|level| (100.0..=5000.0).contains(&(self.speed / level.band.wavelength())))
+    }
+
+    /// Why no band is known.
+    fn no_band_is_known(&self) -> AnswerError {
+        // Where the roughness fills bands that are heard, it is the decay rates that are missing.
+        if let Some(rates) = &self.radiator.decay_rate
+            && self.fills_a_band()
+        {
+            let known = || rates.iter().map(|(band, _)| band.nominal());
+            let [from, to] = [known().next(), known().next_back()].map(Option::unwrap_or_default);
+            return AnswerError::Argument {
+                argument: "--decay-rate",
+                value: format!("known from {} to {} Hz", readable(from), readable(to)),
+                rule: "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz"
+                    .to_owned(),
+            };
+        }
+        AnswerError::Argument {
+            argument: "--speed",
+            value: format!("{:.1} km/h", 3.6 * self.speed),
+            rule: "one at which the wavelengths of the roughness fill a one-third octave \
+                   between 100 Hz and 5 kHz"
+                .to_owned(),
+        }
     }
 
     pub(super) fn wheel_modes(&self) -> Option<&WheelModes> {
