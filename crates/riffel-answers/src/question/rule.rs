@@ -27,7 +27,7 @@ impl Rule {
             Self::OneOf(names) => {
                 let mut given = names.iter().filter(|name| is_given(name));
                 match (given.next(), given.next()) {
-                    (Some(one), Some(other)) => wrong(one, format!("cannot be given with {}", option(other))),
+                    (Some(one), Some(other)) => wrong(one, format!("cannot be used with {}", option(other))),
                     _ => Ok(()),
                 }
             }

@@ -39,7 +39,7 @@ fn what_is_wrong_is_told_by_its_key() {
         assert!(told.starts_with(sentence), "{key} = {value}: {told}");
     }
     let both = json!({ "case": "", "roughness": "", "speed": 1, "traffic": "a", "posterior": "b" });
-    assert_eq!(refusal("noise", &both), "--traffic cannot be given with --posterior");
+    assert_eq!(refusal("noise", &both), "--traffic cannot be used with --posterior");
 }
 
 #[test]
