@@ -113,6 +113,7 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<contact::ContactQuestion>(),
     &question::of::<profile::ProfileQuestion>(),
     &question::of::<curve::CurveQuestion>(),
+    &question::of::<axlebox::AxleBoxQuestion>(),
     &question::of::<noise::NoiseQuestion>(),
     &question::of::<shakedown::ShakedownQuestion>(),
     &question::of::<stability_map::StabilityQuestion>(),

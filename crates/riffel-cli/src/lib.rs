@@ -184,7 +184,6 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
     match command {
         Command::Init(arguments) => command::init::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
-        Command::AxleBox(arguments) => command::axlebox::run(&arguments)?,
         Command::Network(arguments) => command::network::run(&arguments)?,
         Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,
         Command::Report(arguments) => command::report::run(&arguments)?,

@@ -90,6 +90,17 @@ impl LimitTable {
         Self::parse(name, &read_keys(path, "limit table")?)
     }
 
+    /// The tables of some names, each as by [`find`](Self::find); without names all that come with Riffel.
+    ///
+    /// # Errors
+    /// Those of [`find`](Self::find).
+    pub fn named(names: &[String]) -> Result<Vec<Self>, CaseError> {
+        match names {
+            [] => Ok(Self::all()),
+            names => names.iter().map(|name| Self::find(name)).collect(),
+        }
+    }
+
     /// All tables that come with Riffel, by name.
     pub fn all() -> Vec<Self> {
         built_in(&FILES, |name, text| Self::parse(name, text).ok(), |table| &table.name)

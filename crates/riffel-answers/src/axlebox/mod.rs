@@ -3,6 +3,7 @@
 mod figure;
 mod listening;
 mod pads;
+mod question;
 mod wheels;
 
 use std::path::PathBuf;
@@ -17,6 +18,7 @@ use riffel_rail::{AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defec
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
+pub use question::AxleBoxQuestion;
 pub use wheels::{WheelMark, WheelMarkKind};
 
 use crate::number_alone;
@@ -144,6 +146,9 @@ pub struct AxleBoxAnswer {
     parameters: String,
     #[serde(skip)]
     limits: Vec<LimitTable>,
+    /// And what the reader should know of the case.
+    #[serde(skip)]
+    all_remarks: Vec<Message>,
 }
 
 impl AxleBoxAnswer {
@@ -240,6 +245,7 @@ impl AxleBoxAnswer {
             files: files.iter().map(|(path, _)| path.display().to_string()).collect(),
             rails,
             wheels,
+            all_remarks: remarks.iter().chain(&case.remarks).cloned().collect(),
             remarks,
             parameters: parameters(case),
             limits: limits.to_vec(),
@@ -346,7 +352,7 @@ impl Answer for AxleBoxAnswer {
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.remarks
+        &self.all_remarks[..]
     }
 }
 

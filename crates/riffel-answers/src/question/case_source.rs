@@ -81,6 +81,13 @@ impl<T> fmt::Debug for CaseSource<T> {
     }
 }
 
+impl<T> CaseSource<T> {
+    /// The case of a file or in memory, with overrides.
+    pub fn new(case: Source<T>, set: Vec<String>) -> Self {
+        Self { case, set }
+    }
+}
+
 impl<T: OfCase> CaseSource<T> {
     /// Whether it is the case of a file without any override.
     pub fn is_just(&self, path: &Path) -> bool {
@@ -133,7 +140,7 @@ impl From<Case> for CaseSource {
 
 impl<T> From<Arc<T>> for CaseSource<T> {
     fn from(case: Arc<T>) -> Self {
-        Self { case: Source::Given(case), set: Vec::new() }
+        Self::new(Source::Given(case), Vec::new())
     }
 }
 

@@ -99,9 +99,6 @@ pub(crate) enum Command {
     Simulate(Simulate),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
     Roughness(Roughness),
-    /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
-    #[command(name = "axlebox")]
-    AxleBox(AxleBox),
     /// Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding.
     Network(Network),
     /// Dominant wavelengths of a measured rail, and what may have made them.

@@ -1,7 +1,6 @@
 //! The command line.
 
 mod asked;
-mod axlebox;
 mod calibrate;
 mod case;
 mod commands;
@@ -29,7 +28,6 @@ use crate::error::CliError;
 use crate::messages::Verbosity;
 
 pub(crate) use asked::{Asked, within};
-pub(crate) use axlebox::AxleBox;
 pub(crate) use calibrate::{Calibrate, CalibrateChains, CalibrateCommand, CheckCalibration};
 pub(crate) use case::{CaseArguments, stem};
 pub(crate) use commands::{Command, Commands};

@@ -1,6 +1,5 @@
 //! One file for each command.
 
-pub(crate) mod axlebox;
 pub(crate) mod calibrate;
 pub(crate) mod compare;
 pub(crate) mod completions;

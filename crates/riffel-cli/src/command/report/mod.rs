@@ -32,7 +32,7 @@ use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
 use crate::command::forecast::forecast;
 use crate::command::roughness::profile::judged;
-use crate::command::roughness::{choose_nothing, limits, read};
+use crate::command::roughness::{choose_nothing, read};
 use crate::error::CliError;
 use crate::messages::language;
 use crate::output::print;
@@ -100,7 +100,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let site = site.unwrap_or_default();
     let mut given =
         arguments.case.as_deref().map(|path| GivenCase::read(path, arguments.overrides.clone())).transpose()?;
-    let limits = limits(&arguments.limit)?;
+    let limits = LimitTable::named(&arguments.limit)?;
     let record = &arguments.record;
     let rail = measured_rail(arguments, given.as_ref().map(|given| &given.case), &limits)?;
     let mut now = rail.as_ref().and_then(|(path, rail)| now(path, rail, record));

@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
             Err(CliError::Argument { argument, value: value.to_string(), rule: "zero or greater".to_owned() })?;
         }
     }
-    let limits = limits(&arguments.limit)?;
+    let limits = LimitTable::named(&arguments.limit)?;
     match read(path, &arguments.layout)? {
         RoughnessFile::Profile(record) => {
             choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
@@ -69,15 +69,6 @@ pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -
 /// The spectra of a file, those of a profile computed.
 pub(crate) fn survey(path: &Path, layout: &Layout) -> miette::Result<Survey> {
     Ok(layout.records().survey(path, &Terminal)?)
-}
-
-/// The limit tables asked for, or all that come with Riffel.
-pub(crate) fn limits(names: &[String]) -> miette::Result<Vec<LimitTable>> {
-    if names.is_empty() {
-        return Ok(LimitTable::all());
-    }
-    let tables = names.iter().map(|name| LimitTable::find(name));
-    Ok(tables.collect::<Result<_, _>>()?)
 }
 
 /// Work done by several threads that tell one bar how far they are.
