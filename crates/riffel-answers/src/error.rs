@@ -32,6 +32,12 @@ pub enum AnswerError {
     #[diagnostic(transparent)]
     Calibration(Box<CalibrationError>),
 
+    /// A store of surveys cannot be made, read or added to.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    #[cfg(not(target_family = "wasm"))]
+    Network(Box<riffel_network::NetworkError>),
+
     /// A value is outside the range of the physics.
     #[error("{0}")]
     Physics(#[from] riffel::Error),
@@ -131,6 +137,13 @@ pub enum AnswerError {
 impl From<CalibrationError> for AnswerError {
     fn from(error: CalibrationError) -> Self {
         Self::Calibration(Box::new(error))
+    }
+}
+
+#[cfg(not(target_family = "wasm"))]
+impl From<riffel_network::NetworkError> for AnswerError {
+    fn from(error: riffel_network::NetworkError) -> Self {
+        Self::Network(Box::new(error))
     }
 }
 

@@ -114,6 +114,16 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<profile::ProfileQuestion>(),
     &question::of::<curve::CurveQuestion>(),
     &question::of::<axlebox::AxleBoxQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<network::IngestQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<network::StatusQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<network::WorstQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<network::GrowthQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<network::PlanQuestion>(),
     &question::of::<noise::NoiseQuestion>(),
     &question::of::<shakedown::ShakedownQuestion>(),
     &question::of::<stability_map::StabilityQuestion>(),

@@ -7,6 +7,8 @@ use super::Key;
 pub enum Rule {
     /// The first key needs one of the others.
     Needs(&'static str, &'static [&'static str]),
+    /// One of two keys is given.
+    Either(&'static str, &'static str),
     /// At most one of these keys is given.
     OneOf(&'static [&'static str]),
 }
@@ -31,7 +33,10 @@ impl Rule {
                     _ => Ok(()),
                 }
             }
-            Self::Needs(..) => Ok(()),
+            Self::Either(one, other) if !is_given(one) && !is_given(other) => {
+                wrong(one, format!("or {} is missing", option(other)))
+            }
+            Self::Needs(..) | Self::Either(..) => Ok(()),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use clap::error::ErrorKind;
 use clap::{ArgMatches, FromArgMatches, Subcommand};
-use riffel_answers::question;
+use riffel_answers::{QUESTIONS, question};
 
 use super::question::{AskedQuestion, command};
 use super::*;
@@ -55,10 +55,10 @@ impl Subcommand for Commands {
         let others = Command::augment_subcommands(clap::Command::new("riffel"));
         let of = |(place, name): (usize, &&str)| {
             let command = match question::named(name) {
-                Some(question) => Some(command(question)),
-                None => others.find_subcommand(name).cloned(),
+                Some(question) => command(question),
+                None => with_questions_below(others.find_subcommand(name)?.clone()),
             };
-            Some(command?.display_order(place))
+            Some(command.display_order(place))
         };
         program
             .subcommand_required(true)
@@ -75,11 +75,23 @@ impl Subcommand for Commands {
     }
 }
 
+/// A command with the questions that stand below it, before its other commands.
+fn with_questions_below(program: clap::Command) -> clap::Command {
+    let prefix = format!("{} ", program.get_name());
+    let below = QUESTIONS.iter().filter(|question| question.name().starts_with(&prefix));
+    let below = below.enumerate().map(|(place, question)| command(*question).display_order(place));
+    below.fold(program.mut_subcommands(|other| other.display_order(usize::MAX)), clap::Command::subcommand)
+}
+
 impl FromArgMatches for Commands {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
         let (name, below) = matches.subcommand().ok_or_else(|| clap::Error::new(ErrorKind::MissingSubcommand))?;
-        match question::named(name) {
-            Some(question) => AskedQuestion::of(question, below).map(Self::Question),
+        let (full, own) = match below.subcommand() {
+            Some((inner, own)) => (format!("{name} {inner}"), own),
+            None => (name.to_owned(), below),
+        };
+        match question::named(&full) {
+            Some(question) => AskedQuestion::of(question, own).map(Self::Question),
             None => Command::from_arg_matches(matches).map(|command| Self::Other(Box::new(command))),
         }
     }

@@ -70,7 +70,7 @@ impl AskedQuestion {
 /// Where the results of a question that writes no files go.
 #[derive(Args)]
 struct JustJson {
-    /// Print one JSON document; complex numbers as [re, im].
+    /// Print one JSON document, complex numbers as [re, im].
     #[arg(long)]
     json: bool,
 }
@@ -103,7 +103,9 @@ fn given(key: &Key, matches: &ArgMatches) -> Option<Value> {
 
 /// The command of a question.
 pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
-    let command = Command::new(question.name()).after_help(question.example());
+    // Below another command it goes by its last word.
+    let name = question.name().split(' ').next_back().unwrap_or_default();
+    let command = Command::new(name).after_help(question.example());
     let command = command.args(question.keys().iter().map(option));
     // Its docs would become those of the command.
     let command = match question.writes_files() {

@@ -1,0 +1,360 @@
+//! What is asked of the surveys of many lines.
+
+use std::borrow::Cow;
+use std::path::PathBuf;
+
+use jiff::civil::Date;
+use riffel_case::Case;
+use riffel_case::traffic::Traffic;
+use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::{Message, money, say};
+use riffel_network::{
+    Aim, Budget, ExpectedGrowth, Judgement, Store, StoreSettings, SurveyFile, growth, left_out_of_growth, plan, status,
+    worst,
+};
+use riffel_rail::{LimitTable, read_date};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, de};
+
+use super::{GrowthAnswer, IngestedAnswer, PlanAnswer, StatusAnswer, WorstAnswer};
+use crate::question::{Asker, CaseSource, PosteriorSource, Question, Rule, Source, positive};
+use crate::{Answer, AnswerError, ExpectedRates};
+
+/// The folder of a store.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct InStore {
+    /// Folder of the store.
+    #[schemars(with = "String", extend("positional" = true, "path" = true))]
+    store: PathBuf,
+}
+
+/// What sections are judged by.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct Judged {
+    #[serde(flatten)]
+    store: InStore,
+    /// Limit of the RMS in bands of wavelength, by name or as a TOML file.
+    #[schemars(extend("default" = "grassie-1999"))]
+    limit: String,
+    /// Length of a section.
+    #[schemars(extend("value_name" = "LENGTH", "default" = "100 m"))]
+    section: Quantity<Length>,
+}
+
+/// What the traffic of a line is expected to make of it.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct Expected {
+    /// Case file of the track: growth that its traffic is expected to make stands beside that of the surveys, and in its place
+    /// where a line has one survey or was ground.
+    #[schemars(extend("value_name" = "CASE"))]
+    case: Option<Source<Case>>,
+    /// Traffic file [default: the usual traffic of a line of this kind].
+    #[schemars(extend("value_name" = "TOML"))]
+    traffic: Option<Source<Traffic>>,
+    /// Folder of a finished calibration of the case: growth over its draws and under its traffic.
+    #[schemars(with = "Option<String>", extend("value_name" = "DIR", "path" = true))]
+    posterior: Option<PathBuf>,
+    /// The line that the case is of [default: all].
+    #[schemars(extend("value_name" = "NAME"))]
+    line: Option<String>,
+}
+
+impl InStore {
+    fn open(&self) -> Result<Store, AnswerError> {
+        Ok(Store::open(&self.store)?)
+    }
+}
+
+impl Judged {
+    /// Store, limit and length of a section.
+    fn open(&self) -> Result<(Store, Judgement, f64), AnswerError> {
+        let store = self.store.open()?;
+        let judgement = Judgement::new(&store, &LimitTable::find(&self.limit)?)?;
+        Ok((store, judgement, positive("--section", self.section)?))
+    }
+}
+
+impl Expected {
+    /// A judgement with the growth that the traffic of a line is expected to make.
+    fn of(&self, store: &Store, judgement: Judgement, asker: &dyn Asker) -> Result<Judgement, AnswerError> {
+        let Some(case) = &self.case else {
+            return Ok(judgement);
+        };
+        let bands = judgement.ends_of_bands();
+        let case = CaseSource::new(case.clone(), Vec::new());
+        let posterior = PosteriorSource { posterior: self.posterior.clone() };
+        let growth = match posterior.draws(&case, asker)? {
+            Some(draws) => {
+                let step = asker.begin(say!(progress_draws_of_calibration), draws.count());
+                ExpectedRates::over(&draws, &bands, &step)?
+            }
+            None => {
+                let traffic = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
+                ExpectedRates::new(&*case.read(asker)?, traffic.as_deref(), &bands)?
+            }
+        };
+        asker.remark(growth.without_rate.as_slice());
+        let growth = growth.of_bands.into_iter().map(|growth| {
+            growth.map(|growth| ExpectedGrowth {
+                median: growth.median,
+                band_50: growth.band_50,
+                band_80: growth.band_80,
+            })
+        });
+        Ok(judgement.expecting(store, self.line.as_deref(), growth.collect())?)
+    }
+}
+
+/// An answer, with the surveys named of which something is lost or damaged.
+fn told(answer: impl Answer + 'static, store: &Store, asker: &dyn Asker) -> Box<dyn Answer> {
+    let damaged = store.damaged().map(|error| say!(survey_is_left_out, reason = error.to_string()));
+    asker.remark(&damaged.collect::<Vec<Message>>());
+    Box::new(answer)
+}
+
+fn day(argument: &'static str, text: &str) -> Result<Date, AnswerError> {
+    read_date(text).map_err(|sentence| AnswerError::Range { argument, message: format!(": {sentence}") })
+}
+
+/// Add a survey of a line at a date; the store is made if need be.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct IngestQuestion {
+    #[serde(flatten)]
+    store: InStore,
+    /// Blocks along the rails, as `riffel axlebox` and `riffel roughness` write them: rail,from_m,to_m and
+    /// rms_30_to_100_mm_m for each band.
+    #[schemars(with = "Source<()>", extend("positional" = true, "value_name" = "CSV"))]
+    csv: PathBuf,
+    /// The line.
+    #[schemars(extend("value_name" = "NAME"))]
+    line: String,
+    /// Day of the survey, as in 2026-01-31.
+    date: String,
+    /// Length of a cell of a new store [default: that of most blocks].
+    #[schemars(extend("value_name" = "LENGTH"))]
+    resolution: Option<Quantity<Length>>,
+    /// Call a rail of the file by another name; may be repeated. Without it "Höhe links", "L", "1" or "gauche" is the rail that the
+    /// line calls left.
+    #[schemars(with = "Vec<String>", extend("value_name" = "OLD=NEW"))]
+    rename: Vec<Renamed>,
+    /// Put it in the place of another survey of the line on that day.
+    replace: bool,
+}
+
+/// The name of a rail and another one for it.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(try_from = "String")]
+struct Renamed([String; 2]);
+
+impl TryFrom<String> for Renamed {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, &'static str> {
+        match text.split_once('=').map(|(old, new)| (old.trim(), new.trim())) {
+            Some((old, new)) if !old.is_empty() && !new.is_empty() => Ok(Self([old, new].map(str::to_owned))),
+            _ => Err("must be OLD=NEW"),
+        }
+    }
+}
+
+impl Question for IngestQuestion {
+    const NAME: &'static str = "network ingest";
+    const EXAMPLE: &'static str = "Example: riffel network ingest railway blocks.csv --line \"Main line\" --date 2026-01-31\n\n\
+        The same survey again changes nothing, and one that was stopped is done anew: surveys are there whole or not at all.";
+    const WRITES_FILES: bool = false;
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let resolution = self.resolution.map(|length| positive("--resolution", length)).transpose()?;
+        let store = Store::create_or_open(&self.store.store, StoreSettings { resolution })?;
+        let renamed = self.rename.iter().map(|Renamed([old, new])| (old.clone(), new.clone()));
+        let file = SurveyFile::check(&self.csv)?.rename(renamed.collect())?;
+        let step = asker.begin(say!(progress_taking_in_blocks), file.rows() as usize);
+        Ok(Box::new(IngestedAnswer::new(store.ingest(&self.line, &self.date, &file, self.replace, &step)?)))
+    }
+}
+
+/// Lines, dates, kilometres and the RMS of the latest surveys.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct StatusQuestion {
+    #[serde(flatten)]
+    store: InStore,
+}
+
+impl Question for StatusQuestion {
+    const NAME: &'static str = "network status";
+    const EXAMPLE: &'static str = "Example: riffel network status railway";
+    const WRITES_FILES: bool = false;
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let store = self.store.open()?;
+        Ok(told(StatusAnswer(status(&store)?), &store, asker))
+    }
+}
+
+/// Sections of the latest surveys that are farthest over their limit.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct WorstQuestion {
+    #[serde(flatten)]
+    judged: Judged,
+    /// The state of this day [default: of the latest surveys].
+    #[schemars(extend("value_name" = "DATE"))]
+    until: Option<String>,
+    /// Show so many sections.
+    #[schemars(range(min = 1, max = 4_294_967_295_u32), extend("value_name" = "N", "default" = 20))]
+    most: u32,
+}
+
+impl Question for WorstQuestion {
+    const NAME: &'static str = "network worst";
+    const EXAMPLE: &'static str = "Example: riffel network worst railway --section \"200 m\" --most 10";
+    const WRITES_FILES: bool = false;
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let (store, judgement, section) = self.judged.open()?;
+        let until = self.until.as_deref().map(|text| day("--until", text)).transpose()?;
+        let found = worst(&store, &judgement, section, until, self.most as usize)?;
+        Ok(told(WorstAnswer::new(found, &judgement), &store, asker))
+    }
+}
+
+/// How sections grew over their surveys, or between two dates, and when they reach their limit.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct GrowthQuestion {
+    #[serde(flatten)]
+    judged: Judged,
+    #[serde(flatten)]
+    expected: Expected,
+    /// The earlier day: growth begins with the latest survey up to it [default: with the first survey].
+    #[schemars(extend("value_name" = "DATE"))]
+    from: Option<String>,
+    /// The later day: growth ends with the latest survey up to it [default: with the last survey].
+    #[schemars(extend("value_name" = "DATE"))]
+    to: Option<String>,
+    /// Show so many sections.
+    #[schemars(range(min = 1, max = 4_294_967_295_u32), extend("value_name" = "N", "default" = 20))]
+    most: u32,
+}
+
+impl Question for GrowthQuestion {
+    const NAME: &'static str = "network growth";
+    const EXAMPLE: &'static str = "Examples:\n  riffel network growth railway --from 2025-01-31 --to 2026-01-31\n  \
+        riffel network growth railway --line \"Main line\" --case case.toml --traffic traffic.toml";
+    const RULES: &'static [Rule] = &[
+        Rule::OneOf(&["traffic", "posterior"]),
+        Rule::Needs("traffic", &["case"]),
+        Rule::Needs("posterior", &["case"]),
+        Rule::Needs("line", &["case"]),
+        Rule::Needs("from", &["to"]),
+        Rule::Needs("to", &["from"]),
+    ];
+    const WRITES_FILES: bool = false;
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let (store, judgement, section) = self.judged.open()?;
+        let judgement = self.expected.of(&store, judgement, asker)?;
+        let between = match (&self.from, &self.to) {
+            (Some(from), Some(to)) => Some([day("--from", from)?, day("--to", to)?]),
+            _ => None,
+        };
+        let mut found = growth(&store, &judgement, section, between)?;
+        found.truncate(self.most as usize);
+        let left_out = left_out_of_growth(&store, between)?;
+        Ok(told(GrowthAnswer::new(found, &judgement, left_out), &store, asker))
+    }
+}
+
+/// What to grind with a budget.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct PlanQuestion {
+    #[serde(flatten)]
+    judged: Judged,
+    #[serde(flatten)]
+    expected: Expected,
+    /// Plan for the state in so many months.
+    #[schemars(extend("value_name" = "M", "default" = 12))]
+    months: f64,
+    /// Length of track that can be ground.
+    #[schemars(extend("value_name" = "LENGTH"))]
+    length: Option<Quantity<Length>>,
+    /// Money that can be spent.
+    money: Option<Money>,
+    /// Cost of a metre of track.
+    #[schemars(extend("value_name" = "MONEY"))]
+    cost_per_metre: Option<Money>,
+    /// Choose the sites that bring the most track below its limit, not the worst sections first.
+    most_track: bool,
+    /// Cost of each site, besides.
+    #[schemars(extend("value_name" = "MONEY", "default" = 0))]
+    cost_per_site: Money,
+}
+
+/// A sum without a currency, which no separator of thousands makes another.
+#[derive(Debug, Clone, Copy)]
+struct Money(f64);
+
+impl<'de> Deserialize<'de> for Money {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = match serde_json::Value::deserialize(deserializer)? {
+            serde_json::Value::String(text) => text,
+            other => other.to_string(),
+        };
+        match money::read(&text) {
+            Ok((sum, "")) => Ok(Self(sum)),
+            Err(rule) => Err(de::Error::custom(format!("the sum {rule}"))),
+            Ok(_) => Err(de::Error::custom(format!("\"{text}\" is not a number; write it without its currency"))),
+        }
+    }
+}
+
+impl JsonSchema for Money {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Money".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": ["string", "number"] })
+    }
+}
+
+impl Question for PlanQuestion {
+    const NAME: &'static str = "network plan";
+    const EXAMPLE: &'static str = "Examples:\n  riffel network plan railway --months 12 --length \"20 km\"\n  \
+        riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000 --most-track";
+    const RULES: &'static [Rule] = &[
+        Rule::OneOf(&["traffic", "posterior"]),
+        Rule::Needs("traffic", &["case"]),
+        Rule::Needs("posterior", &["case"]),
+        Rule::Needs("line", &["case"]),
+        Rule::Either("length", "money"),
+        Rule::OneOf(&["length", "money"]),
+        Rule::OneOf(&["length", "cost_per_metre"]),
+        Rule::OneOf(&["length", "cost_per_site"]),
+        Rule::Needs("money", &["cost_per_metre"]),
+        Rule::Needs("cost_per_metre", &["money"]),
+        Rule::Needs("cost_per_site", &["money"]),
+    ];
+    const WRITES_FILES: bool = false;
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let (store, judgement, section) = self.judged.open()?;
+        let judgement = self.expected.of(&store, judgement, asker)?;
+        let budget = match self.length {
+            Some(length) => Budget::of_length(positive("--length", length)?),
+            None => Budget {
+                money: self.money.map_or(0.0, |money| money.0),
+                per_metre: self.cost_per_metre.map_or(1.0, |cost| cost.0),
+                per_site: self.cost_per_site.0,
+            },
+        };
+        let aim = match self.most_track {
+            true => Aim::MostTrack,
+            false => Aim::WorstFirst,
+        };
+        let found = plan(&store, &judgement, section, self.months, &budget, aim)?;
+        Ok(told(PlanAnswer::new(found, self.money.is_some()), &store, asker))
+    }
+}
