@@ -2,24 +2,18 @@
 
 use std::path::Path;
 
-use riffel_answers::question;
+use riffel_answers::question::{self, PosteriorSource};
 use riffel_answers::{AnswerError, OverPosterior, PosteriorDraws};
 use riffel_calibrate::{Chains, Plan};
 
 use crate::arguments::{CaseArguments, Posterior};
-use crate::messages::print_remarks;
 use crate::terminal::Terminal;
 
 impl Posterior {
     /// The draws of a calibration of the case, if a folder is given.
     pub(crate) fn draws(&self, case: &CaseArguments) -> miette::Result<Option<PosteriorDraws>> {
-        let Some(folder) = &self.posterior else {
-            return Ok(None);
-        };
-        let (plan, chains) = finished_of(case, folder)?;
-        let draws = PosteriorDraws::new(&plan, &chains)?;
-        print_remarks(&draws.remarks);
-        Ok(Some(draws))
+        let source = PosteriorSource { posterior: self.posterior.clone() };
+        Ok(source.draws(&case.source(), &Terminal)?)
     }
 }
 
@@ -33,5 +27,5 @@ pub(crate) fn over(
 
 /// The plan and the chains of a folder, which are of the case that is named and of no other.
 pub(crate) fn finished_of(case: &CaseArguments, folder: &Path) -> miette::Result<(Plan, Chains)> {
-    Ok(question::finished_of(&|path| case.is_just(path), folder)?)
+    Ok(question::finished_of(&|path| case.source().is_just(path), folder)?)
 }

@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 use std::fmt::Display;
 use std::marker::PhantomData;
+use std::str::FromStr;
 
 use riffel_keys::PhysicalRange;
-use riffel_keys::quantity::{Dimension, Quantity};
+use riffel_keys::quantity::{Dimension, Quantity, QuantityError};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
@@ -61,6 +62,15 @@ impl<D> AsWritten<D> {
     }
 }
 
+impl<D: Dimension> FromStr for AsWritten<D> {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let _: Quantity<D> = text.parse()?;
+        Ok(Self { text: text.to_owned(), dimension: PhantomData })
+    }
+}
+
 impl<D: Dimension> From<Quantity<D>> for AsWritten<D> {
     /// A quantity that nobody wrote, with its unit.
     fn from(quantity: Quantity<D>) -> Self {
@@ -74,8 +84,7 @@ impl<'de, D: Dimension> Deserialize<'de> for AsWritten<D> {
             Value::String(text) => text,
             other => other.to_string(),
         };
-        let _: Quantity<D> = text.parse().map_err(serde::de::Error::custom)?;
-        Ok(Self { text, dimension: PhantomData })
+        text.parse().map_err(serde::de::Error::custom)
     }
 }
 

@@ -1,13 +1,14 @@
 //! The case file of a command, with overrides.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
+use riffel_answers::question::{CaseSource, Source};
 use riffel_case::Case;
-use riffel_case::file::CaseFile;
 use riffel_keys::text_file::is_standard_input;
 
-use crate::staging::add_input;
+use crate::terminal::Terminal;
 
 /// A case file with overrides.
 #[derive(Args)]
@@ -22,10 +23,9 @@ pub(crate) struct CaseArguments {
 }
 
 impl CaseArguments {
-    /// Whether it is the case of a file without any override.
-    pub(crate) fn is_just(&self, path: &Path) -> bool {
-        let real = |path: &Path| std::fs::canonicalize(path).ok();
-        self.overrides.is_empty() && real(path).is_some() && real(&self.path) == real(path)
+    /// The same in a question.
+    pub(crate) fn source(&self) -> CaseSource {
+        CaseSource::new(Source::File(self.path.clone()), self.overrides.clone())
     }
 
     /// A case named elsewhere than on its own place of the command line.
@@ -34,7 +34,7 @@ impl CaseArguments {
     }
 
     pub(crate) fn read(&self) -> miette::Result<Case> {
-        Ok(protected(&self.path, Case::read(&self.path, &self.overrides)?))
+        Ok(Arc::unwrap_or_clone(self.source().read(&Terminal)?))
     }
 
     /// What results are named after.
@@ -55,17 +55,4 @@ pub(crate) fn stem(path: &Path) -> String {
     }
     let stem = path.file_stem().unwrap_or_default();
     stem.to_string_lossy().into_owned()
-}
-
-/// The case, whose file of a measured track must not be replaced by results.
-fn protected(path: &Path, case: Case) -> Case {
-    protect(path, &case.file);
-    case
-}
-
-fn protect(path: &Path, file: &CaseFile) {
-    if let Some(measurement) = &file.track.measurement {
-        let folder = path.parent().unwrap_or_else(|| Path::new(""));
-        add_input(folder.join(&measurement.file));
-    }
 }

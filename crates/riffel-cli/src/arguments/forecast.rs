@@ -5,12 +5,13 @@ use std::path::PathBuf;
 use super::earlier::date;
 use clap::{Args, ValueEnum};
 use jiff::civil::Date;
+use riffel_answers::question::AsWritten;
 use riffel_case::Hold;
 use riffel_case::model::{FieldModel, UnknownModel};
 use riffel_keys::quantity::{Quantity, Speed};
 
 use super::number::{plain_number, sum_of_money};
-use super::{Asked, CaseArguments, Earlier, Layout, Posterior, ResultsArguments};
+use super::{CaseArguments, Earlier, Layout, Posterior, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -202,7 +203,7 @@ pub(crate) struct Compare {
 
     /// Speed of the wheel of the case, in m/s or with its unit [default: the usual traffic of its line].
     #[arg(long, value_name = "SPEED", conflicts_with_all = ["traffic", "posterior"])]
-    pub(crate) speed: Option<Asked<Speed>>,
+    pub(crate) speed: Option<AsWritten<Speed>>,
 
     /// Standard deviation of the speed.
     #[arg(long, value_name = "SPEED", requires = "speed", conflicts_with = "traffic")]

@@ -1,6 +1,5 @@
 //! The command line.
 
-mod asked;
 mod calibrate;
 mod case;
 mod commands;
@@ -27,7 +26,6 @@ use riffel_keys::quantity::{Dimension, Quantity};
 use crate::error::CliError;
 use crate::messages::Verbosity;
 
-pub(crate) use asked::{Asked, within};
 pub(crate) use calibrate::{Calibrate, CalibrateChains, CalibrateCommand, CheckCalibration};
 pub(crate) use case::{CaseArguments, stem};
 pub(crate) use commands::{Command, Commands};

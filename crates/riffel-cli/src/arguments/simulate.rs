@@ -5,13 +5,15 @@ use std::str::FromStr;
 
 use clap::{ArgGroup, Args};
 use riffel::passage::Sinusoid;
+use riffel_answers::question::AsWritten;
 use riffel_keys::PhysicalRange;
 use riffel_keys::quantity::{Length, Quantity, Speed};
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout, ResultsArguments, positive};
+use super::{CaseArguments, Layout, ResultsArguments, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
+use crate::terminal::Terminal;
 
 #[derive(Args)]
 #[command(
@@ -27,7 +29,7 @@ pub(crate) struct Simulate {
 
     /// Speed, in m/s or with its unit.
     #[arg(long, value_name = "SPEED", required_unless_present = "traffic")]
-    speed: Option<Asked<Speed>>,
+    speed: Option<AsWritten<Speed>>,
 
     /// Traffic file, in place of a speed: passages of every vehicle at the speeds of its distribution, each as often as its
     /// share says.
@@ -100,7 +102,7 @@ impl Simulate {
     /// Speed of the wheel \[m/s\].
     pub(crate) fn speed(&self) -> Result<f64, CliError> {
         match &self.speed {
-            Some(speed) => speed.within("--speed"),
+            Some(speed) => Ok(speed.within("--speed", &Terminal)?),
             // The parser asks for it where there is no traffic, which is for passages.
             None => Err(CliError::Argument {
                 argument: "--speed",

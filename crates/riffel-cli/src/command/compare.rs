@@ -86,7 +86,7 @@ fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, Message
         let under = say!(compared_under, traffic = usual.in_words());
         return Ok((usual.traffic()?, under));
     };
-    let mean = mean.within("--speed")?;
+    let mean = mean.within("--speed", &Terminal)?;
     let deviation = arguments.speed_deviation;
     let speeds = SpeedDistribution::normal(mean, deviation.map_or(0.0, |speed| speed.si()));
     let speeds = speeds.map_err(|error| CliError::Physics { input: "--speed-deviation".to_owned(), error })?;

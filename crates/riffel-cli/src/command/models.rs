@@ -6,10 +6,11 @@ use riffel_case::model::FieldModel;
 use crate::arguments::Compare;
 use crate::progress::Progress;
 use crate::results::Results;
+use crate::terminal::Terminal;
 
 pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette::Result<()> {
     let speed = match &arguments.speed {
-        Some(speed) => Some(speed.within("--speed")?),
+        Some(speed) => Some(speed.within("--speed", &Terminal)?),
         None => None,
     };
     let case = arguments.case.read()?;

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
+use riffel_answers::AnswerError;
 use riffel_answers::diagnose::{Diagnosis, DiagnosisSettings};
+use riffel_answers::question::AsWritten;
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Frequency, Kind, Quantity, Speed};
@@ -11,9 +13,10 @@ use riffel_keys::{Message, say};
 use riffel_rail::history::SpectraChoice;
 use riffel_rail::{RailRecord, RoughnessFile};
 
-use crate::arguments::{DiagnosisArguments, positive, within};
+use crate::arguments::{DiagnosisArguments, positive};
 use crate::command::roughness::{choose_nothing, read};
 use crate::error::CliError;
+use crate::terminal::Terminal;
 
 /// The diagnosis of the file that was read, with the earlier ones, which are read here.
 pub(crate) fn diagnosis(
@@ -88,9 +91,9 @@ fn speeds(case: &Case, arguments: &DiagnosisArguments) -> miette::Result<(Traffi
     let mut ranges = Vec::new();
     for written in &arguments.speed {
         let (slowest, fastest) = match Kind::of::<Speed>().range_in_words(written) {
-            Some([slowest, fastest]) => (within::<Speed>("--speed", &slowest)?, within::<Speed>("--speed", &fastest)?),
+            Some([slowest, fastest]) => (within(&slowest)?, within(&fastest)?),
             None => {
-                let speed = within::<Speed>("--speed", written)?;
+                let speed = within(written)?;
                 (speed, speed)
             }
         };
@@ -102,4 +105,10 @@ fn speeds(case: &Case, arguments: &DiagnosisArguments) -> miette::Result<(Traffi
     let speeds =
         TrafficSpeeds::of_ranges(ranges).map_err(|error| wrong(&arguments.speed.join(", "), &error.to_string()))?;
     Ok((speeds, None))
+}
+
+/// A speed of a range \[m/s\].
+fn within(text: &str) -> Result<f64, AnswerError> {
+    let wrong = |error| AnswerError::Range { argument: "--speed", message: format!(": {error}") };
+    text.parse::<AsWritten<Speed>>().map_err(wrong)?.within("--speed", &Terminal)
 }
