@@ -16,12 +16,14 @@ create_exception!(
 
 /// What has no answer; arguments by their names in Python.
 pub(crate) fn of_answer(error: AnswerError) -> PyErr {
+    let named = |argument: &str| argument.trim_start_matches('-').replace('-', "_");
     match error {
         AnswerError::Case(error) => of_case(error),
         AnswerError::Argument { argument, value, rule } => {
-            let name = argument.trim_start_matches('-').replace('-', "_");
-            wrong(format!("{name} is {value}, but must be {rule}"))
+            wrong(format!("{} is {value}, but must be {rule}", named(argument)))
         }
+        AnswerError::Range { argument, message } => wrong(format!("{}{message}", named(argument))),
+        AnswerError::Option { option, message } => wrong(format!("{}: {message}", named(option))),
         error => wrong(error.to_string()),
     }
 }
