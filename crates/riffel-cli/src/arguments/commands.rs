@@ -80,7 +80,7 @@ fn with_questions_below(program: clap::Command) -> clap::Command {
     let prefix = format!("{} ", program.get_name());
     let below = QUESTIONS.iter().filter(|question| question.name().starts_with(&prefix));
     let below = below.enumerate().map(|(place, question)| command(*question).display_order(place));
-    below.fold(program.mut_subcommands(|other| other.display_order(usize::MAX)), clap::Command::subcommand)
+    below.fold(program.mut_subcommands(|other| other.display_order(QUESTIONS.len())), clap::Command::subcommand)
 }
 
 impl FromArgMatches for Commands {
