@@ -56,7 +56,7 @@ impl Answer for PlanAnswer {
     fn sentences(&self) -> Vec<Message> {
         let plan = &self.plan;
         let more = plan.sites.len().saturating_sub(SITES);
-        let more = (more > 0).then(|| say!(more_sites, count = number(more)));
+        let more = (more > 0).then(|| say!(and_more_sites, count = number(more)));
         let cost = match self.money {
             true => say!(for_money, cost = number(format!("{:.0}", plan.cost))).into(),
             false => Value::from(""),

@@ -38,7 +38,7 @@ mod tests {
             }
         }
         let mut text = String::new();
-        for name in ["riffel", "riffel-keys", "riffel-case", "riffel-cli"] {
+        for name in ["riffel", "riffel-keys", "riffel-case", "riffel-answers", "riffel-cli"] {
             let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
             collect(&crates.join(name).join("src"), &mut text);
         }
