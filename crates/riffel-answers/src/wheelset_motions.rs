@@ -23,7 +23,7 @@ pub struct WheelsetMotions {
     pub position_m: Vec<f64>,
     /// What sits on the axle: wheels, brake discs, gears, axle boxes.
     pub discs: Vec<DiscPlace>,
-    /// Up to [`HIGHEST`], the lowest first.
+    /// Up to 2 kHz, the lowest first.
     pub modes: Vec<ModeMotion>,
 }
 
