@@ -3,8 +3,10 @@
 use std::io::{self, Write};
 
 use riffel::Complex64;
-use riffel_keys::{Language, Message, number, say};
+use riffel_keys::{Language, Message};
 use serde::Serialize;
+
+use crate::number_alone;
 
 /// A table by columns of equal length.
 #[derive(Debug, Clone)]
@@ -125,7 +127,7 @@ impl Column {
     /// Numbers for readers alone, to so many digits after the point; none where there is nothing.
     pub fn digits<T: Into<Option<f64>>>(head: Message, digits: usize, values: impl Iterator<Item = T>) -> Self {
         let cells = values.map(|value| match value.into() {
-            Some(value) => say!(number_alone, number = number(format_args!("{value:.digits$}"))),
+            Some(value) => number_alone(format_args!("{value:.digits$}")),
             None => Message::verbatim(""),
         });
         Self::shown(head, cells.collect())
