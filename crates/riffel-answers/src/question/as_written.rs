@@ -1,7 +1,6 @@
 //! Quantities whose range depends on the key.
 
 use std::borrow::Cow;
-use std::fmt::Display;
 use std::marker::PhantomData;
 use std::str::FromStr;
 
@@ -45,11 +44,10 @@ impl<D: Dimension> AsWritten<D> {
     /// The value in SI, within the physical range of the argument; `asker` is told what is not usual.
     ///
     /// # Errors
-    /// [`AnswerError::Range`] for a text that is no such quantity, or is outside the range.
+    /// [`AnswerError::Range`] for a value outside the range.
     pub fn within(&self, argument: &'static str, asker: &dyn Asker) -> Result<f64, AnswerError> {
-        let wrong = |message: &dyn Display| AnswerError::Range { argument, message: message.to_string() };
-        let _: Quantity<D> = self.text.parse().map_err(|error| wrong(&format!(": {error}")))?;
-        let (si, remark) = PhysicalRange::read::<D>(argument, &self.text).map_err(|rule| wrong(&format!(" {rule}")))?;
+        let wrong = |rule| AnswerError::Range { argument, message: format!(" {rule}") };
+        let (si, remark) = PhysicalRange::read::<D>(argument, &self.text).map_err(wrong)?;
         asker.remark(remark.as_slice());
         Ok(si)
     }
