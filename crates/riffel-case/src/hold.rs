@@ -3,7 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use crate::file::CaseFile;
 
@@ -12,8 +13,9 @@ use crate::file::CaseFile;
 /// One number of it must come from outside the contact. A train that pulls or brakes asks for a force, a curve
 /// for a creepage; with a tractive ratio held, less friction means less traction, too. Where nobody says it, what the
 /// case gives is held, as it is where the same keys are changed in the case file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[schemars(inline)]
 pub enum Hold {
     /// The tangential force Q₀ \[N\]: τ changes inversely with μP₀.
     Force,

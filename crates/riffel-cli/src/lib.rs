@@ -191,7 +191,6 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
         Command::Presets(arguments) => command::presets::run(&arguments)?,
         Command::Roughness(arguments) => command::roughness::run(&arguments)?,
         Command::Forecast(arguments) => command::forecast::run(&arguments)?,
-        Command::Compare(arguments) => command::compare::run(&arguments)?,
         Command::Serve(arguments) => command::serve::run(&arguments, program)?,
         Command::Page(arguments) => command::page::run(&arguments)?,
         Command::Study(arguments) => return command::study::run(&arguments),

@@ -2,20 +2,12 @@
 
 use std::path::Path;
 
-use riffel_answers::question::{self, PosteriorSource};
+use riffel_answers::question;
 use riffel_answers::{AnswerError, OverPosterior, PosteriorDraws};
 use riffel_calibrate::{Chains, Plan};
 
-use crate::arguments::{CaseArguments, Posterior};
+use crate::arguments::CaseArguments;
 use crate::terminal::Terminal;
-
-impl Posterior {
-    /// The draws of a calibration of the case, if a folder is given.
-    pub(crate) fn draws(&self, case: &CaseArguments) -> miette::Result<Option<PosteriorDraws>> {
-        let source = PosteriorSource { posterior: self.posterior.clone() };
-        Ok(source.draws(&case.source(), &Terminal)?)
-    }
-}
 
 /// An answer over the draws, if there are any.
 pub(crate) fn over(

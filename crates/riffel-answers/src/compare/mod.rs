@@ -3,6 +3,7 @@
 mod comparison;
 mod figure;
 mod over_posterior;
+mod question;
 mod tables;
 mod told;
 
@@ -17,6 +18,7 @@ use serde::{Serialize, Serializer};
 
 pub use comparison::{Comparison, Effect, FastestLine, Outcome};
 pub use over_posterior::compare_over;
+pub use question::CompareQuestion;
 pub(crate) use tables::outcomes;
 
 use crate::answer::inputs;

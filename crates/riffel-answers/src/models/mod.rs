@@ -199,6 +199,10 @@ impl Answer for ModelsAnswer {
         "models"
     }
 
+    fn folder_name(&self) -> Option<&'static str> {
+        Some("models")
+    }
+
     fn introduction(&self) -> Vec<Message> {
         let title = titled(self.case.file.title.as_ref(), say!(models_of_the_field));
         vec![say!(under_title, title = title, passing = self.passing.clone())]

@@ -1,23 +1,22 @@
 //! What is asked of the surveys of many lines.
 
-use std::borrow::Cow;
 use std::path::PathBuf;
 
 use jiff::civil::Date;
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Length, Quantity};
-use riffel_keys::{Message, money, say};
+use riffel_keys::{Message, say};
 use riffel_network::{
     Aim, Budget, ExpectedGrowth, Judgement, Store, StoreSettings, SurveyFile, growth, left_out_of_growth, plan, status,
     worst,
 };
 use riffel_rail::{LimitTable, read_date};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Deserializer, de};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 use super::{GrowthAnswer, IngestedAnswer, PlanAnswer, StatusAnswer, WorstAnswer};
-use crate::question::{Asker, CaseSource, PosteriorSource, Question, Rule, Source, positive};
+use crate::question::{Asker, CaseSource, Money, PosteriorSource, Question, Rule, Source, positive};
 use crate::{Answer, AnswerError, ExpectedRates};
 
 /// The folder of a store.
@@ -288,38 +287,6 @@ pub struct PlanQuestion {
     cost_per_site: Money,
 }
 
-/// A sum without a currency, which no separator of thousands makes another.
-#[derive(Debug, Clone, Copy)]
-struct Money(f64);
-
-impl<'de> Deserialize<'de> for Money {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = match serde_json::Value::deserialize(deserializer)? {
-            serde_json::Value::String(text) => text,
-            other => other.to_string(),
-        };
-        match money::read(&text) {
-            Ok((sum, "")) => Ok(Self(sum)),
-            Err(rule) => Err(de::Error::custom(format!("the sum {rule}"))),
-            Ok(_) => Err(de::Error::custom(format!("\"{text}\" is not a number; write it without its currency"))),
-        }
-    }
-}
-
-impl JsonSchema for Money {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Money".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": ["string", "number"] })
-    }
-}
-
 impl Question for PlanQuestion {
     const NAME: &'static str = "network plan";
     const EXAMPLE: &'static str = "Examples:\n  riffel network plan railway --months 12 --length \"20 km\"\n  \
@@ -329,10 +296,8 @@ impl Question for PlanQuestion {
         Rule::Needs("traffic", &["case"]),
         Rule::Needs("posterior", &["case"]),
         Rule::Needs("line", &["case"]),
-        Rule::Either("length", "money"),
-        Rule::OneOf(&["length", "money"]),
-        Rule::OneOf(&["length", "cost_per_metre"]),
-        Rule::OneOf(&["length", "cost_per_site"]),
+        Rule::AnyOf(&["length", "money"]),
+        Rule::Excludes("length", &["money", "cost_per_metre", "cost_per_site"]),
         Rule::Needs("money", &["cost_per_metre"]),
         Rule::Needs("cost_per_metre", &["money"]),
         Rule::Needs("cost_per_site", &["money"]),

@@ -42,6 +42,8 @@ pub struct Key {
     pub alias: Option<String>,
     /// What it is where it is left out.
     pub default: Option<Value>,
+    /// What it is where it is given without a value, or as true.
+    pub alone: Option<Value>,
     /// Whether it may not be left out.
     pub is_required: bool,
     /// Whether it stands without its name on a command line.
@@ -52,6 +54,8 @@ pub struct Key {
     pub separator: Option<char>,
     /// Whether it names a file or a folder.
     pub is_path: bool,
+    /// Whether its help says by itself which words it takes.
+    pub tells_words: bool,
 }
 
 /// A description in one paragraph, without the final stop.
@@ -87,7 +91,9 @@ impl Key {
             value_name: text("value_name"),
             alias: text("alias"),
             default: property.get("default").filter(|value| !value.is_null()).cloned(),
+            alone: property.get("alone").cloned(),
             is_positional: property["positional"] == true,
+            tells_words: property["tells_words"] == true,
             takes_many,
             separator: text("separator").and_then(|text| text.chars().next()),
         }
@@ -262,7 +268,8 @@ fn fields(
     }
     let mut fields = Map::new();
     for key in keys {
-        let value = match given.remove(&key.name) {
+        let value = match given.remove(&key.name).filter(|value| key.alone.is_none() || *value != false) {
+            Some(Value::Bool(true)) if key.alone.is_some() => key.alone.clone(),
             Some(value) => Some(key.read(value)?),
             None if key.is_required => return Err(format!("{} is missing", key.option())),
             None => key.default.clone().or(match (key.takes_many, &key.kind) {

@@ -7,7 +7,9 @@
 mod as_written;
 mod asker;
 mod case_source;
+mod ground_source;
 mod key;
+mod money;
 mod posterior_source;
 mod rail_records;
 mod rule;
@@ -22,7 +24,9 @@ use serde_json::{Map, Value, json};
 pub use as_written::AsWritten;
 pub use asker::{Asker, Nobody, Step};
 pub use case_source::{CaseSource, OfCase, covering};
+pub use ground_source::GroundSource;
 pub use key::{Key, Kind};
+pub(crate) use money::Money;
 pub use posterior_source::{PosteriorSource, finished_of, over};
 pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
 pub use rule::Rule;
@@ -55,6 +59,8 @@ pub trait AnyQuestion: Sync {
     fn name(&self) -> &'static str;
     /// Command lines to try, below the help.
     fn example(&self) -> &'static str;
+    /// Which keys need or exclude others.
+    fn rules(&self) -> &'static [Rule];
     /// Whether the program writes files of the answer.
     fn writes_files(&self) -> bool;
     /// What it asks, in one line.
@@ -108,6 +114,10 @@ impl<Q: Question> AnyQuestion for Of<Q> {
 
     fn example(&self) -> &'static str {
         Q::EXAMPLE
+    }
+
+    fn rules(&self) -> &'static [Rule] {
+        Q::RULES
     }
 
     fn writes_files(&self) -> bool {

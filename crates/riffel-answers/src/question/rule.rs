@@ -7,10 +7,14 @@ use super::Key;
 pub enum Rule {
     /// The first key needs one of the others.
     Needs(&'static str, &'static [&'static str]),
-    /// One of two keys is given.
-    Either(&'static str, &'static str),
+    /// At least one of these keys is given.
+    AnyOf(&'static [&'static str]),
     /// At most one of these keys is given.
     OneOf(&'static [&'static str]),
+    /// One of these keys is given, and no other of them.
+    JustOneOf(&'static [&'static str]),
+    /// The first key is given without any of the others.
+    Excludes(&'static str, &'static [&'static str]),
 }
 
 impl Rule {
@@ -21,22 +25,23 @@ impl Rule {
     pub(super) fn check(self, keys: &[Key], is_given: &dyn Fn(&str) -> bool) -> Result<(), String> {
         let option = |name: &str| keys.iter().find(|key| key.name == name).map_or_else(|| name.to_owned(), Key::option);
         let wrong = |name: &str, rule: String| Err(format!("{} {rule}", option(name)));
+        let any = |names: &[&str]| names.iter().map(|name| option(name)).collect::<Vec<_>>().join(" or ");
         match self {
             Self::Needs(name, others) if is_given(name) && !others.iter().any(|other| is_given(other)) => {
-                let others = others.iter().map(|other| option(other)).collect::<Vec<_>>();
-                wrong(name, format!("needs {}", others.join(" or ")))
+                wrong(name, format!("needs {}", any(others)))
             }
-            Self::OneOf(names) => {
-                let mut given = names.iter().filter(|name| is_given(name));
-                match (given.next(), given.next()) {
-                    (Some(one), Some(other)) => wrong(one, format!("cannot be used with {}", option(other))),
-                    _ => Ok(()),
-                }
+            Self::OneOf(names) | Self::JustOneOf(names) if names.iter().filter(|name| is_given(name)).count() > 1 => {
+                let given: Vec<&str> = names.iter().copied().filter(|name| is_given(name)).collect();
+                wrong(given[0], format!("cannot be used with {}", option(given[1])))
             }
-            Self::Either(one, other) if !is_given(one) && !is_given(other) => {
-                wrong(one, format!("or {} is missing", option(other)))
+            Self::Excludes(name, others) if is_given(name) => match others.iter().find(|other| is_given(other)) {
+                Some(other) => wrong(name, format!("cannot be used with {}", option(other))),
+                None => Ok(()),
+            },
+            Self::AnyOf(names) | Self::JustOneOf(names) if !names.iter().any(|name| is_given(name)) => {
+                Err(format!("{} is missing", any(names)))
             }
-            Self::Needs(..) | Self::Either(..) => Ok(()),
+            _ => Ok(()),
         }
     }
 }

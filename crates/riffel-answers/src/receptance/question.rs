@@ -91,9 +91,7 @@ impl Question for ReceptanceQuestion {
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["matrix", "direction"]),
         Rule::Needs("frequencies", &["matrix"]),
-        Rule::OneOf(&["frequencies", "from"]),
-        Rule::OneOf(&["frequencies", "to"]),
-        Rule::OneOf(&["frequencies", "points"]),
+        Rule::Excludes("frequencies", &["from", "to", "points"]),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

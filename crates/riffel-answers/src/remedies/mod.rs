@@ -221,6 +221,10 @@ impl Answer for RemediesAnswer {
         "remedies"
     }
 
+    fn folder_name(&self) -> Option<&'static str> {
+        Some("remedies")
+    }
+
     fn introduction(&self) -> Vec<Message> {
         self.under_traffic.remarks.clone()
     }

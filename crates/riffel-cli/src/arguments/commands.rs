@@ -119,8 +119,6 @@ pub(crate) enum Command {
     Report(Report),
     /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
     Forecast(Forecast),
-    /// What would help: growth on a case and on variants of it, side by side.
-    Compare(Compare),
     /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
     Study(Study),
     /// What measurements say of the uncertain values of a case.

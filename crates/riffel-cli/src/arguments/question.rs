@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
-use riffel_answers::question::{AnyQuestion, Key, Kind};
+use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Args, Command, FromArgMatches, ValueHint};
+use riffel_answers::question::{AnyQuestion, Key, Kind, Rule};
 use riffel_keys::text_file::is_standard_input;
 use serde_json::{Map, Value};
 
@@ -107,6 +107,10 @@ pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
     let name = question.name().split(' ').next_back().unwrap_or_default();
     let command = Command::new(name).after_help(question.example());
     let command = command.args(question.keys().iter().map(option));
+    let command = question.rules().iter().fold(command, |command, rule| match rule {
+        Rule::JustOneOf(names) => command.group(ArgGroup::new("just-one").args(*names).required(true)),
+        _ => command,
+    });
     // Its docs would become those of the command.
     let command = match question.writes_files() {
         true => ResultsArguments::augment_args(command),
@@ -141,6 +145,11 @@ fn option(key: &Key) -> Arg {
         Some(alias) => option.visible_alias(alias.clone()),
         None => option,
     };
+    let option = match &key.alone {
+        Some(alone) => option.num_args(0..=1).default_missing_value(alone.as_str().unwrap_or_default().to_owned()),
+        None => option,
+    };
+    let option = option.hide_possible_values(key.tells_words);
     match &key.kind {
         _ if key.is_path => option.value_hint(ValueHint::AnyPath),
         Kind::Choice(words) => {

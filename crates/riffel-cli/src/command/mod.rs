@@ -1,7 +1,6 @@
 //! One file for each command.
 
 pub(crate) mod calibrate;
-pub(crate) mod compare;
 pub(crate) mod completions;
 pub(crate) mod decide;
 pub(crate) mod diagnose;
@@ -9,12 +8,10 @@ pub(crate) mod figures;
 pub(crate) mod forecast;
 pub(crate) mod init;
 pub(crate) mod man;
-mod models;
 pub(crate) mod network;
 pub(crate) mod page;
 pub(crate) mod presets;
 pub(crate) mod question;
-mod remedies;
 pub(crate) mod report;
 pub(crate) mod roughness;
 pub(crate) mod schema;

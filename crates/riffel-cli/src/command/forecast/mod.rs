@@ -1,7 +1,6 @@
 //! `riffel forecast`
 
 mod dated;
-mod ground;
 mod over_posterior;
 mod wear;
 
@@ -15,13 +14,13 @@ use riffel_case::traffic::Traffic;
 use riffel_rail::Survey;
 use wear::wear_report;
 
-use crate::arguments::{Forecast as Arguments, Ground, Horizon};
+use crate::arguments::{Forecast as Arguments, Horizon};
 use crate::command::roughness::survey;
 use crate::error::CliError;
 use crate::progress::Progress;
 use crate::results::Results;
+use crate::terminal::Terminal;
 
-pub(crate) use ground::ground_rail;
 pub(crate) use wear::Measured;
 
 pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
@@ -44,8 +43,8 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
 pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey>) -> miette::Result<TrackForecast> {
     // It is there where no posterior is.
     let traffic = Traffic::read(arguments.traffic.as_deref().unwrap_or_else(|| Path::new("")))?;
-    let (table, limit) = level_limit(&arguments.limit)?;
-    let ground = ground_rail(&arguments.ground, &table, &limit)?;
+    let limit = level_limit(&arguments.limit)?;
+    let ground = arguments.ground.source().read(&limit, &Terminal)?;
     arguments.spectra.earlier.check_now(arguments.spectra.spectrum.as_deref())?;
     let dated = survey.map(|survey| Dated::new(&arguments.spectra, survey)).transpose()?;
     let progress = Progress::new(riffel_keys::say!(progress_traffic), traffic.file.vehicle.len());
@@ -55,11 +54,12 @@ pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey
         survey: dated.as_ref().map(|dated| dated.now.clone()),
         ground,
         horizon: horizon(&arguments.horizon),
-        limit: (table, limit),
+        limit,
         date: arguments.date.or(measured_on),
     };
     let answer = TrackForecast::new(case, request, &|by| progress.advance(by))
-        .map_err(|error| of_arguments(arguments, case, error))?;
+        .map_err(|error| arguments.ground.source().outside(dated.as_ref().map(|dated| &dated.now), case, error))
+        .map_err(|error| of_arguments(arguments, error))?;
     drop(progress);
     let wear = match &dated {
         Some(dated) => wear_report(&arguments.spectra, dated, case, &answer)?,
@@ -81,7 +81,7 @@ fn horizon(horizon: &Horizon) -> ForecastHorizon {
 }
 
 /// What there is no forecast for, under the names of the arguments.
-fn of_arguments(arguments: &Arguments, case: &Case, error: AnswerError) -> miette::Report {
+fn of_arguments(arguments: &Arguments, error: AnswerError) -> miette::Report {
     match error {
         AnswerError::NoSpectrum => CliError::Argument {
             argument: "--spectrum",
@@ -89,10 +89,6 @@ fn of_arguments(arguments: &Arguments, case: &Case, error: AnswerError) -> miett
             rule: "given, or else --ground or --from-limit".to_owned(),
         }
         .into(),
-        AnswerError::OutsideWindow(error) => {
-            let path = arguments.spectra.spectrum.as_deref();
-            outside(&arguments.ground, path, case, error).into()
-        }
         AnswerError::NoPassagesPerDay => CliError::Argument {
             argument: "--months",
             value: arguments.horizon.months.map_or("left out".to_owned(), |months| months.to_string()),
@@ -102,28 +98,5 @@ fn of_arguments(arguments: &Arguments, case: &Case, error: AnswerError) -> miett
         }
         .into(),
         error => error.into(),
-    }
-}
-
-/// A spectrum without a band in the window of the case.
-pub(crate) fn outside(
-    ground: &Ground,
-    spectrum: Option<&std::path::Path>,
-    case: &Case,
-    error: riffel::Error,
-) -> CliError {
-    let (argument, value) = match (&ground.ground, &ground.from_limit, spectrum) {
-        (Some(name), _, _) => ("--ground", name.clone()),
-        (_, Some(decibels), _) => ("--from-limit", decibels.clone()),
-        (_, _, spectrum) => ("--spectrum", spectrum.map_or_else(String::new, |path| path.display().to_string())),
-    };
-    CliError::Argument {
-        argument,
-        value,
-        rule: format!(
-            "of bands between {:.0} and {:.0} mm, map.wavelength of the case: {error}",
-            1e3 * case.wavelength.min(),
-            1e3 * case.wavelength.max()
-        ),
     }
 }

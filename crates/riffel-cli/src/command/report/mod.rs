@@ -7,28 +7,27 @@ mod inputs;
 use std::path::Path;
 
 use jiff::civil::Date;
-use riffel_answers::compare::CompareAnswer;
+use riffel_answers::compare::{CompareAnswer, CompareQuestion};
 use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::{TrackForecast, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion, RoughWheels};
-use riffel_answers::question::Source;
+use riffel_answers::question::{PosteriorSource, Source};
 use riffel_answers::report::{
     GENERATOR, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip, report,
 };
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_answers::{LineGrowth, PosteriorDraws};
-use riffel_case::Case;
 use riffel_case::traffic::Traffic;
+use riffel_case::{Case, Hold};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{Message, number, say};
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 
 use crate::arguments::{
-    CaseArguments, Compare, DiagnosisArguments, Earlier, Forecast, Horizon, Layout, Posterior, Report,
-    ResultsArguments, Spectra, Statistics,
+    CaseArguments, DiagnosisArguments, Earlier, Forecast, Horizon, Layout, Report, ResultsArguments, Spectra,
+    Statistics,
 };
-use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
 use crate::command::forecast::forecast;
 use crate::command::roughness::profile::judged;
@@ -373,27 +372,15 @@ fn what_if(
         return Ok(Err(say!(no_variant_given)));
     }
     let traffic = arguments.record.traffic.clone();
-    let asked = Compare {
-        case: given.arguments(),
-        variants: arguments.variants.clone(),
-        models: None,
-        remedies: false,
-        costs: Vec::new(),
-        speed: now.filter(|_| traffic.is_none()).map(|now| Quantity::new(now.speed).into()),
-        speed_deviation: None,
-        traffic,
-        posterior: Posterior { posterior: arguments.posterior.clone() },
-        hold: arguments.hold,
-        spectrum: now.map(|now| now.path.to_owned()),
-        earlier: Earlier::default(),
-        ground: arguments.ground.clone(),
-        layout: Layout::default(),
-        choose: Vec::new(),
-        limit,
-        results: ResultsArguments::default(),
-    };
-    let survey = now.map(|now| now.survey.clone());
-    Ok(Ok(compare(&given.case, &asked, survey)?))
+    let mut question = CompareQuestion::of_variants(given.arguments().source(), &limit)?;
+    question.variants = arguments.variants.iter().cloned().map(Source::File).collect();
+    question.speed = now.filter(|_| traffic.is_none()).map(|now| Quantity::new(now.speed).into());
+    question.traffic = traffic.map(Source::File);
+    question.posterior = PosteriorSource { posterior: arguments.posterior.clone() };
+    question.hold = arguments.hold.map(Hold::from);
+    question.spectrum = now.map(|now| now.survey.clone().into());
+    question.ground = arguments.ground.source();
+    Ok(Ok(question.answer_on(&given.case, &Terminal)?))
 }
 
 /// The limit of levels that forecast and what-if go by: the one asked for, or the first of all.

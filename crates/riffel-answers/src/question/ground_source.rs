@@ -1,0 +1,87 @@
+//! The rail right after grinding.
+
+use std::path::Path;
+
+use riffel::roughness::LevelLimit;
+use riffel_case::Case;
+use riffel_keys::Message;
+use riffel_rail::{GroundRail, LimitTable, Survey};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
+
+use super::{Asker, RecordLayout};
+use crate::AnswerError;
+
+/// A rail that will be ground, in place of the rail as it was measured.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+pub struct GroundSource {
+    /// Begin with the spectrum that grinding leaves: a limit table of levels by name or as a TOML file, or a file
+    /// of spectra measured after grinding.
+    #[schemars(extend("value_name" = "SPECTRUM"))]
+    pub ground: Option<String>,
+    /// Begin so many decibels below the limit, as in "-6 dB".
+    #[serde(default, deserialize_with = "as_written")]
+    #[schemars(extend("value_name" = "DECIBELS", "type" = ["string", "number"]))]
+    pub from_limit: Option<String>,
+}
+
+fn as_written<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<String>, D::Error> {
+    let value = Option::<Value>::deserialize(deserializer)?;
+    Ok(value.map(|value| value.as_str().map_or_else(|| value.to_string(), str::to_owned)))
+}
+
+impl GroundSource {
+    /// The rail that will be ground, if one is asked for, under a limit that is its table's or another's.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] for a rail that is not below the limit, [`AnswerError::Case`] with the file at fault.
+    pub fn read(
+        &self,
+        (table, limit): &(LimitTable, LevelLimit),
+        asker: &dyn Asker,
+    ) -> Result<Option<GroundRail>, AnswerError> {
+        let refuse = |argument, value: &str, rule| AnswerError::Argument { argument, value: value.to_owned(), rule };
+        if let Some(decibels) = &self.from_limit {
+            let below = GroundRail::below(&table.edition, limit, decibels);
+            return below.map(Some).map_err(|rule| refuse("--from-limit", decibels, rule));
+        }
+        let Some(name) = &self.ground else {
+            return Ok(None);
+        };
+        if !GroundRail::is_table(name) {
+            let survey = RecordLayout::default().survey(Path::new(name), asker)?;
+            let (latest, _) = survey.latest();
+            return Ok(Some(GroundRail { spectrum: latest.mean(), words: Message::verbatim(name) }));
+        }
+        let ground = GroundRail::of_table(name)?;
+        match ground.spectrum == *limit.spectrum() {
+            true => Err(refuse(
+                "--ground",
+                name,
+                "smoother than --limit, which is the same table: choose another limit, or --from-limit \"-6 dB\" to begin \
+                 below it"
+                    .to_owned(),
+            )),
+            false => Ok(Some(ground)),
+        }
+    }
+
+    /// An error of an answer, of the argument that gave a spectrum without a band in the window of the case.
+    pub fn outside(&self, spectrum: Option<&Survey>, case: &Case, error: AnswerError) -> AnswerError {
+        let AnswerError::OutsideWindow(error) = error else {
+            return error;
+        };
+        let (argument, value) = match (&self.ground, &self.from_limit) {
+            (Some(name), _) => ("--ground", name.clone()),
+            (_, Some(decibels)) => ("--from-limit", decibels.clone()),
+            _ => ("--spectrum", spectrum.map_or_else(String::new, |survey| survey.path().display().to_string())),
+        };
+        let rule = format!(
+            "of bands between {:.0} and {:.0} mm, map.wavelength of the case: {error}",
+            1e3 * case.wavelength.min(),
+            1e3 * case.wavelength.max()
+        );
+        AnswerError::Argument { argument, value, rule }
+    }
+}
