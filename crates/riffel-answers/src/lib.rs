@@ -124,6 +124,7 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<network::GrowthQuestion>(),
     #[cfg(not(target_family = "wasm"))]
     &question::of::<network::PlanQuestion>(),
+    &question::of::<diagnose::DiagnoseQuestion>(),
     &question::of::<compare::CompareQuestion>(),
     &question::of::<noise::NoiseQuestion>(),
     &question::of::<shakedown::ShakedownQuestion>(),

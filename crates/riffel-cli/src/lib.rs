@@ -185,7 +185,6 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
         Command::Init(arguments) => command::init::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
         Command::Network(arguments) => command::network::run(&arguments)?,
-        Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,
         Command::Report(arguments) => command::report::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,
         Command::Presets(arguments) => command::presets::run(&arguments)?,

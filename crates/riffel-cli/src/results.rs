@@ -37,11 +37,6 @@ impl Results {
         Self { command, folder: output.unwrap_or(folder).to_owned(), json, writes: !json || output.is_some() }
     }
 
-    /// The same of a command that is called otherwise than the folder.
-    pub(crate) fn by(self, command: &'static str) -> Self {
-        Self { command, ..self }
-    }
-
     /// Hand out an answer: its files and its document, or what they say in words; then its remarks. With `--json` and a folder both,
     /// and nothing is said.
     pub(crate) fn answer(&self, answer: &dyn Answer) -> Result<(), CliError> {

@@ -5,6 +5,7 @@ mod figure;
 mod finding;
 mod finding_document;
 pub(crate) mod mechanism_words;
+mod question;
 mod reason;
 mod sideband;
 pub(crate) mod tables;
@@ -16,6 +17,7 @@ use riffel::diagnosis::{Evidence, Instrument, Mechanism, MechanismKind, TrafficS
 use case_mechanisms::{Wheels, near, wheelset_modes};
 
 pub use finding::Finding;
+pub use question::{DiagnoseQuestion, DiagnosedRail};
 pub(crate) use reason::course_in_words;
 pub use sideband::Sideband;
 
@@ -190,6 +192,10 @@ impl Diagnosis {
 impl Answer for Diagnosis {
     fn name(&self) -> &'static str {
         "diagnosis"
+    }
+
+    fn folder_name(&self) -> Option<&'static str> {
+        Some("diagnosis")
     }
 
     fn document_name(&self) -> &'static str {

@@ -108,6 +108,15 @@ impl Key {
         }
     }
 
+    /// What its field has where it is left out and has no default.
+    fn nothing(&self) -> Value {
+        match (self.takes_many, &self.kind) {
+            (true, _) => json!([]),
+            (false, Kind::Flag) => json!(false),
+            (false, _) => Value::Null,
+        }
+    }
+
     /// The key in the JSON schema of its question.
     pub fn property(&self) -> Value {
         let kind = match &self.kind {
@@ -240,7 +249,7 @@ pub(super) fn question<Q: Question>(keys: &[Key], given: Map<String, Value>) -> 
         // Fields of a flattened struct have no path: the key is the one without which the question reads otherwise.
         let is_at_fault = |key: &&Key| {
             let mut without = fields.clone();
-            without.insert(key.name.clone(), if key.takes_many { json!([]) } else { Value::Null });
+            without.insert(key.name.clone(), key.nothing());
             !key.is_required && read(&without).map_or_else(|error| error.inner().to_string() != sentence, |_| true)
         };
         let by_path = keys.iter().find(|key| path.split(['.', '[']).next() == Some(&*key.name));
@@ -269,16 +278,12 @@ fn fields(
     let mut fields = Map::new();
     for key in keys {
         let value = match given.remove(&key.name).filter(|value| key.alone.is_none() || *value != false) {
-            Some(Value::Bool(true)) if key.alone.is_some() => key.alone.clone(),
-            Some(value) => Some(key.read(value)?),
+            Some(Value::Bool(true)) if key.alone.is_some() => key.alone.clone().unwrap_or_default(),
+            Some(value) => key.read(value)?,
             None if key.is_required => return Err(format!("{} is missing", key.option())),
-            None => key.default.clone().or(match (key.takes_many, &key.kind) {
-                (true, _) => Some(json!([])),
-                (false, Kind::Flag) => Some(json!(false)),
-                (false, _) => None,
-            }),
+            None => key.default.clone().unwrap_or_else(|| key.nothing()),
         };
-        fields.extend(value.map(|value| (key.name.clone(), value)));
+        fields.insert(key.name.clone(), value);
     }
     Ok(fields)
 }

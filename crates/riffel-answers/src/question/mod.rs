@@ -28,7 +28,7 @@ pub use ground_source::GroundSource;
 pub use key::{Key, Kind};
 pub(crate) use money::Money;
 pub use posterior_source::{PosteriorSource, finished_of, over};
-pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
+pub use rail_records::{EarlierRecords, History, RecordLayout, choose_nothing, positive};
 pub use rule::Rule;
 pub use source::Source;
 

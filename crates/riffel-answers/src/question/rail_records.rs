@@ -76,11 +76,15 @@ impl RecordLayout {
 
     /// What grows of a rail: a file without single defects, unless they are kept.
     fn read_growing(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
-        let file = self.read(path, asker)?;
-        Ok(match self.keep_defects {
+        Ok(self.growing(self.read(path, asker)?))
+    }
+
+    /// A file without single defects, unless they are kept.
+    fn growing(&self, file: RoughnessFile) -> RoughnessFile {
+        match self.keep_defects {
             true => file,
             false => file.without_defects(),
-        })
+        }
     }
 
     /// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
@@ -100,6 +104,22 @@ impl RecordLayout {
         }
         let now = self.read_growing(later, asker)?;
         Ok(Survey::at_same_places((earlier, &before), (later, &now))?)
+    }
+}
+
+/// `Ok` without a choice among spectra, which means nothing for a profile.
+///
+/// # Errors
+/// [`AnswerError::Argument`] with the file.
+pub fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -> Result<(), AnswerError> {
+    let choice = choose.first().map(|choice| ("--where", choice.as_str()));
+    match choice.or(by.map(|by| ("--by", by))) {
+        None => Ok(()),
+        Some((argument, value)) => Err(AnswerError::Argument {
+            argument,
+            value: value.to_owned(),
+            rule: format!("left out: it is for tables of spectra, and {} is a profile", path.display()),
+        }),
     }
 }
 
@@ -126,7 +146,7 @@ pub fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Res
 pub struct EarlierRecords {
     /// An earlier record of the same rail, by which it goes on growing; may be repeated, the oldest first.
     #[schemars(extend("value_name" = "FILE"))]
-    pub earlier: Vec<Source<Survey>>,
+    pub earlier: Vec<Source<RoughnessFile>>,
     /// Dates of all records, as 2026-01-31 or 31.01.2026, separated by commas, the oldest first and that of now last.
     #[serde(deserialize_with = "dates")]
     #[schemars(with = "Vec<String>", extend("separator" = ","))]
@@ -162,6 +182,21 @@ impl EarlierRecords {
         })
     }
 
+    /// `Ok` if there is a record of now, or none before it.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] with the rule.
+    pub fn check_now(&self, is_there: bool) -> Result<(), AnswerError> {
+        match self.earlier.first() {
+            Some(file) if !is_there => Err(AnswerError::Argument {
+                argument: "--earlier",
+                value: file.name().display().to_string(),
+                rule: "left out, for there is no record of now; give --spectrum".to_owned(),
+            }),
+            _ => Ok(()),
+        }
+    }
+
     /// The records, each as it is chosen, beside the one of now in a file.
     ///
     /// # Errors
@@ -174,9 +209,10 @@ impl EarlierRecords {
         asker: &dyn Asker,
     ) -> Result<History, AnswerError> {
         self.check()?;
-        let chosen = |source: &Source<Survey>| {
-            let survey = source.value(|path| layout.survey(path, asker))?;
-            Ok(Arc::unwrap_or_clone(survey).choose(choose)?)
+        let chosen = |source: &Source<RoughnessFile>| {
+            let file = source.value(|path| layout.read(path, asker))?;
+            let file = layout.growing(Arc::unwrap_or_clone(file));
+            Ok(Survey::of(source.name(), file)?.choose(choose)?)
         };
         Ok(History {
             surveys: self.earlier.iter().map(chosen).collect::<Result<_, AnswerError>>()?,

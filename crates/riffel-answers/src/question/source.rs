@@ -25,6 +25,11 @@ impl<T> Source<T> {
         }
     }
 
+    /// The path, or an empty one for what is in memory.
+    pub fn name(&self) -> &Path {
+        self.path().unwrap_or_else(|| Path::new(""))
+    }
+
     /// The value, by `read` if it stands in a file.
     ///
     /// # Errors

@@ -113,8 +113,6 @@ pub(crate) enum Command {
     Roughness(Roughness),
     /// Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding.
     Network(Network),
-    /// Dominant wavelengths of a measured rail, and what may have made them.
-    Diagnose(Diagnose),
     /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
     Report(Report),
     /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.

@@ -1,12 +1,10 @@
 //! Earlier records of a rail.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use jiff::civil::Date;
 use riffel_answers::question::{EarlierRecords, Source};
-
-use crate::error::CliError;
 
 /// Earlier records of the rail that is measured.
 #[derive(Args, Clone, Default)]
@@ -24,18 +22,6 @@ impl Earlier {
     /// The same in a question.
     pub(crate) fn records(&self) -> EarlierRecords {
         EarlierRecords { earlier: self.files.iter().cloned().map(Source::File).collect(), dates: self.dates.clone() }
-    }
-
-    /// `Ok` if there is a record of now, or none before it.
-    pub(crate) fn check_now(&self, now: Option<&Path>) -> Result<(), CliError> {
-        match (self.files.first(), now) {
-            (Some(file), None) => Err(CliError::Argument {
-                argument: "--earlier",
-                value: file.display().to_string(),
-                rule: "left out, for there is no record of now; give --spectrum".to_owned(),
-            }),
-            _ => Ok(()),
-        }
     }
 }
 

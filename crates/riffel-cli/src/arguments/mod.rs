@@ -35,7 +35,7 @@ pub(crate) use forecast::{Forecast, Ground, HoldArgument, Horizon, Spectra};
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use page::Page;
 pub(crate) use question::AskedQuestion;
-pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
+pub(crate) use roughness::{DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use simulate::{LengthPair, Simulate};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 

@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use riffel::roughness::{AnalysisSettings, GrindSettings};
+use riffel_answers::diagnose::DiagnosedRail;
 use riffel_answers::question::{RecordLayout, Source};
 use riffel_answers::roughness::ProfileRequest;
 use riffel_keys::quantity::{Frequency, Length, Quantity};
 use riffel_rail::LengthUnit;
 
 use super::number::plain_number;
-use super::{CaseArguments, Earlier, Ground, HoldArgument, ResultsArguments};
+use super::{Earlier, Ground, HoldArgument};
 
 /// How files of roughness are laid out, and what is taken of them.
 #[derive(Args, Default)]
@@ -238,6 +239,21 @@ pub(crate) struct DiagnosisArguments {
 }
 
 impl DiagnosisArguments {
+    /// The same in a question.
+    pub(crate) fn rail(&self) -> DiagnosedRail {
+        DiagnosedRail {
+            layout: self.layout.records(),
+            earlier: self.earlier.records(),
+            choose: self.choose.clone(),
+            by: self.by.clone(),
+            speed: self.speed.clone(),
+            traffic: self.traffic.clone().map(Source::File),
+            torsion: self.torsion.clone(),
+            bending: self.bending.clone(),
+            from_vehicle: self.from_vehicle,
+        }
+    }
+
     /// The first argument given of those that speak of a rail.
     pub(crate) fn given(&self) -> Option<&'static str> {
         let given = [
@@ -257,27 +273,6 @@ impl DiagnosisArguments {
         let own = given.into_iter().find(|(_, is)| *is).map(|(name, _)| name);
         own.or(self.layout.part.given())
     }
-}
-
-#[derive(Args)]
-#[command(
-    after_help = "Example: riffel diagnose case.toml --roughness profile.csv --speed \"60 km/h..80 km/h\" --earlier last-year.csv\n\n\
-        Shares compare the candidates of one list, each taken to be equally likely beforehand; they are no \
-        probability that a finding is right."
-)]
-pub(crate) struct Diagnose {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    /// Longitudinal profile, or table of one-third-octave levels.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) roughness: PathBuf,
-
-    #[command(flatten)]
-    pub(crate) record: DiagnosisArguments,
-
-    #[command(flatten)]
-    pub(crate) results: ResultsArguments,
 }
 
 #[derive(Args)]

@@ -3,7 +3,6 @@
 pub(crate) mod calibrate;
 pub(crate) mod completions;
 pub(crate) mod decide;
-pub(crate) mod diagnose;
 pub(crate) mod figures;
 pub(crate) mod forecast;
 pub(crate) mod init;

@@ -45,7 +45,7 @@ pub(super) fn forecast(case: &Case, arguments: &Arguments, survey: Option<Survey
     let traffic = Traffic::read(arguments.traffic.as_deref().unwrap_or_else(|| Path::new("")))?;
     let limit = level_limit(&arguments.limit)?;
     let ground = arguments.ground.source().read(&limit, &Terminal)?;
-    arguments.spectra.earlier.check_now(arguments.spectra.spectrum.as_deref())?;
+    arguments.spectra.earlier.records().check_now(arguments.spectra.spectrum.is_some())?;
     let dated = survey.map(|survey| Dated::new(&arguments.spectra, survey)).transpose()?;
     let progress = Progress::new(riffel_keys::say!(progress_traffic), traffic.file.vehicle.len());
     let measured_on = dated.as_ref().and_then(|dated| dated.date);

@@ -12,7 +12,7 @@ use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::{TrackForecast, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion, RoughWheels};
-use riffel_answers::question::{PosteriorSource, Source};
+use riffel_answers::question::{PosteriorSource, Source, choose_nothing};
 use riffel_answers::report::{
     GENERATOR, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip, report,
 };
@@ -28,10 +28,9 @@ use crate::arguments::{
     CaseArguments, DiagnosisArguments, Earlier, Forecast, Horizon, Layout, Report, ResultsArguments, Spectra,
     Statistics,
 };
-use crate::command::diagnose::diagnosis;
 use crate::command::forecast::forecast;
 use crate::command::roughness::profile::judged;
-use crate::command::roughness::{choose_nothing, read};
+use crate::command::roughness::read;
 use crate::error::CliError;
 use crate::messages::language;
 use crate::output::print;
@@ -235,7 +234,7 @@ fn measured(
     let file = read(path, &record.layout)?;
     // The diagnosis looks at the heights, which the statistics use up.
     let diagnosis = match case {
-        Some(case) => Some(diagnosis(case, path, &file, record)?),
+        Some(case) => Some(record.rail().diagnosis(case, path, &file, &Terminal)?),
         None => None,
     };
     Ok(match file {

@@ -6,6 +6,7 @@ mod synthesise;
 
 use std::path::Path;
 
+use riffel_answers::question::choose_nothing;
 use riffel_keys::Message;
 use riffel_rail::{LimitTable, RoughnessFile, Survey};
 
@@ -51,19 +52,6 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
 /// Read what is asked for of a file, with a bar of how far it is.
 pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile> {
     Ok(layout.records().read(path, &Terminal)?)
-}
-
-/// A choice among spectra means nothing for a profile.
-pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -> Result<(), CliError> {
-    let choice = choose.first().map(|choice| ("--where", choice.as_str()));
-    match choice.or(by.map(|by| ("--by", by))) {
-        None => Ok(()),
-        Some((argument, value)) => Err(CliError::Argument {
-            argument,
-            value: value.to_owned(),
-            rule: format!("left out: it is for tables of spectra, and {} is a profile", path.display()),
-        }),
-    }
 }
 
 /// The spectra of a file, those of a profile computed.
