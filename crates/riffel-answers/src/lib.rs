@@ -125,6 +125,7 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     #[cfg(not(target_family = "wasm"))]
     &question::of::<network::PlanQuestion>(),
     &question::of::<diagnose::DiagnoseQuestion>(),
+    &question::of::<forecast::ForecastQuestion>(),
     &question::of::<compare::CompareQuestion>(),
     &question::of::<noise::NoiseQuestion>(),
     &question::of::<shakedown::ShakedownQuestion>(),

@@ -189,7 +189,6 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
         Command::Figures(arguments) => command::figures::run(&arguments)?,
         Command::Presets(arguments) => command::presets::run(&arguments)?,
         Command::Roughness(arguments) => command::roughness::run(&arguments)?,
-        Command::Forecast(arguments) => command::forecast::run(&arguments)?,
         Command::Serve(arguments) => command::serve::run(&arguments, program)?,
         Command::Page(arguments) => command::page::run(&arguments)?,
         Command::Study(arguments) => return command::study::run(&arguments),

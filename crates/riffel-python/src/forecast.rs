@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel::forecast::{Reach, SpeedDistribution};
 use riffel_answers::compare::{Comparison, Effect};
-use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport, rail_to_fit};
+use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport};
 use riffel_case::traffic::{Line, Traffic, TrafficOnCase, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
@@ -178,7 +178,7 @@ pub(crate) fn fit_wear<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let layout = Layout::default();
     let (_, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
-    let [earlier, later] = match places_of_both(py, &earlier, &later, &layout)? {
+    let [earlier, mut later] = match places_of_both(py, &earlier, &later, &layout)? {
         Some(places) => places,
         None => {
             let latest = |given| Ok::<_, PyErr>(survey(py, given, &layout)?.latest().0);
@@ -186,21 +186,20 @@ pub(crate) fn fit_wear<'py>(
         }
     };
     let traffic = traffic_of(case, traffic.as_ref())?;
-    let (mut now, before) = (later.clone(), earlier.clone());
-    let found = case.compute(py, move |case| {
+    let report = case.compute(py, move |case| {
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
-        let passages = passages.or_else(|| on.passages_in(days?));
+        let Some(passages) = passages.or_else(|| on.passages_in(days?)) else {
+            return Ok(None);
+        };
         // The rail that leads by how each has grown, as in a forecast of these two dates.
-        let history = passages.map(|ago| RailDates::new(&now, vec![(ago, before)], Elapsed::Passages));
-        now.history = history;
-        let rail = rail_to_fit(case, &now, &on, Some(&limit));
-        Ok::<_, CaseError>((on, passages, rail))
+        let history = RailDates::new(&later, vec![(passages, earlier.clone())], Elapsed::Passages);
+        later.history = Some(history);
+        WearReport::since(&earlier, None, &later, (case, &on), Some(&limit), passages).map(Some)
     })?;
-    let (on, passages, rail) = found.map_err(of_case)?;
-    let passages = passages
+    let report = report
+        .map_err(of_case)?
         .ok_or_else(|| wrong("days needs traffic with passages_per_day or mgt_per_year under [line]; give passages"))?;
-    let report = WearReport::new(&on, rail.as_deref(), &earlier, &later, passages);
-    document(py, &report.map_err(of_case)?)
+    document(py, &report)
 }
 
 /// A file of changes, or its keys.

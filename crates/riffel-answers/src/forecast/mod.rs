@@ -5,7 +5,9 @@ mod damage;
 mod figure;
 mod findings;
 mod horizon;
+mod measured_spectra;
 mod over_posterior;
+mod question;
 mod rail_forecast;
 mod reach;
 mod wear_report;
@@ -30,11 +32,13 @@ pub use answer::ForecastAnswer;
 pub use damage::{CrackedWave, HardenedWave};
 pub(crate) use figure::{rate_panel, zero};
 pub use horizon::ForecastHorizon;
+pub use measured_spectra::MeasuredSpectra;
 pub use over_posterior::PosteriorForecast;
+pub use question::ForecastQuestion;
 pub(crate) use rail_forecast::rates_without_time;
 pub use rail_forecast::{RailForecast, RailStart};
 pub(crate) use reach::ReachDocument;
-pub use wear_report::{WearReport, rail_to_fit};
+pub use wear_report::WearReport;
 pub(crate) use words::{number, reached, when};
 pub use words::{per_million, three_digits};
 
@@ -158,13 +162,6 @@ impl TrackForecast {
             without_growth,
             warnings,
         })
-    }
-
-    /// Forecast with what the model makes of the growth between two dates.
-    #[must_use]
-    pub fn with_wear(mut self, wear: WearReport) -> Self {
-        self.wear = Some(wear);
-        self
     }
 
     /// The figure of the forecast.

@@ -5,7 +5,7 @@ use riffel::roughness::LevelLimit;
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
-use riffel_rail::{Survey, rail_in_words};
+use riffel_rail::{RailDates, Survey, rail_in_words};
 use serde::{Serialize, Serializer};
 
 use super::words::millions;
@@ -75,7 +75,7 @@ fn remarks_of(survey: &Survey) -> impl Iterator<Item = Message> {
 }
 
 /// The rail that a fit is of, where several were measured and each grows differently: that of which the case is, else the one that leads.
-pub fn rail_to_fit(case: &Case, now: &Survey, on: &TrafficOnCase, limit: Option<&LevelLimit>) -> Option<String> {
+fn rail_to_fit(case: &Case, now: &Survey, on: &TrafficOnCase, limit: Option<&LevelLimit>) -> Option<String> {
     let starts = RailStart::of(&case.rail_in_curve(), Some(now), None, on.passages_per_day);
     let rails = RailForecast::of_rails(&starts, on, limit).ok()?;
     let of_case = rails.iter().find(|rail| rail.start.is_of_case);
@@ -83,6 +83,29 @@ pub fn rail_to_fit(case: &Case, now: &Survey, on: &TrafficOnCase, limit: Option<
 }
 
 impl WearReport {
+    /// The fit of how one rail has changed in so many passages since its oldest record, place by place where both are profiles: of
+    /// several rails that of the case, or else the one that leads under a limit. It begins where that rail was last ground.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn since(
+        oldest: &Survey,
+        places: Option<&[Survey; 2]>,
+        now: &Survey,
+        (case, on): (&Case, &TrafficOnCase),
+        limit: Option<&LevelLimit>,
+        passages: f64,
+    ) -> Result<Self, CaseError> {
+        let rail = rail_to_fit(case, now, on, limit);
+        let rail = rail.as_deref();
+        let history = now.clone().of_rail(rail).and_then(|own| own.history);
+        if let Some((share, earlier)) = history.as_ref().and_then(RailDates::since_ground) {
+            return Self::new(on, rail, earlier, now, share * passages);
+        }
+        let [earlier, now] = places.map_or([oldest, now], |[oldest, now]| [oldest, now]);
+        Self::new(on, rail, earlier, now, passages)
+    }
+
     /// The fit of the change of a rail from one measurement to a later one by the growth of a case under traffic; of all records without
     /// the name of a rail.
     ///

@@ -182,21 +182,6 @@ impl EarlierRecords {
         })
     }
 
-    /// `Ok` if there is a record of now, or none before it.
-    ///
-    /// # Errors
-    /// [`AnswerError::Argument`] with the rule.
-    pub fn check_now(&self, is_there: bool) -> Result<(), AnswerError> {
-        match self.earlier.first() {
-            Some(file) if !is_there => Err(AnswerError::Argument {
-                argument: "--earlier",
-                value: file.name().display().to_string(),
-                rule: "left out, for there is no record of now; give --spectrum".to_owned(),
-            }),
-            _ => Ok(()),
-        }
-    }
-
     /// The records, each as it is chosen, beside the one of now in a file.
     ///
     /// # Errors

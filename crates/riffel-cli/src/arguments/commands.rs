@@ -115,8 +115,6 @@ pub(crate) enum Command {
     Network(Network),
     /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
     Report(Report),
-    /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
-    Forecast(Forecast),
     /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
     Study(Study),
     /// What measurements say of the uncertain values of a case.

@@ -26,6 +26,6 @@ impl Earlier {
 }
 
 /// A date on the command line.
-pub(super) fn date(text: &str) -> Result<Date, String> {
+fn date(text: &str) -> Result<Date, String> {
     riffel_rail::read_date(text).map_err(|said| said.to_string())
 }

@@ -31,7 +31,7 @@ pub(crate) use commands::{Command, Commands};
 pub(crate) use decide::Decide;
 pub(crate) use earlier::Earlier;
 pub(crate) use figures::{Figures, ModelArgument};
-pub(crate) use forecast::{Forecast, Ground, HoldArgument, Horizon, Spectra};
+pub(crate) use forecast::{Ground, HoldArgument};
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use page::Page;
 pub(crate) use question::AskedQuestion;

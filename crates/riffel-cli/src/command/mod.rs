@@ -4,7 +4,6 @@ pub(crate) mod calibrate;
 pub(crate) mod completions;
 pub(crate) mod decide;
 pub(crate) mod figures;
-pub(crate) mod forecast;
 pub(crate) mod init;
 pub(crate) mod man;
 pub(crate) mod network;

@@ -11,7 +11,6 @@ use riffel_rail::{LimitTable, Survey};
 
 use super::{Now, level_limit};
 use crate::arguments::Report;
-use crate::command::forecast::Measured;
 use crate::error::CliError;
 use crate::progress::Progress;
 use crate::terminal::Terminal;
@@ -70,12 +69,12 @@ pub(super) fn fit(
     let Some(passages) = arguments.passages_between.or(by_date) else {
         return Ok(Err(say!(not_fitted_without_passages)));
     };
-    let measured = Measured::new(&before.survey, &now.survey, before.places.as_ref());
     let limit = match level_limit(arguments, limits) {
         Some(name) => Some(riffel_answers::level_limit(&name)?.1),
         None => None,
     };
-    let report = measured.fit(case, &on, limit.as_ref(), passages);
+    let places = before.places.as_ref();
+    let report = WearReport::since(&before.survey, places, &now.survey, (case, &on), limit.as_ref(), passages);
     Ok(report.map_err(|error| say!(coefficient_not_fitted, reason = error.message())))
 }
 

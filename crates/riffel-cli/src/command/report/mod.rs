@@ -9,7 +9,7 @@ use std::path::Path;
 use jiff::civil::Date;
 use riffel_answers::compare::{CompareAnswer, CompareQuestion};
 use riffel_answers::diagnose::Diagnosis;
-use riffel_answers::forecast::{TrackForecast, WearReport};
+use riffel_answers::forecast::{ForecastQuestion, MeasuredSpectra, TrackForecast, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion, RoughWheels};
 use riffel_answers::question::{PosteriorSource, Source, choose_nothing};
@@ -24,11 +24,7 @@ use riffel_keys::quantity::Quantity;
 use riffel_keys::{Message, number, say};
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 
-use crate::arguments::{
-    CaseArguments, DiagnosisArguments, Earlier, Forecast, Horizon, Layout, Report, ResultsArguments, Spectra,
-    Statistics,
-};
-use crate::command::forecast::forecast;
+use crate::arguments::{CaseArguments, DiagnosisArguments, Report, Statistics};
 use crate::command::roughness::profile::judged;
 use crate::command::roughness::read;
 use crate::error::CliError;
@@ -305,28 +301,21 @@ fn outlook(
     let Some(traffic) = &arguments.record.traffic else {
         return Ok(Err(say!(no_traffic_given)));
     };
-    let asked = Forecast {
-        case: given.arguments(),
-        spectra: Spectra {
-            spectrum: Some(now.path.to_owned()),
-            layout: Layout::default(),
-            choose: Vec::new(),
-            date_column: None,
-            earlier: Earlier::default(),
-            earlier_choose: Vec::new(),
-            passages_between: None,
-        },
-        ground: arguments.ground.clone(),
-        traffic: Some(traffic.clone()),
+    let asked = ForecastQuestion {
+        case: given.arguments().source(),
+        spectra: MeasuredSpectra { spectrum: Some(now.survey.clone().into()), ..MeasuredSpectra::default() },
+        ground: arguments.ground.source(),
+        traffic: Some(Source::File(traffic.clone())),
         posterior: None,
         limit,
-        horizon: Horizon { passages: None, mgt: None, months: arguments.months },
+        passages: None,
+        mgt: None,
+        months: arguments.months,
         date: now.date,
-        results: ResultsArguments::default(),
     };
-    let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
+    let mut answer = asked.answer_on(&given.case, &Terminal)?;
     match wear {
-        Some(Ok(fit)) => answer = answer.with_wear(fit),
+        Some(Ok(fit)) => answer.wear = Some(fit),
         Some(Err(why)) => answer.warnings.push(why),
         None => (),
     }

@@ -1,0 +1,202 @@
+//! What is asked of the future of a rail.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use jiff::civil::Date;
+use riffel_case::Case;
+use riffel_case::traffic::Traffic;
+use riffel_keys::say;
+use riffel_rail::{Survey, read_date};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, de};
+
+use super::measured_spectra::{Dated, MeasuredSpectra};
+use super::{ForecastAnswer, ForecastHorizon, ForecastRequest, PosteriorForecast, TrackForecast, WearReport};
+use crate::question::{Asker, CaseSource, GroundSource, Question, Rule, Source, finished_of};
+use crate::{Answer, AnswerError, level_limit};
+
+/// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ForecastQuestion {
+    /// The case.
+    #[serde(flatten)]
+    pub case: CaseSource,
+    /// What was measured.
+    #[serde(flatten)]
+    pub spectra: MeasuredSpectra,
+    /// What the rail will be ground to.
+    #[serde(flatten)]
+    pub ground: GroundSource,
+    /// Traffic file: vehicles with their shares, loads, speeds and traction; `riffel init --traffic` writes
+    /// one.
+    #[schemars(extend("value_name" = "TOML"))]
+    pub traffic: Option<Source<Traffic>>,
+    /// Folder of a finished calibration of the case: its levels, traffic and draws, with bands of 50 and 90 %.
+    #[schemars(with = "Option<String>", extend("value_name" = "DIR", "path" = true))]
+    pub posterior: Option<PathBuf>,
+    /// Limit of the levels, by name or as a TOML file.
+    #[schemars(extend("default" = "iso-3095-2013"))]
+    pub limit: String,
+    /// Look so many axle passages ahead.
+    #[schemars(extend("value_name" = "N"))]
+    pub passages: Option<f64>,
+    /// Look so many million gross tonnes ahead.
+    #[schemars(extend("value_name" = "X"))]
+    pub mgt: Option<f64>,
+    /// Look so many months ahead [default: 12].
+    #[schemars(extend("value_name" = "M"))]
+    pub months: Option<f64>,
+    /// Date of the spectrum, from which dates are counted [default: that of --date-column].
+    #[serde(default, deserialize_with = "date")]
+    #[schemars(with = "Option<String>")]
+    pub date: Option<Date>,
+}
+
+fn date<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Date>, D::Error> {
+    let text = Option::<String>::deserialize(deserializer)?;
+    let date = text.map(|text| read_date(&text).map_err(|said| de::Error::custom(said.to_string())));
+    date.transpose()
+}
+
+impl ForecastQuestion {
+    /// The forecast of the rail that will be ground, or else of what was measured, on a case that was read; `asker` is told how far it is.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
+    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast, AnswerError> {
+        let survey = self.spectra.read(asker)?;
+        let traffic = self.traffic.as_ref().ok_or_else(|| left_out("--traffic", "given"))?;
+        let traffic = Arc::unwrap_or_clone(traffic.value(Traffic::read)?);
+        let limit = level_limit(&self.limit)?;
+        let ground = self.ground.read(&limit, asker)?;
+        let dated = survey.as_ref().map(|survey| self.spectra.dated(survey, asker)).transpose()?;
+        let step = asker.begin(say!(progress_traffic), traffic.file.vehicle.len());
+        let request = ForecastRequest {
+            traffic,
+            survey: dated.as_ref().map(|dated| dated.now.clone()),
+            ground,
+            horizon: self.horizon(),
+            limit,
+            date: self.date.or(dated.as_ref().and_then(|dated| dated.date)),
+        };
+        let answer = TrackForecast::new(case, request, &step);
+        let mut answer = answer.map_err(|error| self.of_arguments(case, survey.as_deref(), error))?;
+        drop(step);
+        if let Some(dated) = &dated {
+            answer.wear = self.wear(dated, case, &answer)?;
+        }
+        Ok(answer)
+    }
+
+    /// How far to look ahead: as asked for, or a year.
+    fn horizon(&self) -> ForecastHorizon {
+        match (self.passages, self.mgt) {
+            (Some(passages), _) => ForecastHorizon::Passages(passages),
+            (None, Some(mgt)) => ForecastHorizon::MillionGrossTonnes(mgt),
+            (None, None) => ForecastHorizon::Months(self.months.unwrap_or(12.0)),
+        }
+    }
+
+    /// What there is no forecast for, under the names of the arguments.
+    fn of_arguments(&self, case: &Case, survey: Option<&Survey>, error: AnswerError) -> AnswerError {
+        match error {
+            AnswerError::NoSpectrum => left_out("--spectrum", "given, or else --ground or --from-limit"),
+            AnswerError::NoPassagesPerDay => AnswerError::Argument {
+                argument: "--months",
+                value: self.months.map_or("left out".to_owned(), |months| months.to_string()),
+                rule: "replaced by --passages or --mgt, for the traffic file says under [line] neither \
+                       passages_per_day nor mgt_per_year"
+                    .to_owned(),
+            },
+            error => self.ground.outside(survey, case, error),
+        }
+    }
+
+    /// The wear coefficient of two dated measurements, where there is an earlier one.
+    fn wear(&self, dated: &Dated, case: &Case, answer: &TrackForecast) -> Result<Option<WearReport>, AnswerError> {
+        let between = self.spectra.passages_between;
+        let Some(earlier) = &dated.earlier else {
+            return match between {
+                Some(_) => Err(AnswerError::Argument {
+                    argument: "--passages-between",
+                    value: "given".to_owned(),
+                    rule: "left out, for there is no earlier measurement; give --earlier, --earlier-where or \
+                           --date-column"
+                        .to_owned(),
+                }),
+                None => Ok(None),
+            };
+        };
+        let by_date = || answer.on.passages_in(dated.days?);
+        let is_asked = self.spectra.asks_for_fit();
+        let Some(passages) = between.or_else(by_date) else {
+            let rule =
+                "given, or else --dates or --date-column, and a traffic file that says how much traffic there is";
+            return if is_asked { Err(left_out("--passages-between", rule)) } else { Ok(None) };
+        };
+        let places = dated.places.as_ref();
+        let fit = WearReport::since(earlier, places, &dated.now, (case, &answer.on), Some(&answer.limit), passages);
+        match is_asked {
+            true => Ok(Some(fit?)),
+            false => Ok(fit.ok()),
+        }
+    }
+
+    /// The forecast of the rail of a calibration.
+    fn over_posterior(&self, folder: &Path) -> Result<PosteriorForecast, AnswerError> {
+        let (plan, chains) = finished_of(&|path| self.case.is_just(path), folder)?;
+        let months = self.months.unwrap_or(12.0);
+        ForecastHorizon::Months(months).check()?;
+        Ok(PosteriorForecast::new(&plan, &chains, &level_limit(&self.limit)?, months)?)
+    }
+}
+
+fn left_out(argument: &'static str, rule: &str) -> AnswerError {
+    AnswerError::Argument { argument, value: "left out".to_owned(), rule: rule.to_owned() }
+}
+
+impl Question for ForecastQuestion {
+    const NAME: &'static str = "forecast";
+    const EXAMPLE: &'static str = "\
+        Example: riffel forecast case.toml --spectrum spectra.csv --traffic traffic.toml --months 24\n\n\
+        The interval of a rail that will be ground: riffel forecast case.toml --traffic traffic.toml --from-limit \"-6 dB\"";
+    const RULES: &'static [Rule] = &[
+        Rule::Needs("where", &["spectrum"]),
+        Rule::Needs("date_column", &["spectrum"]),
+        Rule::Needs("earlier", &["spectrum"]),
+        Rule::Needs("dates", &["earlier"]),
+        Rule::Needs("earlier_where", &["spectrum"]),
+        Rule::Needs("passages_between", &["spectrum"]),
+        Rule::OneOf(&["ground", "from_limit"]),
+        Rule::OneOf(&["passages", "mgt", "months"]),
+        Rule::AnyOf(&["traffic", "posterior"]),
+        Rule::Excludes(
+            "posterior",
+            &[
+                "traffic",
+                "spectrum",
+                "ground",
+                "from_limit",
+                "passages",
+                "mgt",
+                "date",
+                "earlier",
+                "dates",
+                "date_column",
+                "where",
+                "earlier_where",
+                "passages_between",
+            ],
+        ),
+    ];
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        if let Some(folder) = &self.posterior {
+            return Ok(Box::new(self.over_posterior(folder)?));
+        }
+        let case = self.case.read(asker)?;
+        let spectrum = self.spectra.spectrum.as_ref().map(|spectrum| spectrum.name().display().to_string());
+        Ok(Box::new(ForecastAnswer::new(&case, self.answer_on(&case, asker)?, spectrum)))
+    }
+}
