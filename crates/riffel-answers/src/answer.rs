@@ -1,5 +1,8 @@
 //! What every answer is: a document, tables, a figure and what is said of them.
 
+use std::borrow::Cow;
+use std::path::Path;
+
 use riffel::GrowthMap;
 use riffel_case::Case;
 use riffel_keys::Message;
@@ -38,6 +41,35 @@ impl ResultFile<'_> {
     pub(crate) fn tables(tables: Vec<Table>) -> impl Iterator<Item = Self> {
         tables.into_iter().filter(Table::has_file).map(Self::Table)
     }
+}
+
+/// A text of an answer that is no file of its folder.
+pub struct OwnText<'a> {
+    /// Its file; standard output without any.
+    pub path: Option<&'a Path>,
+    /// What it says.
+    pub text: Cow<'a, str>,
+    /// What becomes of a file that is there.
+    pub existing: Existing,
+    /// What is said when it is written; none where it goes before the files of a folder.
+    pub written: Option<Message>,
+}
+
+impl OwnText<'_> {
+    /// Whether it is the whole answer.
+    pub fn is_all(&self) -> bool {
+        self.path.is_none() || self.written.is_some()
+    }
+}
+
+/// What becomes of a file that is there where another is to be written.
+pub enum Existing {
+    /// It is kept.
+    Kept,
+    /// It is replaced.
+    Replaced,
+    /// It is replaced if it says the same, or has this mark near its beginning.
+    ReplacedIfKnown(Option<&'static str>),
 }
 
 /// What serialises to a document.
@@ -121,6 +153,11 @@ pub trait Answer: Document {
     fn files(&self) -> Vec<ResultFile<'_>> {
         let figure = ResultFile::Lines(self.name(), self.figure());
         [figure].into_iter().chain(ResultFile::tables(self.tables())).collect()
+    }
+
+    /// A text that goes to a file that the question names, or to standard output.
+    fn own_text(&self) -> Option<OwnText<'_>> {
+        None
     }
 
     /// What the reader should know.

@@ -37,6 +37,8 @@ mod defect_document;
 pub mod diagnose;
 mod error;
 mod expected_growth;
+#[cfg(not(target_family = "wasm"))]
+mod fingerprint;
 pub mod forecast;
 mod grinding_interval;
 mod growth_lines;
@@ -82,13 +84,15 @@ pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
 
-pub use answer::{Answer, Document, ResultFile, Told};
+pub use answer::{Answer, Document, Existing, OwnText, ResultFile, Told};
 pub use banded::Banded;
 pub use calibration::Calibration;
 pub use capital::{capital, sentence};
 pub use cause::Cause;
 pub use error::AnswerError;
 pub use expected_growth::ExpectedRates;
+#[cfg(not(target_family = "wasm"))]
+pub use fingerprint::fingerprint;
 pub use grinding_interval::GrindingInterval;
 pub use highest::Highest;
 pub use level_limit::level_limit;
@@ -113,6 +117,7 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<contact::ContactQuestion>(),
     &question::of::<profile::ProfileQuestion>(),
     &question::of::<curve::CurveQuestion>(),
+    &question::of::<roughness::RoughnessQuestion>(),
     &question::of::<axlebox::AxleBoxQuestion>(),
     #[cfg(not(target_family = "wasm"))]
     &question::of::<network::IngestQuestion>(),
@@ -125,6 +130,8 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     #[cfg(not(target_family = "wasm"))]
     &question::of::<network::PlanQuestion>(),
     &question::of::<diagnose::DiagnoseQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<report::ReportQuestion>(),
     &question::of::<forecast::ForecastQuestion>(),
     &question::of::<compare::CompareQuestion>(),
     &question::of::<noise::NoiseQuestion>(),

@@ -5,10 +5,8 @@
 mod arguments;
 mod command;
 mod error;
-mod fingerprint;
 mod messages;
 mod output;
-mod posterior;
 mod progress;
 mod question;
 mod results;
@@ -185,10 +183,8 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
         Command::Init(arguments) => command::init::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
         Command::Network(arguments) => command::network::run(&arguments)?,
-        Command::Report(arguments) => command::report::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,
         Command::Presets(arguments) => command::presets::run(&arguments)?,
-        Command::Roughness(arguments) => command::roughness::run(&arguments)?,
         Command::Serve(arguments) => command::serve::run(&arguments, program)?,
         Command::Page(arguments) => command::page::run(&arguments)?,
         Command::Study(arguments) => return command::study::run(&arguments),
@@ -204,9 +200,11 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
     Ok(0)
 }
 
+/// What names where results go.
+const RESULTS: [&str; 3] = ["output", "save_format", "into"];
+
 /// The files that a command line names and that are not where results go: none of them may be replaced.
 fn inputs(matches: &ArgMatches) -> Vec<PathBuf> {
-    const RESULTS: [&str; 3] = ["output", "save_format", "into"];
     match matches.subcommand() {
         // Its only file is the one that it writes.
         Some(("init", _)) => Vec::new(),

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use riffel_answers::{Answer, Told};
+use riffel_answers::{self as answers, Answer, OwnText, Told};
 
 use crate::arguments::{CaseArguments, ResultsArguments};
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
 use crate::output::{as_text, json_of, print, table_of};
-use crate::staging::Staging;
+use crate::staging::{Existing, Staging, write_file};
 
 /// Where the results of a command go: with `--json` the document is printed, and files are written only to a folder that is
 /// named.
@@ -58,6 +58,20 @@ impl Results {
         print_remarks(answer.remarks());
         Ok(())
     }
+}
+
+/// Write a text to its file, or print it.
+pub(crate) fn put(text: &OwnText<'_>) -> Result<(), CliError> {
+    let Some(path) = text.path else {
+        return print(&text.text);
+    };
+    let existing = match text.existing {
+        answers::Existing::Kept => Existing::Keep("remove the file first"),
+        answers::Existing::Replaced => Existing::Replace,
+        answers::Existing::ReplacedIfKnown(mark) => Existing::known(path, &text.text, mark),
+    };
+    write_file(path, &text.text, existing)?;
+    text.written.iter().try_for_each(|written| print(&(written.text(language()) + "\n")))
 }
 
 /// An answer in words.

@@ -11,14 +11,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use riffel_answers::map::map_csv;
-use riffel_answers::{ResultFile, Table};
+use riffel_answers::{ResultFile, Table, fingerprint};
 use riffel_arrays::whole_file;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, Picture, html_of_stages};
 use riffel_study::Stop;
 use tempfile::TempPath;
 
 use crate::error::CliError;
-use crate::fingerprint::fingerprint;
 use crate::progress::Progress;
 use manifest::{Files, Manifest};
 pub(crate) use place::{add_input, set_inputs};
@@ -234,18 +233,19 @@ pub(crate) enum Existing {
 }
 
 impl Existing {
-    /// Replaced if that is asked for, or if its head holds the mark of what writes it: a page is written anew, as the results of a
-    /// folder are.
-    pub(crate) fn page(path: &Path, force: bool, mark: &str) -> Self {
+    /// Replaced if it says the same, or if its head holds the mark of what writes it: a page is written anew, as the results of a folder
+    /// are.
+    pub(crate) fn known(path: &Path, text: &str, mark: Option<&str>) -> Self {
         /// Bytes within which the mark stands.
         const HEAD: u64 = 1024;
         let mut head = Vec::new();
-        let mut is_known = || {
+        let has_mark = |mark| {
             File::open(path)
                 .and_then(|file| file.take(HEAD).read_to_end(&mut head))
                 .is_ok_and(|_| String::from_utf8_lossy(&head).contains(mark))
         };
-        match force || is_known() {
+        let is_same = || path.is_file() && fs::read(path).is_ok_and(|there| there == text.as_bytes());
+        match mark.map_or_else(is_same, has_mark) {
             true => Self::Replace,
             false => Self::Keep("--force to replace it"),
         }

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use riffel_answers::question::{Asker, Step};
-use riffel_keys::Message;
+use riffel_keys::{Language, Message};
 
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::progress::Progress;
 use crate::staging::add_input;
 
@@ -20,6 +20,10 @@ impl Asker for Terminal {
 
     fn remark(&self, remarks: &[Message]) {
         print_remarks(remarks);
+    }
+
+    fn language(&self) -> Language {
+        language()
     }
 
     fn reads(&self, path: &Path) {

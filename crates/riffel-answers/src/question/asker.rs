@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel_keys::Message;
+use riffel_keys::{Language, Message};
 
 /// Called after some more steps of the work.
 pub type Step<'a> = Box<dyn Fn(usize) + Sync + 'a>;
@@ -14,6 +14,11 @@ pub trait Asker: Sync {
 
     /// What should be asked about a value or a file before the answer is trusted.
     fn remark(&self, remarks: &[Message]);
+
+    /// The language of pages.
+    fn language(&self) -> Language {
+        Language::English
+    }
 
     /// Name a file that the answer is made of, which no result may replace.
     fn reads(&self, path: &Path);

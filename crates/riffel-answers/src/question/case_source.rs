@@ -1,7 +1,7 @@
 //! The case of a question.
 
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use riffel_case::file::CaseFile;
@@ -86,6 +86,16 @@ impl<T> CaseSource<T> {
     pub fn new(case: Source<T>, set: Vec<String>) -> Self {
         Self { case, set }
     }
+
+    /// The path of its file, or an empty one for what is in memory.
+    pub(crate) fn name(&self) -> &Path {
+        self.case.name()
+    }
+
+    /// What is set in place of what it says.
+    pub(crate) fn overrides(&self) -> &[String] {
+        &self.set
+    }
 }
 
 impl<T: OfCase> CaseSource<T> {
@@ -101,12 +111,16 @@ impl<T: OfCase> CaseSource<T> {
     /// [`AnswerError::Case`] with the key, the value and the rule.
     pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>, AnswerError> {
         let case = self.case.value(|path| T::read(path, &self.set))?;
-        let measurement = case.file().and_then(|file| file.track.measurement.as_ref());
-        if let (Some(path), Some(measurement)) = (self.case.path(), measurement) {
-            let folder = path.parent().unwrap_or_else(|| Path::new(""));
-            asker.reads(&folder.join(&measurement.file));
+        if let Some(file) = self.measurement(&case) {
+            asker.reads(&file);
         }
         Ok(case)
+    }
+
+    /// The file of a measured track that the case reads, if it does.
+    pub(crate) fn measurement(&self, case: &T) -> Option<PathBuf> {
+        let measurement = case.file()?.track.measurement.as_ref()?;
+        Some(self.case.path()?.parent().unwrap_or_else(|| Path::new("")).join(&measurement.file))
     }
 }
 

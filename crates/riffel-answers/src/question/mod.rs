@@ -46,6 +46,9 @@ pub trait Question: DeserializeOwned + JsonSchema {
     /// Whether the program writes files of the answer, where only a document and words are not enough.
     const WRITES_FILES: bool = true;
 
+    /// Whether the program prints a document of the answer, where a text is not enough.
+    const HAS_DOCUMENT: bool = true;
+
     /// The answer; `asker` is told how far it is and what is unusual about the question.
     ///
     /// # Errors
@@ -63,6 +66,8 @@ pub trait AnyQuestion: Sync {
     fn rules(&self) -> &'static [Rule];
     /// Whether the program writes files of the answer.
     fn writes_files(&self) -> bool;
+    /// Whether the program prints a document of the answer.
+    fn has_document(&self) -> bool;
     /// What it asks, in one line.
     fn about(&self) -> String;
     /// Its keys, in the order of its fields.
@@ -124,6 +129,10 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         Q::WRITES_FILES
     }
 
+    fn has_document(&self) -> bool {
+        Q::HAS_DOCUMENT
+    }
+
     fn about(&self) -> String {
         key::description(Self::generated().get("description"))
     }
@@ -136,7 +145,9 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         let keys = self.keys();
         let required = keys.iter().filter(|key| key.is_required).map(|key| &key.name);
         let properties = keys.iter().map(|key| (key.name.clone(), key.property()));
-        let properties = properties.chain(Q::WRITES_FILES.then(|| ("output".to_owned(), key::output())));
+        let says_where = keys.iter().any(|key| key.name == "output");
+        let output = (Q::WRITES_FILES && !says_where).then(|| ("output".to_owned(), key::output()));
+        let properties = properties.chain(output);
         json!({
             "$schema": "https://json-schema.org/draft/2020-12/schema",
             "title": format!("riffel ask {}", self.name()),

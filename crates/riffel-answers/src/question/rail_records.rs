@@ -80,7 +80,7 @@ impl RecordLayout {
     }
 
     /// A file without single defects, unless they are kept.
-    fn growing(&self, file: RoughnessFile) -> RoughnessFile {
+    pub(crate) fn growing(&self, file: RoughnessFile) -> RoughnessFile {
         match self.keep_defects {
             true => file,
             false => file.without_defects(),

@@ -2,13 +2,16 @@
 
 mod grinding_cost;
 mod inputs;
+mod measured;
 mod mechanism;
 mod noise;
 mod outlook;
 mod page;
+mod question;
 mod roughness;
 mod site;
 mod strip_map;
+mod working;
 
 use std::path::Path;
 
@@ -19,8 +22,9 @@ use riffel_plot::PlotError;
 use riffel_rail::{LimitTable, Record};
 
 pub use inputs::Inputs;
-pub use page::GENERATOR;
-pub use roughness::block_of_strip;
+use page::GENERATOR;
+pub use question::ReportQuestion;
+use roughness::block_of_strip;
 pub use site::Site;
 
 use crate::AnswerError;

@@ -11,7 +11,7 @@ const STYLE: &str = include_str!("page.css");
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
 
 /// What a page says it was written by, near its beginning.
-pub const GENERATOR: &str = "<meta name=\"generator\" content=\"riffel report\">";
+pub(super) const GENERATOR: &str = "<meta name=\"generator\" content=\"riffel report\">";
 
 /// A section, or the sentence why there is none.
 pub(super) enum Section {

@@ -80,7 +80,7 @@ pub(super) fn moving_rms(report: &ProfileAnswer, language: Language) -> Result<S
 }
 
 /// Length \[m\] of the blocks of which a strip shows one value each.
-pub fn block_of_strip(record: &Record) -> f64 {
+pub(super) fn block_of_strip(record: &Record) -> f64 {
     ((record.to - record.from) / COLUMNS as f64).max(1.0)
 }
 

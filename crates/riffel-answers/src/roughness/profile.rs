@@ -1,6 +1,6 @@
 //! A measured profile: levels, bands, limits, what to grind.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use riffel::roughness::{
     AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit, Spectrum,
@@ -20,7 +20,8 @@ use super::section_verdict::SectionVerdict;
 use super::verdict::{Verdict, worst_first};
 use super::words::name;
 use super::{figure, tables};
-use crate::{Answer, AnswerError, Table};
+use crate::question::Asker;
+use crate::{Answer, AnswerError, Existing, OwnText, Table};
 
 /// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
 const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
@@ -77,6 +78,9 @@ pub struct ProfileAnswer {
     pub grinding: GrindSettings,
     #[serde(skip)]
     pub(super) limits: Vec<LimitTable>,
+    /// Where it is saved how the file was read.
+    #[serde(skip)]
+    pub(super) save_format: Option<PathBuf>,
 }
 
 /// The limit of the moving RMS: there is one at most.
@@ -177,7 +181,20 @@ impl ProfileAnswer {
             record,
             grinding,
             limits: limits.to_vec(),
+            save_format: None,
         })
+    }
+
+    /// The same, with an asker who is told how far it is.
+    pub(crate) fn asked(
+        path: &Path,
+        record: Record,
+        limits: &[LimitTable],
+        request: &ProfileRequest,
+        asker: &dyn Asker,
+    ) -> Result<Self, AnswerError> {
+        let step = asker.begin(say!(progress_roughness), Self::steps(&record));
+        Self::new(path, record, limits, request, &step)
     }
 
     /// The same, with what lies along the line.
@@ -296,6 +313,11 @@ impl Answer for ProfileAnswer {
 
     fn figure(&self) -> LineFigure {
         self.figure_in(Language::English)
+    }
+
+    fn own_text(&self) -> Option<OwnText<'_>> {
+        let (path, text) = (self.save_format.as_deref()?, self.record.format.toml());
+        Some(OwnText { path: Some(path), text: text.into(), existing: Existing::Kept, written: None })
     }
 
     fn remarks(&self) -> &[Message] {

@@ -91,7 +91,7 @@ impl FromArgMatches for Commands {
             None => (name.to_owned(), below),
         };
         match question::named(&full) {
-            Some(question) => AskedQuestion::of(question, own).map(Self::Question),
+            Some(question) => Ok(Self::Question(AskedQuestion::of(question, own))),
             None => Command::from_arg_matches(matches).map(|command| Self::Other(Box::new(command))),
         }
     }
@@ -109,12 +109,8 @@ pub(crate) enum Command {
     Init(Init),
     /// A wheel along a rail in time: large amplitudes, loss of contact.
     Simulate(Simulate),
-    /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
-    Roughness(Roughness),
     /// Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding.
     Network(Network),
-    /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
-    Report(Report),
     /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
     Study(Study),
     /// What measurements say of the uncertain values of a case.

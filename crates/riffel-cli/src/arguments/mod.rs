@@ -4,9 +4,7 @@ mod calibrate;
 mod case;
 mod commands;
 mod decide;
-mod earlier;
 mod figures;
-mod forecast;
 pub(crate) mod network;
 mod number;
 mod page;
@@ -29,13 +27,11 @@ pub(crate) use calibrate::{Calibrate, CalibrateChains, CalibrateCommand, CheckCa
 pub(crate) use case::{CaseArguments, stem};
 pub(crate) use commands::{Command, Commands};
 pub(crate) use decide::Decide;
-pub(crate) use earlier::Earlier;
 pub(crate) use figures::{Figures, ModelArgument};
-pub(crate) use forecast::{Ground, HoldArgument};
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use page::Page;
 pub(crate) use question::AskedQuestion;
-pub(crate) use roughness::{DiagnosisArguments, Layout, Report, Roughness, Statistics};
+pub(crate) use roughness::Layout;
 pub(crate) use simulate::{LengthPair, Simulate};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Args, Command, FromArgMatches, ValueHint};
+use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Args, Command, ValueHint};
 use riffel_answers::question::{AnyQuestion, Key, Kind, Rule};
 use riffel_keys::text_file::is_standard_input;
 use serde_json::{Map, Value};
 
 use super::ResultsArguments;
 use super::case::stem;
+use crate::RESULTS;
 use crate::error::CliError;
 
 /// A question with its keys as they were given, and where its results go.
@@ -21,41 +22,48 @@ pub(crate) struct AskedQuestion {
 
 impl AskedQuestion {
     /// The question of a command line.
-    pub(crate) fn of(question: &'static dyn AnyQuestion, matches: &ArgMatches) -> Result<Self, clap::Error> {
+    pub(crate) fn of(question: &'static dyn AnyQuestion, matches: &ArgMatches) -> Self {
         let keys = question.keys();
         let given = keys.iter().filter_map(|key| Some((key.name.clone(), given(key, matches)?)));
-        Ok(Self { question, keys: given.collect(), results: results(question, matches)? })
+        let keys: Map<String, Value> = given.collect();
+        let has_json = question.has_document() && matches.get_flag("json");
+        let output = match keys.get("output") {
+            Some(own) => own.as_str().map(PathBuf::from),
+            None => matches.try_get_one::<PathBuf>("output").ok().flatten().cloned(),
+        };
+        Self { question, keys, results: ResultsArguments { output, json: has_json } }
     }
 
     /// The question of an object in JSON, which may name a place for results.
     pub(crate) fn of_json(question: &'static dyn AnyQuestion, mut keys: Map<String, Value>) -> Result<Self, CliError> {
-        let output = if question.writes_files() { keys.remove("output") } else { None };
-        let output = output.filter(|value| !value.is_null());
-        let asked = Self { question, keys, results: ResultsArguments { json: true, ..ResultsArguments::default() } };
+        let own = question.keys();
+        let output = match own.iter().any(|key| key.name == "output") {
+            true => keys.get("output").cloned(),
+            false if question.writes_files() => keys.remove("output"),
+            false => None,
+        };
         let is_standard_input =
-            |key: &&Key| key.kind == Kind::File && asked.keys.get(&key.name).is_some_and(|path| path == "-");
-        if let Some(key) = question.keys().iter().find(is_standard_input) {
+            |key: &&Key| key.kind == Kind::File && keys.get(&key.name).is_some_and(|path| path == "-");
+        if let Some(key) = own.iter().find(is_standard_input) {
             let message = format!("`{}` is \"-\", but must be a file: standard input holds the question", key.name);
             return Err(CliError::Question { message });
         }
-        match output {
-            None => Ok(asked),
-            Some(Value::String(path)) => {
-                Ok(Self { results: ResultsArguments { output: Some(path.into()), json: true }, ..asked })
+        let output = match output {
+            None | Some(Value::Null) => None,
+            Some(Value::String(path)) => Some(path.into()),
+            Some(other) => {
+                let message = format!("`output` is {other}, but must be a folder");
+                return Err(CliError::Question { message });
             }
-            Some(other) => Err(CliError::Question { message: format!("`output` is {other}, but must be a folder") }),
-        }
-    }
-
-    /// The texts among the values of its keys.
-    fn texts(&self) -> impl Iterator<Item = &str> {
-        self.keys.values().flat_map(one_or_many).filter_map(Value::as_str)
+        };
+        Ok(Self { question, keys, results: ResultsArguments { output, json: true } })
     }
 
     /// The files that it names, of which none may be replaced.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        let paths = self.texts().map(PathBuf::from);
-        paths.filter(|path| path.is_file() || is_standard_input(path)).collect()
+        let keys = self.keys.iter().filter(|(name, _)| !RESULTS.contains(&name.as_str()));
+        let texts = keys.flat_map(|(_, value)| one_or_many(value)).filter_map(Value::as_str);
+        texts.map(PathBuf::from).filter(|path| path.is_file() || is_standard_input(path)).collect()
     }
 
     /// What its results are named after: the file that stands without an option.
@@ -73,14 +81,6 @@ struct JustJson {
     /// Print one JSON document, complex numbers as [re, im].
     #[arg(long)]
     json: bool,
-}
-
-/// Where results go.
-fn results(question: &dyn AnyQuestion, matches: &ArgMatches) -> Result<ResultsArguments, clap::Error> {
-    match question.writes_files() {
-        true => ResultsArguments::from_arg_matches(matches),
-        false => Ok(ResultsArguments { json: JustJson::from_arg_matches(matches)?.json, output: None }),
-    }
 }
 
 /// The values of a list, or the one that is none.
@@ -106,15 +106,23 @@ pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
     // Below another command it goes by its last word.
     let name = question.name().split(' ').next_back().unwrap_or_default();
     let command = Command::new(name).after_help(question.example());
-    let command = command.args(question.keys().iter().map(option));
+    let keys = question.keys();
+    let command = command.args(keys.iter().map(option));
     let command = question.rules().iter().fold(command, |command, rule| match rule {
         Rule::JustOneOf(names) => command.group(ArgGroup::new("just-one").args(*names).required(true)),
         _ => command,
     });
+    let says_where = keys.iter().any(|key| key.name == "output");
     // Its docs would become those of the command.
-    let command = match question.writes_files() {
-        true => ResultsArguments::augment_args(command),
-        false => JustJson::augment_args(command),
+    let command = match (question.writes_files(), question.has_document()) {
+        (true, _) if !says_where => ResultsArguments::augment_args(command),
+        (_, true) => JustJson::augment_args(command),
+        (_, false) => command,
+    };
+    let in_folder = "Print one JSON document; files are written only with --output";
+    let command = match question.writes_files() && says_where {
+        true => command.mut_arg("json", |json| json.help(in_folder)),
+        false => command,
     };
     command.about(question.about())
 }
@@ -125,7 +133,7 @@ fn option(key: &Key) -> Arg {
     let option = match key.is_positional {
         true if key.takes_many => option.num_args(1..),
         true => option,
-        false => option.long(key.name.replace('_', "-")),
+        false => option.long(key.name.replace('_', "-")).short((key.name == "output").then_some('o')),
     };
     if key.kind == Kind::Flag {
         return option.action(ArgAction::SetTrue);

@@ -10,8 +10,6 @@ pub(crate) mod network;
 pub(crate) mod page;
 pub(crate) mod presets;
 pub(crate) mod question;
-pub(crate) mod report;
-pub(crate) mod roughness;
 pub(crate) mod schema;
 pub(crate) mod serve;
 pub(crate) mod simulate;

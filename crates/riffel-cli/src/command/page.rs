@@ -17,7 +17,10 @@ pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
     };
     let page = page_file(&case.portable().keys, &module)
         .map_err(|error| CliError::Page { message: error.to_string(), help: error.help().map(str::to_owned) })?;
-    let existing = Existing::page(&arguments.output, arguments.force, FILE_GENERATOR);
+    let existing = match arguments.force {
+        true => Existing::Replace,
+        false => Existing::known(&arguments.output, &page, Some(FILE_GENERATOR)),
+    };
     write_file(&arguments.output, &page, existing)?;
     print(&format!(
         "wrote {}, {:.1} MB; open it in a browser: it needs no server and no network\n",

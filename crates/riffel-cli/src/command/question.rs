@@ -3,12 +3,18 @@
 use crate::arguments::AskedQuestion;
 use crate::messages::print_remarks;
 use crate::output::print;
-use crate::results::{Results, readable};
+use crate::results::{Results, put, readable};
 use crate::terminal::Terminal;
 
 /// Answer a question, and hand the answer out.
 pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<()> {
     let answer = asked.question.answer(asked.keys.clone(), &Terminal)?;
+    if let Some(text) = answer.own_text() {
+        put(&text)?;
+        if text.is_all() {
+            return Ok(());
+        }
+    }
     if !asked.question.writes_files() && !asked.results.json {
         print(&readable(&*answer))?;
         print_remarks(answer.remarks());

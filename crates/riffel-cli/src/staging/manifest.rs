@@ -6,10 +6,10 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use riffel_answers::fingerprint;
 use serde::{Deserialize, Serialize};
 
 use crate::error::CliError;
-use crate::fingerprint::fingerprint;
 
 /// Its name in every folder of results.
 pub(super) const NAME: &str = "riffel-manifest.json";

@@ -3,15 +3,16 @@
 use std::path::Path;
 
 use riffel::roughness::{Profile, Spectrum, Weld};
+use riffel_answers::question::RecordLayout;
 use riffel_answers::simulate::Surface;
 use riffel_case::Case;
 use riffel_keys::{CaseError, fixed, number, say as message};
 use riffel_rail::{GroundRail, LabelledSpectrum, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, LengthPair, Simulate, positive};
-use crate::command::roughness::{read, survey};
 use crate::error::CliError;
 use crate::messages::say;
+use crate::terminal::Terminal;
 
 /// Length of a rail that is made, where none is asked for \[m\].
 const USUAL_LENGTH: f64 = 20.0;
@@ -71,7 +72,7 @@ fn whole_bays(length: f64, bay: f64) -> f64 {
 fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::Result<Profile> {
     let spectrum = match GroundRail::is_table(name) {
         true => GroundRail::of_table(name)?.spectrum,
-        false => at_the_end(survey(Path::new(name), &Layout::default())?)?.mean(),
+        false => at_the_end(RecordLayout::default().survey(Path::new(name), &Terminal)?)?.mean(),
     };
     let patch = 2.0 * case.hertz.semi_axis_longitudinal();
     let longer = spectrum.levels().iter().filter(|level| level.band.wavelength_range().0 >= patch);
@@ -135,7 +136,7 @@ fn of(argument: &str, error: riffel::Error) -> CliError {
 /// The profile of a file: one rail, its longest stretch without a gap.
 fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<Profile> {
     let refuse = |message: String| CaseError::data(path, message);
-    let RoughnessFile::Profile(record) = read(path, layout)? else {
+    let RoughnessFile::Profile(record) = layout.records().read(path, &Terminal)? else {
         Err(refuse("the file is a table of levels, but a wheel rolls along a profile".to_owned()))?
     };
     let rail = match &record.rails[..] {

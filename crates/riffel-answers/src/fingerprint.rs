@@ -8,7 +8,10 @@ use sha2::{Digest, Sha256};
 
 /// SHA-256 of a file, in hexadecimal digits. A profile may be larger than all else that is in memory: it is read in
 /// parts.
-pub(crate) fn fingerprint(path: &Path) -> io::Result<String> {
+///
+/// # Errors
+/// That of reading it.
+pub fn fingerprint(path: &Path) -> io::Result<String> {
     let mut file = File::open(path)?;
     let mut hash = Sha256::new();
     let mut part = vec![0; 1 << 20];
