@@ -1,6 +1,6 @@
 //! What is asked of a report.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use riffel_case::{Case, Hold, Variant};
 use riffel_keys::{Message, say};

@@ -11,7 +11,7 @@ use riffel_keys::text_file::is_standard_input;
 use riffel_keys::{CaseError, Message, question, say};
 use riffel_rail::{Limit, LimitTable};
 
-use super::measured::{Before, Measured, Now};
+use super::measured::{Measured, Now};
 use super::{Inputs, MeasuredRail, ReportQuestion, ReportRequest, Site, report};
 use crate::compare::{CompareAnswer, CompareQuestion};
 use crate::forecast::{ForecastQuestion, MeasuredSpectra, PosteriorForecast, TrackForecast, WearReport};
@@ -228,16 +228,14 @@ impl<'a> Working<'a> {
             return Ok(Err(say!(no_variant_given)));
         }
         let traffic = self.question.rail.traffic.clone();
-        let question = CompareQuestion {
-            variants: self.question.variants.clone(),
-            speed: now.filter(|_| traffic.is_none()).map(|now| Quantity::new(now.speed).into()),
-            traffic,
-            posterior: PosteriorSource { posterior: self.question.posterior.clone() },
-            hold: self.question.hold,
-            spectrum: now.map(|now| now.survey.clone().into()),
-            ground: self.question.ground.clone(),
-            ..CompareQuestion::of_variants(given.source.clone(), limit)?
-        };
+        let mut question = CompareQuestion::of_variants(given.source.clone(), limit)?;
+        question.variants = self.question.variants.clone();
+        question.speed = now.filter(|_| traffic.is_none()).map(|now| Quantity::new(now.speed).into());
+        question.traffic = traffic;
+        question.posterior = PosteriorSource { posterior: self.question.posterior.clone() };
+        question.hold = self.question.hold;
+        question.spectrum = now.map(|now| now.survey.clone().into());
+        question.ground = self.question.ground.clone();
         Ok(Ok(question.answer_on(&given.case, self.asker)?))
     }
 

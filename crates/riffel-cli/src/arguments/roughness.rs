@@ -66,4 +66,25 @@ impl Layout {
             keep_defects: self.keep_defects,
         }
     }
+
+    /// The first argument given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--format", self.format.is_some()),
+            ("--spacing", self.spacing.is_some()),
+            ("--height-unit", self.height_unit.is_some()),
+            ("--position-unit", self.position_unit.is_some()),
+            ("--keep-defects", self.keep_defects),
+        ];
+        let first = given.into_iter().find(|(_, is)| *is);
+        first.map(|(name, _)| name).or_else(|| self.part.given())
+    }
+}
+
+impl Part {
+    /// The first argument given.
+    fn given(&self) -> Option<&'static str> {
+        let given = [("--rail", self.rail.is_some()), ("--from", self.from.is_some()), ("--to", self.to.is_some())];
+        given.into_iter().find(|(_, is)| *is).map(|(name, _)| name)
+    }
 }

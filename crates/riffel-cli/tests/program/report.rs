@@ -271,7 +271,7 @@ fn bad_input_is_refused_and_leaves_nothing() {
         ("cases/nominal.toml --roughness profile.csv --limit none", "no limit table"),
         ("cases/nominal.toml --roughness profile.csv --traffic missing.toml", "missing.toml"),
         ("--roughness profile.csv --with soft.toml", "CASE"),
-        ("", "--roughness is left out"),
+        ("", "--roughness or <CASE> is missing"),
         ("cases/nominal.toml --speed \"80 km/h\"", "--roughness"),
         ("cases/nominal.toml --roughness profile.csv -o no/such/folder.html", "cannot write"),
     ] {
