@@ -149,6 +149,16 @@ pub trait Answer: Document {
         LineFigure::default()
     }
 
+    /// Whether there is anything to write.
+    fn has_files(&self) -> bool {
+        true
+    }
+
+    /// What makes it none to go by: the program complains of it, and ends with the status 1.
+    fn doubts(&self) -> Vec<Message> {
+        Vec::new()
+    }
+
     /// The files beside the document, in the order in which they are named.
     fn files(&self) -> Vec<ResultFile<'_>> {
         let figure = ResultFile::Lines(self.name(), self.figure());

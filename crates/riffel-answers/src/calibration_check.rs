@@ -1,14 +1,58 @@
 //! Whether the intervals of a calibration hold the truth as often as they say.
 
-use riffel_calibrate::{Checked, Ranked, Simulated};
+use std::path::PathBuf;
+
+use riffel_calibrate::{Checked, Plan, Ranked, Simulated};
 use riffel_keys::{Message, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
-use crate::{Answer, Column, Table};
+use crate::question::{Asker, Files, Question, Source, on_threads};
+use crate::{Answer, AnswerError, Column, Table, level_limit};
+
+/// The limit of forecasts.
+const LIMIT: &str = "iso-3095-2013";
 
 /// The distance of a distribution of so many ranks, over its square root, that one in a thousand exceeds: Kolmogorov (1933).
 const BAND: f64 = 1.95;
+
+/// Whether intervals of a plan hold the truth as often as they say, by simulated data.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct CheckQuestion {
+    /// Plan of the calibration.
+    #[schemars(with = "Source<()>", extend("positional" = true))]
+    plan: PathBuf,
+    /// Number of simulations, 20 at least.
+    #[schemars(extend("value_name" = "N", "default" = 200))]
+    runs: u64,
+    /// Folder for the table and the picture of the ranks; left out, none are written.
+    #[schemars(with = "Option<String>", extend("value_name" = "DIR", "path" = true))]
+    pub output: Option<PathBuf>,
+    /// Number of threads [default: one for each processor].
+    #[schemars(range(min = 1), extend("value_name" = "N"))]
+    threads: Option<u16>,
+}
+
+impl Question for CheckQuestion {
+    const NAME: &'static str = "calibrate check";
+    const EXAMPLE: &'static str = "Example: riffel calibrate check plan.toml --runs 100 -o check\n\n\
+        Values are drawn from the priors of the plan, data from its likelihood with these values, and a chain of the plan on these \
+        data; the truth is ranked among its draws. It takes N times as long as one chain.\n\n\
+        Exit status: 0 the ranks are even, 1 they are not, 2 bad input, 130 stopped by Ctrl-C.";
+    const FILES: Files = Files::Asked;
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let plan = Plan::read(&self.plan)?;
+        let (_, limit) = level_limit(LIMIT)?;
+        let stop = asker.stop();
+        let step = asker.count(say!(progress_simulations), self.runs);
+        let work = || Simulated::of(&plan, self.runs, &limit, &|done| step(done as usize), &stop);
+        let simulated = on_threads(self.threads, work)??;
+        let simulated = simulated.ok_or_else(|| AnswerError::Stopped(say!(check_stopped)))?;
+        Ok(Box::new(CalibrationCheck::new(&plan, simulated)))
+    }
+}
 
 /// Ranks of the truth among draws from simulated data.
 #[derive(Serialize)]
@@ -17,27 +61,15 @@ pub struct CalibrationCheck {
     title: Option<String>,
     #[serde(flatten)]
     simulated: Simulated,
+    #[serde(skip)]
+    remarks: Vec<Message>,
 }
 
 impl CalibrationCheck {
-    /// Of a plan with this title.
-    pub fn new(title: Option<String>, simulated: Simulated) -> Self {
-        Self { riffel_version: env!("CARGO_PKG_VERSION"), title, simulated }
-    }
-
-    /// A sentence on each value whose ranks are uneven.
-    pub fn doubts(&self) -> Vec<Message> {
-        let uneven = self.simulated.values.iter();
-        let uneven = uneven.filter(|value| !self.simulated.is_even(value));
-        let sentence = |value: &Ranked| {
-            say!(
-                ranks_are_uneven,
-                value = name(value),
-                runs = value.ranks.len(),
-                probability = format!("{:.1e}", value.probability)
-            )
-        };
-        uneven.map(sentence).collect()
+    /// Of a plan.
+    fn new(plan: &Plan, simulated: Simulated) -> Self {
+        let (title, remarks) = (plan.file.title.clone(), plan.remarks.clone());
+        Self { riffel_version: env!("CARGO_PKG_VERSION"), title, simulated, remarks }
     }
 
     fn verdict(&self, value: &Ranked) -> Message {
@@ -142,7 +174,21 @@ impl Answer for CalibrationCheck {
         }
     }
 
+    fn doubts(&self) -> Vec<Message> {
+        let uneven = self.simulated.values.iter();
+        let uneven = uneven.filter(|value| !self.simulated.is_even(value));
+        let sentence = |value: &Ranked| {
+            say!(
+                ranks_are_uneven,
+                value = name(value),
+                runs = value.ranks.len(),
+                probability = format!("{:.1e}", value.probability)
+            )
+        };
+        uneven.map(sentence).collect()
+    }
+
     fn remarks(&self) -> &[Message] {
-        &[]
+        &self.remarks
     }
 }

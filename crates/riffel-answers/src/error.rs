@@ -7,6 +7,7 @@ use riffel::profile::ProfileError;
 use riffel_calibrate::CalibrationError;
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::PlotError;
+use riffel_study::StudyError;
 use thiserror::Error;
 
 /// Why there is no answer, or no figure or table of it.
@@ -125,6 +126,35 @@ pub enum AnswerError {
     ))]
     NoCurve,
 
+    /// A study cannot be read, made or gone on with.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Study(Box<StudyError>),
+
+    /// The threads that were asked for cannot be started.
+    #[error("cannot start {threads} threads: {reason}")]
+    Threads {
+        /// How many.
+        threads: u16,
+        /// Why not.
+        reason: String,
+    },
+
+    /// What keeps its work in a folder was asked of whom has none.
+    #[error("{question} keeps its work in a folder: run `riffel {question}`")]
+    InFolder {
+        /// The name of the question.
+        question: &'static str,
+    },
+
+    /// Work ended early, as it was asked to.
+    #[error("{0}")]
+    Stopped(Message),
+
+    /// What is asked about is not whole yet.
+    #[error("{0}")]
+    Unfinished(Message),
+
     /// The figure cannot be drawn.
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] PlotError),
@@ -137,6 +167,12 @@ pub enum AnswerError {
 impl From<CalibrationError> for AnswerError {
     fn from(error: CalibrationError) -> Self {
         Self::Calibration(Box::new(error))
+    }
+}
+
+impl From<StudyError> for AnswerError {
+    fn from(error: StudyError) -> Self {
+        Self::Study(Box::new(error))
     }
 }
 
@@ -154,6 +190,7 @@ impl AnswerError {
             Self::Case(error) => error.message(),
             Self::Physics(error) => error.into(),
             Self::Profile(error) => error.into(),
+            Self::Stopped(message) | Self::Unfinished(message) => message.clone(),
             Self::Option { option, message } => say!(place_and_fault, place = *option, fault = message),
             other => Message::verbatim(other.to_string()),
         }

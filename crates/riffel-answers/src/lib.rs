@@ -24,6 +24,7 @@ mod banded;
 mod calibrate;
 mod calibration;
 pub mod calibration_check;
+pub mod calibration_question;
 mod capital;
 mod cause;
 mod column;
@@ -61,6 +62,7 @@ pub mod paper;
 mod parameters;
 mod plan_document;
 pub mod point;
+pub mod presets;
 pub mod profile;
 pub mod question;
 pub mod rail_damage;
@@ -114,6 +116,7 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<map_question::MapQuestion>(),
     &question::of::<receptance::ReceptanceQuestion>(),
     &question::of::<wheelset::WheelsetQuestion>(),
+    &question::of::<simulate::SimulateQuestion>(),
     &question::of::<contact::ContactQuestion>(),
     &question::of::<profile::ProfileQuestion>(),
     &question::of::<curve::CurveQuestion>(),
@@ -129,6 +132,10 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<network::GrowthQuestion>(),
     #[cfg(not(target_family = "wasm"))]
     &question::of::<network::PlanQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<network::ChartQuestion>(),
+    #[cfg(not(target_family = "wasm"))]
+    &question::of::<network::CheckQuestion>(),
     &question::of::<diagnose::DiagnoseQuestion>(),
     #[cfg(not(target_family = "wasm"))]
     &question::of::<report::ReportQuestion>(),
@@ -137,6 +144,13 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<noise::NoiseQuestion>(),
     &question::of::<shakedown::ShakedownQuestion>(),
     &question::of::<stability_map::StabilityQuestion>(),
+    &question::of::<study::StudyQuestion>(),
+    &question::of::<study::MergeQuestion>(),
+    &question::of::<study::SensitivityQuestion>(),
+    &question::of::<calibration_question::CalibrateQuestion>(),
+    &question::of::<calibration_check::CheckQuestion>(),
+    &question::of::<decide::DecideQuestion>(),
+    &question::of::<presets::PresetsQuestion>(),
 ];
 
 /// The listings of the book, compiled and run.

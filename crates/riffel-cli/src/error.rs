@@ -12,9 +12,6 @@ pub(crate) enum CliError {
     #[error("cannot write to {path}: {reason}", path = path.display())]
     Write { path: PathBuf, reason: io::Error },
 
-    #[error("cannot start {threads} threads: {reason}")]
-    Threads { threads: u16, reason: String },
-
     #[error("only one file can be -, standard input")]
     StandardInput,
 
@@ -59,16 +56,6 @@ pub(crate) enum CliError {
 
     #[error("{argument} is {value}, but must be {rule}")]
     Argument { argument: &'static str, value: String, rule: String },
-
-    #[error("{argument}{message}")]
-    Range {
-        argument: &'static str,
-        /// After the name of the argument, with what separates it.
-        message: String,
-    },
-
-    #[error("{input}: {error}")]
-    Physics { input: String, error: riffel::Error },
 
     #[error("{error}")]
     #[diagnostic(help("choose another port, or --port 0 for any that is free"))]

@@ -8,20 +8,17 @@ mod error;
 mod messages;
 mod output;
 mod progress;
-mod question;
 mod results;
 mod staging;
 mod terminal;
-mod threads;
 
-use std::any::TypeId;
 use std::ffi::OsString;
-use std::path::PathBuf;
 
-use arguments::{Arguments, AskedQuestion, Command, Commands};
-use clap::{ArgMatches, CommandFactory, FromArgMatches};
+use arguments::{Arguments, Ask, AskedQuestion, Command, Commands, question_of};
+use clap::Parser;
 use error::CliError;
 use messages::{Reader, Verbosity, complain_of, complain_of_usage};
+use miette::Report;
 use riffel_keys::Language;
 use riffel_keys::text_file::is_standard_input;
 
@@ -36,28 +33,47 @@ const BAD_INPUT: u8 = 2;
 pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) -> u8 {
     messages::lay_out_errors();
     let words: Vec<OsString> = arguments.into_iter().collect();
-    match parse(&words) {
-        Ok((arguments, _)) if arguments.ask().is_some() => ask(arguments, program),
-        parsed => run_parsed(parsed, &words, Reader::Person, program),
+    match Arguments::try_parse_from(&words) {
+        Ok(arguments) => match arguments.ask() {
+            Some(ask) => answer(ask, &arguments, program),
+            None => {
+                messages::begin(arguments.verbosity(), arguments.language(), Reader::Person);
+                status(execute(arguments.command, program))
+            }
+        },
+        Err(usage) if usage.use_stderr() => {
+            messages::begin(Verbosity::Normal, asked_language(&words), Reader::Person);
+            complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
+            BAD_INPUT
+        }
+        Err(help) => {
+            let printed = output::unless_reader_left(help.print());
+            status(printed.map(|()| 0).map_err(Report::from))
+        }
     }
 }
 
+/// The exit status of an outcome, of which an error is told.
+fn status(outcome: miette::Result<u8>) -> u8 {
+    outcome.unwrap_or_else(|report| {
+        complain_of(report);
+        BAD_INPUT
+    })
+}
+
 /// Answer the question on standard input.
-fn ask(arguments: Arguments, program: &[OsString]) -> u8 {
-    let translations = arguments.ask().is_some_and(|ask| ask.translations);
-    if let Some(process) = arguments.ask().and_then(|ask| ask.page) {
+fn answer(ask: &Ask, arguments: &Arguments, program: &[OsString]) -> u8 {
+    if let Some(process) = ask.page {
         riffel_keys::seal::seal();
         end_with(process);
     }
-    let reader = Reader::Program { translations };
+    let reader = Reader::Program { translations: ask.translations };
     messages::begin(arguments.verbosity(), arguments.language(), reader);
-    match asked(arguments) {
-        Ok((parsed, words)) => run_parsed(parsed, &words, reader, program),
-        Err(error) => {
-            complain_of(error.into());
-            BAD_INPUT
-        }
-    }
+    let question = question_of(&ask.name).and_then(|question| {
+        let keys = riffel_keys::question::read().map_err(|reason| CliError::ReadQuestion { reason })?;
+        AskedQuestion::of_json(question, keys)
+    });
+    status(question.map_err(Report::from).and_then(|asked| execute(Commands::Question(asked), program)))
 }
 
 /// End this process soon after its parent has ended, whose number it was told: nobody waits for an answer any more.
@@ -75,93 +91,6 @@ fn end_with(parent: u32) {
 #[cfg(not(unix))]
 fn end_with(_: u32) {}
 
-/// A command line read, with the files that it names as inputs.
-type Parsed = Result<(Arguments, Vec<PathBuf>), clap::Error>;
-
-fn parse(words: &[OsString]) -> Parsed {
-    let matches = with_numbers_below_zero(Arguments::command()).try_get_matches_from(words)?;
-    Arguments::from_arg_matches(&matches).map(|arguments| (arguments, inputs(&matches)))
-}
-
-/// The command with every option of a number taking one below zero, which its range then refuses in a sentence.
-fn with_numbers_below_zero(command: clap::Command) -> clap::Command {
-    let names: Vec<String> = command.get_subcommands().map(|command| command.get_name().to_owned()).collect();
-    let command = command.mut_args(|argument| {
-        let parser = argument.get_value_parser();
-        let is_text = [TypeId::of::<String>(), TypeId::of::<PathBuf>()].iter().any(|text| parser.type_id() == *text);
-        let is_number = argument.get_action().takes_values() && !is_text;
-        // What may stand alone takes no option behind it for its value.
-        let is_alone = (argument.get_num_args()).is_some_and(|range| range.min_values() == 0);
-        let is_free = !argument.is_positional() && parser.possible_values().is_none();
-        match is_number && is_free && !is_alone {
-            true => argument.allow_hyphen_values(true),
-            false => argument,
-        }
-    });
-    names.iter().fold(command, |command, name| command.mut_subcommand(name, with_numbers_below_zero))
-}
-
-/// The question on standard input, with its command line where it is not yet one that is data.
-fn asked(arguments: Arguments) -> Result<(Parsed, Vec<OsString>), CliError> {
-    let name = arguments.ask().map(|ask| ask.name.clone()).unwrap_or_default();
-    let data = riffel_answers::question::named(&name.join(" "));
-    let command = match data {
-        None => Some(question::find(&Arguments::command(), &name)?),
-        Some(_) => None,
-    };
-    let keys = riffel_keys::question::read();
-    let keys = keys.map_err(|reason| CliError::ReadQuestion { reason })?;
-    if let (Some(data), None) = (data, &command) {
-        let question = AskedQuestion::of_json(data, keys)?;
-        let inputs = question.inputs();
-        return Ok((Ok((arguments.asking(question), inputs)), Vec::new()));
-    }
-    let options = arguments.options_of_all().map(OsString::from);
-    let words = [OsString::from("riffel")].into_iter().chain(options);
-    let words = match &command {
-        Some(command) => words.chain(question::words(command, &name, &keys)?).collect(),
-        None => Vec::new(),
-    };
-    Ok((parse(&words), words))
-}
-
-fn run_parsed(parsed: Parsed, words: &[OsString], reader: Reader, program: &[OsString]) -> u8 {
-    let (arguments, inputs) = match parsed {
-        Ok(parsed) => parsed,
-        Err(usage) if usage.use_stderr() => {
-            messages::begin(Verbosity::Normal, asked_language(words), reader);
-            complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
-            return BAD_INPUT;
-        }
-        Err(help) => {
-            return match output::unless_reader_left(help.print()) {
-                Ok(()) => 0,
-                Err(error) => {
-                    complain_of(error.into());
-                    BAD_INPUT
-                }
-            };
-        }
-    };
-    messages::begin(arguments.verbosity(), arguments.language(), reader);
-    if inputs.iter().filter(|path| is_standard_input(path)).count() > 1 {
-        complain_of(CliError::StandardInput.into());
-        return BAD_INPUT;
-    }
-    staging::set_inputs(inputs);
-    // The page ends its own work.
-    if !matches!(&arguments.command, Commands::Other(command) if matches!(**command, Command::Serve(_))) {
-        staging::clean_up_on_interrupt();
-    }
-    match execute(arguments.command, program) {
-        Ok(status) => status,
-        Err(report) => {
-            complain_of(report);
-            BAD_INPUT
-        }
-    }
-}
-
 /// The language that a command line asks for which is wrong elsewhere.
 fn asked_language(words: &[OsString]) -> Language {
     let words = words.iter().map(|word| word.to_string_lossy());
@@ -172,24 +101,28 @@ fn asked_language(words: &[OsString]) -> Language {
 }
 
 fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
+    let inputs = match &command {
+        Commands::Question(asked) => asked.inputs(),
+        Commands::Other(Command::Page(page)) => page.case.iter().cloned().collect(),
+        Commands::Other(_) => Vec::new(),
+    };
+    if inputs.iter().filter(|path| is_standard_input(path)).count() > 1 {
+        Err(CliError::StandardInput)?;
+    }
+    staging::set_inputs(inputs);
+    // The page ends its own work.
+    if !matches!(command, Commands::Other(Command::Serve(_))) {
+        staging::clean_up_on_interrupt();
+    }
     let command = match command {
-        Commands::Question(asked) => {
-            command::question::run(&asked)?;
-            return Ok(0);
-        }
-        Commands::Other(command) => *command,
+        Commands::Question(asked) => return command::question::run(&asked),
+        Commands::Other(command) => command,
     };
     match command {
         Command::Init(arguments) => command::init::run(&arguments)?,
-        Command::Simulate(arguments) => return command::simulate::run(&arguments),
-        Command::Network(arguments) => command::network::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,
-        Command::Presets(arguments) => command::presets::run(&arguments)?,
         Command::Serve(arguments) => command::serve::run(&arguments, program)?,
         Command::Page(arguments) => command::page::run(&arguments)?,
-        Command::Study(arguments) => return command::study::run(&arguments),
-        Command::Calibrate(arguments) => return command::calibrate::run(&arguments),
-        Command::Decide(arguments) => command::decide::run(&arguments)?,
         Command::Completions(arguments) => command::completions::run(&arguments)?,
         Command::Man(arguments) => command::man::run(&arguments)?,
         Command::Schema(arguments) => command::schema::run(&arguments)?,
@@ -198,25 +131,4 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
         Command::Validate(arguments) => return command::validate::run(&arguments),
     }
     Ok(0)
-}
-
-/// What names where results go.
-const RESULTS: [&str; 3] = ["output", "save_format", "into"];
-
-/// The files that a command line names and that are not where results go: none of them may be replaced.
-fn inputs(matches: &ArgMatches) -> Vec<PathBuf> {
-    match matches.subcommand() {
-        // Its only file is the one that it writes.
-        Some(("init", _)) => Vec::new(),
-        Some((_, below)) => inputs(below),
-        None => matches
-            .ids()
-            .filter(|id| !RESULTS.contains(&id.as_str()))
-            // Groups of arguments have no values of their own.
-            .filter_map(|id| matches.try_get_raw(id.as_str()).ok().flatten())
-            .flatten()
-            .map(PathBuf::from)
-            .filter(|path| path.is_file() || is_standard_input(path))
-            .collect(),
-    }
 }

@@ -172,19 +172,8 @@ fn write_line(document: &Value) {
 }
 
 /// What is wrong with the command line. In colours on a terminal, unless the command line has control characters
-/// itself, as they could not be told apart. As JSON where another program asks for it: the first paragraph is the
-/// message.
+/// itself, as they could not be told apart.
 pub(crate) fn complain_of_usage<'a>(usage: &clap::Error, mut arguments: impl Iterator<Item = &'a OsStr>) {
-    if is_for_a_program() {
-        let words = usage.render().to_string();
-        let words = words.trim_end();
-        let words = words.strip_prefix("error: ").unwrap_or(words);
-        let (message, help) = match words.split_once("\n\n") {
-            Some((message, help)) => (message, Some(help.trim_start())),
-            None => (words, None),
-        };
-        return write_document(&message.into(), help.map(Message::from).as_ref());
-    }
     if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
         let _ = usage.print();
     } else {

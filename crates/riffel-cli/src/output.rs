@@ -117,22 +117,6 @@ pub(crate) fn table_of(table: &riffel_answers::Table) -> Table {
     shown
 }
 
-/// A table with right-aligned columns but the first.
-pub(crate) fn table(header: &[impl ToString]) -> Table {
-    let mut table = Table::new();
-    let header = header.iter().map(ToString::to_string);
-    table.load_style(STYLE).set_header(header);
-    for column in table.column_iter_mut().skip(1) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-    table
-}
-
-/// A table whose cells are all text.
-pub(crate) fn text_table(header: &[&str]) -> Table {
-    as_text(table(header))
-}
-
 /// A table as one of text, wrapped to the terminal or, where there is none, to 110 columns.
 pub(crate) fn as_text(mut table: Table) -> Table {
     for column in table.column_iter_mut() {

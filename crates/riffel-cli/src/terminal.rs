@@ -1,13 +1,15 @@
 //! Who asks at the terminal.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use riffel_answers::question::{Asker, Step};
 use riffel_keys::{Language, Message};
+use riffel_study::Stop;
 
-use crate::messages::{language, print_remarks};
+use crate::messages::{language, print_remarks, say};
 use crate::progress::Progress;
-use crate::staging::add_input;
+use crate::staging::{add_input, stop_on_interrupt};
 
 /// The person or program at this terminal.
 pub(crate) struct Terminal;
@@ -16,6 +18,19 @@ impl Asker for Terminal {
     fn begin(&self, work: Message, steps: usize) -> Step<'_> {
         let progress = Progress::new(work, steps);
         Box::new(move |by| progress.advance(by))
+    }
+
+    fn count(&self, work: Message, total: u64) -> Step<'_> {
+        let progress = Progress::counting(work, total);
+        Box::new(move |by| progress.advance(by))
+    }
+
+    fn say(&self, what: Message) {
+        say(what);
+    }
+
+    fn stop(&self) -> Arc<Stop> {
+        stop_on_interrupt()
     }
 
     fn remark(&self, remarks: &[Message]) {

@@ -2,6 +2,7 @@
 # pad), Riffel (corrugation), Überrollung (passage of a wheel), Wachstumsgrat (growth ridge), Radsatz (wheelset).
 
 verbatim = { $words }
+in-both-languages = { $german }
 
 ## Windows, values and presets
 

@@ -1,6 +1,8 @@
 # What Riffel says. One message an entry: its English, and in .short the same in one line for a terminal.
 
 verbatim = { $words }
+in-both-languages = { $english }
+    .german = { $german }
 
 ## Windows, values and presets
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::Language;
+use crate::{Language, Message, say};
 
 /// Words in English and, where the file has them, in German.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +23,13 @@ impl Words {
             Language::English => &self.english,
             Language::German => self.german.as_ref().unwrap_or(&self.english),
         }
+    }
+}
+
+impl From<&Words> for Message {
+    fn from(words: &Words) -> Self {
+        let [english, german] = [Language::English, Language::German].map(|language| words.text(language));
+        say!(in_both_languages, english = english, german = german)
     }
 }
 

@@ -91,8 +91,19 @@ impl Answer for ChartAnswer {
         "chart"
     }
 
+    fn introduction(&self) -> Vec<Message> {
+        self.chart.lines.is_empty().then(|| say!(no_survey_in_store)).into_iter().collect()
+    }
+
     fn tables(&self) -> Vec<Table> {
-        vec![self.shown(), self.sections()]
+        match self.has_files() {
+            true => vec![self.shown(), self.sections()],
+            false => Vec::new(),
+        }
+    }
+
+    fn has_files(&self) -> bool {
+        !self.chart.lines.is_empty()
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {

@@ -6,6 +6,7 @@ mod ingested;
 mod plan;
 mod questions;
 mod status;
+mod whole;
 mod words;
 mod worst;
 
@@ -13,6 +14,9 @@ pub use chart::ChartAnswer;
 pub use growth::GrowthAnswer;
 pub use ingested::IngestedAnswer;
 pub use plan::PlanAnswer;
-pub use questions::{GrowthQuestion, IngestQuestion, PlanQuestion, StatusQuestion, WorstQuestion};
+pub use questions::{
+    ChartQuestion, CheckQuestion, GrowthQuestion, IngestQuestion, PlanQuestion, StatusQuestion, WorstQuestion,
+};
 pub use status::StatusAnswer;
+pub use whole::WholeAnswer;
 pub use worst::WorstAnswer;

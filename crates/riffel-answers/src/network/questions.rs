@@ -8,15 +8,15 @@ use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::{Message, say};
 use riffel_network::{
-    Aim, Budget, ExpectedGrowth, Judgement, Store, StoreSettings, SurveyFile, growth, left_out_of_growth, plan, status,
-    worst,
+    Aim, Budget, ExpectedGrowth, Judgement, NetworkError, Store, StoreSettings, StripChart, SurveyFile, growth,
+    left_out_of_growth, plan, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{GrowthAnswer, IngestedAnswer, PlanAnswer, StatusAnswer, WorstAnswer};
-use crate::question::{Asker, CaseSource, Money, PosteriorSource, Question, Rule, Source, positive};
+use super::{ChartAnswer, GrowthAnswer, IngestedAnswer, PlanAnswer, StatusAnswer, WholeAnswer, WorstAnswer};
+use crate::question::{Asker, CaseSource, Files, Money, PosteriorSource, Question, Rule, Source, positive};
 use crate::{Answer, AnswerError, ExpectedRates};
 
 /// The folder of a store.
@@ -104,10 +104,17 @@ impl Expected {
     }
 }
 
+/// Name the surveys of which something is lost or damaged; returns how many there are.
+fn tell_damaged(store: &Store, asker: &dyn Asker) -> usize {
+    let damaged = store.damaged().map(|error| say!(survey_is_left_out, reason = error.to_string()));
+    let damaged: Vec<Message> = damaged.collect();
+    asker.remark(&damaged);
+    damaged.len()
+}
+
 /// An answer, with the surveys named of which something is lost or damaged.
 fn told(answer: impl Answer + 'static, store: &Store, asker: &dyn Asker) -> Box<dyn Answer> {
-    let damaged = store.damaged().map(|error| say!(survey_is_left_out, reason = error.to_string()));
-    asker.remark(&damaged.collect::<Vec<Message>>());
+    tell_damaged(store, asker);
     Box::new(answer)
 }
 
@@ -160,7 +167,7 @@ impl Question for IngestQuestion {
     const NAME: &'static str = "network ingest";
     const EXAMPLE: &'static str = "Example: riffel network ingest railway blocks.csv --line \"Main line\" --date 2026-01-31\n\n\
         The same survey again changes nothing, and one that was stopped is done anew: surveys are there whole or not at all.";
-    const WRITES_FILES: bool = false;
+    const FILES: Files = Files::None;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let resolution = self.resolution.map(|length| positive("--resolution", length)).transpose()?;
@@ -182,7 +189,7 @@ pub struct StatusQuestion {
 impl Question for StatusQuestion {
     const NAME: &'static str = "network status";
     const EXAMPLE: &'static str = "Example: riffel network status railway";
-    const WRITES_FILES: bool = false;
+    const FILES: Files = Files::None;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let store = self.store.open()?;
@@ -206,7 +213,7 @@ pub struct WorstQuestion {
 impl Question for WorstQuestion {
     const NAME: &'static str = "network worst";
     const EXAMPLE: &'static str = "Example: riffel network worst railway --section \"200 m\" --most 10";
-    const WRITES_FILES: bool = false;
+    const FILES: Files = Files::None;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let (store, judgement, section) = self.judged.open()?;
@@ -246,7 +253,7 @@ impl Question for GrowthQuestion {
         Rule::Needs("from", &["to"]),
         Rule::Needs("to", &["from"]),
     ];
-    const WRITES_FILES: bool = false;
+    const FILES: Files = Files::None;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let (store, judgement, section) = self.judged.open()?;
@@ -302,7 +309,7 @@ impl Question for PlanQuestion {
         Rule::Needs("cost_per_metre", &["money"]),
         Rule::Needs("cost_per_site", &["money"]),
     ];
-    const WRITES_FILES: bool = false;
+    const FILES: Files = Files::None;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let (store, judgement, section) = self.judged.open()?;
@@ -321,5 +328,53 @@ impl Question for PlanQuestion {
         };
         let found = plan(&store, &judgement, section, self.months, &budget, aim)?;
         Ok(told(PlanAnswer::new(found, self.money.is_some()), &store, asker))
+    }
+}
+
+/// Every survey of a line, kilometre by date, as a picture and a table.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct ChartQuestion {
+    #[serde(flatten)]
+    judged: Judged,
+    /// This line alone.
+    #[schemars(extend("value_name" = "NAME"))]
+    line: Option<String>,
+    /// This rail alone [default: the worst of all at each place].
+    #[schemars(extend("value_name" = "NAME"))]
+    rail: Option<String>,
+    /// Folder for the results, made if need be [default: STORE-chart].
+    #[schemars(with = "Option<String>", extend("value_name" = "DIR", "path" = true))]
+    pub output: Option<PathBuf>,
+}
+
+impl Question for ChartQuestion {
+    const NAME: &'static str = "network chart";
+    const EXAMPLE: &'static str = "Example: riffel network chart railway --line \"Main line\" -o main-line";
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let (store, judgement, section) = self.judged.open()?;
+        let chart = StripChart::new(&store, &judgement, section, self.line.as_deref(), self.rail.as_deref())?;
+        Ok(told(ChartAnswer::new(chart), &store, asker))
+    }
+}
+
+/// Read all of a store and name what is lost or damaged.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct CheckQuestion {
+    #[serde(flatten)]
+    store: InStore,
+}
+
+impl Question for CheckQuestion {
+    const NAME: &'static str = "network check";
+    const EXAMPLE: &'static str = "Example: riffel network check railway";
+    const FILES: Files = Files::None;
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let store = self.store.open()?;
+        match tell_damaged(&store, asker) {
+            0 => Ok(Box::new(WholeAnswer { surveys: store.surveys()?.len() })),
+            damaged => Err(NetworkError::NotWhole { damaged }.into()),
+        }
     }
 }

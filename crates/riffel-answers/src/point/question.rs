@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{PointAnswer, PointRequest};
-use crate::question::{AsWritten, Asker, CaseSource, Question, Rule, covering, positive};
+use crate::question::{AsWritten, Asker, CaseSource, Files, Question, Rule, covering, positive};
 use crate::{Answer, AnswerError};
 
 /// The whole loop at one wavelength and speed.
@@ -44,7 +44,7 @@ impl Question for PointQuestion {
     const EXAMPLE: &'static str = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\"";
     const RULES: &'static [Rule] =
         &[Rule::Needs("supports", &["spacing_deviation"]), Rule::Needs("seed", &["spacing_deviation"])];
-    const WRITES_FILES: bool = false;
+    const FILES: Files = Files::None;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let case = self.case.read_at(self.position, asker)?;

@@ -1,8 +1,10 @@
 //! Who asks a question.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use riffel_keys::{Language, Message};
+use riffel_study::Stop;
 
 /// Called after some more steps of the work.
 pub type Step<'a> = Box<dyn Fn(usize) + Sync + 'a>;
@@ -11,6 +13,19 @@ pub type Step<'a> = Box<dyn Fn(usize) + Sync + 'a>;
 pub trait Asker: Sync {
     /// Begin work of so many steps; it ends when the returned function goes.
     fn begin(&self, work: Message, steps: usize) -> Step<'_>;
+
+    /// Begin work of so many draws, samples or the like, likewise.
+    fn count(&self, work: Message, total: u64) -> Step<'_> {
+        self.begin(work, total as usize)
+    }
+
+    /// What is going on.
+    fn say(&self, _what: Message) {}
+
+    /// What asks long work to end early.
+    fn stop(&self) -> Arc<Stop> {
+        Arc::default()
+    }
 
     /// What should be asked about a value or a file before the answer is trusted.
     fn remark(&self, remarks: &[Message]);

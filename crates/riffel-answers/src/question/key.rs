@@ -231,14 +231,6 @@ fn types(property: &Value) -> impl Iterator<Item = &str> {
     list.iter().filter_map(Value::as_str)
 }
 
-/// The key that every question has: a place for files.
-pub(super) fn output() -> Value {
-    json!({
-        "type": ["string", "object"],
-        "description": "Folder for the results, made if need be [default: named after the case or file and the command, as in case-map]",
-    })
-}
-
 /// The question that has some keys.
 pub(super) fn question<Q: Question>(keys: &[Key], given: Map<String, Value>) -> Result<Q, AnswerError> {
     let wrong = |message: String| AnswerError::Question { question: Q::NAME, message };

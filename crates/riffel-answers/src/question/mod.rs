@@ -7,6 +7,7 @@
 mod as_written;
 mod asker;
 mod case_source;
+mod files;
 mod ground_source;
 mod key;
 mod money;
@@ -14,6 +15,7 @@ mod posterior_source;
 mod rail_records;
 mod rule;
 mod source;
+mod threads;
 
 use std::marker::PhantomData;
 
@@ -24,6 +26,7 @@ use serde_json::{Map, Value, json};
 pub use as_written::AsWritten;
 pub use asker::{Asker, Nobody, Step};
 pub use case_source::{CaseSource, OfCase, covering};
+pub use files::Files;
 pub use ground_source::GroundSource;
 pub use key::{Key, Kind};
 pub(crate) use money::Money;
@@ -31,6 +34,7 @@ pub use posterior_source::{PosteriorSource, finished_of, over};
 pub use rail_records::{EarlierRecords, History, RecordLayout, choose_nothing, positive};
 pub use rule::Rule;
 pub use source::Source;
+pub use threads::on_threads;
 
 use crate::{Answer, AnswerError, QUESTIONS};
 
@@ -43,11 +47,8 @@ pub trait Question: DeserializeOwned + JsonSchema {
     /// Which keys need or exclude others.
     const RULES: &'static [Rule] = &[];
 
-    /// Whether the program writes files of the answer, where only a document and words are not enough.
-    const WRITES_FILES: bool = true;
-
-    /// Whether the program prints a document of the answer, where a text is not enough.
-    const HAS_DOCUMENT: bool = true;
+    /// Where the program writes the files of the answer.
+    const FILES: Files = Files::Named;
 
     /// The answer; `asker` is told how far it is and what is unusual about the question.
     ///
@@ -64,10 +65,8 @@ pub trait AnyQuestion: Sync {
     fn example(&self) -> &'static str;
     /// Which keys need or exclude others.
     fn rules(&self) -> &'static [Rule];
-    /// Whether the program writes files of the answer.
-    fn writes_files(&self) -> bool;
-    /// Whether the program prints a document of the answer.
-    fn has_document(&self) -> bool;
+    /// Where the program writes the files of the answer.
+    fn files(&self) -> Files;
     /// What it asks, in one line.
     fn about(&self) -> String;
     /// Its keys, in the order of its fields.
@@ -86,8 +85,11 @@ pub fn named(name: &str) -> Option<&'static dyn AnyQuestion> {
     QUESTIONS.iter().copied().find(|question| question.name() == name)
 }
 
-/// A question of some keys, for whom they are no object of their own.
-pub(crate) fn of_keys<Q: Question>(keys: Value) -> Result<Q, AnswerError> {
+/// A question of some keys.
+///
+/// # Errors
+/// [`AnswerError::Question`] for a key that is unknown, missing or of the wrong kind.
+pub fn of_keys<Q: Question>(keys: Value) -> Result<Q, AnswerError> {
     match keys {
         Value::Object(keys) => key::question(&Key::all(&schema_for!(Q)), keys),
         other => {
@@ -125,12 +127,8 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         Q::RULES
     }
 
-    fn writes_files(&self) -> bool {
-        Q::WRITES_FILES
-    }
-
-    fn has_document(&self) -> bool {
-        Q::HAS_DOCUMENT
+    fn files(&self) -> Files {
+        Q::FILES
     }
 
     fn about(&self) -> String {
@@ -146,8 +144,9 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         let required = keys.iter().filter(|key| key.is_required).map(|key| &key.name);
         let properties = keys.iter().map(|key| (key.name.clone(), key.property()));
         let says_where = keys.iter().any(|key| key.name == "output");
-        let output = (Q::WRITES_FILES && !says_where).then(|| ("output".to_owned(), key::output()));
-        let properties = properties.chain(output);
+        let output = (Q::FILES == Files::Named && !says_where)
+            .then(|| json!({ "type": ["string", "object"], "description": Files::OUTPUT }));
+        let properties = properties.chain(output.map(|output| ("output".to_owned(), output)));
         json!({
             "$schema": "https://json-schema.org/draft/2020-12/schema",
             "title": format!("riffel ask {}", self.name()),

@@ -12,7 +12,7 @@ use super::working::Working;
 use super::{GENERATOR, Site};
 use crate::diagnose::DiagnosedRail;
 use crate::noise::RoughWheels;
-use crate::question::{Asker, GroundSource, Question, Rule, Source};
+use crate::question::{Asker, Files, GroundSource, Question, Rule, Source};
 use crate::{Answer, AnswerError, Existing, OwnText, Table};
 
 /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
@@ -122,8 +122,7 @@ impl Question for ReportQuestion {
         Rule::Needs("limit_dba", &["traffic"]),
         Rule::AnyOf(&["roughness", "case"]),
     ];
-    const WRITES_FILES: bool = false;
-    const HAS_DOCUMENT: bool = false;
+    const FILES: Files = Files::Text;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let page = Working::new(self, asker)?.page()?;

@@ -3,6 +3,8 @@
 mod along_rail;
 mod course;
 mod evolution;
+mod question;
+mod rail;
 mod remarks;
 mod sinusoid;
 mod smooth_rail;
@@ -10,6 +12,7 @@ mod smooth_rail;
 pub use along_rail::{PassageAnswer, PassageRequest};
 pub use course::Course;
 pub use evolution::{EvolutionAnswer, EvolutionRequest, EvolutionRun, Surface};
+pub use question::SimulateQuestion;
 pub use sinusoid::{SinusoidAnswer, SinusoidRequest};
 pub use smooth_rail::SmoothRailAnswer;
 

@@ -58,7 +58,7 @@ impl<'a> StudyAnswer<'a> {
 }
 
 /// Why samples failed, one line for each reason.
-pub fn failures(summary: &Summary) -> Vec<Message> {
+pub(super) fn failures(summary: &Summary) -> Vec<Message> {
     if summary.samples_failed == 0 {
         return Vec::new();
     }

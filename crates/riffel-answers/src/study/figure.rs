@@ -18,13 +18,13 @@ fn title(study: &Study) -> &str {
 }
 
 /// What an output is, in a few words.
-fn words(analysis: &Analysis<'_>) -> String {
+fn words(analysis: &Analysis) -> String {
     let band = analysis.name.strip_prefix(&analysis.variable.name).unwrap_or_default();
     let description = analysis.variable.description.split(',').next().unwrap_or_default();
     format!("{description}{band}")
 }
 
-fn unit(analysis: &Analysis<'_>) -> &'static str {
+fn unit(analysis: &Analysis) -> &'static str {
     match analysis.variable.unit {
         "1" => "-",
         unit => unit,
@@ -32,7 +32,7 @@ fn unit(analysis: &Analysis<'_>) -> &'static str {
 }
 
 /// First-order and total indices with their intervals.
-pub(super) fn indices(study: &Study, analyses: &[Analysis<'_>]) -> BarFigure {
+pub(super) fn indices(study: &Study, analyses: &[Analysis]) -> BarFigure {
     let rows: Vec<String> = study.parameters().iter().map(|p| p.key.key.clone()).collect();
     let found = analyses.iter().filter_map(|analysis| Some((analysis, analysis.indices.as_ref()?)));
     let panels = found.clone().map(|(analysis, indices)| {
@@ -70,7 +70,7 @@ pub(super) fn indices(study: &Study, analyses: &[Analysis<'_>]) -> BarFigure {
 }
 
 /// Each parameter alone, the widest swing on top; none if the medians fail.
-pub(super) fn tornado(study: &Study, analyses: &[Analysis<'_>], tornado: &Tornado) -> Option<BarFigure> {
+pub(super) fn tornado(study: &Study, analyses: &[Analysis], tornado: &Tornado) -> Option<BarFigure> {
     let middle = tornado.middle.as_ref().ok()?;
     let panels: Vec<BarPanel> = analyses
         .iter()

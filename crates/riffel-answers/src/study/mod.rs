@@ -2,6 +2,8 @@
 
 mod computed;
 mod figure;
+mod merged;
+mod question;
 mod statistics;
 mod tables;
 mod told;
@@ -14,7 +16,10 @@ use riffel_study::{ResultFolder, Study, StudyError, Variable};
 use serde::Serialize;
 
 use crate::{Answer, ResultFile, Table, Told};
-pub use computed::{StudyAnswer, failures};
+pub use computed::StudyAnswer;
+use computed::failures;
+pub use merged::MergeAnswer;
+pub use question::{MergeQuestion, Part, SensitivityQuestion, StudyQuestion};
 use statistics::four_figures;
 use told::{GrowthBands, ParameterEffect};
 
@@ -30,7 +35,7 @@ const ASIDE: [&str; 4] =
 
 /// One output, and what matters for it.
 #[derive(Serialize)]
-pub struct Analysis<'a> {
+pub struct Analysis {
     /// Name, with the band where it has several.
     pub name: String,
     unit: &'static str,
@@ -43,7 +48,7 @@ pub struct Analysis<'a> {
     parameters: Vec<ParameterEffect>,
     /// The output.
     #[serde(skip)]
-    pub variable: &'a Variable,
+    pub variable: Variable,
     /// Place of its number among those of a sample.
     #[serde(skip)]
     pub place: usize,
@@ -52,7 +57,7 @@ pub struct Analysis<'a> {
     pub indices: Option<SobolIndices>,
 }
 
-impl Analysis<'_> {
+impl Analysis {
     /// Tell what its indices and the swings of the parameters say.
     fn tell(&mut self, study: &Study, tornado: &Tornado) {
         let at = |outputs: &Result<Vec<f64>, String>| outputs.as_ref().ok().map(|values| values[self.place]);
@@ -86,19 +91,19 @@ pub struct SensitivityRequest {
 
 /// What matters in a study.
 #[derive(Serialize)]
-pub struct SensitivityAnswer<'a> {
-    title: Option<&'a str>,
-    fingerprint: &'a str,
+pub struct SensitivityAnswer {
+    title: Option<String>,
+    fingerprint: String,
     samples: u64,
     /// The outputs, each with what matters for it.
     #[serde(rename = "outputs")]
-    pub analyses: Vec<Analysis<'a>>,
+    pub analyses: Vec<Analysis>,
     #[serde(skip_serializing_if = "Option::is_none")]
     growth_bands: Option<GrowthBands>,
     /// What the reader should know.
     pub notes: Vec<Message>,
     #[serde(skip)]
-    study: &'a Study,
+    study: Study,
     /// Each parameter alone.
     #[serde(skip)]
     pub tornado: Tornado,
@@ -109,13 +114,13 @@ pub struct SensitivityAnswer<'a> {
     confidence: f64,
 }
 
-impl<'a> SensitivityAnswer<'a> {
+impl SensitivityAnswer {
     /// What matters in a study whose samples are all computed.
     ///
     /// # Errors
     /// [`StudyError::Analysis`] for a confidence out of its range, for an output that is not there or cannot be looked at,
     /// and for results that cannot be read.
-    pub fn new(study: &'a Study, folder: &ResultFolder, request: &SensitivityRequest) -> Result<Self, StudyError> {
+    pub fn new(study: Study, folder: &ResultFolder, request: &SensitivityRequest) -> Result<Self, StudyError> {
         let confidence = request.confidence;
         if !(confidence > 0.0 && confidence < 1.0) {
             return Err(StudyError::Analysis {
@@ -124,11 +129,11 @@ impl<'a> SensitivityAnswer<'a> {
         }
         let is_saltelli = study.plan.file.design.method == Method::Saltelli;
         let mut notes = Vec::new();
-        let mut analyses = chosen(study, &request.results)?;
+        let mut analyses = chosen(&study, &request.results)?;
         if is_saltelli {
             let intervals = Intervals { confidence, ..Intervals::default() };
             for analysis in &mut analyses {
-                let values = column(study, folder, analysis)?;
+                let values = column(&study, folder, analysis)?;
                 match SobolIndices::new(&values, study.parameters().len(), intervals) {
                     Ok(indices) => analysis.indices = Some(indices),
                     Err(error) => notes.push(Message::verbatim(error.to_string()).about(analysis.name.as_str())),
@@ -141,17 +146,17 @@ impl<'a> SensitivityAnswer<'a> {
         if let Some(count @ 1..) = left_out {
             notes.push(say!(base_samples_left_out, count = count));
         }
-        let tornado = Tornado::new(study, TORNADO);
-        let bands = bands(study, folder, is_saltelli)?;
+        let tornado = Tornado::new(&study, TORNADO);
+        let bands = bands(&study, folder, is_saltelli)?;
         if bands.is_none() {
             notes.push(say!(bands_need_growth_by_wavelength));
         }
         for analysis in &mut analyses {
-            analysis.tell(study, &tornado);
+            analysis.tell(&study, &tornado);
         }
         Ok(Self {
-            title: study.plan.file.title.as_deref(),
-            fingerprint: &study.fingerprint,
+            title: study.plan.file.title.clone(),
+            fingerprint: study.fingerprint.clone(),
             samples: study.samples(),
             analyses,
             growth_bands: bands.as_ref().map(|bands| GrowthBands {
@@ -171,12 +176,12 @@ impl<'a> SensitivityAnswer<'a> {
     /// Sobol indices; none where the design does not give them.
     fn indices_figure(&self) -> Option<BarFigure> {
         let mut analyses = self.analyses.iter();
-        analyses.any(|analysis| analysis.indices.is_some()).then(|| figure::indices(self.study, &self.analyses))
+        analyses.any(|analysis| analysis.indices.is_some()).then(|| figure::indices(&self.study, &self.analyses))
     }
 
     /// Each parameter alone; none if the medians fail.
     fn tornado_figure(&self) -> Option<BarFigure> {
-        figure::tornado(self.study, &self.analyses, &self.tornado)
+        figure::tornado(&self.study, &self.analyses, &self.tornado)
     }
 }
 
@@ -185,7 +190,7 @@ fn title(title: Option<&str>) -> Message {
     title.map_or_else(|| say!(study_word), Message::verbatim)
 }
 
-impl Answer for SensitivityAnswer<'_> {
+impl Answer for SensitivityAnswer {
     fn name(&self) -> &'static str {
         "growth-bands"
     }
@@ -195,7 +200,7 @@ impl Answer for SensitivityAnswer<'_> {
     }
 
     fn introduction(&self) -> Vec<Message> {
-        vec![title(self.title)]
+        vec![title(self.title.as_deref())]
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -221,7 +226,7 @@ impl Answer for SensitivityAnswer<'_> {
 
     /// Growth against wavelength over the samples.
     fn figure(&self) -> LineFigure {
-        self.bands.as_ref().map_or_else(LineFigure::default, |bands| figure::bands(self.study, bands))
+        self.bands.as_ref().map_or_else(LineFigure::default, |bands| figure::bands(&self.study, bands))
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {
@@ -237,7 +242,7 @@ impl Answer for SensitivityAnswer<'_> {
 }
 
 /// The outputs to look at: those asked for, or all that are one real number for each sample.
-fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, StudyError> {
+fn chosen(study: &Study, asked: &[String]) -> Result<Vec<Analysis>, StudyError> {
     let outputs = study.outputs();
     let known = || outputs.variables().iter().map(|variable| variable.name.as_str());
     if let Some(unknown) = asked.iter().find(|name| !known().any(|known| known == *name)) {
@@ -278,7 +283,7 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
                 base_samples: None,
                 at_medians: None,
                 parameters: Vec::new(),
-                variable,
+                variable: variable.clone(),
                 place: place + index,
                 indices: None,
             });
@@ -294,13 +299,13 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
 }
 
 /// The number of an analysis in every sample.
-fn column(study: &Study, folder: &ResultFolder, analysis: &Analysis<'_>) -> Result<Vec<f64>, StudyError> {
-    let width = study.outputs().length(analysis.variable);
+fn column(study: &Study, folder: &ResultFolder, analysis: &Analysis) -> Result<Vec<f64>, StudyError> {
+    let width = study.outputs().length(&analysis.variable);
     let before: usize = study
         .outputs()
         .variables()
         .iter()
-        .take_while(|variable| *variable != analysis.variable)
+        .take_while(|variable| **variable != analysis.variable)
         .map(|variable| study.outputs().length(variable))
         .sum();
     let values = folder.output(&analysis.variable.name)?;

@@ -9,7 +9,7 @@ use crate::number_alone;
 use crate::{Column, Table};
 
 /// Sobol indices of an output with their intervals.
-pub(super) fn indices(answer: &SensitivityAnswer<'_>, analysis: &Analysis<'_>, indices: &SobolIndices) -> Table {
+pub(super) fn indices(answer: &SensitivityAnswer, analysis: &Analysis, indices: &SobolIndices) -> Table {
     let keys = answer.study.parameters().iter().map(|parameter| Message::verbatim(&parameter.key.key));
     let percent = format!("{:.4}", 100.0 * answer.confidence).replace(".0000", "");
     let three = |value: f64| number(format!("{value:.3}"));
@@ -36,7 +36,7 @@ pub(super) fn indices(answer: &SensitivityAnswer<'_>, analysis: &Analysis<'_>, i
 }
 
 /// An output with each parameter alone from its low to its high quantile.
-pub(super) fn tornado(answer: &SensitivityAnswer<'_>, analysis: &Analysis<'_>) -> Table {
+pub(super) fn tornado(answer: &SensitivityAnswer, analysis: &Analysis) -> Table {
     let rows = || answer.study.parameters().iter().zip(&answer.tornado.swings);
     let keys = rows().map(|(parameter, _)| Message::verbatim(&parameter.key.key));
     let values = |end: usize| -> Vec<Message> {
@@ -56,7 +56,7 @@ pub(super) fn tornado(answer: &SensitivityAnswer<'_>, analysis: &Analysis<'_>) -
 }
 
 /// An output among those of a sample, if that has any.
-pub(super) fn at(analysis: &Analysis<'_>, outputs: &Result<Vec<f64>, String>) -> Message {
+pub(super) fn at(analysis: &Analysis, outputs: &Result<Vec<f64>, String>) -> Message {
     match outputs {
         Ok(values) => number_alone(four_figures(values[analysis.place])),
         Err(_) => say!(output_fails),

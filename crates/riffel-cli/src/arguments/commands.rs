@@ -47,18 +47,15 @@ pub(crate) enum Commands {
     /// A question that is data.
     Question(AskedQuestion),
     /// Another command.
-    Other(Box<Command>),
+    Other(Command),
 }
 
 impl Subcommand for Commands {
     fn augment_subcommands(program: clap::Command) -> clap::Command {
-        let others = Command::augment_subcommands(clap::Command::new("riffel"));
+        let others = Command::augment_subcommands(clap::Command::new("riffel")).subcommand(network());
         let of = |(place, name): (usize, &&str)| {
-            let command = match question::named(name) {
-                Some(question) => command(question),
-                None => with_questions_below(others.find_subcommand(name)?.clone()),
-            };
-            Some(command.display_order(place))
+            let command = question::named(name).map(command).or_else(|| others.find_subcommand(name).cloned())?;
+            Some(with_questions_below(command).display_order(place))
         };
         program
             .subcommand_required(true)
@@ -75,12 +72,27 @@ impl Subcommand for Commands {
     }
 }
 
-/// A command with the questions that stand below it, before its other commands.
+/// The command that has nothing but questions below it.
+fn network() -> clap::Command {
+    clap::Command::new("network")
+        .about("Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding")
+        .after_help(
+            "Example: riffel axlebox run.csv --case case.toml -o run && riffel network ingest railway run/blocks.csv \
+             --line \"Main line\" --date 2026-01-31 && riffel network worst railway",
+        )
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+}
+
+/// A command with the questions that stand below it, which are asked in its place.
 fn with_questions_below(program: clap::Command) -> clap::Command {
     let prefix = format!("{} ", program.get_name());
     let below = QUESTIONS.iter().filter(|question| question.name().starts_with(&prefix));
-    let below = below.enumerate().map(|(place, question)| command(*question).display_order(place));
-    below.fold(program.mut_subcommands(|other| other.display_order(QUESTIONS.len())), clap::Command::subcommand)
+    let is_asked = question::named(program.get_name()).is_some();
+    program
+        .args_conflicts_with_subcommands(is_asked)
+        .subcommand_negates_reqs(is_asked)
+        .subcommands(below.map(|question| command(*question)))
 }
 
 impl FromArgMatches for Commands {
@@ -92,7 +104,7 @@ impl FromArgMatches for Commands {
         };
         match question::named(&full) {
             Some(question) => Ok(Self::Question(AskedQuestion::of(question, own))),
-            None => Command::from_arg_matches(matches).map(|command| Self::Other(Box::new(command))),
+            None => Command::from_arg_matches(matches).map(Self::Other),
         }
     }
 
@@ -102,29 +114,17 @@ impl FromArgMatches for Commands {
     }
 }
 
-/// A command that is no question, or not yet one that is data.
+/// A command that is no question.
 #[derive(Subcommand)]
 pub(crate) enum Command {
     /// Write a commented case file to start from, a traffic file or the plan of a study.
     Init(Init),
-    /// A wheel along a rail in time: large amplitudes, loss of contact.
-    Simulate(Simulate),
-    /// Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding.
-    Network(Network),
-    /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
-    Study(Study),
-    /// What measurements say of the uncertain values of a case.
-    Calibrate(Calibrate),
-    /// Which action pays, over the posterior of a calibration, and what to measure first.
-    Decide(Decide),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// The page: the whole model in a browser on this machine.
     Serve(Serve),
     /// The page as one file, with a case inside: it opens without server and network.
     Page(Page),
-    /// List the presets, or show one with the sources of its values.
-    Presets(Presets),
     /// Answer a question in JSON on standard input: a command with its options as keys.
     Ask(Ask),
     /// Print the JSON schema of the case file, of the traffic file, of the plan of a study or of a question.

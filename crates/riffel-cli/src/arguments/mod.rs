@@ -1,39 +1,22 @@
 //! The command line.
 
-mod calibrate;
-mod case;
 mod commands;
-mod decide;
 mod figures;
-pub(crate) mod network;
-mod number;
 mod page;
 mod question;
-mod roughness;
-mod simulate;
-mod study;
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, ValueEnum};
 use riffel_answers::paper::Model;
 use riffel_keys::Language;
-use riffel_keys::quantity::{Dimension, Quantity};
 
-use crate::error::CliError;
 use crate::messages::Verbosity;
 
-pub(crate) use calibrate::{Calibrate, CalibrateChains, CalibrateCommand, CheckCalibration};
-pub(crate) use case::{CaseArguments, stem};
 pub(crate) use commands::{Command, Commands};
-pub(crate) use decide::Decide;
 pub(crate) use figures::{Figures, ModelArgument};
-pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use page::Page;
-pub(crate) use question::AskedQuestion;
-pub(crate) use roughness::Layout;
-pub(crate) use simulate::{LengthPair, Simulate};
-pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
+pub(crate) use question::{AskedQuestion, question_of};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]
@@ -74,17 +57,9 @@ impl Arguments {
     /// What `riffel ask` was given, if it is that.
     pub(crate) fn ask(&self) -> Option<&Ask> {
         match &self.command {
-            Commands::Other(command) => match &**command {
-                Command::Ask(ask) => Some(ask),
-                _ => None,
-            },
-            Commands::Question(_) => None,
+            Commands::Other(Command::Ask(ask)) => Some(ask),
+            _ => None,
         }
-    }
-
-    /// The same with a question in place of the command.
-    pub(crate) fn asking(self, question: AskedQuestion) -> Self {
-        Self { command: Commands::Question(question), ..self }
     }
 
     /// The language in which it is said.
@@ -95,17 +70,6 @@ impl Arguments {
         }
     }
 
-    /// The options that every command has, as they are written.
-    pub(crate) fn options_of_all(&self) -> impl Iterator<Item = &'static str> {
-        let language = match self.language {
-            Spoken::En => "--language=en",
-            Spoken::De => "--language=de",
-        };
-        let quiet = self.quiet.then_some("--quiet");
-        let verbose = self.verbose.then_some("--verbose");
-        [language].into_iter().chain(quiet).chain(verbose)
-    }
-
     /// How much is to be said beside the results.
     pub(crate) fn verbosity(&self) -> Verbosity {
         match (self.quiet, self.verbose) {
@@ -114,23 +78,6 @@ impl Arguments {
             (false, false) => Verbosity::Normal,
         }
     }
-}
-
-/// Where results go.
-#[derive(Args, Default)]
-pub(crate) struct ResultsArguments {
-    /// Folder for the results, made if need be [default: named after the case or file and the command, as in case-map].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-/// The value of an argument that must be above zero, in SI.
-pub(crate) fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64, CliError> {
-    Ok(riffel_answers::question::positive(argument, value)?)
 }
 
 #[derive(Args)]
@@ -255,18 +202,6 @@ pub(crate) struct Serve {
     /// Address to listen on. Any but 127.0.0.1 lets other machines use this one: there is no password.
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
     pub(crate) address: std::net::IpAddr,
-}
-
-#[derive(Args)]
-#[command(after_help = "Example: riffel presets BS113A")]
-pub(crate) struct Presets {
-    /// Preset to show.
-    #[arg(value_name = "NAME")]
-    pub(crate) name: Option<String>,
-
-    /// Print one JSON document: each value as written and in SI, with its unit and its source.
-    #[arg(long)]
-    pub(crate) json: bool,
 }
 
 #[derive(Args)]

@@ -1,18 +1,20 @@
 //! `riffel page`
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::Args;
+use riffel_answers::question::{CaseSource, Source};
 use riffel_case::{Case, NOMINAL_CASE};
 
-use super::CaseArguments;
+use crate::terminal::Terminal;
 
 #[derive(Args)]
 #[command(after_help = "Example: riffel page cases/metro.toml -o metro.html")]
 pub(crate) struct Page {
     /// Case file to put into the page, or - for standard input [default: the nominal case].
     #[arg(value_name = "CASE")]
-    case: Option<PathBuf>,
+    pub(crate) case: Option<PathBuf>,
 
     /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -36,7 +38,10 @@ impl Page {
     /// The case to put into the page.
     pub(crate) fn read(&self) -> miette::Result<Case> {
         match &self.case {
-            Some(path) => CaseArguments::of(path, &self.overrides).read(),
+            Some(path) => {
+                let case = CaseSource::new(Source::File(path.clone()), self.overrides.clone());
+                Ok(Arc::unwrap_or_clone(case.read(&Terminal)?))
+            }
             None => Ok(Case::parse("nominal.toml", NOMINAL_CASE, &self.overrides)?),
         }
     }

@@ -1,23 +1,28 @@
 //! Questions on the command line: their keys as options.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Args, Command, ValueHint};
-use riffel_answers::question::{AnyQuestion, Key, Kind, Rule};
+use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, ValueHint};
+use riffel_answers::QUESTIONS;
+use riffel_answers::question::{self, AnyQuestion, Files, Key, Kind, Rule};
 use riffel_keys::text_file::is_standard_input;
 use serde_json::{Map, Value};
 
-use super::ResultsArguments;
-use super::case::stem;
-use crate::RESULTS;
 use crate::error::CliError;
+use crate::results::Results;
+
+/// What names where results go.
+const RESULTS: [&str; 3] = ["output", "save_format", "into"];
 
 /// A question with its keys as they were given, and where its results go.
 pub(crate) struct AskedQuestion {
     pub(crate) question: &'static dyn AnyQuestion,
     pub(crate) keys: Map<String, Value>,
-    pub(crate) results: ResultsArguments,
+    /// The folder that is named.
+    pub(crate) output: Option<PathBuf>,
+    /// Whether its document is printed.
+    pub(crate) json: bool,
 }
 
 impl AskedQuestion {
@@ -26,12 +31,12 @@ impl AskedQuestion {
         let keys = question.keys();
         let given = keys.iter().filter_map(|key| Some((key.name.clone(), given(key, matches)?)));
         let keys: Map<String, Value> = given.collect();
-        let has_json = question.has_document() && matches.get_flag("json");
         let output = match keys.get("output") {
             Some(own) => own.as_str().map(PathBuf::from),
             None => matches.try_get_one::<PathBuf>("output").ok().flatten().cloned(),
         };
-        Self { question, keys, results: ResultsArguments { output, json: has_json } }
+        let json = question.files() != Files::Text && matches.get_flag("json");
+        Self { question, keys, output, json }
     }
 
     /// The question of an object in JSON, which may name a place for results.
@@ -39,7 +44,7 @@ impl AskedQuestion {
         let own = question.keys();
         let output = match own.iter().any(|key| key.name == "output") {
             true => keys.get("output").cloned(),
-            false if question.writes_files() => keys.remove("output"),
+            false if question.files() == Files::Named => keys.remove("output"),
             false => None,
         };
         let is_standard_input =
@@ -56,7 +61,7 @@ impl AskedQuestion {
                 return Err(CliError::Question { message });
             }
         };
-        Ok(Self { question, keys, results: ResultsArguments { output, json: true } })
+        Ok(Self { question, keys, output, json: true })
     }
 
     /// The files that it names, of which none may be replaced.
@@ -66,21 +71,70 @@ impl AskedQuestion {
         texts.map(PathBuf::from).filter(|path| path.is_file() || is_standard_input(path)).collect()
     }
 
-    /// What its results are named after: the file that stands without an option.
-    pub(crate) fn stem(&self) -> String {
+    /// Where its results go, under its name or another.
+    pub(crate) fn results_of(&self, name: Option<&'static str>) -> Results {
+        let command = name.unwrap_or(self.question.name());
+        let usual = || match self.question.files() {
+            // Of a question below another command the last word.
+            Files::Named => Some(self.named_after(command.rsplit(' ').next().unwrap_or(command))),
+            Files::There => self.first().map(PathBuf::from),
+            Files::None | Files::Text | Files::Asked => None,
+        };
+        let folder = self.output.clone().or_else(|| if self.json { None } else { usual() });
+        Results { command, folder, json: self.json }
+    }
+
+    /// The folder that is named, or else one after the first file and what it holds.
+    pub(crate) fn folder(&self, holds: &str) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| self.named_after(holds))
+    }
+
+    /// A folder named after the first file, or else the question, and what it holds.
+    fn named_after(&self, holds: &str) -> PathBuf {
+        let stem = match self.first().map(Path::new) {
+            None => self.question.name().into(),
+            Some(path) if is_standard_input(path) => "stdin".into(),
+            Some(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
+        };
+        format!("{stem}-{holds}").into()
+    }
+
+    /// The file or folder that stands without an option.
+    fn first(&self) -> Option<&str> {
         let keys = self.question.keys();
-        let first = keys.iter().find(|key| key.is_positional);
-        let path = first.and_then(|key| one_or_many(self.keys.get(&key.name)?).first()?.as_str());
-        path.map_or_else(|| self.question.name().to_owned(), |path| stem(path.as_ref()))
+        let first = keys.iter().find(|key| key.is_positional)?;
+        one_or_many(self.keys.get(&first.name)?).first()?.as_str()
     }
 }
 
-/// Where the results of a question that writes no files go.
-#[derive(Args)]
-struct JustJson {
-    /// Print one JSON document, complex numbers as [re, im].
-    #[arg(long)]
-    json: bool,
+/// The question of a name.
+pub(crate) fn question_of(name: &[String]) -> Result<&'static dyn AnyQuestion, CliError> {
+    let name = name.join(" ");
+    question::named(&name).ok_or_else(|| {
+        let known: Vec<&str> = QUESTIONS.iter().map(|question| question.name()).collect();
+        CliError::Argument { argument: "NAME", value: name, rule: format!("one of {}", known.join(", ")) }
+    })
+}
+
+/// The options of where results go.
+fn results(question: &dyn AnyQuestion, keys: &[Key]) -> Vec<Arg> {
+    let says_where = keys.iter().any(|key| key.name == "output");
+    let help = match question.files() {
+        Files::Text => return Vec::new(),
+        Files::None => "Print one JSON document, complex numbers as [re, im]",
+        Files::Named if !says_where => {
+            "Print one JSON document, complex numbers as [re, im]; files are written only with --output"
+        }
+        Files::There if !says_where => "Print one JSON document and write no files",
+        Files::Named | Files::There => "Print one JSON document; files are written only with --output",
+        Files::Asked => "Print one JSON document",
+    };
+    let json = Arg::new("json").long("json").help(help).action(ArgAction::SetTrue);
+    let output = (question.files() == Files::Named && !says_where).then(|| {
+        let output = Arg::new("output").short('o').long("output").value_name("DIR").help(Files::OUTPUT);
+        output.value_parser(clap::value_parser!(PathBuf))
+    });
+    output.into_iter().chain([json]).collect()
 }
 
 /// The values of a list, or the one that is none.
@@ -112,19 +166,7 @@ pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
         Rule::JustOneOf(names) => command.group(ArgGroup::new("just-one").args(*names).required(true)),
         _ => command,
     });
-    let says_where = keys.iter().any(|key| key.name == "output");
-    // Its docs would become those of the command.
-    let command = match (question.writes_files(), question.has_document()) {
-        (true, _) if !says_where => ResultsArguments::augment_args(command),
-        (_, true) => JustJson::augment_args(command),
-        (_, false) => command,
-    };
-    let in_folder = "Print one JSON document; files are written only with --output";
-    let command = match question.writes_files() && says_where {
-        true => command.mut_arg("json", |json| json.help(in_folder)),
-        false => command,
-    };
-    command.about(question.about())
+    command.args(results(question, &keys)).about(question.about())
 }
 
 /// The option of a key.

@@ -1,17 +1,14 @@
 //! One file for each command.
 
-pub(crate) mod calibrate;
+mod calibrate;
 pub(crate) mod completions;
-pub(crate) mod decide;
 pub(crate) mod figures;
 pub(crate) mod init;
 pub(crate) mod man;
-pub(crate) mod network;
 pub(crate) mod page;
-pub(crate) mod presets;
+mod passages;
 pub(crate) mod question;
 pub(crate) mod schema;
 pub(crate) mod serve;
-pub(crate) mod simulate;
-pub(crate) mod study;
+mod study;
 pub(crate) mod validate;

@@ -1,25 +1,46 @@
 //! A question that is data: its answer, handed out.
 
+use riffel_answers::AnswerError;
+
 use crate::arguments::AskedQuestion;
-use crate::messages::print_remarks;
-use crate::output::print;
-use crate::results::{Results, put, readable};
+use crate::messages::{complain, language};
+use crate::results::put;
+use crate::staging::INTERRUPTED;
 use crate::terminal::Terminal;
 
-/// Answer a question, and hand the answer out.
-pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<()> {
-    let answer = asked.question.answer(asked.keys.clone(), &Terminal)?;
+/// There is an answer, but none to go by.
+const DOUBTFUL: u8 = 1;
+
+/// Answer a question, and hand the answer out; returns the exit status.
+pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
+    let own = match asked.question.name() {
+        "simulate" => super::passages::run(asked)?,
+        "study" => Some(super::study::run(asked)?),
+        "calibrate" => Some(super::calibrate::run(asked)?),
+        _ => None,
+    };
+    if let Some(status) = own {
+        return Ok(status);
+    }
+    let answer = match asked.question.answer(asked.keys.clone(), &Terminal) {
+        Err(AnswerError::Stopped(message)) => {
+            complain(message);
+            return Ok(INTERRUPTED);
+        }
+        Err(AnswerError::Unfinished(message)) => {
+            complain(message);
+            return Ok(DOUBTFUL);
+        }
+        answer => answer?,
+    };
     if let Some(text) = answer.own_text() {
         put(&text)?;
         if text.is_all() {
-            return Ok(());
+            return Ok(0);
         }
     }
-    if !asked.question.writes_files() && !asked.results.json {
-        print(&readable(&*answer))?;
-        print_remarks(answer.remarks());
-        return Ok(());
-    }
-    let name = answer.folder_name().unwrap_or(asked.question.name());
-    Ok(Results::named(name, asked.stem(), &asked.results).answer(&*answer)?)
+    asked.results_of(answer.folder_name()).answer(&*answer)?;
+    let doubts = answer.doubts();
+    doubts.iter().for_each(|doubt| complain(doubt.text(language())));
+    Ok(if doubts.is_empty() { 0 } else { DOUBTFUL })
 }

@@ -141,7 +141,7 @@ fn a_profile_is_rolled_over() {
         ("--speed 80 --profile short.csv", "remembers"),
         ("--speed 30 --profile coarse.csv", "sampled every 8.000 mm"),
         ("--speed 30 --profile long.csv --length 0", "greater than zero"),
-        ("--speed 30 --sinusoid 20um,55mm --spacing 1mm", "it is for --profile"),
+        ("--speed 30 --sinusoid 20um,55mm --spacing 1mm", "--spacing needs --profile"),
         ("--speed 30 --sinusoid 20um,55mm --length 1", "--profile"),
     ] {
         let refused = sandbox.riffel(&format!("simulate {CASE} {arguments}"));
@@ -173,8 +173,8 @@ fn rails_are_made() {
         ("--spectrum grassie-1999", "limits of the RMS"),
         ("--weld 0,1", "greater than zero"),
         ("--weld 1mm,15m", "twice the length of the weld"),
-        ("--weld 1mm,1m --seed 2", "it is for --spectrum"),
-        ("--weld 1mm,1m --rail left", "it is for --profile"),
+        ("--weld 1mm,1m --seed 2", "--seed needs --spectrum"),
+        ("--weld 1mm,1m --rail left", "--rail needs --profile"),
         ("--weld 1mm,1m --step 1e-9", "between 0.05 and 100 mm"),
         ("--weld 1mm,1m --step 1e-300", "between 1e-12 and 1e12 in SI"),
         ("--weld 1mm,1m --length 1e300", "between 1e-12 and 1e12 in SI"),

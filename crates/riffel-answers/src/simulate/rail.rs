@@ -1,78 +1,34 @@
-//! The rail that `riffel simulate` rolls along.
+//! The rail that a wheel rolls along: of a file, or made.
 
 use std::path::Path;
 
 use riffel::roughness::{Profile, Spectrum, Weld};
-use riffel_answers::question::RecordLayout;
-use riffel_answers::simulate::Surface;
 use riffel_case::Case;
-use riffel_keys::{CaseError, fixed, number, say as message};
+use riffel_keys::{CaseError, fixed, number, say};
 use riffel_rail::{GroundRail, LabelledSpectrum, RoughnessFile, Survey};
 
-use crate::arguments::{Layout, LengthPair, Simulate, positive};
-use crate::error::CliError;
-use crate::messages::say;
-use crate::terminal::Terminal;
-
-/// Length of a rail that is made, where none is asked for \[m\].
-const USUAL_LENGTH: f64 = 20.0;
-
-/// Longest rail that is made \[m\]: two million heights.
-const MOST_LENGTH: f64 = 1000.0;
-
-/// The rail asked for, whose heights lie no farther apart than a step \[m\] where they are made.
-pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::Result<Surface> {
-    let length = arguments.length.map(|length| positive("--length", length)).transpose()?;
-    if arguments.profile.is_none() {
-        arguments.only_for_profiles(arguments.layout.given())?;
-        if let Some(length) = length.filter(|length| *length > MOST_LENGTH) {
-            Err(CliError::Argument {
-                argument: "--length",
-                value: format!("{length} m"),
-                rule: format!("at most {MOST_LENGTH} m for a rail that is made"),
-            })?;
-        }
-    }
-    if arguments.spectrum.is_none() && arguments.seed.is_some() {
-        Err(CliError::Argument {
-            argument: "--seed",
-            value: "given".to_owned(),
-            rule: "left out: it is for --spectrum".to_owned(),
-        })?;
-    }
-    let made = || {
-        let length = length.unwrap_or(USUAL_LENGTH);
-        match case.track.support_spacing() {
-            Some(bay) if arguments.passages.is_some() => whole_bays(length, bay),
-            _ => length,
-        }
-    };
-    if let Some(name) = &arguments.spectrum {
-        let length = made();
-        return Ok(Surface::Ring(drawn(name, arguments.seed.unwrap_or(1), case, length, step)?));
-    }
-    if let Some(weld) = &arguments.weld {
-        return Ok(Surface::Ring(dipped(weld, made(), step)?));
-    }
-    // The parser asks for one of them.
-    let path = arguments.profile.as_deref().unwrap_or_else(|| Path::new(""));
-    Ok(Surface::Record(record(path, &arguments.layout, length)?))
-}
+use crate::AnswerError;
+use crate::question::{Asker, RecordLayout};
 
 /// A length of whole bays, the next longer one.
-fn whole_bays(length: f64, bay: f64) -> f64 {
+pub(super) fn whole_bays(length: f64, bay: f64, asker: &dyn Asker) -> f64 {
     let whole = (length / bay - 1e-6).ceil() * bay;
     if (whole / length - 1.0).abs() > 1e-6 {
-        say(message!(rail_of_whole_bays, length = fixed(whole, 3), bay = number(bay)));
+        asker.say(say!(rail_of_whole_bays, length = fixed(whole, 3), bay = number(bay)));
     }
     whole
 }
 
 /// A rail with the levels of a limit or a file, but those of waves that the patch covers.
-fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::Result<Profile> {
+pub(super) fn drawn(
+    (name, seed): (&str, u64),
+    case: &Case,
+    [length, step]: [f64; 2],
+    asker: &dyn Asker,
+) -> Result<Profile, AnswerError> {
     let spectrum = match GroundRail::is_table(name) {
         true => GroundRail::of_table(name)?.spectrum,
-        false => at_the_end(RecordLayout::default().survey(Path::new(name), &Terminal)?)?.mean(),
+        false => at_the_end(RecordLayout::default().survey(Path::new(name), asker)?, asker)?.mean(),
     };
     let patch = 2.0 * case.hertz.semi_axis_longitudinal();
     let longer = spectrum.levels().iter().filter(|level| level.band.wavelength_range().0 >= patch);
@@ -83,14 +39,14 @@ fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::
     })?;
     let left = spectrum.levels().len() - kept.levels().len();
     if left > 0 {
-        say(message!(bands_below_patch_left_out, bands = number(left), length = fixed(1e3 * patch, 1)));
+        asker.say(say!(bands_below_patch_left_out, bands = number(left), length = fixed(1e3 * patch, 1)));
     }
     let longest = kept.levels().last().map_or(0.0, |level| level.band.wavelength());
-    Ok(kept.drawn(length, step, seed).map_err(|error| match error {
+    kept.drawn(length, step, seed).map_err(|error| match error {
         riffel::Error::OutOfRange {
             quantity: "length of the profile",
             ..
-        } => CliError::Argument {
+        } => AnswerError::Argument {
             argument: "--length",
             value: format!("{length} m"),
             rule: format!(
@@ -100,11 +56,11 @@ fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::
             ),
         },
         error => of("--spectrum", error),
-    })?)
+    })
 }
 
 /// Of levels over passages, such as `bands.csv`, those after the most; of others all.
-fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
+fn at_the_end(levels: Survey, asker: &dyn Asker) -> Result<Survey, CaseError> {
     const COLUMN: &str = "passages";
     let number = |label: &str| label.parse::<f64>().unwrap_or(f64::NEG_INFINITY);
     let stages = levels.records.iter().map(|record| record.label(COLUMN));
@@ -112,7 +68,7 @@ fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
     let Some(last) = last.map(str::to_owned) else {
         return Ok(levels.latest().0);
     };
-    say(message!(levels_after_passages_taken, passages = &last));
+    asker.say(say!(levels_after_passages_taken, passages = &last));
     let mut choices = vec![format!("{COLUMN}={last}")];
     // Two columns of levels stand beside each other there, as of two rails.
     let is_own = |record: &LabelledSpectrum| record.label("rail") == Some("level_db");
@@ -123,20 +79,23 @@ fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
 }
 
 /// A rail with a weld in its middle.
-fn dipped(weld: &LengthPair, length: f64, step: f64) -> miette::Result<Profile> {
-    let [depth, length_of_weld] = weld.positive("--weld")?;
-    let weld = Weld { depth, length: length_of_weld };
-    Ok(weld.profile(length, step).map_err(|error| of("--weld", error))?)
+pub(super) fn dipped(weld: Weld, [length, step]: [f64; 2]) -> Result<Profile, AnswerError> {
+    weld.profile(length, step).map_err(|error| of("--weld", error))
 }
 
-fn of(argument: &str, error: riffel::Error) -> CliError {
-    CliError::Physics { input: argument.to_owned(), error }
+fn of(argument: &str, error: riffel::Error) -> AnswerError {
+    CaseError::Physics { input: argument.to_owned(), error }.into()
 }
 
 /// The profile of a file: one rail, its longest stretch without a gap.
-fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<Profile> {
+pub(super) fn record(
+    path: &Path,
+    layout: &RecordLayout,
+    length: Option<f64>,
+    asker: &dyn Asker,
+) -> Result<Profile, AnswerError> {
     let refuse = |message: String| CaseError::data(path, message);
-    let RoughnessFile::Profile(record) = layout.records().read(path, &Terminal)? else {
+    let RoughnessFile::Profile(record) = layout.read(path, asker)? else {
         Err(refuse("the file is a table of levels, but a wheel rolls along a profile".to_owned()))?
     };
     let rail = match &record.rails[..] {
@@ -149,15 +108,13 @@ fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<P
     let longest = rail.stretches.iter().max_by(|one, other| one.length().total_cmp(&other.length()));
     let profile = longest.ok_or_else(|| refuse("the rail has no heights".to_owned()))?;
     if rail.stretches.len() > 1 {
-        say(message!(
+        asker.say(say!(
             longest_stretch_taken,
             stretches = number(rail.stretches.len()),
             start = fixed(profile.start(), 3)
         ));
     }
-    for warning in &record.warnings {
-        say(warning);
-    }
+    record.warnings.iter().for_each(|warning| asker.say(warning.clone()));
     let Some(length) = length else {
         return Ok(profile.clone());
     };

@@ -1,24 +1,26 @@
 //! `riffel calibrate PLAN`
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
+use riffel_answers::calibration_question::CalibrateQuestion;
 use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
+use riffel_answers::question::{of_keys, on_threads};
 use riffel_answers::{Answer, Calibration, PlanDocument, ResultFile, Table, level_limit};
 use riffel_calibrate::file::SamplerKind;
 use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress};
 use riffel_keys::{Message, fixed, number};
 
-use super::LIMIT;
-use crate::arguments::{CalibrateChains, stem};
+use crate::arguments::AskedQuestion;
 use crate::messages::{complain, language, print_remarks, say};
 use crate::output::{json, print};
 use crate::progress::{self, duration};
 use crate::results::readable;
 use crate::staging::{INTERRUPTED, Staging, check_files, stop_on_interrupt};
-use crate::threads::on_threads;
 
+/// The limit of the forecast that is made with every calibration.
+const LIMIT: &str = "iso-3095-2013";
 /// The months of the forecast that is made with every calibration.
 const MONTHS: f64 = 24.0;
 /// What is written in any case, beside the draws.
@@ -31,14 +33,13 @@ const SLOW: f64 = 60.0;
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
 
-pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
-    let named = arguments.plan.as_deref().unwrap_or(Path::new(""));
-    let path = arguments.output.clone();
-    let path = path.unwrap_or_else(|| PathBuf::from(format!("{}-posterior", stem(named))));
-    let measured = Measured { case: named, traffic: arguments.traffic.as_deref(), tables: &arguments.tables };
-    let plan = measured.plan_for(&path)?;
-    if arguments.dry_run {
-        match arguments.json {
+pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
+    let question: CalibrateQuestion = of_keys(asked.keys.clone().into())?;
+    let path = asked.folder("posterior");
+    let (traffic, tables) = (question.traffic.as_deref(), &*question.tables);
+    let plan = Measured { case: &question.plan, traffic, tables }.plan_for(&path)?;
+    if question.dry_run {
+        match asked.json {
             true => print(&json(&PlanDocument::from(&plan)))?,
             false => print(&dry_run(&plan)?)?,
         }
@@ -47,10 +48,10 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     }
     check_files(&path, &FILES)?;
     let stop = stop_on_interrupt();
-    let folder = Folder::begin(&plan, &path, arguments.restart)?;
+    let folder = Folder::begin(&plan, &path, question.restart)?;
     folder.write_plan(&plan)?;
     let sampler = &plan.file.sampler;
-    on_threads(arguments.threads, || tell_plan(&plan))?;
+    on_threads(question.threads, || tell_plan(&plan))?;
     let begun = Instant::now();
     let sample = |folder: &Folder<'_>, _: &str| {
         let chains = sampler.chains;
@@ -69,13 +70,13 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
         complain(riffel_keys::say!(calibration_stopped, folder = path.display().to_string()));
         Ok(INTERRUPTED)
     };
-    let Some(chains) = on_threads(arguments.threads, || sample(&folder, ""))?? else {
+    let Some(chains) = on_threads(question.threads, || sample(&folder, ""))?? else {
         return stopped();
     };
     let models = match plan.compares() {
         false => None,
         true => {
-            let to = (&*path, arguments.restart);
+            let to = (&*path, question.restart);
             let of_each = |folder: &Folder<'_>, title: &str| {
                 if !title.is_empty() {
                     say(riffel_keys::say!(chains_of_model, title = title));
@@ -83,7 +84,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
                 sample(folder, title)
             };
             let work = || CompetingModels::new(&plan, &chains, to, &of_each);
-            match on_threads(arguments.threads, work)?? {
+            match on_threads(question.threads, work)?? {
                 None => return stopped(),
                 models => models,
             }
@@ -96,7 +97,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let answer = Calibration::new(&plan, &chains, &summary, &told);
     let conclusions = conclusions(&plan, &chains, &answer, models.as_ref(), &path)?;
     let names = results.publish()?;
-    print(&match arguments.json {
+    print(&match asked.json {
         true => json(&answer),
         false => format!("{conclusions}{}: {}\n", path.display(), names.join(" ")),
     })?;

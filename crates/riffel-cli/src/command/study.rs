@@ -1,27 +1,25 @@
 //! `riffel study PLAN`
 
-use std::path::PathBuf;
 use std::time::Instant;
 
 use riffel_answers::Answer;
-use riffel_answers::study::StudyAnswer;
+use riffel_answers::question::{of_keys, on_threads};
+use riffel_answers::study::{Part, StudyAnswer, StudyQuestion};
 use riffel_keys::{Message, number};
 use riffel_study::{ChunkState, ResultFolder, Shard, Study};
 
-use crate::arguments::{Run, stem};
+use crate::arguments::AskedQuestion;
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{print, print_json};
 use crate::progress::Progress;
 use crate::results::readable;
 use crate::staging::{INTERRUPTED, stop_on_interrupt};
-use crate::threads::on_threads;
 
-pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
-    // The plan is given where there is no sub-command.
-    let plan = arguments.plan.clone().unwrap_or_default();
-    let study = Study::read(&plan)?;
-    let path = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}-results", stem(&plan))));
-    let shard = arguments.shard.unwrap_or(Shard::ALL);
+pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
+    let question: StudyQuestion = of_keys(asked.keys.clone().into())?;
+    let study = Study::read(&question.plan)?;
+    let path = asked.folder("results");
+    let shard = question.shard.map_or(Shard::ALL, |Part(shard)| shard);
     let stop = stop_on_interrupt();
     say(beginning(&study));
     let folder = ResultFolder::begin(&study, &path)?;
@@ -37,7 +35,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let begun = Instant::now();
     let progress = Progress::counting(riffel_keys::say!(progress_samples), samples);
     let work = || study.run(&folder, &pending, &|| progress.advance(1), &stop);
-    let outcome = on_threads(arguments.threads, work)?;
+    let outcome = on_threads(question.threads, work)?;
     drop(progress);
     outcome?;
     let seconds = begun.elapsed().as_secs_f64();
@@ -56,7 +54,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
         folder.sweep()?;
     }
     let answer = StudyAnswer::new(&study, (&folder, &path), summary, (samples, seconds))?;
-    match arguments.json {
+    match asked.json {
         true => print_json(&answer)?,
         false => {
             let files = "results.zarr plan.toml case.toml study.json";

@@ -1,9 +1,13 @@
 //! Which action pays, over the posterior of a calibration.
 
+mod question;
+
 use riffel_calibrate::{Breaks, CalibrationError, Chains, Decision, Plan, Worth};
 use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, Mark, Series};
 use serde::Serialize;
+
+pub use question::DecideQuestion;
 
 use crate::{Answer, Column, Table};
 

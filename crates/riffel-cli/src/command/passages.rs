@@ -5,16 +5,16 @@ use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use riffel_answers::simulate::{EvolutionRequest, EvolutionRun};
-use riffel_case::Case;
+use riffel_answers::question::of_keys;
+use riffel_answers::simulate::{EvolutionRun, SimulateQuestion};
 use riffel_keys::{number, say as message};
 
-use super::results;
-use crate::arguments::Simulate;
+use crate::arguments::AskedQuestion;
 use crate::error::CliError;
 use crate::messages::{complain, say};
 use crate::progress::Progress;
 use crate::staging::{Existing, INTERRUPTED, check_files, stop_on_interrupt, write_file};
+use crate::terminal::Terminal;
 
 /// What a run that was stopped is gone on from, in the folder of its results.
 const STATE: &str = "state.json";
@@ -37,14 +37,16 @@ const FILES: [&str; 11] = [
 /// Time from one state to the next.
 const STATE_EVERY: Duration = Duration::from_secs(1);
 
-/// The rail under many wheels, from where the folder has it on; returns the exit status.
-pub(super) fn run(arguments: &Simulate, case: &Case, request: EvolutionRequest, passages: u64) -> Result<u8, CliError> {
-    let mut run = EvolutionRun::new(case, request)?;
-    let folder = arguments.case.folder(arguments.results.output.as_deref(), "simulate");
-    let keeps = arguments.results.output.is_some() || !arguments.results.json;
-    let state = keeps.then(|| folder.join(STATE));
-    if let Some(path) = &state {
-        check_files(&folder, &FILES)?;
+/// The rail under many wheels, from where the folder has it on; returns the exit status, or `None` where one passage is asked for.
+pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<Option<u8>> {
+    let question: SimulateQuestion = of_keys(asked.keys.clone().into())?;
+    let Some((mut run, passages)) = question.evolution(&Terminal)? else {
+        return Ok(None);
+    };
+    let results = asked.results_of(None);
+    let state = results.folder.as_ref().map(|folder| folder.join(STATE));
+    if let (Some(folder), Some(path)) = (&results.folder, &state) {
+        check_files(folder, &FILES)?;
         resume(&mut run, path, passages)?;
     }
     let stop = stop_on_interrupt();
@@ -61,7 +63,7 @@ pub(super) fn run(arguments: &Simulate, case: &Case, request: EvolutionRequest, 
         if let Some(path) = &state
             && (asked || kept.elapsed() > STATE_EVERY)
         {
-            keep(&run, &folder, path)?;
+            keep(&run, path)?;
             kept = Instant::now();
         }
         if asked {
@@ -72,15 +74,15 @@ pub(super) fn run(arguments: &Simulate, case: &Case, request: EvolutionRequest, 
                 Some(path) => message!(passages_kept, passed = passed, passages = passages, file = path.display()),
                 None => message!(passages_stopped, passed = passed, passages = passages),
             });
-            return Ok(INTERRUPTED);
+            return Ok(Some(INTERRUPTED));
         }
     };
     drop(progress);
     if let Some(path) = &state {
-        keep(&run, &folder, path)?;
+        keep(&run, path)?;
     }
-    results(arguments).answer(&answer)?;
-    Ok(0)
+    results.answer(&answer)?;
+    Ok(Some(0))
 }
 
 /// Go on from the state in the folder, if there is one.
@@ -102,7 +104,8 @@ fn resume(run: &mut EvolutionRun, path: &Path, passages: u64) -> Result<(), CliE
     Ok(())
 }
 
-fn keep(run: &EvolutionRun, folder: &Path, path: &Path) -> Result<(), CliError> {
+fn keep(run: &EvolutionRun, path: &Path) -> Result<(), CliError> {
+    let folder = path.parent().unwrap_or(path);
     fs::create_dir_all(folder).map_err(|reason| CliError::Write { path: folder.to_owned(), reason })?;
     write_file(path, &run.state(), Existing::Replace)
 }
