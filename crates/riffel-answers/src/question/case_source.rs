@@ -88,12 +88,12 @@ impl<T> CaseSource<T> {
     }
 
     /// The path of its file, or an empty one for what is in memory.
-    pub(crate) fn name(&self) -> &Path {
+    pub fn name(&self) -> &Path {
         self.case.name()
     }
 
     /// What is set in place of what it says.
-    pub(crate) fn overrides(&self) -> &[String] {
+    pub fn overrides(&self) -> &[String] {
         &self.set
     }
 }

@@ -108,10 +108,7 @@ impl RecordLayout {
 }
 
 /// `Ok` without a choice among spectra, which means nothing for a profile.
-///
-/// # Errors
-/// [`AnswerError::Argument`] with the file.
-pub fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -> Result<(), AnswerError> {
+pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -> Result<(), AnswerError> {
     let choice = choose.first().map(|choice| ("--where", choice.as_str()));
     match choice.or(by.map(|by| ("--by", by))) {
         None => Ok(()),

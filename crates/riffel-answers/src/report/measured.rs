@@ -88,7 +88,7 @@ impl Working<'_> {
                     block: block_of_strip(&profile),
                     grinding: GrindSettings::default(),
                 };
-                let answer = Box::new(ProfileAnswer::asked(path, profile, limits, &request, self.asker)?);
+                let answer = Box::new(ProfileAnswer::new(path, profile, limits, &request, self.asker)?);
                 let understood = answer.understood();
                 let roughness = MeasuredRoughness::Profile { strips, answer };
                 Measured { roughness, understood, date, survey, before, diagnosis }

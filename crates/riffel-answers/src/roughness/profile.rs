@@ -107,7 +107,7 @@ pub(crate) fn limit_levels(limits: &[LimitTable]) -> bool {
 }
 
 impl ProfileAnswer {
-    /// A profile held to limits; `path` is the one in errors, `progress` is told of [`steps`](Self::steps) done.
+    /// A profile held to limits; `path` is the one in errors, `asker` is told how far it is.
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a longest wavelength that is too long for the record, or two tables of RMS
@@ -117,9 +117,10 @@ impl ProfileAnswer {
         mut record: Record,
         limits: &[LimitTable],
         request: &ProfileRequest,
-        progress: &(dyn Fn(usize) + Sync),
+        asker: &dyn Asker,
     ) -> Result<Self, AnswerError> {
         check_longest(&record, request)?;
+        let step = asker.begin(say!(progress_roughness), Self::steps(&record));
         let mut settings = AnalysisSettings {
             window: request.window,
             block: request.block,
@@ -135,7 +136,7 @@ impl ProfileAnswer {
             record.rails.iter_mut().map(|rail| std::mem::take(&mut rail.stretches)).collect();
         let analyses: Vec<RailAnalysis> = stretches
             .into_iter()
-            .map(|rail| RailAnalysis::new(rail, &settings, &|| progress(1)))
+            .map(|rail| RailAnalysis::new(rail, &settings, &|| step(1)))
             .collect::<Result<_, _>>()
             .map_err(|error| CaseError::data(path, error.to_string()))?;
         let spectra: Vec<Spectrum> = analyses.iter().map(|rail| rail.spectrum.clone()).collect();
@@ -185,18 +186,6 @@ impl ProfileAnswer {
         })
     }
 
-    /// The same, with an asker who is told how far it is.
-    pub(crate) fn asked(
-        path: &Path,
-        record: Record,
-        limits: &[LimitTable],
-        request: &ProfileRequest,
-        asker: &dyn Asker,
-    ) -> Result<Self, AnswerError> {
-        let step = asker.begin(say!(progress_roughness), Self::steps(&record));
-        Self::new(path, record, limits, request, &step)
-    }
-
     /// The same, with what lies along the line.
     #[must_use]
     pub fn beside(mut self, along: Vec<LinePlace>) -> Self {
@@ -207,7 +196,7 @@ impl ProfileAnswer {
     }
 
     /// Steps of the work on a record.
-    pub fn steps(record: &Record) -> usize {
+    fn steps(record: &Record) -> usize {
         let rails = record.rails.iter();
         rails.map(|rail| RailAnalysis::steps(&rail.stretches)).sum()
     }

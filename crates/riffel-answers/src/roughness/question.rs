@@ -98,7 +98,7 @@ impl RoughnessQuestion {
         choose_nothing(path, &self.choose, self.by.as_deref())?;
         // A table that is none is told of before the work.
         let along = self.along.as_ref().map(|along| along.value(LinePlace::read)).transpose()?;
-        let mut answer = ProfileAnswer::asked(path, record, limits, request, asker)?;
+        let mut answer = ProfileAnswer::new(path, record, limits, request, asker)?;
         answer.save_format = self.save_format.clone();
         Ok(answer.beside(along.map(Arc::unwrap_or_clone).unwrap_or_default()))
     }

@@ -244,7 +244,7 @@ fn bad_input_is_answered_with_a_sentence() {
         (format!("{forecast} --ground iso-3095-2013"), "smoother than --limit"),
         (format!("{forecast} --ground grassie-1999"), "one-third-octave levels"),
         (format!("{forecast} --ground none.csv"), "none.csv"),
-        (format!("{forecast} --earlier one.csv --from-limit -6"), "give --spectrum"),
+        (format!("{forecast} --earlier one.csv --from-limit -6"), "--earlier needs --spectrum"),
         (forecast.to_owned(), "--spectrum"),
         ("compare cases/nominal.toml --with nothing.toml --hold torque".to_owned(), "invalid value 'torque'"),
     ] {
