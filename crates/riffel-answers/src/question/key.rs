@@ -259,11 +259,11 @@ fn fields(
     keys: &[Key],
     given: Map<String, Value>,
 ) -> Result<Map<String, Value>, String> {
-    let mut given: Map<String, Value> = given.into_iter().filter(|(_, value)| !value.is_null()).collect();
     if let Some(name) = given.keys().find(|name| keys.iter().all(|key| key.name != **name)) {
         let known = keys.iter().map(|key| &*key.name).collect::<Vec<_>>();
         return Err(format!("`{name}` is not a key of {question}; its keys are {}", known.join(", ")));
     }
+    let mut given: Map<String, Value> = given.into_iter().filter(|(_, value)| !value.is_null()).collect();
     for rule in rules {
         rule.check(keys, &|name| given.contains_key(name))?;
     }
