@@ -11,8 +11,9 @@ fn main() {
     println!("cargo::rerun-if-changed={ENGLISH}");
     let english = fs::read_to_string(ENGLISH).expect("the English messages are part of the crate");
     let mut code = String::new();
-    for entry in entries(&english) {
-        write_struct(&mut code, &entry).expect("a string takes everything");
+    // What the page says by itself is said by its scripts.
+    for entry in entries(&english).iter().filter(|entry| !entry.starts_with("web-")) {
+        write_struct(&mut code, entry).expect("a string takes everything");
     }
     let folder = env::var_os("OUT_DIR").expect("cargo sets it");
     fs::write(Path::new(&folder).join("wording.rs"), code).expect("cargo's folder can be written");

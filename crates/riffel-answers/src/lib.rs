@@ -89,7 +89,7 @@ pub mod wheelset_motions;
 pub use answer::{Answer, Document, Existing, OwnText, ResultFile, Told};
 pub use banded::Banded;
 pub use calibration::Calibration;
-pub use capital::{capital, sentence};
+pub use capital::sentence;
 pub use cause::Cause;
 pub use error::AnswerError;
 pub use expected_growth::ExpectedRates;

@@ -67,7 +67,7 @@ fn answer(ask: &Ask, arguments: &Arguments, program: &[OsString]) -> u8 {
         riffel_keys::seal::seal();
         end_with(process);
     }
-    let reader = Reader::Program { translations: ask.translations };
+    let reader = Reader::Program { messages: ask.messages };
     messages::begin(arguments.verbosity(), arguments.language(), reader);
     let question = question_of(&ask.name).and_then(|question| {
         let keys = riffel_keys::question::read().map_err(|reason| CliError::ReadQuestion { reason })?;
@@ -94,10 +94,9 @@ fn end_with(_: u32) {}
 /// The language that a command line asks for which is wrong elsewhere.
 fn asked_language(words: &[OsString]) -> Language {
     let words = words.iter().map(|word| word.to_string_lossy());
-    match words.collect::<Vec<_>>().join(" ").replace('=', " ").contains("--language de") {
-        true => Language::German,
-        false => Language::English,
-    }
+    let line = words.collect::<Vec<_>>().join(" ").replace('=', " ");
+    let asked = |language: &&Language| line.contains(&format!("--language {}", language.code()));
+    Language::ALL.iter().find(asked).copied().unwrap_or_default()
 }
 
 fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {

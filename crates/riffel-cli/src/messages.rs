@@ -3,15 +3,14 @@
 use std::ffi::OsStr;
 use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
-use std::iter;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_answers::AnswerError;
-use riffel_keys::message::translations;
+use riffel_keys::message::as_data;
 use riffel_keys::text_file::in_a_message;
-use riffel_keys::{CaseError, Language, Message};
+use riffel_keys::{CaseError, Language, Message, say};
 use serde_json::{Value, json};
 
 /// How much is said.
@@ -35,8 +34,8 @@ fn printed() -> MutexGuard<'static, Vec<String>> {
     PRINTED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// True if this run speaks German.
-static GERMAN: AtomicBool = AtomicBool::new(false);
+/// The language of this run, by its place among all.
+static LANGUAGE: AtomicUsize = AtomicUsize::new(Language::English as usize);
 
 /// Who reads what a run says beside its results.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -45,27 +44,27 @@ pub(crate) enum Reader {
     Person,
     /// Another program, in lines of JSON.
     Program {
-        /// With the German of answers and errors beside them.
-        translations: bool,
+        /// With the messages of answers and errors as data.
+        messages: bool,
     },
 }
 
 /// True if this run speaks to a program.
 static TO_A_PROGRAM: AtomicBool = AtomicBool::new(false);
 
-/// True if the German of answers and errors stands beside them.
-static WITH_TRANSLATIONS: AtomicBool = AtomicBool::new(false);
+/// True if the messages of answers and errors are told as data.
+static MESSAGES_AS_DATA: AtomicBool = AtomicBool::new(false);
 
 /// Begin a run that says as much, in a language, to somebody.
 pub(crate) fn begin(verbosity: Verbosity, language: Language, reader: Reader) {
     VERBOSITY.store(verbosity as u8, Ordering::Relaxed);
-    let (to_a_program, with_translations) = match reader {
+    let (to_a_program, as_data) = match reader {
         Reader::Person => (false, false),
-        Reader::Program { translations } => (true, translations),
+        Reader::Program { messages } => (true, messages),
     };
     TO_A_PROGRAM.store(to_a_program, Ordering::Relaxed);
-    WITH_TRANSLATIONS.store(with_translations, Ordering::Relaxed);
-    GERMAN.store(language == Language::German, Ordering::Relaxed);
+    MESSAGES_AS_DATA.store(as_data, Ordering::Relaxed);
+    LANGUAGE.store(language as usize, Ordering::Relaxed);
     printed().clear();
 }
 
@@ -81,10 +80,7 @@ pub(crate) fn lay_out_errors() {
 
 /// The language of this run.
 pub(crate) fn language() -> Language {
-    match GERMAN.load(Ordering::Relaxed) {
-        true => Language::German,
-        false => Language::English,
-    }
+    Language::ALL.get(LANGUAGE.load(Ordering::Relaxed)).copied().unwrap_or_default()
 }
 
 /// True if nothing but errors is to be said.
@@ -111,11 +107,8 @@ pub(crate) fn complain_of(report: Report) {
         return write_document(&message, help.as_ref());
     }
     let shown = format!("{:?}", Report::new(Shown(report)));
-    let shown = match language() {
-        Language::English => shown,
-        // A word of the same length, for what follows is set below it.
-        Language::German => shown.replace("  help: ", "  Tipp: "),
-    };
+    // A word of the same length, for what follows is set below it.
+    let shown = shown.replace("  help: ", &format!("  {}: ", say!(help_in_four_letters).text(language())));
     let _ = writeln!(io::stderr().lock(), "{shown}");
 }
 
@@ -124,9 +117,9 @@ pub(crate) fn is_for_a_program() -> bool {
     TO_A_PROGRAM.load(Ordering::Relaxed)
 }
 
-/// True if the German of answers and errors stands beside them.
-pub(crate) fn has_translations() -> bool {
-    WITH_TRANSLATIONS.load(Ordering::Relaxed)
+/// True if the messages of answers and errors are told as data.
+pub(crate) fn tells_messages_as_data() -> bool {
+    MESSAGES_AS_DATA.load(Ordering::Relaxed)
 }
 
 /// How far the work is, for a program that reads it; whether one does.
@@ -138,18 +131,13 @@ pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
     is_for_a_program
 }
 
-/// An error as one line of JSON, with the German of its sentences and their pieces, by their English, if that is wanted.
+/// An error as one line of JSON.
 fn write_document(message: &Message, help: Option<&Message>) {
-    let english = |message: &Message| in_a_message(&message.to_string()).into_owned();
-    let mut error = json!({ "message": english(message), "help": help.map(english) });
-    if has_translations() {
-        let known = translations(iter::once(message).chain(help));
-        error["german"] = json!(known.german);
-        if !known.message_pieces.is_empty() {
-            error["message_pieces"] = json!(known.message_pieces);
-        }
-    }
-    write_line(&json!({ "error": error }));
+    let told = |message: &Message| match tells_messages_as_data() {
+        true => as_data(|| json!(message)),
+        false => json!(in_a_message(&message.to_string())),
+    };
+    write_line(&json!({ "error": { "message": told(message), "help": help.map(told) } }));
 }
 
 /// What ends a run and what would be right: errors of a case and of the physics have every language, others are English.
@@ -231,10 +219,6 @@ where
     for<'a> &'a M: Into<Message>,
 {
     let is_verbose = VERBOSITY.load(Ordering::Relaxed) == Verbosity::Verbose as u8;
-    let word = match language() {
-        Language::English => "note",
-        Language::German => "Hinweis",
-    };
     let mut printed = printed();
     for remark in remarks {
         let remark: Message = remark.into();
@@ -246,7 +230,7 @@ where
             match (is_quiet(), is_for_a_program()) {
                 (true, _) => {}
                 (false, true) => write_line(&json!({ "remark": remark.document(language()) })),
-                (false, false) => complain(format!("{word}: {note}")),
+                (false, false) => complain(say!(note, remark = &note)),
             }
             printed.push(note);
         }

@@ -6,11 +6,10 @@ use std::io::{self, Write};
 pub(crate) use comfy_table::Table;
 use comfy_table::{CellAlignment, ContentArrangement, TableStyle, presets};
 use serde::Serialize;
-use serde_json::Value;
 
 use crate::error::CliError;
-use crate::messages::{has_translations, language};
-use riffel_keys::message::{Translations, with_translations};
+use crate::messages::{language, tells_messages_as_data};
+use riffel_keys::message::as_data;
 use riffel_keys::text_file::printable;
 
 /// Print to standard output.
@@ -72,8 +71,7 @@ pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
     write(&json(document))
 }
 
-/// A JSON document, indented, with a final line feed; where that is wanted, with the German of its messages and their pieces in
-/// tables beside it.
+/// A JSON document, indented, with a final line feed.
 pub(crate) fn json(document: &impl Serialize) -> String {
     // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
     json_of(|| serde_json::to_string_pretty(document).unwrap_or_default())
@@ -81,16 +79,10 @@ pub(crate) fn json(document: &impl Serialize) -> String {
 
 /// [`json`] of a document that `write` writes.
 pub(crate) fn json_of(write: impl FnOnce() -> String) -> String {
-    let (mut text, known) = match has_translations() {
-        true => with_translations(write),
-        false => (write(), Translations::default()),
+    let mut text = match tells_messages_as_data() {
+        true => as_data(write),
+        false => write(),
     };
-    if let Some(body) = text.strip_suffix("\n}")
-        && let Ok(Value::Object(tables)) = serde_json::to_value(known)
-    {
-        let tables = tables.iter().map(|(key, table)| format!(",\n  \"{key}\": {table}"));
-        text = format!("{body}{}\n}}", tables.collect::<String>());
-    }
     // JSON writes out those below a blank alone; no other place than in a string has one.
     if let Cow::Owned(_) = printable(&text) {
         let escaped = |character: char| match printable(character.encode_utf8(&mut [0; 4])) {

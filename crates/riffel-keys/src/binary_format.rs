@@ -7,49 +7,29 @@ use crate::Words;
 pub struct BinaryFormat {
     /// First bytes of every file.
     signature: &'static [u8],
-    /// What it is called, in English and in German.
-    name: [&'static str; 2],
+    /// What it is called.
+    name: &'static str,
     /// What reads it, to write its columns as text.
-    reader: [&'static str; 2],
+    reader: &'static str,
 }
 
 const FORMATS: [BinaryFormat; 12] = [
-    of(
-        b"\x89HDF\r\n\x1a\n",
-        ["HDF5, as MATLAB writes from 7.3 on", "HDF5, wie MATLAB ab 7.3 es schreibt,"],
-        ["h5py in Python or load in MATLAB", "h5py in Python oder load in MATLAB"],
-    ),
-    of(
-        b"MATLAB 5.0 MAT-file",
-        ["a MAT-file", "eine MAT-Datei"],
-        ["scipy.io.loadmat in Python or load in MATLAB", "scipy.io.loadmat in Python oder load in MATLAB"],
-    ),
-    of(
-        b"PK\x03\x04",
-        ["a ZIP archive, as spreadsheets in .xlsx and .ods are", "ein ZIP-Archiv, wie Tabellen in .xlsx und .ods,"],
-        ["the spreadsheet or unzip", "die Tabellenkalkulation oder unzip"],
-    ),
-    of(
-        b"\xd0\xcf\x11\xe0",
-        ["an old file of Office", "eine alte Datei von Office"],
-        ["the spreadsheet", "die Tabellenkalkulation"],
-    ),
-    of(b"PAR1", ["Parquet"; 2], ["pandas.read_parquet in Python"; 2]),
-    of(b"ARROW1", ["Feather"; 2], ["pandas.read_feather in Python"; 2]),
-    of(b"TDSm", ["TDMS, as LabVIEW writes", "TDMS, wie LabVIEW es schreibt,"], ["npTDMS in Python"; 2]),
-    of(b"\x93NUMPY", ["an array of NumPy", "ein Array von NumPy"], ["numpy.load in Python"; 2]),
-    of(b"\x1f\x8b", ["compressed by gzip", "mit gzip gepackt"], ["gunzip"; 2]),
-    of(b"CDF\x01", ["netCDF"; 2], ["xarray.open_dataset in Python"; 2]),
-    of(b"CDF\x02", ["netCDF"; 2], ["xarray.open_dataset in Python"; 2]),
-    of(b"SQLite format 3\0", ["a database of SQLite", "eine Datenbank von SQLite"], ["sqlite3"; 2]),
+    of(b"\x89HDF\r\n\x1a\n", "HDF5, as MATLAB writes from 7.3 on", "h5py in Python or load in MATLAB"),
+    of(b"MATLAB 5.0 MAT-file", "a MAT-file", "scipy.io.loadmat in Python or load in MATLAB"),
+    of(b"PK\x03\x04", "a ZIP archive, as spreadsheets in .xlsx and .ods are", "the spreadsheet or unzip"),
+    of(b"\xd0\xcf\x11\xe0", "an old file of Office", "the spreadsheet"),
+    of(b"PAR1", "Parquet", "pandas.read_parquet in Python"),
+    of(b"ARROW1", "Feather", "pandas.read_feather in Python"),
+    of(b"TDSm", "TDMS, as LabVIEW writes", "npTDMS in Python"),
+    of(b"\x93NUMPY", "an array of NumPy", "numpy.load in Python"),
+    of(b"\x1f\x8b", "compressed by gzip", "gunzip"),
+    of(b"CDF\x01", "netCDF", "xarray.open_dataset in Python"),
+    of(b"CDF\x02", "netCDF", "xarray.open_dataset in Python"),
+    of(b"SQLite format 3\0", "a database of SQLite", "sqlite3"),
 ];
 
-const fn of(signature: &'static [u8], name: [&'static str; 2], reader: [&'static str; 2]) -> BinaryFormat {
+const fn of(signature: &'static [u8], name: &'static str, reader: &'static str) -> BinaryFormat {
     BinaryFormat { signature, name, reader }
-}
-
-fn in_words([english, german]: [&str; 2]) -> Words {
-    Words::new(english.to_owned(), Some(german.to_owned()))
 }
 
 impl BinaryFormat {
@@ -60,12 +40,12 @@ impl BinaryFormat {
 
     /// What it is called.
     pub fn name(&self) -> Words {
-        in_words(self.name)
+        Words::by_english("Format", self.name)
     }
 
     /// What reads it.
     pub fn reader(&self) -> Words {
-        in_words(self.reader)
+        Words::by_english("Format", self.reader)
     }
 
     /// Whether no text begins so.
@@ -86,7 +66,7 @@ mod tests {
         for format in &FORMATS {
             let bytes = [format.signature, &[0; 100]].concat();
             let told = Encoding::of(&bytes).unwrap_err().to_string();
-            assert!(told.contains(format.name[0]) && told.contains(format.reader[0]), "{told}");
+            assert!(told.contains(format.name) && told.contains(format.reader), "{told}");
             assert_eq!(decode(bytes).unwrap_err().to_string(), told);
         }
         assert!(Encoding::of(b"PAR1,PAR2\n1,2\n").is_ok());

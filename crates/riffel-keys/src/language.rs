@@ -1,45 +1,53 @@
-//! The languages of messages. A further one is a Fluent file and a line here.
+//! The languages of messages.
 
 use serde::Deserialize;
 
-/// A language in which messages can be had.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-pub enum Language {
+/// Languages, each with its ISO 639 code, by which its Fluent file is called, and its decimal mark.
+macro_rules! languages {
+    ($($(#[$doc:meta])* $name:ident $code:literal $decimal_mark:literal;)*) => {
+        /// A language in which messages can be had.
+        #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+        pub enum Language {
+            $($(#[$doc])* #[serde(rename = $code)] $name,)*
+        }
+
+        impl Language {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$name),*];
+
+            /// Its ISO 639 code.
+            pub fn code(self) -> &'static str {
+                match self { $(Self::$name => $code),* }
+            }
+
+            /// What stands between the whole part of a number and the rest.
+            pub fn decimal_mark(self) -> &'static str {
+                match self { $(Self::$name => $decimal_mark),* }
+            }
+
+            /// Its Fluent file.
+            pub(crate) fn wordings(self) -> &'static str {
+                match self { $(Self::$name => include_str!(concat!("../messages/", $code, ".ftl"))),* }
+            }
+        }
+    };
+}
+
+// A further language is a Fluent file and a line here; what the file leaves out is said in English.
+languages! {
     /// English, that of documents and of the Python package.
     #[default]
-    #[serde(rename = "en")]
-    English,
+    English "en" ".";
     /// German.
-    #[serde(rename = "de")]
-    German,
+    German "de" ",";
+    /// French.
+    French "fr" ",";
 }
 
 impl Language {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::English, Self::German];
-
-    /// Its ISO 639 code.
-    pub fn code(self) -> &'static str {
-        match self {
-            Self::English => "en",
-            Self::German => "de",
-        }
-    }
-
-    /// What stands between the whole part of a number and the rest.
-    pub fn decimal_mark(self) -> &'static str {
-        match self {
-            Self::English => ".",
-            Self::German => ",",
-        }
-    }
-
-    /// Its Fluent file.
-    pub(crate) fn wordings(self) -> &'static str {
-        match self {
-            Self::English => include_str!("../messages/en.ftl"),
-            Self::German => include_str!("../messages/de.ftl"),
-        }
+    /// The language of a code.
+    pub fn of_code(code: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|language| language.code() == code)
     }
 
     /// Words with numbers as this language writes them: a point between digits becomes its decimal mark.

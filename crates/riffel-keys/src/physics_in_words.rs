@@ -1,17 +1,10 @@
 //! What the physics refuses, as a message.
 
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
-
 use riffel::Error;
 use riffel::error::readable;
 
 use crate::quantity::named;
 use crate::{Message, Words, fixed, number, say};
-
-/// The German of each rule.
-static GERMAN: LazyLock<BTreeMap<String, String>> =
-    LazyLock::new(|| toml::from_str(include_str!("physics_rules_de.toml")).unwrap_or_default());
 
 /// An error of the physics. Those of values and of a vehicle in its curve have every language, others are English.
 pub fn physics_in_words(error: &Error) -> Message {
@@ -24,7 +17,7 @@ pub fn physics_in_words(error: &Error) -> Message {
                 "" => String::new(),
                 unit => format!(" {unit}"),
             },
-            rule = Words::new(rule.to_owned(), GERMAN.get(rule).cloned())
+            rule = Words::by_english("Rule", rule)
         ),
         Error::OffTheRails { wheelset, lateral_shift, yaw } => say!(
             off_the_rails,
@@ -84,12 +77,11 @@ mod tests {
     }
 
     #[test]
-    fn every_rule_has_its_german_and_is_one_of_the_physics() {
+    fn every_rule_has_its_german() {
         let rules = rules();
-        let lacking: Vec<_> = rules.iter().filter(|rule| !GERMAN.contains_key(*rule)).collect();
+        let lacking = |rule: &&String| !Words::by_english("Rule", rule).is_in(Language::German);
+        let lacking: Vec<_> = rules.iter().filter(lacking).collect();
         assert!(lacking.is_empty(), "no German of {lacking:#?}");
-        let left: Vec<_> = GERMAN.keys().filter(|rule| !rules.contains(rule)).collect();
-        assert!(left.is_empty(), "no rule of the physics: {left:#?}");
         assert!(rules.len() > 80, "{}", rules.len());
     }
 

@@ -1,10 +1,11 @@
 //! What went wrong, as the page shows it.
 
 use miette::Diagnostic;
-use riffel_keys::message::{Translations, translations};
+use riffel_keys::message::as_data;
 use riffel_keys::text_file::in_a_message;
 use riffel_keys::{CaseError, Message, say};
 use serde::{Serialize, Serializer};
+use serde_json::Value;
 
 /// An error: a status of HTTP for the browser, a sentence for the reader and, where there is one, the key of the
 /// case that is at fault.
@@ -14,21 +15,46 @@ pub struct Fault {
     retry_after_s: Option<u32>,
     /// Dotted key of the case.
     key: Option<Box<str>>,
-    /// The sentence.
-    message: Message,
-    /// What would be right, or nothing.
-    help: Box<Message>,
+    message: Box<Sentence>,
+    /// What would be right.
+    help: Option<Box<Sentence>>,
     /// Line of the text that was sent, from 1.
     line: Option<u32>,
-    /// The German of both and their pieces, where another process said them.
-    known: Option<Box<Translations>>,
     /// What a developer of the page wants to know, and nobody else.
     detail: Option<Box<str>>,
 }
 
-/// A message as it is shown.
-fn shown(message: &Message) -> String {
-    in_a_message(&message.to_string()).into_owned()
+/// A sentence of this process, or one of another as it came.
+#[derive(Debug)]
+enum Sentence {
+    Own(Message),
+    Heard(Value),
+}
+
+impl Sentence {
+    /// In English, where it is of this process.
+    fn english(&self) -> String {
+        match self {
+            Self::Own(message) => in_a_message(&message.to_string()).into_owned(),
+            Self::Heard(Value::String(words)) => words.clone(),
+            Self::Heard(data) => data.to_string(),
+        }
+    }
+}
+
+impl From<Message> for Box<Sentence> {
+    fn from(message: Message) -> Self {
+        Self::new(Sentence::Own(message))
+    }
+}
+
+impl Serialize for Sentence {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Own(message) => as_data(|| message.serialize(serializer)),
+            Self::Heard(data) => data.serialize(serializer),
+        }
+    }
 }
 
 impl Serialize for Fault {
@@ -37,23 +63,19 @@ impl Serialize for Fault {
         struct Document<'a> {
             #[serde(skip_serializing_if = "Option::is_none")]
             key: Option<&'a str>,
-            message: String,
+            message: &'a Sentence,
             #[serde(skip_serializing_if = "Option::is_none")]
-            help: Option<String>,
+            help: Option<&'a Sentence>,
             #[serde(skip_serializing_if = "Option::is_none")]
             line: Option<u32>,
-            #[serde(flatten)]
-            known: Translations,
             #[serde(skip_serializing_if = "Option::is_none")]
             detail: Option<&'a str>,
         }
-        let own = || translations([&self.message, &*self.help]);
         Document {
             key: self.key.as_deref(),
-            message: self.message(),
-            help: self.help(),
+            message: &self.message,
+            help: self.help.as_deref(),
             line: self.line,
-            known: self.known.as_deref().cloned().unwrap_or_else(own),
             detail: self.detail.as_deref(),
         }
         .serialize(serializer)
@@ -75,12 +97,12 @@ impl Fault {
 
     /// The sentence.
     pub fn message(&self) -> String {
-        shown(&self.message)
+        self.message.english()
     }
 
     /// What would be right.
     pub fn help(&self) -> Option<String> {
-        (!self.help.is_empty()).then(|| shown(&self.help))
+        self.help.as_ref().map(|help| help.english())
     }
 
     /// After how many seconds to ask again.
@@ -90,22 +112,25 @@ impl Fault {
 
     /// A request that is not let in.
     pub fn refused(status: impl Into<u16>, message: impl Into<Message>, help: impl Into<Message>) -> Self {
+        let help = Some(help.into()).filter(|help: &Message| !help.is_empty());
         Self {
             status: status.into(),
             retry_after_s: None,
             key: None,
-            message: message.into(),
-            help: Box::new(help.into()),
+            message: message.into().into(),
+            help: help.map(Into::into),
             line: None,
-            known: None,
             detail: None,
         }
     }
 
-    /// The same fault with what is known of its sentences.
-    #[must_use]
-    pub fn with_translations(self, known: Translations) -> Self {
-        Self { known: Some(known.into()), ..self }
+    /// A fault that another process told, in its sentences as data.
+    pub fn heard(message: Value, help: Option<Value>) -> Self {
+        Self {
+            message: Sentence::Heard(message).into(),
+            help: help.map(|help| Sentence::Heard(help).into()),
+            ..Self::bad("")
+        }
     }
 
     /// A newer question for the same has come.
@@ -139,7 +164,11 @@ impl Fault {
     /// The same fault of something that the form does not show.
     #[must_use]
     pub fn without_key(self, what: &str) -> Self {
-        Self { key: None, line: None, message: say!(place_and_fault, place = what, fault = self.message), ..self }
+        let message = match *self.message {
+            Sentence::Own(message) => say!(place_and_fault, place = what, fault = message).into(),
+            heard => heard.into(),
+        };
+        Self { key: None, line: None, message, ..self }
     }
 
     /// A defect of the program.

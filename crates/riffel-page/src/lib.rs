@@ -19,7 +19,6 @@ mod damage;
 mod fault;
 mod field;
 mod figure;
-mod german;
 mod line;
 mod map;
 mod own_values;

@@ -1,10 +1,9 @@
 //! An answer, as bytes.
 
-use riffel_keys::message::with_translations;
+use riffel_keys::message::as_data;
 use serde::Serialize;
 
 use crate::fault::Fault;
-use crate::german::beside;
 
 /// An answer.
 #[derive(Clone)]
@@ -40,13 +39,10 @@ impl Reply {
     }
 }
 
-/// An answer in JSON, with the German and the pieces of what it says beside it.
+/// An answer in JSON, its messages as data: the page makes words of them.
 ///
 /// # Errors
 /// A [`Fault`] if it has no JSON.
 pub fn written(answer: &impl Serialize) -> Result<Vec<u8>, Fault> {
-    let (answer, known) = with_translations(|| serde_json::to_value(answer));
-    let answer = answer.map(|answer| beside(answer, known));
-    let written = answer.and_then(|answer| serde_json::to_vec(&answer));
-    written.map_err(|_| Fault::defect("the answer cannot be written"))
+    as_data(|| serde_json::to_vec(answer)).map_err(|_| Fault::defect("the answer cannot be written"))
 }

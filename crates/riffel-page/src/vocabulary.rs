@@ -6,24 +6,24 @@ use std::sync::LazyLock;
 use riffel_case::{
     FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, NOMINAL_CASE, TRAM_CASE, descriptions, json_schema, presets,
 };
-use riffel_keys::{Language, Words};
+use riffel_keys::message::as_data;
+use riffel_keys::{Words, say};
 use serde_json::{Value, json};
 
-/// Lines to begin with, each on a supported track, with the German of their titles.
-const LINES: [(&str, &str, &str); 4] = [
-    ("main-line", MAIN_LINE_CASE, "Hauptstrecke: 60E1 im Schotter, Schwellen alle 0,6 m"),
-    ("freight", FREIGHT_CASE, "Güterstrecke: 60E1 im Schotter, Achslast 22,5 t"),
-    ("metro", METRO_CASE, "U-Bahn: 54E1 mit direkter Befestigung alle 0,65 m"),
-    ("tram", TRAM_CASE, "Straßenbahn: 54E1 mit direkter Befestigung alle 0,65 m"),
-];
-/// The German of the title of the nominal case.
-const NOMINAL_TITLE: &str = "Hauptstrecke der BR, gerades Gleis";
+/// Lines to begin with, each on a supported track.
+const LINES: [(&str, &str); 4] =
+    [("main-line", MAIN_LINE_CASE), ("freight", FREIGHT_CASE), ("metro", METRO_CASE), ("tram", TRAM_CASE)];
 
 /// The vocabulary with the nominal case to begin with, in JSON.
 pub static VOCABULARY: LazyLock<String> = LazyLock::new(|| vocabulary_of(&NOMINAL_CASE.parse().unwrap_or_default()));
 
-/// The vocabulary in JSON, with the keys of the case to begin with.
+/// The vocabulary in JSON, with the keys of the case to begin with; its words are data.
 pub fn vocabulary_of(case: &toml::Table) -> String {
+    as_data(|| written(case))
+}
+
+fn written(case: &toml::Table) -> String {
+    let said = |words: &Words| say!(verbatim, words = words.clone());
     let presets: Vec<Value> = presets()
         .iter()
         .map(|preset| {
@@ -32,43 +32,44 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
                 .iter()
                 .map(|value| {
                     json!({ "key": value.key, "value": value.value, "badge": value.badge.to_string(),
-                        "source": value.source.to_string() })
+                        "source": said(&value.source) })
                 })
                 .collect();
-            json!({ "name": preset.name, "key": preset.kind.key(), "title": preset.title.to_string(), "values": values })
+            json!({ "name": preset.name, "key": preset.kind.key(), "title": said(&preset.title), "values": values })
         })
         .collect();
-    let lines: Vec<Value> = LINES.iter().map(|&(name, text, _)| json!({ "name": name, "case": keys(text) })).collect();
+    let lines: Vec<Value> = LINES.iter().map(|&(name, text)| json!({ "name": name, "case": keys(text) })).collect();
+    let titled = LINES.into_iter().chain([("nominal", NOMINAL_CASE)]);
+    let titles = titled.filter_map(|(name, text)| Some(Words::new("Line", name, keys(text).get("title")?.as_str()?)));
+    let descriptions = descriptions().into_iter().map(|(english, words)| (english, json!(said(&words)))).collect();
+    let mut schema = json_schema().to_value();
+    describe(&mut schema, &descriptions);
     json!({
         "version": env!("CARGO_PKG_VERSION"),
-        "schema": json_schema(),
+        "schema": schema,
         "presets": presets,
         "nominal": case,
         "lines": lines,
-        "german": german(),
+        "titles": titles.map(|title| json!(said(&title))).collect::<Vec<_>>(),
     })
     .to_string()
 }
 
-fn keys(text: &str) -> toml::Table {
-    text.parse().unwrap_or_default()
+/// Put words that may have other languages in the place of descriptions.
+fn describe(schema: &mut Value, words: &BTreeMap<String, Value>) {
+    match schema {
+        Value::Object(table) => {
+            let english = table.get("description").and_then(Value::as_str).map(|text| text.replace('\n', " "));
+            if let Some(words) = english.and_then(|english| words.get(&english)) {
+                table.insert("description".to_owned(), words.clone());
+            }
+            table.values_mut().for_each(|value| describe(value, words));
+        }
+        Value::Array(list) => list.iter_mut().for_each(|value| describe(value, words)),
+        _ => {}
+    }
 }
 
-/// The German of what the keys of a case are, of titles of presets and lines and of sources that are words of our own, by the English.
-fn german() -> BTreeMap<String, String> {
-    let of_preset = |words: &Words| Language::ALL.map(|language| words.text(language).to_owned());
-    let presets = presets().iter().flat_map(|preset| {
-        let sources = preset.values.iter().map(|value| &value.source);
-        sources.chain([&preset.title]).map(of_preset)
-    });
-    let presets = presets.filter(|[english, german]| english != german);
-    let mut german = descriptions(Language::German);
-    german.extend(presets.map(|[english, german]| (english, german)));
-    let titled = LINES.map(|(_, text, german)| (text, german));
-    let titled = titled.into_iter().chain([(NOMINAL_CASE, NOMINAL_TITLE)]);
-    german.extend(titled.filter_map(|(text, german)| {
-        let title = keys(text).remove("title")?;
-        Some((title.as_str()?.to_owned(), german.to_owned()))
-    }));
-    german
+fn keys(text: &str) -> toml::Table {
+    text.parse().unwrap_or_default()
 }

@@ -5,9 +5,9 @@ import { decoded } from './columns.js';
 import { axis, draw, layout, palette, refit } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { said } from './german.js';
+import { said } from './messages.js';
 import { Line, json } from './server.js';
-import { currentLanguage, number, range, t, translate } from './words.js';
+import { currentLanguage, wordsOf, number, range, t, translate } from './words.js';
 
 /** Blocks along the line that are drawn at most, and the shortest one [m]. */
 const BLOCKS = 400;
@@ -220,7 +220,7 @@ export class Along {
 
   #verdicts(sections) {
     const none = (value, words) => (value == null ? '–' : words());
-    this.#tabled(this.verdicts, t('verdict_columns'), sections.map((section) => {
+    this.#tabled(this.verdicts, wordsOf('verdict_columns'), sections.map((section) => {
       const { excess_db: excess, share_over_limit: share, rms_over_limit: ratio } = section;
       const { text, language } = said(section.sentence, this.inLabels);
       const words = [text, ...(section.along ?? []).map(({ kind, name }) => `${kind} ${name}`.trim())].join('; ');
@@ -236,7 +236,7 @@ export class Along {
   }
 
   #sections(grind) {
-    this.#tabled(this.grind, t('section_columns'), grind.sections.map((section) => ({
+    this.#tabled(this.grind, wordsOf('section_columns'), grind.sections.map((section) => ({
       part: section, rail: section.rail, cells: [number(section.to_m - section.from_m, 3), millimetres([section.band_from_m, section.band_to_m]), number(section.rms_over_limit, 3)],
     })));
     this.total.textContent = grind.sections.length ? t('grind_total', { metres: number(grind.total_m, 3), share: number(100 * grind.share_of_length, 3) }) : t('nothing_to_grind');

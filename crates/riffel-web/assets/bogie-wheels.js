@@ -2,7 +2,7 @@
 
 import { element, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
-import { caseTitle, inWords } from './german.js';
+import { caseTitle, inWords } from './messages.js';
 import { inUnit, set } from './keys.js';
 import { Line, json } from './server.js';
 import { number, power, range, t, translate } from './words.js';

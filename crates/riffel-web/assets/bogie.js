@@ -6,7 +6,7 @@ import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords } from './german.js';
+import { inWords } from './messages.js';
 import { NumberField, UNITS } from './number-field.js';
 import { remember, remembered } from './remembered.js';
 import { Fault, Line, json } from './server.js';

@@ -4,7 +4,7 @@ import { CalibrationAnswer } from './calibration-answer.js';
 import { CalibrationData } from './calibration-data.js';
 import { Decision } from './decision.js';
 import { element, worded } from './elements.js';
-import { said } from './german.js';
+import { said } from './messages.js';
 import { inUnit, set } from './keys.js';
 import { Priors, nameOfValue, withNames } from './priors.js';
 import { remember, remembered } from './remembered.js';
@@ -137,7 +137,7 @@ export function startCalibrate({ state, traffic, inLabels, unitOf, listen, compl
     answer.show(given);
     take.disabled = !written().length;
     const not = given?.parameters.filter((one) => one.key && !one.may_be_written_back).map(({ name }) => nameOfValue(name)) ?? [];
-    taking.textContent = given ? t('not_taken', { isConclusive: given.is_conclusive, names: not.join('; ') }) : '';
+    taking.textContent = given?.is_conclusive ? (not.length ? t('not_taken_these', not.join('; ')) : '') : given ? t('not_taken_any') : '';
     stale();
   }
 

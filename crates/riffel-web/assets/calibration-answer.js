@@ -4,7 +4,7 @@ import { letterSize, theme } from './colors.js';
 import { axis, decades, draw, layout, palette } from './curves.js';
 import { element, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
-import { said } from './german.js';
+import { said } from './messages.js';
 import { shownUnit } from './keys.js';
 import { nameOfValue, unitInWords, withNames } from './priors.js';
 import { number, passages, power, range, sentence, t, translate } from './words.js';

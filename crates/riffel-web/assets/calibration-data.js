@@ -1,7 +1,7 @@
 // The measurements by which a case is calibrated: files that the program keeps for this page, each with what it is taken as.
 
 import { element, worded } from './elements.js';
-import { said } from './german.js';
+import { said } from './messages.js';
 import { remember, remembered } from './remembered.js';
 import { addRow, held, tell, underWay } from './sent-files.js';
 import { Fault, askOnce, send } from './server.js';

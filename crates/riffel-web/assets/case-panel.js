@@ -2,7 +2,7 @@
 
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { caseTitle, inWords, said } from './german.js';
+import { caseTitle, inWords, said } from './messages.js';
 import { Line, json } from './server.js';
 import { sentence, t, translate } from './words.js';
 

@@ -3,14 +3,14 @@
 import { palette } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords, said } from './german.js';
+import { inWords, said } from './messages.js';
 import { shownUnit, si } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { Line, framed, json } from './server.js';
 import { Sweep, drawCurves } from './sweep.js';
 import { reportOf } from './variant-report.js';
 import { MOST_VARIANTS, ownName } from './variants.js';
-import { labelOf, number, passages, power, range, speed, t, translate, unitOfSpeed, written } from './words.js';
+import { labelOf, wordsOf, number, passages, power, range, speed, t, translate, unitOfSpeed, written } from './words.js';
 
 /** How long an answer may take before what is shown pales [ms]. */
 const PATIENCE = 150;
@@ -251,7 +251,7 @@ export function startCompare({ state, traffic, listen, complain, setVariants, re
     const cases = heads.map(({ complete }) => new Map(flat(complete)));
     const differ = (key) => cases.some((one) => one.get(key) !== cases[0].get(key));
     const keys = [...new Set(cases.flatMap((one) => [...one.keys()]))].filter((key) => key !== 'title' && differ(key));
-    fillTable(table, ['', ...all.map(({ name }) => name)], t('compare_rows').map((name, k) => row(name, columns.map((column) => column[k]))));
+    fillTable(table, ['', ...all.map(({ name }) => name)], wordsOf('compare_rows').map((name, k) => row(name, columns.map((column) => column[k]))));
     table.append(element('tbody', { className: 'changes' }, ...keys.map((key) => row(`${labelOf(key)} (${key})`, values(key, cases)))));
   }
 

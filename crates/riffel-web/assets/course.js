@@ -1,7 +1,7 @@
 // What has become of a rail between its records: levels of a wavelength by date, and the wear coefficient that explains them.
 
 import { element } from './elements.js';
-import { inWords } from './german.js';
+import { inWords } from './messages.js';
 import { currentLanguage, passages, t } from './words.js';
 
 /** Decibels with a digit after the point and, where it is a change, with their sign. */

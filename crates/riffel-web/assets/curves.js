@@ -1,6 +1,7 @@
 // Curves by plotly.js, in the colours and words of the page.
 
 import { letterSize, theme } from './colors.js';
+import { decimalMark } from './wording.js';
 import { currentLanguage, power, t, written } from './words.js';
 
 /** plotly.js is large: it loads while the page already stands. */
@@ -38,7 +39,7 @@ export function layout(more = {}) {
     margin: { l: 4 * letterSize(), r: 10, t: 8, b: 3 * letterSize() }, paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', font: { family: font, size: 0.85 * letterSize(), color: ink },
     hovermode: 'closest', hoverlabel: { bgcolor: sheet, bordercolor: line, font: { color: ink, size: 0.85 * letterSize() } }, dragmode: 'zoom',
     legend: { orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: { size: 0.82 * letterSize() } }, showlegend: false,
-    separators: currentLanguage() === 'de' ? ',.' : '.,', ...more,
+    separators: decimalMark(currentLanguage()) === ',' ? ',.' : '.,', ...more,
   };
 }
 

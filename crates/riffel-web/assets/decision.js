@@ -2,7 +2,7 @@
 
 import { element, fillTable, row, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords } from './german.js';
+import { inWords } from './messages.js';
 import { set } from './keys.js';
 import { readNumber } from './numbers.js';
 import { nameOfValue } from './priors.js';

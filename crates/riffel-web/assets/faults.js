@@ -1,6 +1,6 @@
 // What the program refuses, in the labels of the form and the unit of the field.
 
-import { said } from './german.js';
+import { said } from './messages.js';
 import { get, set, short } from './keys.js';
 import { Fault, askOnce } from './server.js';
 import { currentLanguage, inUnits, labelOf, nameOf, t, written } from './words.js';
@@ -12,7 +12,7 @@ const OPTION = /--[a-z]+(-[a-z]+)*/;
 export const inLabels = (form, field) => (piece) => {
   const { text, key, si, unit } = piece;
   if (key === undefined) return si !== undefined && unit === field?.node?.unit ? `${written(short(si / field.shown[1]))} ${field.shown[0]}` : inUnits(piece);
-  if (OPTION.test(key)) return currentLanguage() === 'de' ? nameOf(key.slice(2).replaceAll('-', '_')) : key.slice(2).replaceAll('-', ' ');
+  if (OPTION.test(key)) return nameOf(key.slice(2).replaceAll('-', '_'));
   return [...form.fields.keys()].some((own) => own === key || own.startsWith(`${key}.`)) ? labelOf(key) : text;
 };
 

@@ -2,7 +2,7 @@
 
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords } from './german.js';
+import { inWords } from './messages.js';
 import { askOnce, json } from './server.js';
 import { number, range, sentence, t, translate } from './words.js';
 

@@ -6,7 +6,7 @@ import { get, set, short, shownUnit, si, split } from './keys.js';
 import * as lists from './lists.js';
 import { FAR } from './number-field.js';
 import { askWhich, readNumber } from './numbers.js';
-import { inWords, said } from './german.js';
+import { inWords, said } from './messages.js';
 import { labelOf, nameOf, number, t, written as worded } from './words.js';
 
 /** A file cannot come over the page. */
@@ -55,16 +55,17 @@ function tableOf(schema, node) {
 const bare = (value) => (value === null || Array.isArray(value) || typeof value !== 'object' ? value : undefined);
 
 /** What a key is, in the language of the page: shown beside the pointer, and in a menu before the name of a choice. */
-function hint(place) {
-  place.title = place.dataset.hint.split('\n').map((line) => inWords(line)).join('\n');
+function hint(place, lines = place.hint) {
+  Object.assign(place, { hint: lines, title: lines.map((line) => inWords(line).replaceAll('\n', ' ')).filter(Boolean).join('\n') });
+  place.dataset.hint = '';
   if (place.tagName !== 'OPTION') return;
   const [first] = place.title.split(/[.:;](?= |$)/);
   place.textContent = first ? `${first} · ${place.value}` : place.value;
 }
 
 /** Words of the program as an element, in the language they are in: a citation stays as it is. */
-function spoken(name, english) {
-  const { text, language } = said(english);
+function spoken(name, words) {
+  const { text, language } = said(words);
   return element(name, { textContent: text, lang: language });
 }
 
@@ -134,8 +135,7 @@ export class Form {
   #row(key, node) {
     const id = idOf(key);
     const label = element('label', { htmlFor: id });
-    label.dataset.hint = `${(node.description ?? '').replaceAll('\n', ' ')}\n${key}`.trim();
-    hint(label);
+    hint(label, [node.description, key]);
     label.dataset.name = key;
     const unit = element('span', { className: 'unit', id: `${id}-unit` });
     const fault = element('p', { className: 'fault', lang: 'en', id: `${id}-fault`, hidden: true });
@@ -179,8 +179,7 @@ export class Form {
     if (empty) menu.append(element('option', { value: '', textContent: '—' }));
     for (const [name, title] of choices) {
       const option = element('option', { value: name });
-      option.dataset.hint = (title ?? '').replaceAll('\n', ' ');
-      hint(option);
+      hint(option, [title]);
       menu.append(option);
     }
     return menu;

@@ -11,7 +11,7 @@ import { furtherFaults, inLabels, wording } from './faults.js';
 import { element, lead } from './elements.js';
 import { startField } from './field.js';
 import { Form } from './form.js';
-import { inWords } from './german.js';
+import { inWords, knowTitles, titled } from './messages.js';
 import { get, pack, set, short, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
@@ -31,7 +31,8 @@ import { Tour } from './tour.js';
 import { Traffic, readTraffic } from './traffic.js';
 import { inside, reach } from './transport.js';
 import { MOST_VARIANTS, ownName, readVariants } from './variants.js';
-import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, number, power, sentence, speed as inUnit, t, translate, unitOfSpeed } from './words.js';
+import { CODES } from './wording.js';
+import { chooseLanguage, chooseSpeedUnit, currentLanguage, number, power, sentence, speed as inUnit, t, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
 
@@ -50,6 +51,7 @@ const vocabulary = await reach('/api/vocabulary').then((response) => (response.o
   throw fault;
 });
 state.vocabulary = vocabulary;
+knowTitles(vocabulary.titles);
 
 // Light and dark -------------------------------------------------------------------------------------
 
@@ -134,7 +136,7 @@ function showMap({ head, values }, keys) {
 function mapWords() {
   const { head } = state;
   drawBar($('bar'), view, t('growth_rate'));
-  $('map-title').textContent = inWords(head.title ?? '');
+  $('map-title').textContent = titled(head.title ?? '');
   $('branches').textContent = sentence(inWords(head.branches_in_words));
   $('notes').replaceChildren(...head.remarks.map((remark) => element('li', { textContent: inWords(remark) })));
   $('notes-panel').hidden = !head.remarks.length;
@@ -550,6 +552,7 @@ function redraw() {
   if (state.at) showPoint(state.at);
   for (const listener of listeners) listener('words');
 }
+$('language').append(...CODES.map((lang) => element('option', { value: lang, lang, textContent: lang.toUpperCase() })));
 $('language').value = currentLanguage();
 $('language').addEventListener('change', (event) => {
   chooseLanguage(event.target.value);
@@ -699,5 +702,5 @@ if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.isWaiting && !sidebar.calm.isWaiting && !drawings.open && !work.running.size && !saving };
+window.riffel = { traffic: requests, state, idle: () => !drawing && !outlook.isWaiting && !sidebar.calm.isWaiting && !drawings.open && !work.running.size && !saving };
 export { Fault };

@@ -4,7 +4,7 @@ import { letterSize, theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { caseTitle, inWords, said } from './german.js';
+import { caseTitle, inWords, said } from './messages.js';
 import { NumberField, UNITS } from './number-field.js';
 import { Line, json } from './server.js';
 import { WheelsetDrawing } from './wheelset-drawing.js';

@@ -4,10 +4,10 @@ import { letterSize, theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords, said } from './german.js';
+import { inWords, said } from './messages.js';
 import { askWhich, readNumber } from './numbers.js';
 import { Line, json } from './server.js';
-import { currentLanguage, number, speed, t, translate, written } from './words.js';
+import { currentLanguage, wordsOf, number, speed, t, translate, written } from './words.js';
 
 /** Where a reload finds the limit that was written, and the wheel that was chosen. */
 const LIMIT = 'riffel-limit-dba';
@@ -163,7 +163,7 @@ export class Noise {
     });
     fillTable(this.parts, ['', ...PARTS.map(([part]) => t(`noise_${part}`))], [row('dB(A)', PARTS.map(([part]) => decibels(answer.level[`${part}_dba`])))]);
     const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row(inWords(title), [decibels(after), decibels(saved)]));
-    fillTable(this.measures, t('noise_columns'), measures);
+    fillTable(this.measures, wordsOf('noise_columns'), measures);
     this.remarks.replaceChildren(...answer.remarks.map((remark) => {
       const { text, language } = said(remark, this.inLabels);
       return element('li', { textContent: text, lang: language });

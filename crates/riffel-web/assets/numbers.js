@@ -1,6 +1,7 @@
 // Numbers as people write them: with the separators of their language, and never taken for another.
 
 import { element } from './elements.js';
+import { decimalMark } from './wording.js';
 import { currentLanguage, t, written } from './words.js';
 
 /** Signs that only ever part thousands, in any language; a plain space does where three digits follow. */
@@ -40,7 +41,7 @@ export function readNumber(text, language = currentLanguage(), isMoney = false) 
   const [before, after] = digits.split(last);
   const decimal = `${before || '0'}.${after}`;
   const threefold = after.length === 3 && /^[1-9]\d*$/.test(before);
-  if (last === (language === 'de' ? ',' : '.') && !(isMoney && threefold)) return read(decimal, threefold);
+  if (last === decimalMark(language) && !(isMoney && threefold)) return read(decimal, threefold);
   return threefold ? { choices: [whole(before + after), whole(String(Number(decimal)))], rest } : read(decimal, true);
 }
 

@@ -6,7 +6,7 @@ import { drawCurves } from './sweep.js';
 import { palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inSentences, inWords, said } from './german.js';
+import { inSentences, inWords, said } from './messages.js';
 import { Remedies } from './remedies.js';
 import { Line, json } from './server.js';
 import { sentence, t, translate } from './words.js';

@@ -1,7 +1,7 @@
 // A project in one file: the case with its variants and traffic, the measured rail with its earlier records, columns and what lies along the line, and the plan of
 // a calibration, with what grinding and remedies cost.
 
-import { caseTitle } from './german.js';
+import { caseTitle } from './messages.js';
 import { Fault, askOnce } from './server.js';
 import { readCosts } from './remedies.js';
 import { readTraffic } from './traffic.js';
@@ -43,7 +43,15 @@ async function unpacked({ name, gzip_base64: letters }, room) {
 
 /** What a project, or a link, holds in words. */
 export function inWords({ case: keys, variants, traffic, costs, record, plan }) {
-  return t('project_holds', { costs: Object.keys(costs ?? {}).length > 0, title: caseTitle(keys), variants: variants.length, traffic: Boolean(traffic), record: record?.name ?? record?.file.name, earlier: record?.earlier?.files.length ?? 0, tables: plan?.data.length ?? 0 });
+  const name = record?.name ?? record?.file.name;
+  return [
+    caseTitle(keys),
+    variants.length && t('holds_variants', variants.length),
+    t(traffic ? 'holds_traffic' : 'holds_no_traffic'),
+    Object.keys(costs ?? {}).length && t('left_costs'),
+    name && t('holds_record', { record: name, earlier: record.earlier?.files.length ? String(record.earlier.files.length) : '' }),
+    plan?.data.length && t('holds_tables', plan.data.length),
+  ].filter(Boolean).join(', ');
 }
 
 const all = (files) => Promise.all(files.map(async (one) => ({ ...(await packed(one)), ...(one.date !== undefined && { date: one.date }) })));

@@ -2,7 +2,7 @@
 
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inSentences, inWords } from './german.js';
+import { inSentences, inWords } from './messages.js';
 import { inUnit, set, shownUnit } from './keys.js';
 import { NumberField, UNITS } from './number-field.js';
 import { remember, remembered } from './remembered.js';

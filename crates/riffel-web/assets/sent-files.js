@@ -1,7 +1,7 @@
 // Files that the program keeps for this page, in rows: the name, how far each is, a way to remove it, and why it is refused.
 
 import { element } from './elements.js';
-import { said } from './german.js';
+import { said } from './messages.js';
 import { number, t } from './words.js';
 
 /** How far a file on its way is. */

@@ -1,7 +1,6 @@
 // Questions to the program. Of each kind only the newest is wanted: an older one that is still under way
 // gives up its place, here by AbortController and there by the name of this page.
 
-import { heard } from './german.js';
 import { inside, reach } from './transport.js';
 
 const NAME = 'riffel-page';
@@ -40,8 +39,8 @@ const page = await ownName();
 /** An error of the case or of the program: a sentence, the key it is about, what would be right. */
 export class Fault extends Error {
   constructor({ message, key, help, line }, status) {
-    super(message);
-    Object.assign(this, { key, help, line, status });
+    super();
+    Object.assign(this, { message, key, help, line, status });
   }
 }
 
@@ -187,7 +186,7 @@ export function send(path, file, progress) {
     request.onload = () => {
       let answer;
       try {
-        answer = heard(JSON.parse(request.responseText));
+        answer = JSON.parse(request.responseText);
       } catch {
         answer = { message: `${request.status}` };
       }
@@ -205,12 +204,12 @@ export function send(path, file, progress) {
 }
 
 /** An answer in JSON. */
-export const json = async (response) => heard(await response.json());
+export const json = async (response) => response.json();
 
 /** Head and values of a framed answer. */
 export async function framed(response) {
   const bytes = await response.arrayBuffer();
   const length = new DataView(bytes).getUint32(0, true);
-  const head = heard(JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))));
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
   return { head, values: new Float32Array(bytes, 4 + length) };
 }

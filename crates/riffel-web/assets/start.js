@@ -1,7 +1,7 @@
 // The first visit: a line, a vehicle, rail and pads, from which a case is made that one can go on with.
 
 import { element, worded } from './elements.js';
-import { inWords } from './german.js';
+import { inWords } from './messages.js';
 import { t, translate } from './words.js';
 
 /** Rails with what they lie on: section, preset of the track and its model. */
@@ -23,9 +23,9 @@ export class Start {
       return [select, element('label', { htmlFor: id }, worded('span', word), select)];
     };
     const presets = (key) => vocabulary.presets.filter((preset) => preset.key === key);
-    const said = (value, english, before = '') => {
+    const said = (value, title, before = '') => {
       const option = element('option', { value });
-      option.say = () => (option.textContent = before + inWords(english));
+      option.say = () => (option.textContent = before + inWords(title));
       return option;
     };
     const titles = new Map(presets('track.preset').map(({ name, title }) => [name, title]));

@@ -4,10 +4,10 @@ import { letterSize, orderedColor, theme } from './colors.js';
 import { axis, draw, growthRange, growthUnit, layout } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords } from './german.js';
+import { inWords } from './messages.js';
 import { set, si } from './keys.js';
 import { Line, json } from './server.js';
-import { number, power, speed as inUnit, t, translate } from './words.js';
+import { wordsOf, number, power, speed as inUnit, t, translate } from './words.js';
 
 /** Curves of a sweep. */
 const COUNT = 6;
@@ -139,7 +139,7 @@ export class Sweep {
     const curveOf = ({ curve, ...one }) => (curve ? { wavelength_m: curve.map(([wavelength]) => wavelength), growth_rate_per_passage: curve.map(([, rate]) => rate) } : one);
     drawCurves(this.plot, answer.answers.map((one, k) => ({ ...curveOf(one), name: name(k), width: 1.8, color: orderedColor(k / (COUNT - 1), dark) })));
     const highest = kind === 'speeds' ? (one) => this.#atSpeed(one) : underTraffic;
-    fillTable(this.table, ['', ...t('sweep_columns')], answer.answers.map((one, k) => {
+    fillTable(this.table, ['', ...wordsOf('sweep_columns')], answer.answers.map((one, k) => {
       const high = highest(one);
       return row(name(k), high
         ? [power(high.rate, 3), `${number(1e3 * high.wavelength)} mm${high.isEdge ? `, ${t('at_edge')}` : ''}`, high.frequency ? `${number(high.frequency)} Hz` : '–', high.doubling]

@@ -3,7 +3,7 @@
 import { element } from './elements.js';
 import { PROJECT, inWords, read, written } from './project.js';
 import { askOnce, json, work } from './server.js';
-import { currentLanguage, t, t2 } from './words.js';
+import { currentLanguage, t } from './words.js';
 
 export function save(blob, name) {
   const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: name });
@@ -22,7 +22,8 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
       const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
       const link = element('input', { readOnly: true, value: location.href, id: 'link', ariaLabel: t('the_link') });
       link.addEventListener('focus', () => link.select());
-      const left = t('link_leaves', { record: measure.record?.file.name, plan: Boolean(calibrate.plan), costs: Object.keys(remedies.costs).length > 0 });
+      const record = measure.record?.file.name;
+      const left = [record && t('left_record', record), calibrate.plan && t('left_plan'), Object.keys(remedies.costs).length && t('left_costs')].filter(Boolean).join(', ');
       banner.notice([t('link_holds', inWords(open())), left && t('link_without', left)].filter(Boolean).join(' '), undefined, [link]);
       if (!isCopied) return link.focus();
       button.textContent = t('copied');
@@ -102,7 +103,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
       banner.clear();
     } catch (fault) {
       if (typeof fault === 'string') banner.say(() => fault, { until: 'closed' });
-      else complain(fault, { what: t2('file_fault', file.name, fault.line) });
+      else complain(fault, { what: t('file_fault', { name: file.name, line: fault.line }) });
     } finally {
       work.end(opening);
     }

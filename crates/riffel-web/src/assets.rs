@@ -5,7 +5,10 @@ use std::sync::LazyLock;
 use axum::extract::Path;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use riffel_keys::Language;
+use riffel_keys::message::wordings;
 use riffel_plot::plotly_js;
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 /// Name, content type and text of the files written here.
@@ -43,13 +46,13 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "figures.js": "text/javascript; charset=utf-8",
     "faults.js": "text/javascript; charset=utf-8",
     "field.js": "text/javascript; charset=utf-8",
-    "german.js": "text/javascript; charset=utf-8",
     "form.js": "text/javascript; charset=utf-8",
     "keys.js": "text/javascript; charset=utf-8",
     "lists.js": "text/javascript; charset=utf-8",
     "main.js": "text/javascript; charset=utf-8",
     "map-names.js": "text/javascript; charset=utf-8",
     "map-view.js": "text/javascript; charset=utf-8",
+    "messages.js": "text/javascript; charset=utf-8",
     "measure.js": "text/javascript; charset=utf-8",
     "noise.js": "text/javascript; charset=utf-8",
     "motion.js": "text/javascript; charset=utf-8",
@@ -79,20 +82,38 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "variants.js": "text/javascript; charset=utf-8",
     "vehicles.js": "text/javascript; charset=utf-8",
     "wheelset-drawing.js": "text/javascript; charset=utf-8",
+    "wording.js": "text/javascript; charset=utf-8",
     "words.js": "text/javascript; charset=utf-8",
 };
+
+/// The module of the wordings.
+const WORDINGS: &str = "wordings.js";
+
+/// Its text: of each language by its code the decimal mark, and the wordings of all messages.
+static WORDINGS_TEXT: LazyLock<String> = LazyLock::new(|| {
+    let languages = Language::ALL.iter().map(|&language| {
+        let own = json!({ "decimal_mark": language.decimal_mark(), "wordings": wordings(language) });
+        (language.code().to_owned(), own)
+    });
+    format!("export const LANGUAGES = {};\n", Value::Object(languages.collect()))
+});
+
+/// Name, content type and text of all files.
+fn files() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    FILES.iter().copied().chain([(WORDINGS, SCRIPT, WORDINGS_TEXT.as_str())])
+}
 
 pub(crate) const PAGE: &str = include_str!("../assets/page.html");
 
 /// The name of a file as it is known here.
 pub(crate) fn name(name: &str) -> Option<&'static str> {
-    let (name, ..) = FILES.iter().find(|(known, ..)| *known == name)?;
+    let (name, ..) = files().find(|(known, ..)| *known == name)?;
     Some(name)
 }
 
 /// The text of a file; that of one that is not there is empty.
 pub(crate) fn text(name: &str) -> &'static str {
-    let file = FILES.iter().find(|(known, ..)| *known == name);
+    let file = files().find(|(known, ..)| *known == name);
     file.map_or("", |(.., text)| text)
 }
 
@@ -107,7 +128,7 @@ struct Built {
 
 static BUILT: LazyLock<Built> = LazyLock::new(|| {
     let plotly_version = fingerprint([plotly_js()]);
-    let version = fingerprint(FILES.iter().map(|(_, _, text)| *text));
+    let version = fingerprint(files().map(|(_, _, text)| text));
     let page = PAGE
         .replace("{assets}", &format!("/assets/{version}"))
         .replace("{plotly}", &format!("/assets/{plotly_version}/plotly.min.js"));
@@ -142,11 +163,36 @@ pub(crate) async fn file(Path((version, name)): Path<(String, String)>) -> Respo
     let found = if name == "plotly.min.js" && version == built.plotly_version {
         Some((SCRIPT, plotly_js()))
     } else {
-        FILES.iter().find(|(known, ..)| *known == name && version == built.version).map(|&(_, kind, text)| (kind, text))
+        files().find(|(known, ..)| *known == name && version == built.version).map(|(_, kind, text)| (kind, text))
     };
     let Some((kind, text)) = found else {
         return StatusCode::NOT_FOUND.into_response();
     };
     let headers = [(header::CONTENT_TYPE, kind), (header::CACHE_CONTROL, "public, max-age=31536000, immutable")];
     (headers, text).into_response()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    /// The words of the page that a text asks for.
+    fn asked(text: &'static str) -> impl Iterator<Item = &'static str> {
+        let begins = ["t('", "wordsOf('", "worded('", "data-t=\"", "data-t-label=\"", "data-t-title=\""];
+        let after = begins.into_iter().flat_map(|begin| text.split(begin).skip(1));
+        after.filter_map(|rest| rest.split(['\'', '"']).next())
+    }
+
+    #[test]
+    fn no_word_of_the_page_is_missing() {
+        let known = wordings(Language::English);
+        let texts = FILES.iter().map(|(_, _, text)| *text).chain([PAGE]);
+        let id = |key: &str| format!("web-{}", key.replace(['_', '/', '.'], "-"));
+        let words: BTreeSet<&str> = texts.flat_map(asked).collect();
+        let is_word = |word: &&str| word.contains('_') && !word.ends_with('_');
+        let missing: Vec<_> = words.into_iter().filter(is_word).filter(|word| !known.contains_key(&id(word))).collect();
+        assert!(missing.is_empty(), "{missing:?}");
+    }
 }

@@ -4,7 +4,6 @@
 //! can be ended at any moment, and its memory is given back. What it prints is an answer's document, and its error is one,
 //! too.
 
-use riffel_keys::message::Translations;
 use riffel_keys::say;
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -36,13 +35,10 @@ struct ProgressLine {
 /// What ended a run.
 #[derive(Deserialize)]
 struct ErrorDocument {
-    /// The sentence.
-    message: String,
+    /// The sentence, as data.
+    message: Value,
     /// What would be right.
-    help: Option<String>,
-    /// The German of both and their pieces.
-    #[serde(flatten)]
-    known: Translations,
+    help: Option<Value>,
 }
 
 /// How systems say that a disk is full, Linux and macOS, then Windows.
@@ -114,7 +110,7 @@ impl Program {
     /// The answer to a question on the files of a folder.
     pub(crate) fn ask(&self, folder: &Path, name: &str, question: &Value, wanted: &Wanted) -> Result<Value, Fault> {
         let own = std::process::id().to_string();
-        let arguments = ["ask", "--translations", "--page", &own, name];
+        let arguments = ["ask", "--messages", "--page", &own, name];
         let printed = self.run(folder, &arguments, question, wanted)?;
         serde_json::from_str(&printed).map_err(|_| Fault::defect("the program printed something else than a document"))
     }
@@ -192,9 +188,12 @@ fn fault_of(words: &str) -> Fault {
     let lines = words.lines().rev();
     let mut lines = lines.filter_map(|line| serde_json::from_str::<Line>(line).ok());
     match lines.next().map(|line| line.error) {
-        Some(ErrorDocument { message, .. }) if NO_ROOM.iter().any(|words| message.contains(words)) => disk(message),
-        Some(ErrorDocument { message, help, known }) => {
-            Fault::refused(StatusCode::UNPROCESSABLE_ENTITY, message, help.unwrap_or_default()).with_translations(known)
+        Some(ErrorDocument { message, help }) => {
+            let words = message.to_string();
+            match NO_ROOM.iter().any(|full| words.contains(full)) {
+                true => disk(words),
+                false => Fault::heard(message, help),
+            }
         }
         None => Fault::defect(say!(the_program_broke_off)),
     }

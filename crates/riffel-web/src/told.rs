@@ -1,11 +1,11 @@
-//! An answer in JSON, with the German of what it says.
+//! An answer in JSON.
 
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use riffel_page::written;
 use serde::Serialize;
 
-/// What is sent as JSON, with the German beside it.
+/// What is sent as JSON, its messages as data.
 #[derive(Debug)]
 pub(crate) struct Told<T>(pub(crate) T);
 

@@ -269,7 +269,7 @@ def test_a_link_says_what_it_holds_and_that_it_holds_no_record(open_page):
     page.page.set_input_files("#record", files=files(messung=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
     copy()
-    page.until(lambda: "Die Messung messung.csv enthält er nicht" in page.text("#notice"))
+    page.until(lambda: "Er enthält nicht: die Messung messung.csv" in page.text("#notice"))
     assert english(page.text("#notice")) == []
     page.page.select_option("#language", "en")
     copy()

@@ -233,7 +233,3 @@ def test_a_file_dropped_anywhere_is_taken(page):
     assert "letter.txt" in page.text("#trouble")
     assert page.page.locator("#view-measure").is_visible()
     page.complaints.clear()
-
-
-def test_no_word_is_missing_in_a_language(page):
-    assert page.page.evaluate("() => window.riffel.gaps()") == []

@@ -425,7 +425,7 @@ fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>, l
         for preset in names.filter_map(|name| riffel_case::preset(name).ok()) {
             let origin = preset.values.first().map(|value| value.source.text(language));
             let name = say!(preset_of_name, name = &preset.name);
-            sources.push(row(name, preset.title.text(language), origin.unwrap_or_default()));
+            sources.push(row(name, &preset.title.text(language), &origin.unwrap_or_default()));
         }
     }
     let heads = [say!(built_in_head), say!(what_it_is_head), say!(source_head)];

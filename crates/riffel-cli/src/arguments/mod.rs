@@ -7,7 +7,8 @@ mod question;
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, ValueEnum};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser};
 use riffel_answers::paper::Model;
 use riffel_keys::Language;
 
@@ -40,17 +41,15 @@ pub(crate) struct Arguments {
     verbose: bool,
 
     /// Language of reports, findings, notes and errors of a case, en or de; help, data, JSON and most heads are English.
-    #[arg(long, global = true, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true)]
-    language: Spoken,
+    #[arg(long, global = true, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true,
+          value_parser = languages())]
+    language: Language,
 }
 
-/// A language of the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Spoken {
-    /// English.
-    En,
-    /// German.
-    De,
+/// The languages by their codes.
+fn languages() -> impl TypedValueParser<Value = Language> {
+    let codes = PossibleValuesParser::new(Language::ALL.iter().map(|language| language.code()));
+    codes.map(|code| Language::of_code(&code).unwrap_or_default())
 }
 
 impl Arguments {
@@ -64,10 +63,7 @@ impl Arguments {
 
     /// The language in which it is said.
     pub(crate) fn language(&self) -> Language {
-        match self.language {
-            Spoken::En => Language::English,
-            Spoken::De => Language::German,
-        }
+        self.language
     }
 
     /// How much is to be said beside the results.
@@ -144,9 +140,9 @@ pub(crate) struct Ask {
     #[arg(value_name = "NAME", required = true, num_args = 1..=2)]
     pub(crate) name: Vec<String>,
 
-    /// Add a table `german` to the answer or the error: the German of each of its messages, by its English.
+    /// Write each message of the answer or the error as an object of its id and its values, in place of its English.
     #[arg(long)]
-    pub(crate) translations: bool,
+    pub(crate) messages: bool,
 
     /// Answer a page of the process with this number: read no files outside this folder, and end with that process.
     #[arg(long, value_name = "PROCESS", hide = true)]

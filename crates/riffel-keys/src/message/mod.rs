@@ -11,10 +11,11 @@
 //! assert!(remark.text(Language::German).contains("unter 4,5 mm"));
 //! ```
 
+mod data;
 mod piece;
-mod translations;
 mod value;
 pub mod wording;
+mod wordings;
 
 use std::fmt;
 
@@ -22,11 +23,13 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::Language;
 
-pub use piece::Piece;
-pub use translations::{Translations, translations, with_translations};
+pub use data::as_data;
+pub(crate) use piece::wording_of;
+pub use piece::{Piece, capital};
 pub use value::{
     Value, decimal, fixed, number, quantity, range, shown_speed, shown_speeds, significant, significant_digits,
 };
+pub use wordings::wordings;
 
 /// A message of the Fluent files with the values that it names.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,10 +112,7 @@ impl Message {
 
     /// In words, the first letter a capital.
     pub fn capitalised(&self, language: Language) -> String {
-        let text = self.text(language);
-        let mut letters = text.chars();
-        let first = letters.next().map(char::to_uppercase);
-        first.into_iter().flatten().chain(letters).collect()
+        capital(&self.text(language))
     }
 
     /// Whether it says nothing.
@@ -186,11 +186,13 @@ impl fmt::Display for Message {
     }
 }
 
-/// In English. Who needs it in other languages as well listens meanwhile ([`with_translations`]).
+/// In English, or as data where the reader makes the words of it ([`as_data`]).
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        translations::note(self);
-        serializer.serialize_str(&self.text(Language::English))
+        match data::is_asked_for() {
+            true => data::of_message(self).serialize(serializer),
+            false => serializer.serialize_str(&self.text(Language::English)),
+        }
     }
 }
 
@@ -211,6 +213,15 @@ mod tests {
         );
         assert_eq!(message.short(Language::German), message.text(Language::German));
         assert!(message.capitalised(Language::English).starts_with("The "));
+    }
+
+    /// French has some messages only.
+    #[test]
+    fn what_a_language_leaves_out_is_said_in_english() {
+        let inner = say!(no_average_over_patch, shortest = fixed(4.5, 1));
+        assert_eq!(inner.text(Language::French), inner.text(Language::English).replace("4.5", "4,5"));
+        let outer = say!(note, remark = inner.clone()).text(Language::French);
+        assert_eq!(outer, format!("remarque : {}", inner.text(Language::French)));
     }
 
     #[test]

@@ -39,6 +39,8 @@ pub enum Value {
     Words(Words),
     /// Another message.
     Message(Box<Message>),
+    /// Another message with a capital first letter.
+    Capital(Box<Message>),
     /// Several of them, separated by commas.
     List(Vec<Value>),
 }
@@ -49,6 +51,7 @@ impl Value {
             Self::Text(text) => Self::Text(clipped(&text).into_owned()),
             Self::Key(key) => Self::Key(clipped(&key).into_owned()),
             Self::Message(message) => Self::Message(Box::new(message.clipped())),
+            Self::Capital(message) => Self::Capital(Box::new(message.clipped())),
             Self::List(values) => Self::List(values.into_iter().map(Self::clipped).collect()),
             number => number,
         }
@@ -66,7 +69,7 @@ impl Value {
             }
             Self::Count(count) => (*count).into(),
             Self::Words(words) => words.text(language).into(),
-            Self::Message(message) => message.document(language),
+            Self::Message(message) | Self::Capital(message) => message.document(language),
             Self::List(values) => values.iter().map(|value| value.document(language)).collect(),
         }
     }

@@ -1,18 +1,11 @@
 //! What quantities are called, in every language.
 
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
-
 use crate::Words;
-
-/// The German of each name.
-static GERMAN: LazyLock<BTreeMap<String, String>> =
-    LazyLock::new(|| toml::from_str(include_str!("de.toml")).unwrap_or_default());
 
 /// A quantity, by the English name that physics and keys give it, in every language: "wheel load" of an error of the physics,
 /// "a force" of a [`Kind`](super::Kind).
 pub fn named(english: &str) -> Words {
-    Words::new(english.to_owned(), GERMAN.get(english).cloned())
+    Words::by_english("Quantity", english)
 }
 
 #[cfg(test)]
@@ -54,17 +47,14 @@ mod tests {
         let given: Vec<&str> = given.chain(KINDS.iter().map(|kind| kind.name)).collect();
         assert!(given.len() > 200, "{}", given.len());
         for name in given {
-            assert!(GERMAN.contains_key(name), "no German of {name:?}");
-        }
-        for name in GERMAN.keys() {
-            assert!(sources.contains(&format!("\"{name}\"")), "nothing is called {name:?}");
+            assert!(named(name).is_in(Language::German), "no German of {name:?}");
         }
     }
 
     #[test]
     fn a_name_is_a_value_of_a_message() {
         let message = say!(quoted, words = named("wheel load"));
-        let texts = Language::ALL.map(|language| message.text(language));
+        let texts = [Language::English, Language::German].map(|language| message.text(language));
         assert_eq!(texts, ["\"wheel load\"", "„die Radlast“"]);
     }
 }

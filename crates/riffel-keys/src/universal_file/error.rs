@@ -1,14 +1,8 @@
 //! What can be wrong with a universal file.
 
-use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::LazyLock;
 
 use crate::{Message, Words, say};
-
-/// The German of what the fields and records of a file are.
-static GERMAN: LazyLock<BTreeMap<String, String>> =
-    LazyLock::new(|| toml::from_str(include_str!("fields_de.toml")).unwrap_or_default());
 
 /// A universal file that cannot be read, and why, in a sentence that begins with the line.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +64,7 @@ impl From<&UniversalFileError> for Message {
 }
 
 fn in_words(what: &str) -> Words {
-    Words::new(what.to_owned(), GERMAN.get(what).cloned())
+    Words::by_english("Field", what)
 }
 
 /// The line, and what is wrong there.
@@ -137,7 +131,7 @@ mod tests {
             for literal in source.split('"').skip(1).step_by(2) {
                 let is_field = ["the ", "a value", "record "].iter();
                 if is_field.into_iter().any(|begin| literal.starts_with(begin)) {
-                    assert!(GERMAN.contains_key(literal), "no German of {literal}");
+                    assert!(in_words(literal).is_in(Language::German), "no German of {literal}");
                     count += 1;
                 }
             }

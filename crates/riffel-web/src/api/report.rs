@@ -98,12 +98,8 @@ fn write(
     language: Language,
     wanted: &Wanted,
 ) -> Result<String, Fault> {
-    let language = match language {
-        Language::English => "en",
-        Language::German => "de",
-    };
     let own = std::process::id().to_string();
-    let words = ["ask", "--page", &own, "report", "--language", language];
+    let words = ["ask", "--messages", "--page", &own, "report", "--language", language.code()];
     program.run(files.path(), &words, question, wanted)?;
     files.read(REPORT)
 }

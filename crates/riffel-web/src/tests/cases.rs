@@ -26,9 +26,8 @@ async fn a_map_is_that_of_the_program() {
     assert_eq!(branches[0]["frequency_hz"], head["best_fit_frequency_hz"]);
     let columns = &branches[0]["points"];
     assert_eq!(columns["speed_m_per_s"].as_array().unwrap().len(), columns["wavelength_m"].as_array().unwrap().len());
-    let english = head["branches_in_words"].as_str().unwrap();
-    let german = head["german"][english].as_str().unwrap();
-    assert!(german.contains("bei 537 Hz"), "{german}");
+    let told = head["branches_in_words"].to_string();
+    assert!(told.contains("\"id\"") && told.contains("{\"number\":\"537\"}"), "{told}");
     assert_eq!(head["complete"]["wear"]["density"], "7850 kg/m3");
 }
 
