@@ -55,17 +55,8 @@ type Outcome = Result<(), String>;
 /// # Errors
 /// A sentence, where the program or a page it is part of cannot be read.
 pub fn pages(program: &Path) -> Result<Vec<(&'static str, String)>, String> {
-    let written = |text: serde_json::Result<String>| {
-        text.map(|text| text + "\n").map_err(|error| format!("a schema cannot be written: {error}"))
-    };
-    let case = written(serde_json::to_string_pretty(&riffel_case::json_schema()))?;
-    let traffic = written(serde_json::to_string_pretty(&riffel_case::traffic_schema()))?;
-    let study = written(serde_json::to_string_pretty(&riffel_study::plan_schema()))?;
     Ok(vec![
         ("docs/src/command-line.md", command_line(program)?),
-        ("docs/src/case.schema.json", case),
-        ("docs/src/traffic.schema.json", traffic),
-        ("docs/src/study.schema.json", study),
         ("docs/src/decay-rate.md", decay_rate::page()?),
         ("docs/src/models.md", models::page()?),
         ("docs/src/presets.md", presets::page()),
