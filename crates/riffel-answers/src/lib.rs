@@ -58,6 +58,7 @@ mod number_alone;
 mod outlying;
 mod over_posterior;
 mod pads;
+pub mod page;
 pub mod paper;
 mod parameters;
 mod plan_document;

@@ -12,7 +12,7 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use riffel_page::Fault;
+use riffel_answers::page::Fault;
 
 static EXCHANGE: Mutex<Exchange> = Mutex::new(Exchange { path_length: 0, asked: Vec::new(), reply: Vec::new() });
 
@@ -47,7 +47,7 @@ pub extern "C" fn answer() -> u32 {
     let (path, question) = exchange.asked.split_at(exchange.path_length);
     let (status, reply) = match answer_to(path, question) {
         Ok(reply) => (200, reply),
-        Err(fault) => (fault.status().into(), riffel_page::written(&fault).unwrap_or_default()),
+        Err(fault) => (fault.status().into(), riffel_answers::page::written(&fault).unwrap_or_default()),
     };
     exchange.reply = reply;
     status
@@ -71,12 +71,12 @@ pub extern "C" fn reply_length() -> usize {
 #[expect(unsafe_code, reason = "a name that keeps the text in the module")]
 #[unsafe(no_mangle)]
 pub extern "C" fn release() -> *const u8 {
-    riffel_page::RELEASE.as_ptr()
+    riffel_answers::page::RELEASE.as_ptr()
 }
 
 fn answer_to(path: &[u8], question: &[u8]) -> Result<Vec<u8>, Fault> {
     const NOT_FOUND: u16 = 404;
-    let asked = std::str::from_utf8(path).ok().and_then(|path| riffel_page::read(path, question));
+    let asked = std::str::from_utf8(path).ok().and_then(|path| riffel_answers::page::read(path, question));
     let Some(asked) = asked else {
         let message = "this file does not hold that part of the page".to_owned();
         return Err(Fault::refused(NOT_FOUND, message, "the page of `riffel serve` has it"));

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use axum::body::Bytes;
 use quick_cache::Weighter;
 use quick_cache::sync::Cache;
-use riffel_page::Reply;
+use riffel_answers::page::Reply;
 
 use crate::fault::Fault;
 use crate::queue::Wanted;

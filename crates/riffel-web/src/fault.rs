@@ -2,8 +2,8 @@
 
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+pub(crate) use riffel_answers::page::Fault;
 use riffel_keys::say;
-pub(crate) use riffel_page::Fault;
 
 use crate::told::Told;
 

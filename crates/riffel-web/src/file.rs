@@ -11,7 +11,7 @@ use base64::engine::general_purpose::STANDARD as BASE64;
 use flate2::Compression;
 use flate2::read::GzDecoder;
 use flate2::write::GzEncoder;
-use riffel_page::{CaseText, RELEASE, RELEASE_BEGINS, VOCABULARY};
+use riffel_answers::page::{CaseText, RELEASE, RELEASE_BEGINS, VOCABULARY};
 use serde_json::json;
 use thiserror::Error;
 

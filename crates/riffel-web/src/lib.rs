@@ -35,7 +35,7 @@ use calibrations::Calibrations;
 use fault::{Fault, Refusal};
 use program::Program;
 use queue::Queue;
-use riffel_page::QUESTIONS;
+use riffel_answers::page::QUESTIONS;
 use uploads::Uploads;
 
 pub use file::{FILE_GENERATOR, PAGE_MODULE, PageFileError, page_file};

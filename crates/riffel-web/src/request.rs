@@ -6,7 +6,7 @@ use std::time::Duration;
 use axum::body::{Body, Bytes, to_bytes};
 use axum::extract::{FromRequest, Request};
 use axum::http::{StatusCode, header};
-use riffel_page::LARGEST_CASE;
+use riffel_answers::page::LARGEST_CASE;
 use serde::de::DeserializeOwned;
 
 use crate::fault::{Fault, Refusal};
@@ -58,7 +58,7 @@ impl<S: Sync, T: DeserializeOwned> FromRequest<S> for Asked<T> {
 
     async fn from_request(request: Request, state: &S) -> Result<Self, Refusal> {
         let AskedJson(json) = AskedJson::from_request(request, state).await?;
-        Ok(Self(riffel_page::understood(&json)?))
+        Ok(Self(riffel_answers::page::understood(&json)?))
     }
 }
 

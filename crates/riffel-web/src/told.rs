@@ -2,7 +2,7 @@
 
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use riffel_page::written;
+use riffel_answers::page::written;
 use serde::Serialize;
 
 /// What is sent as JSON, its messages as data.

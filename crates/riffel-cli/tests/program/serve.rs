@@ -62,7 +62,7 @@ impl Served {
 
 /// Every path that the page asks, from the sources of its server and of its questions.
 fn paths() -> Vec<String> {
-    let sources = ["riffel-web/src/lib.rs", "riffel-page/src/lib.rs"];
+    let sources = ["riffel-web/src/lib.rs", "riffel-answers/src/page/mod.rs"];
     let mut paths: Vec<String> = Vec::new();
     for source in sources {
         let text = fs::read_to_string(root().join("crates").join(source)).unwrap();

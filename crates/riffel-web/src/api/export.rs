@@ -5,8 +5,8 @@ use axum::http::header;
 use axum::response::IntoResponse;
 use riffel::GrowthMap;
 use riffel_answers::map::map_figure;
+use riffel_answers::page::CaseText;
 use riffel_answers::ridge::ridge_of;
-use riffel_page::CaseText;
 use riffel_plot::DEFAULT_PNG_SCALE;
 use serde::Deserialize;
 

@@ -1,4 +1,4 @@
-//! What the page can ask for besides [`riffel_page::QUESTIONS`], one file for each.
+//! What the page can ask for besides [`riffel_answers::page::QUESTIONS`], one file for each.
 
 pub(crate) mod along;
 pub(crate) mod calibration;

@@ -1,8 +1,8 @@
 //! `POST /api/noise`: what a train sounds like on a measured rail.
 
 use axum::extract::State;
+use riffel_answers::page::TRAFFIC_FILE;
 use riffel_keys::say;
-use riffel_page::TRAFFIC_FILE;
 use serde::Deserialize;
 use serde_json::{Value, json};
 

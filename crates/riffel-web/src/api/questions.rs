@@ -1,11 +1,11 @@
-//! `POST` of the questions that need no server: see [`riffel_page`]. `GET /api/vocabulary`: its words.
+//! `POST` of the questions that need no server: see [`riffel_answers::page`]. `GET /api/vocabulary`: its words.
 
 use std::sync::Arc;
 
 use axum::extract::State;
 use axum::http::{HeaderValue, header};
 use axum::response::{IntoResponse, Response};
-use riffel_page::{Reader, Reply, VOCABULARY};
+use riffel_answers::page::{Reader, Reply, VOCABULARY};
 
 use crate::Page;
 use crate::fault::Refusal;

@@ -3,8 +3,8 @@
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
+use riffel_answers::page::{CaseText, TRAFFIC_FILE, Traffic};
 use riffel_keys::Language;
-use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
 use serde::Deserialize;
 use serde_json::{Value, json};
 

@@ -3,7 +3,7 @@
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::HeaderMap;
-use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
+use riffel_answers::page::{CaseText, TRAFFIC_FILE, Traffic};
 use riffel_rail::{Limit, LimitTable};
 use serde::Deserialize;
 use serde_json::{Value, json};

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use axum::extract::State;
+use riffel_answers::page::CaseText;
 use riffel_answers::wheels::WheelsAnswer;
 use riffel_case::Case;
 use riffel_keys::text_file::with_texts;
-use riffel_page::CaseText;
 use serde::Deserialize;
 use serde_json::{Value, json};
 

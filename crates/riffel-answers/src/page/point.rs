@@ -1,14 +1,14 @@
 //! `POST /api/point`: the loop at one wavelength and speed, and the curves that run through it.
 
+use crate::receptance::ReceptanceCurves;
 use riffel::Complex64;
-use riffel_answers::receptance::ReceptanceCurves;
 use riffel_case::traffic::{UsualTraffic, reported_growth};
 use riffel_case::{Case, Point};
 use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
-use crate::compare::Growth;
-use crate::{CaseText, Fault, Reply};
+use crate::page::compare::Growth;
+use crate::page::{CaseText, Fault, Reply};
 
 /// Frequencies of the curves \[Hz\], those that `riffel receptance` draws.
 const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
@@ -97,7 +97,7 @@ fn within(key: &str, what: &str, value: f64, low: f64, high: f64) -> Result<f64,
     ))
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("point".to_owned())
     }

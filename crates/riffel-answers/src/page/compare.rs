@@ -1,14 +1,14 @@
 //! `POST /api/compare`: maps of variants in the window of one case; `POST /api/growth`: their growth over wavelength.
 
+use crate::LineGrowth;
+use crate::ridge::RidgePointDocument;
 use riffel::{Axis, Ridge};
-use riffel_answers::LineGrowth;
-use riffel_answers::ridge::RidgePointDocument;
 use riffel_case::Case;
 use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
-use crate::map::{Computed, Head};
-use crate::{CaseText, Fault, Reply, Traffic};
+use crate::page::map::{Computed, Head};
+use crate::page::{CaseText, Fault, Reply, Traffic};
 
 /// Wavelengths of a growth curve.
 pub(super) const WAVELENGTH_POINTS: usize = 241;
@@ -94,7 +94,7 @@ impl UnderTraffic {
     }
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("comparison".to_owned())
     }
@@ -171,7 +171,7 @@ impl Growth {
     }
 }
 
-impl crate::Question for CurvesQuestion {
+impl crate::page::Question for CurvesQuestion {
     fn subject(&self) -> Option<String> {
         let subject = match self.purpose {
             Purpose::Variants => "growth of variants",

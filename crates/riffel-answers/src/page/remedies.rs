@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use riffel_answers::remedies::{RemediesAnswer, Remedy};
+use crate::remedies::{RemediesAnswer, Remedy};
 use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
-use crate::traffic::OnLine;
-use crate::{Fault, Reply, Tell};
+use crate::page::traffic::OnLine;
+use crate::page::{Fault, Reply, Tell};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -43,7 +43,7 @@ struct LeftOut<'a> {
     reason: &'a Message,
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("remedies".to_owned())
     }
@@ -83,7 +83,7 @@ mod tests {
     fn each_step_is_told() {
         let toml = riffel_case::NOMINAL_CASE;
         let asked = serde_json::json!({ "case": { "toml": toml } }).to_string();
-        let question = crate::read("/api/remedies", asked.as_bytes());
+        let question = crate::page::read("/api/remedies", asked.as_bytes());
         let question = question.unwrap().unwrap();
         let told = Mutex::new(Vec::new());
         let tell = |done, of| told.lock().unwrap().push((done, of));

@@ -1,11 +1,11 @@
 //! `POST /api/stability`: where over speed and friction the loop oscillates without any profile.
 
-use riffel_answers::Answer as _;
-use riffel_answers::stability_map::StabilityMap;
+use crate::Answer as _;
+use crate::stability_map::StabilityMap;
 use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Reply};
+use crate::page::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -20,7 +20,7 @@ struct Answer<'a> {
     notes: &'a [Message],
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("stability".to_owned())
     }

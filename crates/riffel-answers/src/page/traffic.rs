@@ -8,7 +8,7 @@ use riffel_keys::quantity::Quantity;
 use riffel_keys::{say, shown_speed};
 use serde::Deserialize;
 
-use crate::{CaseText, Fault};
+use crate::page::{CaseText, Fault};
 
 /// Most vehicles of one traffic.
 const MOST_VEHICLES: usize = 12;

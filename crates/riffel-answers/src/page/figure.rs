@@ -1,12 +1,12 @@
 //! `POST /api/figure`: a figure of Afferrante & Ciavarella (2009), as data for the page to draw.
 
-use riffel_answers::paper::{Drawing, FIGURES, Model};
+use crate::paper::{Drawing, FIGURES, Model};
 use riffel_keys::Language;
 use riffel_plot::{LinePanel, LineStyle, MapPanel, Scale};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::{Fault, Reply};
+use crate::page::{Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -25,7 +25,7 @@ enum Contact {
     NonSteady,
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some(format!("figure {}", self.number))
     }

@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use riffel_case::OwnValue;
 use serde::Deserialize;
 
-use crate::{CaseText, Fault, Reply};
+use crate::page::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
     case: CaseText,
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("own-values".to_owned())
     }

@@ -5,10 +5,10 @@ use riffel_keys::{Message, fixed, say};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::{Fault, Reply};
+use crate::page::{Fault, Reply};
 
 /// What `riffel validate --field --json` printed when the outcomes had been written down.
-const KEPT: &str = include_str!("../field-prediction.json");
+const KEPT: &str = include_str!("../../field-prediction.json");
 
 #[derive(Deserialize)]
 pub(crate) struct Question {}
@@ -94,7 +94,7 @@ fn unit(unit: &str) -> Message {
     }
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         None
     }

@@ -1,17 +1,17 @@
 //! `POST /api/export/csv`: the map as the table of the program.
 
+use crate::map::map_csv;
 use riffel::GrowthMap;
-use riffel_answers::map::map_csv;
 use serde::Deserialize;
 
-use crate::{CaseText, Fault, Reply};
+use crate::page::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
     case: CaseText,
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("table".to_owned())
     }

@@ -1,16 +1,16 @@
 //! `POST /api/wheelset`: how the wheelset of a case moves at its natural frequencies.
 
-use riffel_answers::wheelset_motions::WheelsetMotions;
+use crate::wheelset_motions::WheelsetMotions;
 use serde::Deserialize;
 
-use crate::{CaseText, Fault, Reply};
+use crate::page::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
     case: CaseText,
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("wheelset".to_owned())
     }

@@ -3,7 +3,7 @@
 use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Reply};
+use crate::page::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -21,7 +21,7 @@ struct Answer {
     remarks: Vec<Message>,
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         None
     }

@@ -1,11 +1,11 @@
 //! `POST /api/line`: what grows fastest under the traffic of the line, and what that follows.
 
-use riffel_answers::{Cause, LineGrowth};
+use crate::{Cause, LineGrowth};
 use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
-use crate::traffic::OnLine;
-use crate::{Fault, Reply};
+use crate::page::traffic::OnLine;
+use crate::page::{Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -55,7 +55,7 @@ impl From<&Cause> for Card {
     }
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         let subject = match self.purpose {
             Purpose::Headline => "line",

@@ -6,7 +6,7 @@ use riffel_case::file::ContactDynamics;
 use riffel_keys::say;
 use serde::Deserialize;
 
-use crate::Fault;
+use crate::page::Fault;
 
 /// Largest case, as text, in bytes.
 pub const LARGEST_CASE: usize = 64 * 1024;

@@ -1,12 +1,12 @@
 //! `POST /api/damage`: what rolling contact makes of the rail beside wear, over a wave and under the traffic of the line.
 
-use riffel_answers::Answer as _;
-use riffel_answers::rail_damage::RailDamage;
+use crate::Answer as _;
+use crate::rail_damage::RailDamage;
 use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
-use crate::traffic::OnLine;
-use crate::{Fault, Reply};
+use crate::page::traffic::OnLine;
+use crate::page::{Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -24,7 +24,7 @@ struct Answer<'a> {
     notes: &'a [Message],
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("damage".to_owned())
     }

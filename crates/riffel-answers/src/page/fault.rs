@@ -204,10 +204,10 @@ impl From<riffel_plot::PlotError> for Fault {
     }
 }
 
-impl From<riffel_answers::AnswerError> for Fault {
-    fn from(error: riffel_answers::AnswerError) -> Self {
+impl From<crate::AnswerError> for Fault {
+    fn from(error: crate::AnswerError) -> Self {
         match error {
-            riffel_answers::AnswerError::Case(error) => error.into(),
+            crate::AnswerError::Case(error) => error.into(),
             error => Self::bad(error.message()),
         }
     }

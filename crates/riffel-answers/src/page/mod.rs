@@ -4,12 +4,12 @@
 //! writes holds the same code as WebAssembly. [`QUESTIONS`] is all that both can ask.
 //!
 //! ```
-//! use riffel_page::read;
+//! use riffel_answers::page::read;
 //!
 //! let question = read("/api/figure", br#"{ "number": 2, "contact": "quasi-static" }"#).unwrap()?;
 //! let answer = question.answer()?;
 //! assert!(answer.bytes.starts_with(b"{\"title\""));
-//! # Ok::<(), riffel_page::Fault>(())
+//! # Ok::<(), riffel_answers::page::Fault>(())
 //! ```
 
 mod case;

@@ -1,12 +1,12 @@
 //! `POST /api/passage`: a wheel over a sinusoid in time, and what the linear loop says of the same wave.
 
+use crate::AnswerError;
+use crate::simulate::{Course, SinusoidAnswer, SinusoidRequest};
 use riffel::passage::Sinusoid;
-use riffel_answers::AnswerError;
-use riffel_answers::simulate::{Course, SinusoidAnswer, SinusoidRequest};
 use riffel_keys::{CaseError, Message, say};
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Reply};
+use crate::page::{CaseText, Fault, Reply};
 
 /// Amplitudes of the wave \[m\].
 const AMPLITUDES: [f64; 2] = [1e-8, 2e-3];
@@ -36,7 +36,7 @@ struct Linear {
     dissipation_j_per_m: Vec<f64>,
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("passage".to_owned())
     }

@@ -3,7 +3,7 @@
 use riffel_keys::message::as_data;
 use serde::Serialize;
 
-use crate::fault::Fault;
+use crate::page::fault::Fault;
 
 /// An answer.
 #[derive(Clone)]

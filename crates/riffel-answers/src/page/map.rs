@@ -1,16 +1,16 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
+use crate::map::DerivedDocument;
+use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, GrowthMap, Loop, Ridge};
-use riffel_answers::map::DerivedDocument;
-use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
 use riffel_case::traffic::{FASTEST_DOUBLING_DAYS, UsualTraffic};
 use riffel_keys::Message;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Reply};
+use crate::page::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -221,7 +221,7 @@ fn idle(case: &Case) -> Vec<&'static str> {
     idle.filter(|key| case.idle_because(key).is_some() && !of_a_place(key)).collect()
 }
 
-impl crate::Question for Question {
+impl crate::page::Question for Question {
     fn subject(&self) -> Option<String> {
         Some("map".to_owned())
     }
