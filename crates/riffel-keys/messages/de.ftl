@@ -2,9 +2,6 @@
 # pad), Riffel (corrugation), Überrollung (passage of a wheel), Wachstumsgrat (growth ridge), Radsatz (wheelset).
 
 verbatim = { $words }
-in-both-languages = { $english ->
-       *[other] { $german }
-    }
 
 ## Windows, values and presets
 

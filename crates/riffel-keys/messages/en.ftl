@@ -1,9 +1,6 @@
 # What Riffel says. One message an entry: its English, and in .short the same in one line for a terminal.
 
 verbatim = { $words }
-in-both-languages = { $german ->
-       *[other] { $english }
-    }
 
 ## Windows, values and presets
 

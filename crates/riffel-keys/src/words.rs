@@ -54,8 +54,7 @@ impl Words {
 
 impl From<&Words> for Message {
     fn from(words: &Words) -> Self {
-        let [english, german] = [Language::English, Language::German].map(|language| words.text(language));
-        say!(in_both_languages, english = english, german = german)
+        say!(verbatim, words = words.clone())
     }
 }
 

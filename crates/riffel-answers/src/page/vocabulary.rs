@@ -7,7 +7,7 @@ use riffel_case::{
     FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, NOMINAL_CASE, TRAM_CASE, descriptions, json_schema, presets,
 };
 use riffel_keys::message::as_data;
-use riffel_keys::{Words, say};
+use riffel_keys::{Message, Words};
 use serde_json::{Value, json};
 
 /// Lines to begin with, each on a supported track.
@@ -23,7 +23,7 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
 }
 
 fn written(case: &toml::Table) -> String {
-    let said = |words: &Words| say!(verbatim, words = words.clone());
+    let said = |words: &Words| Message::from(words);
     let presets: Vec<Value> = presets()
         .iter()
         .map(|preset| {
