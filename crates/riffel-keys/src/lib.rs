@@ -38,7 +38,6 @@ pub mod table;
 pub mod text_file;
 mod unit;
 pub mod universal_file;
-mod words;
 
 pub use binary_format::BinaryFormat;
 pub use error::CaseError;
@@ -46,9 +45,8 @@ pub use excerpt::clipped;
 pub use key_file::{KeyFile, overridden_key};
 pub use language::Language;
 pub use message::{
-    Message, Value, decimal, fixed, number, range, shown_speed, shown_speeds, significant, significant_digits,
+    Message, Value, Words, decimal, fixed, number, range, shown_speed, shown_speeds, significant, significant_digits,
 };
 pub use physics_in_words::physics_in_words;
 pub use range::{PhysicalRange, RANGES, bound};
 pub use unit::{Exponents, Unit};
-pub use words::Words;

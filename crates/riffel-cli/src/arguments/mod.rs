@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     #[arg(short, long, global = true)]
     verbose: bool,
 
-    /// Language of reports, findings, notes and errors of a case, en or de; help, data, JSON and most heads are English.
+    /// Language of reports, findings, notes and errors of a case, en, de or fr; help, data, JSON and most heads are English.
     #[arg(long, global = true, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true,
           value_parser = languages())]
     language: Language,

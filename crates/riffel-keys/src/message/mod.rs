@@ -16,6 +16,7 @@ mod piece;
 mod value;
 pub mod wording;
 mod wordings;
+mod words;
 
 use std::fmt;
 
@@ -24,12 +25,12 @@ use serde::ser::{Serialize, Serializer};
 use crate::Language;
 
 pub use data::as_data;
-pub(crate) use piece::wording_of;
 pub use piece::{Piece, capital};
 pub use value::{
     Value, decimal, fixed, number, quantity, range, shown_speed, shown_speeds, significant, significant_digits,
 };
 pub use wordings::wordings;
+pub use words::Words;
 
 /// A message of the Fluent files with the values that it names.
 #[derive(Debug, Clone, PartialEq)]

@@ -80,7 +80,7 @@ fn bundle(language: Language) -> &'static Bundle {
 }
 
 /// The wording of an id without values; `None` where the language has none of its own.
-pub(crate) fn wording_of(id: &str, language: Language) -> Option<Cow<'static, str>> {
+pub(super) fn wording_of(id: &str, language: Language) -> Option<Cow<'static, str>> {
     let bundle = bundle(language);
     let pattern = bundle.get_message(id)?.value()?;
     Some(bundle.format_pattern(pattern, None, &mut Vec::new()))

@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use crate::message::wording_of;
-use crate::{Language, Message, say};
+use super::Message;
+use super::piece::wording_of;
+use crate::{Language, say};
 
 /// Words whose English stands in the physics, in a file of data or at a type, and whose other languages stand in the Fluent files.
 #[derive(Debug, Clone, PartialEq)]
