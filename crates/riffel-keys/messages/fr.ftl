@@ -25,6 +25,8 @@ ordinal = { $order ->
 
 ## Carte de croissance
 
+map-window = carte
+traffic-window = trafic
 growth-map = Carte de croissance
 growth-rate-per-passage-column = taux par passage
 passages-to-double-column = passages pour doubler
@@ -59,6 +61,8 @@ oscillates-under = la boucle oscille d’elle-même près de { $frequency } Hz s
 no-growth-in-draws = dans { $share } % des tirages rien ne croît
 no-crest = aucune crête dans cette fenêtre : la croissance monte vers { $ends } mm
 one-branch = la crête est une seule branche, qui croît à { $words }
+strongest-branch = la branche la plus forte croît à { $words } ; { $noun } : { $named }
+candidate-leads = { $first } vient en tête avec une part de { $share }, puis { $second } avec { $other }.
 branch-with-share = { $words } avec { $share } de sa croissance
 branches-over-the-bay = en moyenne sur la travée, { $branches }
 more-branches = { $count } de plus
@@ -75,10 +79,10 @@ observations-outside = { $all }, dont { $outside } hors de la carte
 
 wheel-and-rail-part = une amplitude de { $amplitude } µm porte |P₁/P₀| à { $worst } : la roue quitte le rail ; les forces sont linéaires jusqu’à { $limit } µm (les taux valent pour de petites amplitudes et ne changent pas)
     .short = { $amplitude } µm : la roue quitte le rail (|P₁/P₀| = { $worst }) ; forces linéaires jusqu’à { $limit } µm
-rail-without-support = le rail n’a pas d’appui : sous quelque { $free_beam_from_hz } Hz (plus basse fréquence de la { $window } : { $lowest } Hz) semelles, traverses et ballast changent sa réceptance
-    .short = le rail n’a pas d’appui : faux sous quelque { $free_beam_from_hz } Hz ({ $window } dès { $lowest } Hz)
-rail-without-shear = le rail fléchit sans cisaillement : sa réceptance est à quelque 9° près à { $euler_beam_up_to_hz } Hz, à 24° et 14 % à 1500 Hz (plus haute fréquence de la { $window } : { $highest } Hz)
-    .short = le rail fléchit sans cisaillement : 24° et 14 % d’écart à 1500 Hz ({ $window } jusqu’à { $highest } Hz)
+rail-without-support = le rail n’a pas d’appui : sous quelque { $free_beam_from_hz } Hz ({ $window } : dès { $lowest } Hz) semelles, traverses et ballast changent sa réceptance
+    .short = le rail n’a pas d’appui : faux sous quelque { $free_beam_from_hz } Hz ({ $window } : dès { $lowest } Hz)
+rail-without-shear = le rail fléchit sans cisaillement : sa réceptance est à quelque 9° près à { $euler_beam_up_to_hz } Hz, à 24° et 14 % à 1500 Hz ({ $window } : jusqu’à { $highest } Hz)
+    .short = le rail fléchit sans cisaillement : 24° et 14 % d’écart à 1500 Hz ({ $window } : jusqu’à { $highest } Hz)
 
 ## Causes
 
@@ -184,7 +188,8 @@ web-motion = Mouvement
 web-paper = Article
 web-take-away = Emporter
 web-language = Langue
-web-growth-map = Carte de croissance
+web-map-window = carte
+growth-map = Carte de croissance
 web-why-there = Pourquoi là
 web-what-helps = Ce qui aide
 web-show-why = Pourquoi là

@@ -18,7 +18,7 @@ import { Fault, Line, askOnce, fetched, json, send } from './server.js';
 import { currentLanguage, fileSize, number, power, range, t, translate } from './words.js';
 
 /** The name of a file before a sentence that does not begin with it. */
-const named = ({ message }, name) => (message?.startsWith(name) ? '' : `${name}: `);
+const named = ({ message }, name) => (inWords(message).startsWith(name) ? '' : `${name}: `);
 
 /** Where a reload finds the name of the record that the program keeps for this page. */
 const RECORD = 'riffel-record';

@@ -148,7 +148,7 @@ export function startMotion({ state, listen, banner, inLabels, save }) {
     if (!state.accepted.wheelset) return shown(null, null);
     modes.line.ask({ case: { keys: state.accepted } }, (answer) => {
       // The first that is no motion of the rigid body says most.
-      if (!modes.answer) modes.chosen = Math.max(0, answer.modes.findIndex(({ name }) => !name.startsWith('rigid body')));
+      if (!modes.answer) modes.chosen = Math.max(0, answer.modes.findIndex(({ name }) => !name.id?.startsWith('rigid-body')));
       shown(answer, null);
     }, (fault) => {
       modes.asked = '';

@@ -52,6 +52,24 @@ class Served:
         return self.process.wait(timeout=PATIENCE)
 
 
+# Messages of an answer in English, as the page says them.
+ENGLISH = """async (answer) => {
+  const { pieces } = await import(document.querySelector('script[type=module]').src.replace('main.js', 'wording.js'));
+  const is = (value) => 'capital' in value || ('id' in value && ('values' in value || 'english' in value));
+  const said = (value) => pieces(value, 'en').map((piece) => piece.text ?? piece).join('');
+  const told = (value) => Array.isArray(value) ? value.map(told)
+    : Object(value) !== value ? value
+    : is(value) ? said(value)
+    : Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, told(inner)]));
+  return told(answer);
+}"""
+
+
+def in_english(page, answer):
+    """An answer to the page as `--json` has it."""
+    return page.page.evaluate(ENGLISH, answer)
+
+
 @pytest.fixture(scope="session")
 def served(tmp_path_factory):
     served = Served(tmp_path_factory.mktemp("served"))

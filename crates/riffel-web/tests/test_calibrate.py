@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 
-from conftest import PROGRAM, ROOT
+from conftest import PROGRAM, ROOT, in_english
 from test_german import told_in_english
 from test_work import hold
 
@@ -59,7 +59,7 @@ def test_the_example_is_calibrated_and_decided_as_the_program_does_it(page, tmp_
     page.page.click("#calibrate")
     page.page.locator("#marginals figure").first.wait_for()
     page.settle()
-    [calibration] = calibrations
+    calibration = in_english(page, calibrations[0])
     assert calibration["is_conclusive"], calibration["doubts"]
     saved(page, "#save-plan", 3, tmp_path)
     (tmp_path / "roughness.csv").write_bytes((SETS / "b-three-dates/roughness.csv").read_bytes())
@@ -73,7 +73,7 @@ def test_the_example_is_calibrated_and_decided_as_the_program_does_it(page, tmp_
 
     page.page.click("#rank")
     page.page.locator("#ranking tbody tr").first.wait_for()
-    [decision] = decisions
+    decision = in_english(page, decisions[0])
     ranked = page.page.locator("#ranking tbody th").all_inner_texts()
     titles = ["leave all as it is", *[action["title"] for action in decision["actions"][1:]]]
     order = sorted(range(len(titles)), key=lambda place: decision["actions"][place]["rank"])
@@ -86,7 +86,7 @@ def test_the_example_is_calibrated_and_decided_as_the_program_does_it(page, tmp_
     page.page.click("#tab-explore")
     page.until(lambda: len(decisions) == 2 and "by the calibration" in page.text("#remedies thead"))
     page.settle()
-    likely = {action["title"]: action for action in decisions[1]["actions"]}
+    likely = {action["title"]: action for action in in_english(page, decisions[1])["actions"]}
     longest = [action["months_to_limit"]["quantiles"][2] or float("inf") for action in decisions[1]["actions"]]
     best = max(likely, key=lambda title: likely[title]["probability_cheapest"])
     # Where only grinding costs, what is most often the cheapest has the longest interval in the median.

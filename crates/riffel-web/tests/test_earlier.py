@@ -8,7 +8,7 @@ import re
 import subprocess
 
 import pytest
-from conftest import PROGRAM
+from conftest import PROGRAM, in_english
 from test_german import english, panels
 from test_noise import GROWING
 
@@ -105,7 +105,7 @@ def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page,
     diagnosis = program("diagnose", "--roughness", "now.csv", "--dates", ",".join(DATES))
     forecast = program("forecast", "--spectrum", "now.csv", "--months", "12", "--dates", ",".join(DATES))
     page.until(lambda: page.page.locator(".course").count() > 0)
-    for own, there in [(given["diagnosis"], diagnosis), (given["forecast"], forecast)]:
+    for own, there in [(in_english(page, given["diagnosis"]), diagnosis), (in_english(page, given["forecast"]), forecast)]:
         # Speeds come over the page in m/s, which costs a bit or two of the last digits.
         numbers(own, there)
     [first, *_] = diagnosis["dominant_wavelengths"]

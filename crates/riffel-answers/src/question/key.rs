@@ -149,11 +149,15 @@ impl Key {
         }
         let list = match (value, self.separator) {
             (Value::Array(list), _) => list,
-            (Value::String(text), Some(separator)) => text.split(separator).map(Value::from).collect(),
-            (one, _) => return Ok(json!([self.read_one(&self.name, one)?])),
+            (one, Some(_)) => vec![one],
+            (one, None) => return Ok(json!([self.read_one(&self.name, one)?])),
         };
-        let list = list.into_iter().enumerate();
-        list.map(|(place, one)| self.read_one(&format!("{}.{place}", self.name), one)).collect()
+        let parts = list.iter().flat_map(|one| match (one.as_str(), self.separator) {
+            (Some(text), Some(separator)) => text.split(separator).map(Value::from).collect(),
+            _ => vec![one.clone()],
+        });
+        let parts = parts.enumerate();
+        parts.map(|(place, one)| self.read_one(&format!("{}.{place}", self.name), one)).collect()
     }
 
     fn read_one(&self, place: &str, value: Value) -> Result<Value, String> {
@@ -252,6 +256,11 @@ pub(super) fn question<Q: Question>(keys: &[Key], given: Map<String, Value>) -> 
     })
 }
 
+/// Whether a value gives a key: a flag that is off and a list without items do not.
+fn says_something(value: &Value) -> bool {
+    *value != false && value.as_array().is_none_or(|list| !list.is_empty())
+}
+
 /// The fields of a question: what is given, in the types of its fields, with the defaults of the rest.
 fn fields(
     question: &str,
@@ -265,7 +274,7 @@ fn fields(
     }
     let mut given: Map<String, Value> = given.into_iter().filter(|(_, value)| !value.is_null()).collect();
     for rule in rules {
-        rule.check(keys, &|name| given.contains_key(name))?;
+        rule.check(keys, &|name| given.get(name).is_some_and(says_something))?;
     }
     let mut fields = Map::new();
     for key in keys {

@@ -67,4 +67,19 @@ fn a_list_is_one_in_either_way() {
     let list = answer(json!([0.2, "0.3"]));
     assert_eq!(list["friction"], json!([0.2, 0.3]));
     assert_eq!(answer(json!("0.2,30 %")), list);
+    assert_eq!(answer(json!(["0.2,30 %"])), list);
+}
+
+/// A flag that is off and a list without items are as if they were left out.
+#[test]
+fn what_says_nothing_is_not_given() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/nominal.toml");
+    for nothing in [json!({}), json!({ "with": [] }), json!({ "models": false }), json!({ "remedies": false })] {
+        let mut keys = nothing.clone();
+        keys["case"] = case.into();
+        let told = refusal("compare", &keys);
+        assert!(told.contains("--with") && told.contains("missing"), "{nothing}: {told}");
+    }
+    let told = refusal("roughness", &json!({ "file": "none.csv", "synthesise": false, "force": false }));
+    assert!(told.contains("none.csv"), "{told}");
 }
