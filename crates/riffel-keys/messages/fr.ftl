@@ -42,6 +42,13 @@ grows-fastest-under = { $range } croissent le plus vite sous { $traffic } ; { $w
 grows-fastest-under-within = { $range } croissent le plus vite sous { $traffic } ; { $wavelength } mm dominent et doublent en { $time } (80 % : le coefficient d’usure est incertain)
 grows-fastest-without-rate = { $range } croissent le plus vite sous { $traffic } ; { $wavelength } mm dominent, plus vite que sur toute voie connue : longueurs d’onde et ordre tiennent, le taux non
 grows-fastest-by-damage = { $range } croissent le plus vite sous { $traffic } ; { $wavelength } mm dominent et doublent en { $time } si les profondeurs de { KEY("damage") } sont telles qu’écrites, ce qu’aucune mesure n’a montré
+helps-most = ce qui aide le plus : { $title } ; la croissance baisse de { $percent } % et double en { $time }
+helps-most-of-all = ce qui aide le plus : { $title } ; alors rien ne croît
+helps-most-in-order = ce qui aide le plus : { $title } ; la croissance baisse de { $percent } %
+on-straight-track = en alignement
+in-this-curve = dans cette courbe
+in-this-curve-of = dans cette courbe de { $radius } m
+wear-unlike-rails = { $place }, le rail perdrait { $depth } mm par 100 MGT, où les rails perdent { $low } à { $high } : longueurs d’onde et ordre tiennent, mais taux et durées sont faux d’autant ; ce que le rail a perdu, { KEY("wear.measured") } = "1 mm / 100 MGT", les corrige
 faster-than-known = plus vite que sur toute voie connue
 nothing-grows = rien ne croît dans cette fenêtre
 traffic-given = le trafic donné
