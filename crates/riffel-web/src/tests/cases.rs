@@ -3,7 +3,7 @@
 use axum::http::{StatusCode, header};
 use serde_json::{Value, json};
 
-use super::{ask, nominal};
+use super::{ask, english, nominal};
 
 #[tokio::test]
 async fn a_map_is_that_of_the_program() {
@@ -91,11 +91,11 @@ async fn variants_are_compared_in_the_window_of_the_case() {
     let (head, values) = ask("/api/compare", &question).await.framed();
     assert_eq!(values.len(), 2 * 241 * 221);
     let why = &head["variants"][0]["under_traffic"]["fault"]["message"];
-    assert!(why.as_str().unwrap().contains("curve"), "{why}");
+    assert!(english(why).contains("curve"), "{why}");
     let refused = nominal(&[("friction = 0.4", "friction = -1")])["case"].clone();
     let wrong = json!({ "variants": [{ "name": "dry", "case": refused }], "case": case });
     let fault = ask("/api/compare", &wrong).await.json();
-    let message = fault["message"].as_str().unwrap();
+    let message = english(&fault["message"]);
     assert!(message.starts_with("dry: "), "{message}");
     assert_eq!(fault.get("key"), None, "the form does not show it");
     let many = json!({ "variants": vec![json!({ "name": "A", "case": case }); 8], "case": case });

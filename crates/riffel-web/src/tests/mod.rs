@@ -5,6 +5,8 @@ mod refusals;
 
 use axum::body::{Body, to_bytes};
 use axum::http::{HeaderMap, Request, StatusCode, header};
+use riffel_keys::Language;
+use riffel_keys::message::wordings;
 use serde_json::{Value, json};
 use tower::ServiceExt;
 
@@ -47,7 +49,7 @@ impl Answer {
     }
 
     fn message(&self) -> String {
-        self.json()["message"].as_str().unwrap().to_owned()
+        english(&self.json()["message"])
     }
 
     /// Head and values of a framed answer.
@@ -56,6 +58,34 @@ impl Answer {
         let head = serde_json::from_slice(&self.bytes[4..4 + length]).unwrap();
         let values = self.bytes[4 + length..].as_chunks::<4>().0;
         (head, values.iter().map(|&v| f32::from_le_bytes(v)).collect())
+    }
+}
+
+/// A message in English, as the page makes it of its data.
+fn english(said: &Value) -> String {
+    let Value::Object(data) = said else {
+        return said.as_str().map_or_else(|| said.to_string(), str::to_owned);
+    };
+    if let Some(shown) = ["number", "text", "key"].iter().find_map(|kind| data.get(*kind)) {
+        return english(shown);
+    }
+    match wordings(Language::English).get(data["id"].as_str().unwrap()) {
+        Some(wording) => filled(wording, &data["values"]),
+        None => english(&data["english"]),
+    }
+}
+
+fn filled(wording: &Value, values: &Value) -> String {
+    let named = |part: &Value, kind: &str| part.get(kind).and_then(Value::as_str).map(str::to_owned);
+    let part = |part: &Value| match (named(part, "value"), named(part, "choice")) {
+        (Some(value), _) => english(&values[value]),
+        (_, Some(value)) if values[value.as_str()] == 1 => filled(&part["among"]["one"], values),
+        (_, Some(_)) => filled(&part["among"]["other"], values),
+        (None, None) => english(part),
+    };
+    match wording {
+        Value::Array(parts) => parts.iter().map(part).collect(),
+        text => english(text),
     }
 }
 
