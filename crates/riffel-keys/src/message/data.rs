@@ -87,6 +87,9 @@ mod tests {
         assert_eq!(as_data(|| json!(title)), json!("Metro\\u{7}"));
         let name = as_data(|| json!(say!(quoted, words = named("wheel load"))));
         assert_eq!(name["values"]["words"], json!({ "id": "Quantity-wheel-load", "english": "wheel load" }));
+        let traffic = say!(traffic_at_speeds, traffic = "trains", speeds = crate::shown_speeds([10.0, 25.0]));
+        let speeds = as_data(|| json!(traffic))["values"]["speeds"].clone();
+        assert_eq!(speeds, json!({ "text": "36–90 km/h", "speeds_m_per_s": [10.0, 25.0] }));
         let shortest = as_data(|| json!(say!(no_average_over_patch, shortest = number(4.5))));
         assert_eq!(shortest["values"]["shortest"], json!({ "number": "4.5" }));
     }

@@ -12,7 +12,7 @@
 //! ```
 
 mod data;
-mod piece;
+mod text;
 mod value;
 pub mod wording;
 mod wordings;
@@ -25,7 +25,6 @@ use serde::ser::{Serialize, Serializer};
 use crate::Language;
 
 pub use data::as_data;
-pub use piece::{Piece, capital};
 pub use value::{
     Value, decimal, fixed, number, quantity, range, shown_speed, shown_speeds, significant, significant_digits,
 };
@@ -103,17 +102,20 @@ impl Message {
 
     /// In words.
     pub fn text(&self, language: Language) -> String {
-        piece::join(&self.pieces(language))
+        text::text(self, language, None)
     }
 
     /// In words, in one line of a terminal where the language has a shorter wording for that.
     pub fn short(&self, language: Language) -> String {
-        piece::join(&piece::pieces(self, language, Some("short")))
+        text::text(self, language, Some("short"))
     }
 
     /// In words, the first letter a capital.
     pub fn capitalised(&self, language: Language) -> String {
-        capital(&self.text(language))
+        let text = self.text(language);
+        let mut letters = text.chars();
+        let first = letters.next().map(char::to_uppercase);
+        first.into_iter().flatten().chain(letters).collect()
     }
 
     /// Whether it says nothing.
@@ -138,11 +140,6 @@ impl Message {
             "text": self.text(language),
             "values": values.collect::<serde_json::Map<_, _>>(),
         })
-    }
-
-    /// The words with its keys and quantities between them, for who shows those in another way.
-    pub fn pieces(&self, language: Language) -> Vec<Piece> {
-        piece::pieces(self, language, None)
     }
 }
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 use super::Message;
-use super::piece::wording_of;
+use super::text::wording_of;
 use crate::{Language, say};
 
 /// Words whose English stands in the physics, in a file of data or at a type, and whose other languages stand in the Fluent files.
