@@ -7,13 +7,13 @@ use jiff::civil::Date;
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::say;
-use riffel_rail::{Survey, read_date};
+use riffel_rail::Survey;
 use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, de};
+use serde::{Deserialize, Deserializer};
 
 use super::measured_spectra::{Dated, MeasuredSpectra};
 use super::{ForecastAnswer, ForecastHorizon, ForecastRequest, PosteriorForecast, TrackForecast, WearReport};
-use crate::question::{Asker, CaseSource, GroundSource, Question, Rule, Source, finished_of};
+use crate::question::{Asker, CaseSource, GroundSource, Question, Rule, Source, date_of, finished_of};
 use crate::{Answer, AnswerError, level_limit};
 
 /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
@@ -54,9 +54,7 @@ pub struct ForecastQuestion {
 }
 
 fn date<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Date>, D::Error> {
-    let text = Option::<String>::deserialize(deserializer)?;
-    let date = text.map(|text| read_date(&text).map_err(|said| de::Error::custom(said.to_string())));
-    date.transpose()
+    Option::<String>::deserialize(deserializer)?.map(|text| date_of(&text)).transpose()
 }
 
 impl ForecastQuestion {

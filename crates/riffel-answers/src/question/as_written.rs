@@ -13,6 +13,14 @@ use serde_json::Value;
 use super::Asker;
 use crate::AnswerError;
 
+/// A text or a number as it was written.
+pub(super) fn written(value: Value) -> String {
+    match value {
+        Value::String(text) => text,
+        other => other.to_string(),
+    }
+}
+
 /// A quantity as it was written, which its number in SI does not tell: 108, or 108 km/h.
 #[derive(Debug)]
 pub struct AsWritten<D> {
@@ -78,11 +86,7 @@ impl<D: Dimension> From<Quantity<D>> for AsWritten<D> {
 
 impl<'de, D: Dimension> Deserialize<'de> for AsWritten<D> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
-        let text = match Value::deserialize(deserializer)? {
-            Value::String(text) => text,
-            other => other.to_string(),
-        };
-        text.parse().map_err(serde::de::Error::custom)
+        written(Value::deserialize(deserializer)?).parse().map_err(serde::de::Error::custom)
     }
 }
 

@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
+use super::as_written::written;
 use super::{Asker, RecordLayout};
 use crate::AnswerError;
 
@@ -27,8 +28,7 @@ pub struct GroundSource {
 }
 
 fn as_written<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<String>, D::Error> {
-    let value = Option::<Value>::deserialize(deserializer)?;
-    Ok(value.map(|value| value.as_str().map_or_else(|| value.to_string(), str::to_owned)))
+    Ok(Option::<Value>::deserialize(deserializer)?.map(written))
 }
 
 impl GroundSource {

@@ -31,7 +31,7 @@ pub use ground_source::GroundSource;
 pub use key::{Key, Kind};
 pub(crate) use money::Money;
 pub use posterior_source::{PosteriorSource, finished_of, over};
-pub(crate) use rail_records::choose_nothing;
+pub(crate) use rail_records::{choose_nothing, date_of};
 pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
 pub use rule::Rule;
 pub use source::Source;

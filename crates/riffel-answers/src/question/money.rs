@@ -6,6 +6,9 @@ use std::str::FromStr;
 use riffel_keys::money;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, de};
+use serde_json::Value;
+
+use super::as_written::written;
 
 /// A sum without a currency, which no separator of thousands makes another.
 #[derive(Debug, Clone, Copy)]
@@ -25,11 +28,7 @@ impl FromStr for Money {
 
 impl<'de> Deserialize<'de> for Money {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = match serde_json::Value::deserialize(deserializer)? {
-            serde_json::Value::String(text) => text,
-            other => other.to_string(),
-        };
-        text.parse().map_err(de::Error::custom)
+        written(Value::deserialize(deserializer)?).parse().map_err(de::Error::custom)
     }
 }
 

@@ -151,9 +151,12 @@ pub struct EarlierRecords {
 }
 
 fn dates<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Date>, D::Error> {
-    let dates = Vec::<String>::deserialize(deserializer)?;
-    let dates = dates.iter().map(|date| read_date(date).map_err(|said| serde::de::Error::custom(said.to_string())));
-    dates.collect()
+    Vec::<String>::deserialize(deserializer)?.iter().map(|text| date_of(text)).collect()
+}
+
+/// A date as it is written in a question.
+pub(crate) fn date_of<E: serde::de::Error>(text: &str) -> Result<Date, E> {
+    read_date(text).map_err(|said| E::custom(said.to_string()))
 }
 
 impl EarlierRecords {
