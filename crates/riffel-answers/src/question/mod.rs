@@ -17,9 +17,12 @@ mod rule;
 mod source;
 mod threads;
 
+use std::any::TypeId;
+use std::collections::BTreeMap;
 use std::marker::PhantomData;
+use std::sync::{Mutex, PoisonError};
 
-use schemars::{JsonSchema, Schema, schema_for};
+use schemars::{JsonSchema, schema_for};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
@@ -31,8 +34,8 @@ pub use ground_source::GroundSource;
 pub use key::{Key, Kind};
 pub(crate) use money::Money;
 pub use posterior_source::{PosteriorSource, finished_of, over};
-pub(crate) use rail_records::{choose_nothing, date_of};
 pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
+pub(crate) use rail_records::{choose_nothing, date_of};
 pub use rule::Rule;
 pub use source::Source;
 pub use threads::on_threads;
@@ -40,7 +43,7 @@ pub use threads::on_threads;
 use crate::{Answer, AnswerError, QUESTIONS};
 
 /// A question of its own type; its docs say what it asks.
-pub trait Question: DeserializeOwned + JsonSchema {
+pub trait Question: DeserializeOwned + JsonSchema + 'static {
     /// Name of the question, and of the command of the program.
     const NAME: &'static str;
     /// Command lines to try, below the help.
@@ -69,9 +72,9 @@ pub trait AnyQuestion: Sync {
     /// Where the program writes the files of the answer.
     fn files(&self) -> Files;
     /// What it asks, in one line.
-    fn about(&self) -> String;
+    fn about(&self) -> &'static str;
     /// Its keys, in the order of its fields.
-    fn keys(&self) -> Vec<Key>;
+    fn keys(&self) -> &'static [Key];
     /// The JSON schema of its keys.
     fn schema(&self) -> Value;
     /// The answer to the question that has these keys.
@@ -92,7 +95,7 @@ pub fn named(name: &str) -> Option<&'static dyn AnyQuestion> {
 /// [`AnswerError::Question`] for a key that is unknown, missing or of the wrong kind.
 pub fn of_keys<Q: Question>(keys: Value) -> Result<Q, AnswerError> {
     match keys {
-        Value::Object(keys) => key::question(&Key::all(&schema_for!(Q)), keys),
+        Value::Object(keys) => key::question(&described::<Q>().keys, keys),
         other => {
             let message = format!("the question is {other}, but must be an object");
             Err(AnswerError::Question { question: Q::NAME, message })
@@ -109,10 +112,21 @@ pub const fn of<Q: Question>() -> Of<Q> {
     Of(PhantomData)
 }
 
-impl<Q: Question> Of<Q> {
-    fn generated() -> Schema {
-        schema_for!(Q)
-    }
+/// What the schema of a question says of it.
+struct Described {
+    about: String,
+    keys: Vec<Key>,
+}
+
+/// What the schema of a question says, which is generated once: a command line is made of all questions, and read by one.
+fn described<Q: Question>() -> &'static Described {
+    static DESCRIBED: Mutex<BTreeMap<TypeId, &'static Described>> = Mutex::new(BTreeMap::new());
+    let mut known = DESCRIBED.lock().unwrap_or_else(PoisonError::into_inner);
+    known.entry(TypeId::of::<Q>()).or_insert_with(|| {
+        let schema = schema_for!(Q);
+        let about = key::description(schema.get("description"));
+        Box::leak(Box::new(Described { about, keys: Key::all(&schema) }))
+    })
 }
 
 impl<Q: Question> AnyQuestion for Of<Q> {
@@ -132,12 +146,12 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         Q::FILES
     }
 
-    fn about(&self) -> String {
-        key::description(Self::generated().get("description"))
+    fn about(&self) -> &'static str {
+        &described::<Q>().about
     }
 
-    fn keys(&self) -> Vec<Key> {
-        Key::all(&Self::generated())
+    fn keys(&self) -> &'static [Key] {
+        &described::<Q>().keys
     }
 
     fn schema(&self) -> Value {
@@ -160,7 +174,7 @@ impl<Q: Question> AnyQuestion for Of<Q> {
     }
 
     fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
-        let question = key::question::<Q>(&self.keys(), keys)?;
+        let question = key::question::<Q>(self.keys(), keys)?;
         question.ask(asker)
     }
 }

@@ -166,7 +166,7 @@ pub(crate) fn command(question: &'static dyn AnyQuestion) -> Command {
         Rule::JustOneOf(names) => command.group(ArgGroup::new("just-one").args(*names).required(true)),
         _ => command,
     });
-    command.args(results(question, &keys)).about(question.about())
+    command.args(results(question, keys)).about(question.about())
 }
 
 /// The option of a key.
