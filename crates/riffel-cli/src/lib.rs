@@ -14,11 +14,12 @@ mod terminal;
 
 use std::ffi::OsString;
 
-use arguments::{Arguments, Ask, AskedQuestion, Command, Commands, question_of};
+use arguments::{Arguments, Ask, AskedQuestion, Command, Commands};
 use clap::Parser;
 use error::CliError;
 use messages::{Reader, Verbosity, complain_of, complain_of_usage};
 use miette::Report;
+use riffel_answers::question;
 use riffel_keys::Language;
 use riffel_keys::text_file::is_standard_input;
 
@@ -69,11 +70,12 @@ fn answer(ask: &Ask, arguments: &Arguments, program: &[OsString]) -> u8 {
     }
     let reader = Reader::Program { messages: ask.messages };
     messages::begin(arguments.verbosity(), arguments.language(), reader);
-    let question = question_of(&ask.name).and_then(|question| {
+    let question = || {
+        let question = question::known(&ask.name.join(" "))?;
         let keys = riffel_keys::question::read().map_err(|reason| CliError::ReadQuestion { reason })?;
-        AskedQuestion::of_json(question, keys)
-    });
-    status(question.map_err(Report::from).and_then(|asked| execute(Commands::Question(asked), program)))
+        Ok(AskedQuestion::of_json(question, keys)?)
+    };
+    status(question().and_then(|asked| execute(Commands::Question(asked), program)))
 }
 
 /// End this process soon after its parent has ended, whose number it was told: nobody waits for an answer any more.

@@ -1,30 +1,67 @@
-//! A question as JSON on standard input, and the documents that stand in it where a command line names files.
+//! A question as JSON, and the documents and values that stand in it where a command line names files.
 //!
-//! A key that holds an object is read through the path `question:KEY`: as TOML where a file of keys is wanted, as CSV where a
-//! table is.
+//! What stands under a key is read through the path `question:KEY`: a document as TOML where a file of keys is wanted, as CSV where
+//! a table is.
 
+use std::any::Any;
+use std::collections::BTreeMap;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use serde_json::{Map, Value};
 
 use crate::standard_input::{LARGEST_RESPONSES, standard_input};
 
-/// What a path to a document of the question begins with.
-const HERE: &str = "question:";
+/// A value of any type.
+type Shared = Arc<dyn Any + Send + Sync>;
 
-/// The path by which the document of a key is read; keys below each other are parted by `.`, as in `variants.0`.
-pub fn path_of(key: &str) -> String {
-    format!("{HERE}{key}")
+/// What stands in the questions that are being answered, by path, for the threads of all of them.
+static STANDING: Mutex<BTreeMap<PathBuf, Shared>> = Mutex::new(BTreeMap::new());
+
+fn standing() -> MutexGuard<'static, BTreeMap<PathBuf, Shared>> {
+    STANDING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// True for the path of a document that stands in the question.
+/// What stands in one question: it can be read until this goes.
+#[derive(Debug, Default)]
+#[must_use]
+pub struct Held(Vec<PathBuf>);
+
+impl Held {
+    /// Hold a document, a [`Value`], or a value in memory under a key; returns the path by which it is read. Where another question
+    /// holds the same key, a number follows.
+    pub fn hold(&mut self, key: &str, value: Arc<impl Any + Send + Sync>) -> PathBuf {
+        let mut standing = standing();
+        let mut path = PathBuf::from(format!("question:{key}"));
+        for number in 2.. {
+            if !standing.contains_key(&path) {
+                break;
+            }
+            path = format!("question:{key}#{number}").into();
+        }
+        standing.insert(path.clone(), value);
+        self.0.push(path.clone());
+        path
+    }
+}
+
+impl Drop for Held {
+    fn drop(&mut self) {
+        let mut standing = standing();
+        self.0.iter().for_each(|path| _ = standing.remove(path));
+    }
+}
+
+/// True for the path of what stands in a question.
 pub fn holds(path: &Path) -> bool {
-    key_of(path).is_some()
+    standing().contains_key(path)
 }
 
-fn key_of(path: &Path) -> Option<&str> {
-    path.to_str()?.strip_prefix(HERE)
+/// The value in memory that stands in a question under this path, if it is of this type.
+pub fn value<T: Any + Send + Sync>(path: &Path) -> Option<Arc<T>> {
+    let shared = standing().get(path)?.clone();
+    shared.downcast().ok()
 }
 
 /// The question on standard input.
@@ -46,26 +83,15 @@ pub fn read() -> io::Result<Map<String, Value>> {
 
 /// The document of a path as TOML; `None` for the path of a file.
 pub(crate) fn as_toml(path: &Path) -> Option<io::Result<Vec<u8>>> {
-    let document = document(path)?;
-    Some(document.and_then(|mut keys| {
-        leave_out_null(&mut keys);
-        let text = toml::to_string(&keys).map_err(|error| wrong(error.to_string()))?;
-        Ok(text.into_bytes())
-    }))
+    let mut keys = Value::clone(&*value(path)?);
+    leave_out_null(&mut keys);
+    let text = toml::to_string(&keys).map_err(|error| wrong(error.to_string()));
+    Some(text.map(String::into_bytes))
 }
 
 /// The document of a path as CSV, its keys the names of the columns; `None` for the path of a file.
 pub fn as_csv(path: &Path) -> Option<io::Result<Vec<u8>>> {
-    Some(document(path)?.and_then(|table| columns(&table)))
-}
-
-fn document(path: &Path) -> Option<io::Result<Value>> {
-    let pointer = format!("/{}", key_of(path)?.replace('.', "/"));
-    let missing = || io::Error::new(io::ErrorKind::NotFound, "the question has no such key");
-    Some(read().and_then(|question| {
-        let question = Value::Object(question);
-        question.pointer(&pointer).cloned().ok_or_else(missing)
-    }))
+    Some(columns(&*value(path)?))
 }
 
 fn leave_out_null(value: &mut Value) {
@@ -119,6 +145,17 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+
+    #[test]
+    fn what_two_questions_hold_is_read_apart_until_they_go() {
+        let (mut one, mut other) = (Held::default(), Held::default());
+        let paths = [one.hold("held", Arc::new(json!({ "a": 1 }))), other.hold("held", Arc::new(2.5_f64))];
+        assert_eq!(paths.each_ref().map(|path| path.to_str().unwrap()), ["question:held", "question:held#2"]);
+        assert_eq!(as_toml(&paths[0]).unwrap().unwrap(), b"a = 1\n");
+        assert_eq!((value(&paths[1]).as_deref(), as_toml(&paths[1]).is_none()), (Some(&2.5), true));
+        drop(one);
+        assert_eq!(paths.each_ref().map(|path| holds(path)), [false, true]);
+    }
 
     #[test]
     fn columns_become_a_table_of_equal_length() {

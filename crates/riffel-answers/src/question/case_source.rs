@@ -7,7 +7,7 @@ use std::sync::Arc;
 use riffel_case::file::CaseFile;
 use riffel_case::{Case, CaseContact, CurvingCase};
 use riffel_keys::quantity::{Length, Quantity};
-use riffel_keys::{CaseError, say};
+use riffel_keys::{CaseError, question, say};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -28,12 +28,18 @@ pub struct CaseSource<T = Case> {
 }
 
 /// What is read of a case file.
-pub trait OfCase: Sized {
+pub trait OfCase: Sized + Send + Sync + 'static {
     /// Read it with overrides.
     ///
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError>;
+
+    /// Take it of a case in memory, with overrides.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule.
+    fn of(case: Arc<Case>, overrides: &[String]) -> Result<Arc<Self>, CaseError>;
 
     /// The keys, where they may name a file of a measured track.
     fn file(&self) -> Option<&CaseFile>;
@@ -42,6 +48,13 @@ pub trait OfCase: Sized {
 impl OfCase for Case {
     fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
         Self::read(path, overrides)
+    }
+
+    fn of(case: Arc<Case>, overrides: &[String]) -> Result<Arc<Self>, CaseError> {
+        match overrides {
+            [] => Ok(case),
+            overrides => case.with(&[overrides]).map(Arc::new),
+        }
     }
 
     fn file(&self) -> Option<&CaseFile> {
@@ -54,6 +67,10 @@ impl OfCase for CaseContact {
         Self::read(path, overrides)
     }
 
+    fn of(case: Arc<Case>, overrides: &[String]) -> Result<Arc<Self>, CaseError> {
+        Self::of(&*<Case as OfCase>::of(case, overrides)?).map(Arc::new)
+    }
+
     fn file(&self) -> Option<&CaseFile> {
         Some(&self.file)
     }
@@ -62,6 +79,10 @@ impl OfCase for CaseContact {
 impl OfCase for CurvingCase {
     fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
         Self::read(path, overrides)
+    }
+
+    fn of(case: Arc<Case>, overrides: &[String]) -> Result<Arc<Self>, CaseError> {
+        case.curving(overrides).map(Arc::new)
     }
 
     fn file(&self) -> Option<&CaseFile> {
@@ -110,7 +131,10 @@ impl<T: OfCase> CaseSource<T> {
     /// # Errors
     /// [`AnswerError::Case`] with the key, the value and the rule.
     pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>, AnswerError> {
-        let case = self.case.value(|path| T::read(path, &self.set))?;
+        let case = match question::value(self.name()) {
+            Some(case) => T::of(case, &self.set)?,
+            None => self.case.value(|path| T::read(path, &self.set))?,
+        };
         if let Some(file) = self.measurement(&case) {
             asker.reads(&file);
         }
@@ -120,7 +144,8 @@ impl<T: OfCase> CaseSource<T> {
     /// The file of a measured track that the case reads, if it does.
     pub(crate) fn measurement(&self, case: &T) -> Option<PathBuf> {
         let measurement = case.file()?.track.measurement.as_ref()?;
-        Some(self.case.path()?.parent().unwrap_or_else(|| Path::new("")).join(&measurement.file))
+        let path = self.case.path().filter(|path| question::value::<Case>(path).is_none());
+        Some(path?.parent().unwrap_or_else(|| Path::new("")).join(&measurement.file))
     }
 }
 

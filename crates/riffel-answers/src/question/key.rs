@@ -1,10 +1,12 @@
 //! Keys of a question, as its schema has them.
 
-use riffel_keys::question::path_of;
+use std::sync::Arc;
+
+use riffel_keys::question::Held;
 use schemars::Schema;
 use serde_json::{Map, Value, json};
 
-use super::{Question, Rule};
+use super::{AnyQuestion, Question, Rule};
 use crate::AnswerError;
 
 /// What a key takes.
@@ -145,24 +147,22 @@ impl Key {
     /// The value in the type of its field.
     fn read(&self, value: Value) -> Result<Value, String> {
         if !self.takes_many {
-            return self.read_one(&self.name, value);
+            return self.read_one(value);
         }
         let list = match (value, self.separator) {
             (Value::Array(list), _) => list,
             (one, Some(_)) => vec![one],
-            (one, None) => return Ok(json!([self.read_one(&self.name, one)?])),
+            (one, None) => return Ok(json!([self.read_one(one)?])),
         };
         let parts = list.iter().flat_map(|one| match (one.as_str(), self.separator) {
             (Some(text), Some(separator)) => text.split(separator).map(Value::from).collect(),
             _ => vec![one.clone()],
         });
-        let parts = parts.enumerate();
-        parts.map(|(place, one)| self.read_one(&format!("{}.{place}", self.name), one)).collect()
+        parts.map(|one| self.read_one(one)).collect()
     }
 
-    fn read_one(&self, place: &str, value: Value) -> Result<Value, String> {
+    fn read_one(&self, value: Value) -> Result<Value, String> {
         let rule = match (&self.kind, value) {
-            (Kind::File, Value::Object(_)) => return Ok(path_of(place).into()),
             (Kind::Flag, value @ Value::Bool(_)) => return Ok(value),
             (Kind::Number | Kind::Text { or_number: true }, value @ Value::Number(_)) => return Ok(value),
             (Kind::Text { .. } | Kind::File, value @ Value::String(_)) => return Ok(value),
@@ -233,6 +233,26 @@ fn types(property: &Value) -> impl Iterator<Item = &str> {
     let kind = &property["type"];
     let list = kind.as_array().map_or(std::slice::from_ref(kind), Vec::as_slice);
     list.iter().filter_map(Value::as_str)
+}
+
+/// Hold the documents that stand in a question in place of files, each by the path that takes its place.
+pub fn hold(question: &dyn AnyQuestion, given: &mut Map<String, Value>) -> Held {
+    let mut held = Held::default();
+    let mut take = |key: &str, value: &mut Value| {
+        if value.is_object() {
+            *value = held.hold(key, Arc::new(value.take())).to_string_lossy().into();
+        }
+    };
+    for key in question.keys().iter().filter(|key| key.kind == Kind::File) {
+        match given.get_mut(&key.name) {
+            Some(Value::Array(list)) if key.takes_many => {
+                list.iter_mut().enumerate().for_each(|(place, one)| take(&format!("{}.{place}", key.name), one));
+            }
+            Some(one) => take(&key.name, one),
+            None => {}
+        }
+    }
+    held
 }
 
 /// The question that has some keys.

@@ -31,7 +31,7 @@ pub use asker::{Asker, Nobody, Step};
 pub use case_source::{CaseSource, OfCase, covering};
 pub use files::Files;
 pub use ground_source::GroundSource;
-pub use key::{Key, Kind};
+pub use key::{Key, Kind, hold};
 pub(crate) use money::Money;
 pub use posterior_source::{PosteriorSource, finished_of, over};
 pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
@@ -87,6 +87,18 @@ pub trait AnyQuestion: Sync {
 /// The question of a name.
 pub fn named(name: &str) -> Option<&'static dyn AnyQuestion> {
     QUESTIONS.iter().copied().find(|question| question.name() == name)
+}
+
+/// The question of a name that somebody wrote.
+///
+/// # Errors
+/// [`AnswerError::Argument`] for a name that no question has.
+pub fn known(name: &str) -> Result<&'static dyn AnyQuestion, AnswerError> {
+    named(name).ok_or_else(|| {
+        let known: Vec<&str> = QUESTIONS.iter().map(|question| question.name()).collect();
+        let rule = format!("one of {}", known.join(", "));
+        AnswerError::Argument { argument: "NAME", value: name.to_owned(), rule }
+    })
 }
 
 /// A question of some keys.

@@ -5,10 +5,11 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use riffel_keys::question;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer};
 
-/// A value by its file, or as it is; a document that stands in a question in place of a file has a path, too.
+/// A value by its file, or as it is; what stands in a question in place of a file has a path, too.
 pub enum Source<T> {
     /// To be read.
     File(PathBuf),
@@ -29,14 +30,16 @@ impl<T> Source<T> {
     pub fn name(&self) -> &Path {
         self.path().unwrap_or_else(|| Path::new(""))
     }
+}
 
+impl<T: Send + Sync + 'static> Source<T> {
     /// The value, by `read` if it stands in a file.
     ///
     /// # Errors
     /// Those of `read`.
     pub fn value<E>(&self, read: impl FnOnce(&Path) -> Result<T, E>) -> Result<Arc<T>, E> {
         match self {
-            Self::File(path) => read(path).map(Arc::new),
+            Self::File(path) => question::value(path).map_or_else(|| read(path).map(Arc::new), Ok),
             Self::Given(value) => Ok(value.clone()),
         }
     }

@@ -17,7 +17,7 @@ use crate::messages::Verbosity;
 pub(crate) use commands::{Command, Commands};
 pub(crate) use figures::{Figures, ModelArgument};
 pub(crate) use page::Page;
-pub(crate) use question::{AskedQuestion, question_of};
+pub(crate) use question::AskedQuestion;
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, ValueHint};
-use riffel_answers::QUESTIONS;
 use riffel_answers::question::{self, AnyQuestion, Files, Key, Kind, Rule};
+use riffel_keys::question::{Held, holds};
 use riffel_keys::text_file::is_standard_input;
 use serde_json::{Map, Value};
 
@@ -19,6 +19,8 @@ const RESULTS: [&str; 3] = ["output", "save_format", "into"];
 pub(crate) struct AskedQuestion {
     pub(crate) question: &'static dyn AnyQuestion,
     pub(crate) keys: Map<String, Value>,
+    /// The documents that stand in it.
+    _held: Held,
     /// The folder that is named.
     pub(crate) output: Option<PathBuf>,
     /// Whether its document is printed.
@@ -36,7 +38,7 @@ impl AskedQuestion {
             None => matches.try_get_one::<PathBuf>("output").ok().flatten().cloned(),
         };
         let json = question.files() != Files::Text && matches.get_flag("json");
-        Self { question, keys, output, json }
+        Self { question, keys, _held: Held::default(), output, json }
     }
 
     /// The question of an object in JSON, which may name a place for results.
@@ -61,7 +63,8 @@ impl AskedQuestion {
                 return Err(CliError::Question { message });
             }
         };
-        Ok(Self { question, keys, output, json: true })
+        let held = question::hold(question, &mut keys);
+        Ok(Self { question, keys, _held: held, output, json: true })
     }
 
     /// The files that it names, of which none may be replaced.
@@ -103,17 +106,8 @@ impl AskedQuestion {
     fn first(&self) -> Option<&str> {
         let keys = self.question.keys();
         let first = keys.iter().find(|key| key.is_positional)?;
-        one_or_many(self.keys.get(&first.name)?).first()?.as_str()
+        one_or_many(self.keys.get(&first.name)?).first()?.as_str().filter(|path| !holds(Path::new(path)))
     }
-}
-
-/// The question of a name.
-pub(crate) fn question_of(name: &[String]) -> Result<&'static dyn AnyQuestion, CliError> {
-    let name = name.join(" ");
-    question::named(&name).ok_or_else(|| {
-        let known: Vec<&str> = QUESTIONS.iter().map(|question| question.name()).collect();
-        CliError::Argument { argument: "NAME", value: name, rule: format!("one of {}", known.join(", ")) }
-    })
 }
 
 /// The options of where results go.
