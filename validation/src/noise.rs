@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use riffel::noise::{FrequencyBand, Surroundings, a_weighting};
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_answers::noise::{DecayRates, Levels, NoiseQuestion, RoughWheels};
+use riffel_answers::noise::{DecayRates, Levels, NoiseQuestion};
 use riffel_answers::question::Nobody;
 use riffel_case::{Case, MAIN_LINE_CASE};
 use riffel_keys::quantity::Quantity;
@@ -107,7 +107,7 @@ impl Section {
             let roughness = Spectrum::energy_mean(&roughness).expect("spectra");
             let question = NoiseQuestion {
                 wheel_modes: wheel_modes.map(str::to_owned),
-                wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
+                wheel_roughness: Some("cnossos-disc-brakes".to_owned()),
                 decay_rate: Some(rates.collect::<DecayRates>().into()),
                 track_transfer: Some("cnossos-monobloc-hard-pads".to_owned()),
                 vehicle_transfer: Some("cnossos-wheel-920".to_owned()),

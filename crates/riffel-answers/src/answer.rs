@@ -8,6 +8,7 @@ use riffel_case::Case;
 use riffel_keys::Message;
 use riffel_plot::{BarFigure, LineFigure, MapFigure, StripFigure};
 use serde::{Serialize, Serializer};
+use serde_json::Value;
 
 use crate::Table;
 use crate::netcdf::Grid;
@@ -76,12 +77,19 @@ pub enum Existing {
 pub trait Document {
     /// The document, indented.
     fn document(&self) -> String;
+
+    /// The document as data; numbers that are not finite are null, as in its text.
+    fn value(&self) -> Value;
 }
 
 impl<T: Serialize> Document for T {
     fn document(&self) -> String {
         // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
         serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+
+    fn value(&self) -> Value {
+        serde_json::to_value(self).unwrap_or_default()
     }
 }
 

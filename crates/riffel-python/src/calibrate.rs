@@ -3,27 +3,16 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use riffel_answers::Answer;
 use riffel_answers::competing_models::CompetingModels;
-use riffel_answers::decide::DecideAnswer;
 use riffel_calibrate::{CalibrationError, Folder, Measured, Plan};
 use riffel_study::Stop;
 
 use crate::case::Case;
 use crate::document::document;
-use crate::errors::{of_case, wrong};
+use crate::errors::{of_calibration, of_case, wrong};
 use crate::interrupt::{interruptible, stoppable};
-
-fn of_calibration(error: CalibrationError) -> PyErr {
-    match error {
-        CalibrationError::Plan(error) => of_case(error),
-        CalibrationError::NotThere { .. } => PyFileNotFoundError::new_err(error.to_string()),
-        CalibrationError::Read { .. } | CalibrationError::Write { .. } => PyOSError::new_err(error.to_string()),
-        error => wrong(error.to_string()),
-    }
-}
 
 /// Draw the chains of a plan, or of a case and tables of measurements, and write their folder; remarks on the plan, doubts of the
 /// chains, and how its models compare.
@@ -64,16 +53,6 @@ pub(crate) fn calibrate(
     let (remarks, doubts, models) = done.map_err(of_calibration)?;
     let models = models.map(|models| document(py, &models)).transpose()?;
     Ok((remarks, doubts, models))
-}
-
-/// What `riffel decide --json` prints.
-#[pyfunction]
-pub(crate) fn decide(py: Python<'_>, folder: PathBuf, plan: Option<PathBuf>) -> PyResult<Bound<'_, PyAny>> {
-    let work = move || {
-        let (plan, chains) = riffel_calibrate::finished(&folder, plan.as_deref())?;
-        DecideAnswer::new(&plan, &chains)
-    };
-    document(py, &interruptible(py, work)?.map_err(of_calibration)?)
 }
 
 /// Cases with the values of draws, each with the keys of its traffic.

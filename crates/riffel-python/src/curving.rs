@@ -5,10 +5,8 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel_answers::curve::CurveAnswer;
-use riffel_answers::profile::{
-    OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings, alignment_named,
-};
-use riffel_case::file::{Inclination, ProfileOrientation};
+use riffel_answers::profile::{OnTrackAnswer, OutlineAnswer, UnderLoadAnswer};
+use riffel_case::file::ProfileOrientation;
 use riffel_case::{CurvingCase, ProfileReading};
 
 use crate::case::{Case, assignments};
@@ -78,38 +76,6 @@ pub(crate) fn profile<'py>(
     let answer = answer.map_err(of_case)?;
     let remarks = answer.remarks.iter().map(ToString::to_string).collect();
     Ok((document(py, &answer)?, remarks))
-}
-
-/// What `riffel profile FILE --against NAME --json` prints.
-#[pyfunction]
-pub(crate) fn profile_wear<'py>(
-    py: Python<'py>,
-    file: PathBuf,
-    nominal: String,
-    scatter: Option<f64>,
-    orientation: Option<&str>,
-    align: Option<&str>,
-    inclination: &str,
-    gauge_height: f64,
-) -> PyResult<Bound<'py, PyAny>> {
-    let alignment = align.map(|name| {
-        alignment_named(name)
-            .ok_or_else(|| wrong(format!("align is \"{name}\", but must be flange, field-side or as-written")))
-    });
-    let inclination = Inclination::read(inclination)
-        .map_err(|rule| wrong(format!("inclination is \"{inclination}\", but must be {rule}")))?;
-    if !(gauge_height > 0.0 && gauge_height.is_finite()) {
-        return Err(wrong(format!("gauge_height is {gauge_height} m, but must be above zero")));
-    }
-    let settings = WearSettings {
-        reading: reading(scatter, orientation)?,
-        alignment: alignment.transpose()?,
-        inclination,
-        gauge_height,
-        ..WearSettings::default()
-    };
-    let answer = interruptible(py, move || WearAnswer::new(&[file], &nominal, settings))?;
-    document(py, &answer.map_err(of_case)?)
 }
 
 /// What `riffel profile CASE --wheelset --json` prints, with the title of the case.

@@ -6,11 +6,10 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel::forecast::{Reach, SpeedDistribution};
-use riffel_answers::compare::{Comparison, Effect};
 use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport};
+use riffel_case::Variant;
 use riffel_case::traffic::{Line, Traffic, TrafficOnCase, UsualTraffic, bands_of};
-use riffel_case::{Hold, Variant};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::Message;
 use riffel_rail::{Elapsed, Layout, RailDates};
 
 use crate::array::owned;
@@ -44,19 +43,12 @@ impl GivenTraffic<'_> {
 
 /// The traffic that was given, or the usual one of the line of the case, of which no amount is assumed.
 pub(crate) fn traffic_of(case: &Case, given: Option<&GivenTraffic<'_>>) -> PyResult<Traffic> {
-    let mut traffic = given_or_usual(case, given)?;
-    if given.is_none() {
+    let Some(given) = given else {
+        let mut traffic = UsualTraffic::of(&case.case).traffic().map_err(of_case)?;
         traffic.file.line = Line::default();
-    }
-    Ok(traffic)
-}
-
-/// The traffic that was given, or the usual one of the line of the case.
-fn given_or_usual(case: &Case, given: Option<&GivenTraffic<'_>>) -> PyResult<Traffic> {
-    match given {
-        Some(given) => given.traffic(),
-        None => UsualTraffic::of(&case.case).traffic().map_err(of_case),
-    }
+        return Ok(traffic);
+    };
+    given.traffic()
 }
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
@@ -200,65 +192,4 @@ pub(crate) fn fit_wear<'py>(
         .map_err(of_case)?
         .ok_or_else(|| wrong("days needs traffic with passages_per_day or mgt_per_year under [line]; give passages"))?;
     document(py, &report)
-}
-
-/// A file of changes, or its keys.
-#[derive(FromPyObject)]
-pub(crate) enum GivenVariant<'py> {
-    File(PathBuf),
-    Keys(Bound<'py, PyDict>),
-}
-
-/// The case and its variants side by side.
-#[pyfunction]
-pub(crate) fn compare<'py>(
-    py: Python<'py>,
-    case: &Case,
-    variants: Vec<GivenVariant<'py>>,
-    traffic: Option<GivenTraffic<'py>>,
-    measured: Option<GivenDates<'py>>,
-    ground: GivenGround,
-    hold: Option<&str>,
-    limit: &str,
-) -> PyResult<(Real<'py>, Real<'py>, Vec<Bound<'py, PyDict>>)> {
-    let variants = variants.iter().map(|variant| match variant {
-        GivenVariant::File(path) => Variant::read(path).map_err(of_case),
-        GivenVariant::Keys(keys) => Variant::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case),
-    });
-    let mut variants = variants.collect::<PyResult<Vec<_>>>()?;
-    let hold: Option<Hold> = hold.map(str::parse).transpose().map_err(wrong)?;
-    for variant in &mut variants {
-        variant.hold = hold;
-    }
-    let traffic = given_or_usual(case, traffic.as_ref())?;
-    let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
-    let begins = Begins::new(measured, ground, &limit, &table.edition)?;
-    let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
-        Comparison::compute(case, &variants, &traffic, &|per_day| begins.starts(per_day), Some(&limit), &|_| ())
-    })?;
-    let comparison = comparison.map_err(of_case)?;
-    let bands = comparison.bands.iter();
-    let wavelengths: Vec<f64> = bands.clone().map(|band| band.wavelength()).collect();
-    let nominal: Vec<f64> = bands.map(|band| band.nominal_millimetres()).collect();
-    let outcomes = comparison.outcomes.into_iter().map(|outcome| {
-        let rates = (0..wavelengths.len()).map(|band| outcome.growth.band_rate(band));
-        let result = PyDict::new(py);
-        result.set_item("growth_rate", rates.collect::<Vec<_>>().into_pyarray(py))?;
-        result.set_item("fastest_wavelength", outcome.fastest.wavelength)?;
-        result.set_item("fastest_growth_rate", outcome.fastest.rate)?;
-        result.set_item("fastest_at_edge", outcome.fastest.at_edge)?;
-        result.set_item("ridge_frequency", outcome.ridge_frequency)?;
-        result.set_item("passages_to_limit", outcome.passages_to_limit())?;
-        result.set_item("months_to_limit", outcome.months_to_limit())?;
-        result.set_item("limit_reached", outcome.reach().map(Reach::name))?;
-        result.set_item("hold", outcome.held_name())?;
-        result.set_item("acts", outcome.effect == Effect::None || outcome.effect.acts())?;
-        let no_effect = outcome.effect.sentence().map(ToString::to_string);
-        result.set_item("no_effect", no_effect)?;
-        result.set_item("title", outcome.title)?;
-        result.set_item("remarks", in_words(&outcome.remarks))?;
-        Ok(result)
-    });
-    let outcomes = outcomes.collect::<PyResult<Vec<_>>>()?;
-    Ok((wavelengths.into_pyarray(py), nominal.into_pyarray(py), outcomes))
 }

@@ -10,6 +10,7 @@
 
 mod array;
 mod arrays_of_rails;
+mod ask;
 mod axlebox;
 mod begins;
 mod calibrate;
@@ -22,10 +23,6 @@ mod forecast;
 mod given;
 mod interrupt;
 mod line_growth;
-mod models;
-mod network;
-mod noise;
-mod presets;
 mod program;
 mod quantity;
 mod records;
@@ -39,31 +36,25 @@ mod wheels;
 #[pyo3::pymodule]
 mod _riffel {
     #[pymodule_export]
+    use crate::ask::{Levels, ask};
+    #[pymodule_export]
     use crate::axlebox::axlebox;
     #[pymodule_export]
-    use crate::calibrate::{LogPosterior, calibrate, decide, draws};
+    use crate::calibrate::{LogPosterior, calibrate, draws};
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
     #[pymodule_export]
-    use crate::curving::{contact_geometry, contact_under_load, curve, profile, profile_wear};
+    use crate::curving::{contact_geometry, contact_under_load, curve, profile};
     #[pymodule_export]
     use crate::diagnosis::diagnose;
     #[pymodule_export]
     use crate::errors::{ConvergenceError, ReceptanceError};
     #[pymodule_export]
-    use crate::forecast::{compare, fit_wear, forecast};
+    use crate::forecast::{fit_wear, forecast};
     #[pymodule_export]
     use crate::given::Universal;
     #[pymodule_export]
-    use crate::line_growth::{line_growth, remedies};
-    #[pymodule_export]
-    use crate::models::compare_models;
-    #[pymodule_export]
-    use crate::network::{network_chart, network_growth, network_ingest, network_plan, network_status, network_worst};
-    #[pymodule_export]
-    use crate::noise::noise;
-    #[pymodule_export]
-    use crate::presets::presets;
+    use crate::line_growth::line_growth;
     #[pymodule_export]
     use crate::program::program;
     #[pymodule_export]

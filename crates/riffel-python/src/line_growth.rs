@@ -1,14 +1,11 @@
 //! Growth under the traffic of a line.
 
-use std::collections::BTreeMap;
-
 use pyo3::prelude::*;
 use riffel_answers::LineGrowth;
-use riffel_answers::remedies::RemediesAnswer;
 
 use crate::case::Case;
 use crate::document::document;
-use crate::errors::{of_answer, of_case};
+use crate::errors::of_case;
 use crate::forecast::GivenTraffic;
 
 /// By the keys of `under_traffic` of `riffel map --json`.
@@ -22,18 +19,4 @@ pub(crate) fn line_growth<'py>(
     let traffic = traffic.map(|given| given.traffic()).transpose()?;
     let growth = case.compute(py, move |case| LineGrowth::new(case, traffic.as_ref()))?;
     document(py, &growth.map_err(of_case)?)
-}
-
-/// What `riffel compare --remedies --json` prints.
-#[pyfunction]
-pub(crate) fn remedies<'py>(
-    py: Python<'py>,
-    case: &Case,
-    traffic: Option<GivenTraffic<'py>>,
-    costs: BTreeMap<String, f64>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let traffic = traffic.map(|given| given.traffic()).transpose()?;
-    let answer =
-        case.compute(py, move |case| RemediesAnswer::new(case, traffic.as_ref(), &|_| ())?.with_costs(&costs))?;
-    document(py, &answer.map_err(of_answer)?)
 }

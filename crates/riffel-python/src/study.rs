@@ -6,28 +6,19 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use numpy::{IntoPyArray, PyReadonlyArray1};
-use pyo3::exceptions::{PyFileNotFoundError, PyOSError, PyValueError};
+use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel_study::sensitivity::{Intervals, SobolIndices, Tornado};
-use riffel_study::{Design, ParameterValue, ResultFolder, Shard, Stop, StudyError, Summary};
+use riffel_study::{Design, ParameterValue, ResultFolder, Shard, Stop, Summary};
 
 use crate::array::owned;
-use crate::errors::{of_case, wrong};
+use crate::errors::{of_study, wrong};
 use crate::interrupt::interruptible;
 use crate::tables;
 
 /// How often a running study tells how far it is.
 const NEWS: Duration = Duration::from_millis(100);
-
-fn of_study(error: StudyError) -> PyErr {
-    match error {
-        StudyError::Plan(error) => of_case(error),
-        StudyError::NoStudy { .. } => PyFileNotFoundError::new_err(error.to_string()),
-        StudyError::Read { .. } | StudyError::Write { .. } => PyOSError::new_err(error.to_string()),
-        error => PyValueError::new_err(error.to_string()),
-    }
-}
 
 /// A plan on its case.
 #[pyclass(frozen, module = "riffel._riffel")]

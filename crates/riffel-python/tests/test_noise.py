@@ -47,14 +47,14 @@ def test_noise_of_the_program(program: Callable[..., Any], tmp_path: Any) -> Non
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [
-        ({"distance": "50 cm"}, "distance is 0.5 m, but must be between 760 mm and 1000 m"),
+        ({"distance": "50 cm"}, "distance is 50 cm, but must be between 760 mm and 1000 m"),
         ({"distance": 1e5}, "distance is 100000 m, but must be between 760 mm and 1000 m"),
-        ({"height": "5 km"}, "height is 5000 m, but must be between 0 m and 100 m"),
+        ({"height": "5 km"}, "height is 5 km, but must be between 0 m and 100 m"),
         ({"rail_foot": 5}, "rail_foot is 5 m, but must be between 10 mm and 500 mm"),
         ({"wheels": 1000, "train_length": 10}, "train_length is 10 m, but must be at least 500 m"),
-        ({"wheels": 0}, "wheels is 0, but must be a whole number"),
+        ({"wheels": 0}, "--wheels is 0, but must be an integer from 1 to 10000"),
         ({"wheel_roughness": "round"}, "wheel_roughness is \"round\", but must be a spectrum or one of cnossos-"),
-        ({"limit_dba": 80.0}, "limit_dba needs traffic"),
+        ({"limit_dba": 80.0}, "--limit-dba needs --traffic"),
         ({"traffic": "cases/traffic.toml", "months": -1.0}, "months is -1, but must be above zero and at most 12000"),
         ({"speed": "0.5 km/h"}, "speed is 0.5 km/h, but must be one at which"),
     ],

@@ -218,7 +218,7 @@ def test_compare(nominal: riffel.Case) -> None:
     both = nominal.compare([{"title": "slower", "speed": {"factor": 0.5}}], speed=30.0)
     # Half the speed at the same frequency is half the wavelength.
     assert both["fastest_wavelength"][1].item() < both["fastest_wavelength"][0].item()
-    with pytest.raises(ValueError, match="changes nothing"):
+    with pytest.raises(ValueError, match="the file is empty"):
         nominal.compare([{}], speed=30.0)
 
 
@@ -279,7 +279,7 @@ def test_a_rail_that_will_be_ground(nominal: riffel.Case, tmp_path: Path, progra
     assert ratio["months_to_limit"].values[1] == months[2] > months[0]
     force = nominal.compare([less], traffic="cases/traffic.toml", from_limit=-6.0, hold="force")
     assert force["months_to_limit"].values[1] < months[0]
-    with pytest.raises(ValueError, match="force, ratio or creepage"):
+    with pytest.raises(ValueError, match="must be one of force, ratio, creepage"):
         nominal.compare([less], traffic="cases/traffic.toml", hold="torque")
 
 

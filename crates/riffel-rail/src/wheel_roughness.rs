@@ -38,9 +38,11 @@ impl WheelRoughness {
         if let Some(table) = Self::find(name) {
             return Ok(Some((table.name, table.spectrum)));
         }
-        if !(path.exists() || riffel_keys::question::holds(path)) {
+        let is_given = riffel_keys::question::holds(path);
+        if !(is_given || path.exists()) {
             return Ok(None);
         }
+        let name = if is_given { "given" } else { name };
         Ok(Some((name.to_owned(), Survey::mean_of(path)?)))
     }
 

@@ -19,7 +19,7 @@ use serde::Serialize;
 
 pub use course::Course;
 pub use measure::Measure;
-pub use question::{DecayRates, NoiseQuestion, RoughWheels};
+pub use question::{DecayRates, NoiseQuestion};
 pub use since::Since;
 pub(crate) use since::at_least;
 pub(crate) use tables::name_of;

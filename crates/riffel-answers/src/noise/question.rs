@@ -1,14 +1,11 @@
 //! What is asked of rolling noise.
 
-use std::borrow::Cow;
-
 use riffel::noise::{FrequencyBand, Surroundings};
-use riffel::roughness::Spectrum;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Area, Length, Speed};
 use riffel_keys::say;
 use riffel_rail::Survey;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::json;
 
@@ -51,8 +48,8 @@ pub struct NoiseQuestion {
     pub train_length: Option<AsWritten<Length>>,
     /// Roughness of the wheels: a file of spectra, or cnossos-cast-iron-blocks, cnossos-composite-blocks or
     /// cnossos-disc-brakes [default: none, smooth wheels].
-    #[schemars(extend("value_name" = "FILE"))]
-    pub wheel_roughness: Option<RoughWheels>,
+    #[schemars(with = "Option<Source<()>>", extend("value_name" = "FILE"))]
+    pub wheel_roughness: Option<String>,
     /// Modes of the web and tyre of the wheels by name, straight-web-920, or as a TOML file [default: none, rigid wheels].
     #[schemars(extend("value_name" = "MODES"))]
     pub wheel_modes: Option<String>,
@@ -101,36 +98,6 @@ pub struct NoiseQuestion {
 
 /// Bands with their decay rates \[dB/m\].
 pub type DecayRates = Vec<(FrequencyBand, f64)>;
-
-/// The roughness of the wheels.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(from = "String")]
-pub enum RoughWheels {
-    /// A table that comes with Riffel, or a file of spectra.
-    Named(String),
-    /// Levels.
-    Given(Spectrum),
-}
-
-impl From<String> for RoughWheels {
-    fn from(name: String) -> Self {
-        Self::Named(name)
-    }
-}
-
-impl JsonSchema for RoughWheels {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "RoughWheels".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "string" })
-    }
-}
 
 impl NoiseQuestion {
     /// A coach at a speed \[m/s\] on a rail in memory, all else by default.

@@ -18,7 +18,7 @@ use super::measure::measures;
 use super::remarks::remarks;
 use super::since::lower_bound_up_to;
 use super::sources::powers_of_parts;
-use super::{Course, Levels, NoiseAnswer, NoiseQuestion, RoughWheels, Since, TransferLevels, nominal};
+use super::{Course, Levels, NoiseAnswer, NoiseQuestion, Since, TransferLevels, nominal};
 use crate::forecast::ForecastHorizon;
 use crate::question::Asker;
 use crate::{AnswerError, parameters};
@@ -259,16 +259,13 @@ fn check_length(length: f64, wheels: u32) -> Result<(), AnswerError> {
 
 /// The roughness of the wheels with its name.
 fn wheel_roughness(question: &NoiseQuestion) -> Result<Option<(String, Spectrum)>, AnswerError> {
-    match &question.wheel_roughness {
-        None => Ok(None),
-        Some(RoughWheels::Given(levels)) => Ok(Some(("given".to_owned(), levels.clone()))),
-        Some(RoughWheels::Named(name)) => {
-            let found = WheelRoughness::named_or_in(name, Path::new(name))?;
-            found.map(Some).ok_or_else(|| AnswerError::Argument {
-                argument: "--wheel-roughness",
-                value: format!("\"{name}\""),
-                rule: format!("a spectrum or one of {}", WheelRoughness::names()),
-            })
-        }
-    }
+    let Some(name) = &question.wheel_roughness else {
+        return Ok(None);
+    };
+    let found = WheelRoughness::named_or_in(name, Path::new(name))?;
+    found.map(Some).ok_or_else(|| AnswerError::Argument {
+        argument: "--wheel-roughness",
+        value: format!("\"{name}\""),
+        rule: format!("a spectrum or one of {}", WheelRoughness::names()),
+    })
 }

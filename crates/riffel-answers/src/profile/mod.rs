@@ -10,7 +10,7 @@ pub use on_track::OnTrackAnswer;
 pub use outline::OutlineAnswer;
 pub use question::ProfileQuestion;
 pub use under_load::UnderLoadAnswer;
-pub use wear::{WearAnswer, WearSettings, alignment_name, alignment_named};
+pub use wear::{WearAnswer, WearSettings, alignment_name};
 
 use riffel_keys::Message;
 

@@ -179,12 +179,6 @@ pub fn alignment_name(alignment: ProfileAlignment) -> &'static str {
     }
 }
 
-/// The alignment of a name.
-pub fn alignment_named(name: &str) -> Option<ProfileAlignment> {
-    let all = [ProfileAlignment::AsWritten, ProfileAlignment::Flange, ProfileAlignment::FieldSide];
-    all.into_iter().find(|one| alignment_name(*one) == name)
-}
-
 impl WearAnswer {
     /// The wear of files against a nominal profile or another file.
     ///

@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 use super::working::Working;
 use super::{GENERATOR, Site};
 use crate::diagnose::DiagnosedRail;
-use crate::noise::RoughWheels;
 use crate::question::{Asker, Files, GroundSource, Question, Rule, Source};
 use crate::{Answer, AnswerError, Existing, OwnText, Table};
 
@@ -57,8 +56,8 @@ pub struct ReportQuestion {
     pub(super) limit_dba: Option<f64>,
     /// Roughness of the wheels for rolling noise: a file of spectra, or cnossos-cast-iron-blocks, cnossos-composite-blocks or
     /// cnossos-disc-brakes [default: none, smooth wheels].
-    #[schemars(extend("value_name" = "FILE"))]
-    pub(super) wheel_roughness: Option<RoughWheels>,
+    #[schemars(with = "Option<Source<()>>", extend("value_name" = "FILE"))]
+    pub(super) wheel_roughness: Option<String>,
     /// Modes of the web and tyre of the wheels for rolling noise by name, straight-web-920, or as a TOML file [default: none,
     /// rigid wheels].
     #[schemars(extend("value_name" = "MODES"))]

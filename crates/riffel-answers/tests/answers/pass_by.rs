@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_answers::noise::{NoiseQuestion, RoughWheels};
+use riffel_answers::noise::NoiseQuestion;
 use riffel_answers::question::Nobody;
 use riffel_calibrate::Plan;
 use riffel_case::Case;
@@ -76,7 +76,7 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
             wheels: 8,
             distance: Quantity::new(25.0).into(),
             height: Quantity::new(3.5).into(),
-            wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
+            wheel_roughness: Some("cnossos-disc-brakes".to_owned()),
             ..NoiseQuestion::of_a_coach(
                 case.clone(),
                 Survey::of_spectrum(Spectrum::new(of_bands).unwrap()),

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from riffel import roughness
+    from riffel._ask import ask
     from riffel._calibration import LogPosterior, calibrate, decide, draws
     from riffel._case import Case
     from riffel._curving import contact_geometry, contact_under_load, curve
@@ -27,9 +28,10 @@ if TYPE_CHECKING:
     from riffel._models import compare_models
     from riffel._network import Network
     from riffel._profile import profile, profile_wear
+    from riffel._presets import presets
     from riffel._receptance import receptance_from_uff
     from riffel._riffel import VERSION as __version__
-    from riffel._riffel import ConvergenceError, ReceptanceError, presets
+    from riffel._riffel import ConvergenceError, ReceptanceError
     from riffel._study import Study, merge_studies, open_results, study_summary
     from riffel._wheels import wheels_of_curve
 
@@ -41,6 +43,7 @@ __all__ = [
     "ReceptanceError",
     "Study",
     "__version__",
+    "ask",
     "calibrate",
     "compare_models",
     "contact_geometry",
@@ -69,6 +72,7 @@ _HOMES = {
     "Network": "riffel._network",
     "ReceptanceError": "riffel._riffel",
     "Study": "riffel._study",
+    "ask": "riffel._ask",
     "calibrate": "riffel._calibration",
     "compare_models": "riffel._models",
     "contact_geometry": "riffel._curving",
@@ -78,7 +82,7 @@ _HOMES = {
     "draws": "riffel._calibration",
     "merge_studies": "riffel._study",
     "open_results": "riffel._study",
-    "presets": "riffel._riffel",
+    "presets": "riffel._presets",
     "profile": "riffel._profile",
     "profile_wear": "riffel._profile",
     "receptance_from_uff": "riffel._receptance",

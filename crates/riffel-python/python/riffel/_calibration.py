@@ -13,6 +13,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from riffel import _riffel
+from riffel._ask import ask
 from riffel._case import Case
 
 Folder = str | os.PathLike[str]
@@ -124,7 +125,7 @@ def decide(folder: Folder, *, plan: Folder | None = None) -> xr.Dataset:
     ValueError
         For a key of the plan that cannot be used, or chains of another plan.
     """
-    found = _riffel.decide(os.fspath(folder), None if plan is None else os.fspath(plan))
+    found = ask("decide", {"dir": folder, "plan": plan})
     actions = found["actions"]
     numbers = {
         name: ("action", [action[name] for action in actions], {"long_name": words})

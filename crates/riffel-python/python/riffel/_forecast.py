@@ -10,6 +10,7 @@ import xarray as xr
 
 from riffel import _datasets
 from riffel._quantities import OR_ZERO, Floats, array
+from riffel._spectra import levels
 
 
 def forecast(found: Mapping[str, Any], limit: str, title: str | None) -> xr.Dataset:
@@ -88,10 +89,10 @@ def _cracks(rows: Sequence[Mapping[str, Any]]) -> dict[str, xr.DataArray]:
     }
 
 
-def comparison(
-    wavelengths: Floats, nominal: Floats, outcomes: Sequence[Mapping[str, Any]], title: str | None
-) -> xr.Dataset:
+def comparison(outcomes: Sequence[Mapping[str, Any]], title: str | None) -> xr.Dataset:
     """Growth on variants of a case, side by side."""
+    rates = [outcome["growth_rate_per_passage"] for outcome in outcomes]
+    bands = levels([band["wavelength_m"] for band in rates[0]], np.zeros(len(rates[0])))
 
     def column(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
         values = [np.nan if outcome[key] is None else outcome[key] for outcome in outcomes]
@@ -106,22 +107,21 @@ def comparison(
         {
             "growth_rate": (
                 ("variant", "wavelength"),
-                np.array([outcome["growth_rate"] for outcome in outcomes]),
+                np.array([[band["growth_rate_per_passage"] for band in row] for row in rates], float),
                 _datasets.GROWTH_RATE,
             ),
-            "fastest_wavelength": column("fastest_wavelength", "m", "wavelength that grows fastest"),
-            "fastest_growth_rate": column("fastest_growth_rate", "1", "its growth rate per passage"),
-            "ridge_frequency": column("ridge_frequency", "Hz", "frequency that the strongest branch of the ridge follows"),
+            "fastest_wavelength": column("fastest_wavelength_m", "m", "wavelength that grows fastest"),
+            "fastest_growth_rate": column("fastest_growth_rate_per_passage", "1", "its growth rate per passage"),
+            "ridge_frequency": column("ridge_frequency_hz", "Hz", "frequency that the strongest branch of the ridge follows"),
             "passages_to_limit": column("passages_to_limit", "1", "axle passages to the limit"),
             "months_to_limit": column("months_to_limit", "month", "months to the limit"),
             "limit_reached": words("limit_reached", "whether the limit is reached"),
             "hold": words("hold", "what is held where friction or load change"),
-            "acts": ("variant", [outcome["acts"] for outcome in outcomes], {"long_name": "whether it acts"}),
+            "acts": ("variant", [outcome["acts"] is not False for outcome in outcomes], {"long_name": "whether it acts"}),
         },
         {
             "variant": ("variant", [outcome["title"] for outcome in outcomes]),
-            "wavelength": ("wavelength", wavelengths, _datasets.WAVELENGTH),
-            "nominal_mm": ("wavelength", nominal, {"units": "mm", "long_name": "nominal wavelength"}),
+            **bands.coords,
         },
         attributes,
     )

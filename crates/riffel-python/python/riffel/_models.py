@@ -7,9 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 import xarray as xr
 
-from riffel import _datasets, _riffel
+from riffel import _datasets
+from riffel._ask import ask
 from riffel._case import Case
-from riffel._quantities import Quantity, scalar
+from riffel._quantities import Quantity
 
 
 def compare_models(case: Case, models: Sequence[str] | None = None, *, speed: Quantity | None = None) -> xr.Dataset:
@@ -46,8 +47,7 @@ def compare_models(case: Case, models: Sequence[str] | None = None, *, speed: Qu
     """
     if isinstance(models, str):
         raise ValueError(f"models is {models!r}, but must be a sequence of names")
-    given = None if speed is None else scalar(speed, "speed", "speed")
-    found = _riffel.compare_models(case._case, None if models is None else list(models), given)
+    found = ask("compare", {"case": case, "models": ",".join(models or ["all"]), "speed": speed})
     described = found["models"]
     wavelengths = found["wavelength_m"]
 

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riffel import _riffel
+from riffel._ask import ask
 from riffel._case import Case
 from riffel._quantities import Quantity, scalar
-from riffel._traffic import Traffic, file_or_keys
+from riffel._traffic import Traffic
 
 _UNITS = {
     "from_m": ("from", "m", "first place of the section"),
@@ -55,7 +55,7 @@ class Network:
 
     def __init__(self, folder: str | os.PathLike[str], *, resolution: Quantity | None = None) -> None:
         self._folder = os.fspath(folder)
-        self._resolution = None if resolution is None else scalar(resolution, "resolution", "length")
+        self._resolution = resolution
 
     def __repr__(self) -> str:
         return f"Network({self._folder!r})"
@@ -91,11 +91,15 @@ class Network:
             the rails that have other names in the file, and ``new_rails``, those that the line has not had. Surveys are there whole or not at all;
             the same one again changes nothing. Of several processes that add at once, as under Dask, all but one raise `OSError`.
         """
-        return _riffel.network_ingest(self._folder, self._resolution, os.fspath(file), line, date, replace, rename or {})
+        names = [f"{old}={new}" for old, new in (rename or {}).items()]
+        survey = {"csv": file, "line": line, "date": date, "replace": replace, "rename": names}
+        found: dict[str, Any] = self._ask("ingest", {**survey, "resolution": self._resolution})
+        return found
 
     def status(self) -> dict[str, Any]:
         """Lines, dates, kilometres and RMS of the latest surveys: what ``riffel network status --json`` prints."""
-        return _riffel.network_status(self._folder)
+        found: dict[str, Any] = self._ask("status", {})
+        return found
 
     def worst(
         self,
@@ -125,8 +129,7 @@ class Network:
             ``rms_over_limit``, ``kind`` (``"corrugation"``, ``"joint"``, ``"weld"``, ``"unknown"``; within the
             limit ``"ground"`` or empty) and ``growth``.
         """
-        found = _riffel.network_worst(self._judged(section, limit), until, _count(most))
-        return _table(found, "place")
+        return _table(self._ask("worst", {"section": section, "limit": limit, "until": until, "most": most}), "place")
 
     def growth(
         self,
@@ -158,8 +161,9 @@ class Network:
             single places), ``months_to_limit`` with ``months_to_limit_band_80``, ``ground``, and both ``dates`` and ``rms`` over ``survey``; ``expected_growth`` and
             ``expected_growth_band_80`` where a case was given.
         """
-        expected = _expected(case, traffic, line)
-        found = _riffel.network_growth(self._judged(section, limit), between, _count(most), expected)
+        start, end = between or (None, None)
+        judged = {"section": section, "limit": limit, "from": start, "to": end, "most": most}
+        found = self._ask("growth", {**judged, "case": case, "traffic": traffic, "line": line})
         for place in found:
             months = place["months_to_limit_band_80"]
             place["months_to_limit_band_80"] = [np.nan, np.nan] if months is None else [np.inf if end is None else end for end in months]
@@ -208,22 +212,20 @@ class Network:
             ``over_limit_m``, ``single_places_m``, ``left_over_limit_m``, ``least_left_over_limit_m`` (no plan for this budget leaves less)
             and ``remarks``.
         """
-        if (length is None) == (money is None):
-            raise ValueError("plan takes either a length or money")
-        if length is not None:
-            budget = (scalar(length, "length", "length"), 1.0, 0.0)
-        else:
-            if cost_per_metre is None:
-                raise ValueError("cost_per_metre is missing: money needs it")
-            # Text could hold points that part thousands.
-            for name, value in (("money", money), ("cost_per_metre", cost_per_metre), ("cost_per_site", cost_per_site)):
-                if isinstance(value, str):
-                    raise TypeError(f"{name} is {value!r}, but must be a number")
-            budget = (float(money or 0.0), float(cost_per_metre), float(cost_per_site))
-        expected = _expected(case, traffic, line)
-        found = _riffel.network_plan(
-            self._judged(section, limit), float(months), budget, most_track, expected
-        )
+        question = {
+            "months": months,
+            "length": length,
+            "money": money,
+            "cost_per_metre": cost_per_metre,
+            "cost_per_site": None if money is None else cost_per_site,
+            "most_track": most_track,
+            "section": section,
+            "limit": limit,
+            "case": case,
+            "traffic": traffic,
+            "line": line,
+        }
+        found = self._ask("plan", question)
         sites = _table(found.pop("sites"), "site")
         return sites.assign_attrs(found)
 
@@ -252,9 +254,9 @@ class Network:
             ``rms_over_limit`` and ``rms`` over ``date`` and ``place`` (the middle of a section), NaN where nothing is measured; ready
             for ``chart["rms_over_limit"].plot()``.
         """
-        judged = self._judged(section, limit)
-        surveys = _riffel.network_chart(judged, line, rail)["lines"][0]["surveys"]
-        length = judged[2]
+        question = {"line": line, "rail": rail, "section": section, "limit": limit}
+        surveys = self._ask("chart", question)["lines"][0]["surveys"]
+        length = scalar(section, "section", "length")
         sections = [section["from_m"] for survey in surveys for section in survey["sections"]]
         first, last = (round(end / length) for end in (min(sections), max(sections)))
         values = np.full((2, len(surveys), last - first + 1), np.nan)
@@ -276,24 +278,8 @@ class Network:
             attrs={"title": line, "limit": os.fspath(limit)},
         )
 
-    def _judged(self, section: Quantity, limit: str | os.PathLike[str]) -> tuple[str, str, float]:
-        return self._folder, os.fspath(limit), scalar(section, "section", "length")
-
-
-def _expected(
-    case: Case | None, traffic: Traffic | None, line: str | None
-) -> tuple[str | None, _riffel.Case, str | dict[str, Any] | None] | None:
-    if case is None:
-        if traffic is not None or line is not None:
-            raise ValueError("traffic and line belong to a case: give case, too")
-        return None
-    return line, case._case, None if traffic is None else file_or_keys(traffic)
-
-
-def _count(most: int) -> int:
-    if most < 1:
-        raise ValueError(f"most is {most}, but must be 1 or more")
-    return most
+    def _ask(self, name: str, question: dict[str, Any]) -> Any:
+        return ask(f"network {name}", {"store": self._folder, **question})
 
 
 def _table(rows: Sequence[dict[str, Any]], dimension: str) -> xr.Dataset:

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from riffel import _datasets, _riffel
+from riffel._ask import ask
 from riffel._quantities import Quantity, scalar
 
 Orientation: TypeAlias = Literal["found", "as-written", "mirrored", "upside-down", "turned"]
@@ -130,11 +131,16 @@ def profile_wear(
     >>> round(1e3 * float(wear["flange_height"]), 3), round(1e3 * float(wear["greatest_depth"]), 3)
     (28.0, 0.0)
     """
-    scattered = None if scatter is None else scalar(scatter, "scatter", "length")
-    below = scalar(gauge_height, "gauge_height", "length")
-    document = _riffel.profile_wear(
-        os.fspath(file), os.fspath(nominal), scattered, orientation, align, inclination, below
-    )
+    question = {
+        "file": file,
+        "against": nominal,
+        "align": align,
+        "inclination": inclination,
+        "gauge_height": gauge_height,
+        "scatter": scatter,
+        "orientation": orientation,
+    }
+    document = ask("profile", question)
     worn = document["profiles"][0]
     depth = np.array(worn["depth_m"], dtype=float)
     variables: dict[str, Any] = {"depth": ("point", depth, _datasets.said("m", "depth into the metal"))}

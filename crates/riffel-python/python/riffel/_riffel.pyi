@@ -26,6 +26,10 @@ _Layout: TypeAlias = tuple[str | None, float | None, str | None, str | None]
 VERSION: str
 TILE: int
 
+class Levels:
+    def __init__(self, wavelengths: _Floats, levels: _Floats) -> None: ...
+
+def ask(name: str, question: dict[str, Any]) -> Any: ...
 def program(arguments: Sequence[str], again: Sequence[str]) -> int: ...
 
 class ConvergenceError(RuntimeError):
@@ -105,15 +109,6 @@ def curve(
 def profile(
     file: str, scatter: float | None, orientation: str | None
 ) -> tuple[dict[str, Any], list[str]]: ...
-def profile_wear(
-    file: str,
-    nominal: str,
-    scatter: float | None,
-    orientation: str | None,
-    align: str | None,
-    inclination: str,
-    gauge_height: float,
-) -> dict[str, Any]: ...
 def contact_geometry(
     case: Case | dict[str, Any] | str, overrides: dict[str, Any], shifts: Sequence[float], yaw: float
 ) -> tuple[str | None, dict[str, Any]]: ...
@@ -123,7 +118,6 @@ def contact_under_load(
 
 def si(text: str, kind: str) -> float: ...
 def axis(min: float, max: float, points: int) -> _Floats: ...
-def presets() -> list[dict[str, Any]]: ...
 def forecast(
     case: Case,
     measured: _Dates | None,
@@ -143,19 +137,8 @@ def fit_wear(
     traffic: _Traffic | None,
     limit: str,
 ) -> dict[str, Any]: ...
-def compare(
-    case: Case,
-    variants: Sequence[str | dict[str, Any]],
-    traffic: _Traffic | None,
-    measured: _Dates | None,
-    ground: tuple[str | None, str | None],
-    hold: str | None,
-    limit: str,
-) -> tuple[_Floats, _Floats, list[dict[str, Any]]]: ...
 def line_growth(case: Case, traffic: _Traffic | None) -> dict[str, Any]: ...
-def remedies(case: Case, traffic: _Traffic | None, costs: dict[str, float]) -> dict[str, Any]: ...
 def wheels_of_curve(case: Case) -> tuple[dict[str, Any], list[_Floats], list[_Floats | None]]: ...
-def compare_models(case: Case, models: Sequence[str] | None, speed: float | None) -> dict[str, Any]: ...
 def simulate(
     case: Case,
     surface: tuple[float, float] | tuple[float, float, _Floats],
@@ -187,29 +170,9 @@ def axlebox(
     keep_defects: bool,
     limits: Sequence[str],
 ) -> dict[str, Any]: ...
-def network_ingest(
-    store: str, resolution: float | None, file: str, line: str, date: str, replace: bool, rename: dict[str, str]
-) -> dict[str, Any]: ...
-def network_status(store: str) -> dict[str, Any]: ...
-def network_worst(judged: tuple[str, str, float], until: str | None, most: int) -> list[dict[str, Any]]: ...
-def network_growth(
-    judged: tuple[str, str, float],
-    between: tuple[str, str] | None,
-    most: int,
-    expected: tuple[str | None, Case, _Traffic | None] | None,
-) -> list[dict[str, Any]]: ...
-def network_plan(
-    judged: tuple[str, str, float],
-    months: float,
-    budget: tuple[float, float, float],
-    most_track: bool,
-    expected: tuple[str | None, Case, _Traffic | None] | None,
-) -> dict[str, Any]: ...
-def network_chart(judged: tuple[str, str, float], line: str | None, rail: str | None) -> dict[str, Any]: ...
 def calibrate(
     plan: str, folder: str, tables: list[str], traffic: str | None, restart: bool
 ) -> tuple[list[str], list[str], dict[str, Any] | None]: ...
-def decide(folder: str, plan: str | None) -> dict[str, Any]: ...
 def draws(folder: str, count: int) -> list[tuple[Case, dict[str, Any] | None]]: ...
 
 class LogPosterior:
@@ -223,20 +186,6 @@ class LogPosterior:
     def place(self, values: list[float]) -> list[float]: ...
     def prior_quantile(self, share: float) -> list[float]: ...
 
-def noise(
-    case: Case,
-    measured: _Dates,
-    speed: float,
-    train: tuple[int, float | None, float, float],
-    wheel_roughness: str | tuple[_Floats, _Floats] | None,
-    wheel_modes: str | None,
-    decay_rate: str | None,
-    transfer: tuple[str, str] | None,
-    radiators: tuple[float, float],
-    ground_to: str,
-    traffic: _Traffic | None,
-    ahead: tuple[float, float | None],
-) -> dict[str, Any]: ...
 def diagnose(
     case: Case,
     rail: _Record,

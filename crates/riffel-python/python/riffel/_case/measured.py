@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 
 from riffel import _diagnosis, _riffel
+from riffel._ask import ask
 from riffel._axlebox import AxleBoxRun, checked_place, checked_run
 from riffel._case.keys import KeysOfCase
 from riffel._quantities import OR_ZERO, Quantities, Quantity, scalar
@@ -302,30 +303,28 @@ class MeasuredOnCase(KeysOfCase):
         >>> round(loud["total_dba"] - quiet["total_dba"], 6)
         10.0
         """
-        rails = (scalar(rail_foot, "rail_foot", "length"), scalar(sleeper_area, "sleeper_area", "area"))
-        train = (
-            wheels,
-            None if train_length is None else scalar(train_length, "train_length", "length"),
-            scalar(distance, "distance", "length"),
-            scalar(height, "height", "length", least=OR_ZERO),
-        )
-        if isinstance(wheels, bool) or not isinstance(wheels, (int, np.integer)) or wheels < 1:
-            raise ValueError(f"wheels is {wheels!r}, but must be a whole number of at least 1")
-        if limit_dba is not None and traffic is None:
-            raise ValueError("limit_dba needs traffic, under which the level changes")
-        return _riffel.noise(
-            self._case,
-            dated_levels(spectrum, earlier, dates),
-            scalar(speed, "speed", "speed"),
-            train,
-            levels_of(wheel_roughness, "wheel_roughness")
-            if isinstance(wheel_roughness, xr.DataArray)
-            else wheel_roughness,
-            None if wheel_modes is None else os.fspath(wheel_modes),
-            None if decay_rate is None else os.fspath(decay_rate),
-            None if transfer is None else (os.fspath(transfer[0]), os.fspath(transfer[1])),
-            rails,
-            limit,
-            None if traffic is None else file_or_keys(traffic),
-            (months, limit_dba),
-        )
+        track_transfer, vehicle_transfer = transfer or (None, None)
+        question = {
+            "case": self,
+            "roughness": spectrum,
+            "speed": speed,
+            "wheels": wheels,
+            "train_length": train_length,
+            "wheel_roughness": wheel_roughness,
+            "wheel_modes": wheel_modes,
+            "decay_rate": decay_rate,
+            "track_transfer": track_transfer,
+            "vehicle_transfer": vehicle_transfer,
+            "distance": distance,
+            "height": height,
+            "rail_foot": rail_foot,
+            "sleeper_area": sleeper_area,
+            "limit": limit,
+            "earlier": earlier,
+            "dates": dates,
+            "traffic": traffic,
+            "months": months if traffic is not None else None,
+            "limit_dba": limit_dba,
+        }
+        found: dict[str, Any] = ask("noise", question)
+        return found

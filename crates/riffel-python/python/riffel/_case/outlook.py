@@ -9,6 +9,7 @@ from typing import Any
 import xarray as xr
 
 from riffel import _forecast, _riffel
+from riffel._ask import ask
 from riffel._case.keys import KeysOfCase
 from riffel._quantities import Quantity, scalar
 from riffel._records import Date, Levels, checked_levels, dated_levels
@@ -165,8 +166,9 @@ class OutlookOfCase(KeysOfCase):
         >>> metro.remedies(costs={"slower-trains": 1.0})["remedies"][0]["id"]
         'slower-trains'
         """
-        given = None if traffic is None else file_or_keys(traffic)
-        return _riffel.remedies(self._case, given, dict(costs or {}))
+        cost = [f"{remedy}={cost}" for remedy, cost in (costs or {}).items()]
+        found: dict[str, Any] = ask("compare", {"case": self, "remedies": True, "traffic": traffic, "cost": cost})
+        return found
 
     def compare(
         self,
@@ -222,18 +224,21 @@ class OutlookOfCase(KeysOfCase):
         ratio longer
         force shorter
         """
-        measured = None if spectrum is None else dated_levels(spectrum, earlier, dates)
-        changes = [file_or_keys(variant) for variant in variants]
-        wavelengths, nominal, outcomes = _riffel.compare(
-            self._case,
-            changes,
-            traffic_or_speed(traffic, speed, speed_deviation),
-            measured,
-            _forecast.ground_in_words(ground, from_limit),
-            hold,
-            limit,
-        )
-        return _forecast.comparison(wavelengths, nominal, outcomes, self.title)
+        question = {
+            "case": self,
+            "with": variants,
+            "speed": speed,
+            "speed_deviation": speed_deviation,
+            "traffic": traffic,
+            "spectrum": spectrum,
+            "earlier": earlier,
+            "dates": dates,
+            "ground": ground,
+            "from_limit": from_limit,
+            "hold": hold,
+            "limit": limit,
+        }
+        return _forecast.comparison(ask("compare", question)["outcomes"], self.title)
 
     def fit_wear(
         self,

@@ -1,0 +1,103 @@
+//! Questions by their names, as the program answers them.
+
+use std::ffi::CString;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use numpy::PyReadonlyArray1;
+use pyo3::exceptions::{PyTypeError, PyUserWarning};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use pythonize::{depythonize, pythonize};
+use riffel_answers::AnswerError;
+use riffel_answers::question::{self, Asker, Step};
+use riffel_keys::Message;
+use riffel_keys::question::Held;
+use riffel_rail::{LabelledSpectrum, RoughnessFile};
+use serde_json::{Map, Value};
+
+use crate::array::owned;
+use crate::arrays_of_rails::spectrum;
+use crate::case::Case;
+use crate::errors::of_answer;
+use crate::interrupt::interruptible;
+
+/// Somebody who hears what is unusual about a question after it is answered.
+#[derive(Default)]
+struct Listener(Mutex<Vec<Message>>);
+
+impl Asker for Listener {
+    fn begin(&self, _: Message, _: usize) -> Step<'_> {
+        Box::new(|_| ())
+    }
+
+    fn remark(&self, remarks: &[Message]) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).extend_from_slice(remarks);
+    }
+
+    fn reads(&self, _: &Path) {}
+}
+
+/// One-third-octave levels in memory, in place of a file.
+#[pyclass(frozen, module = "riffel._riffel")]
+pub(crate) struct Levels(Arc<RoughnessFile>);
+
+#[pymethods]
+impl Levels {
+    /// Of wavelengths \[m\] and levels \[dB re 1 µm\].
+    #[new]
+    fn new(wavelengths: PyReadonlyArray1<'_, f64>, levels: PyReadonlyArray1<'_, f64>) -> PyResult<Self> {
+        let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
+        let spectra = vec![LabelledSpectrum { labels: Vec::new(), spectrum }];
+        Ok(Self(Arc::new(RoughnessFile::Spectra(spectra, Vec::new()))))
+    }
+}
+
+/// What stands under the keys of a question in memory, and the cases among it.
+#[derive(Default)]
+struct InMemory<'py>(Held, Vec<Bound<'py, Case>>);
+
+impl<'py> InMemory<'py> {
+    /// A value in JSON, with paths in the place of what is in memory.
+    fn hold(&mut self, key: &str, value: &Bound<'py, PyAny>) -> PyResult<Value> {
+        let path = if let Ok(case) = value.cast::<Case>() {
+            self.1.push(case.clone());
+            self.0.hold(key, case.get().case.clone())
+        } else if let Ok(levels) = value.cast::<Levels>() {
+            self.0.hold(key, levels.get().0.clone())
+        } else if let Ok(list) = value.cast::<PyList>() {
+            let items = list.iter().enumerate();
+            return items.map(|(place, one)| self.hold(&format!("{key}.{place}"), &one)).collect();
+        } else {
+            return Ok(depythonize(value)?);
+        };
+        Ok(path.to_string_lossy().into())
+    }
+}
+
+/// The document of the answer to a question, in which cases and levels may stand; remarks on the question are warnings.
+#[pyfunction]
+pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyAny>> {
+    let named = question::known(name).map_err(of_answer)?;
+    let (mut keys, mut in_memory) = (Map::new(), InMemory::default());
+    for (key, value) in question {
+        let key: String = key.extract().map_err(|_| PyTypeError::new_err("keys of a question are strings"))?;
+        let value = in_memory.hold(&key, &value)?;
+        keys.insert(key, value);
+    }
+    let InMemory(values, cases) = in_memory;
+    let held = (values, question::hold(named, &mut keys));
+    let answered = interruptible(py, move || {
+        let _held = held;
+        let asker = Listener::default();
+        let document = named.answer(keys, &asker)?.value();
+        Ok::<_, AnswerError>((document, asker.0.into_inner().unwrap_or_else(PoisonError::into_inner)))
+    });
+    let answered = cases.iter().try_fold(answered?, |answered, case| case.get().unless_callable_failed(answered));
+    let (document, remarks): (Value, _) = answered?.map_err(of_answer)?;
+    for remark in remarks {
+        let said = CString::new(remark.to_string()).unwrap_or_default();
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &said, 2)?;
+    }
+    Ok(pythonize(py, &document)?)
+}
