@@ -37,6 +37,22 @@ def said(units: str, name: str) -> dict[str, str]:
     return {"units": units, "long_name": name}
 
 
+def column(dimension: str, rows: Sequence[Mapping[str, Any]], key: str, units: str, name: str) -> Any:
+    """A number of each row of a document as a variable, NaN where there is none."""
+    return dimension, np.array([row.get(key) for row in rows], float), said(units, name)
+
+
+def texts(dimension: str, rows: Sequence[Mapping[str, Any]], key: str, name: str) -> Any:
+    """A text of each row of a document as a variable, empty where there is none."""
+    return dimension, [row[key] or "" for row in rows], {"long_name": name}
+
+
+def rates(rows: Sequence[Mapping[str, Any]], wavelengths: Sequence[float]) -> Any:
+    """The growth rates over wavelength of each row of a document, NaN where there are none."""
+    none = [np.nan] * len(wavelengths)
+    return np.array([row["growth_rate_per_passage"] or none for row in rows], float)
+
+
 def along(dimension: str, values: Sequence[float], units: str, name: str) -> tuple[str, Sequence[float], dict[str, str]]:
     """Values along a dimension, with units and long name."""
     return dimension, values, said(units, name)

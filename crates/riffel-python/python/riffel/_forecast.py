@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -59,8 +60,8 @@ def _hardening(rows: Sequence[Mapping[str, Any]]) -> dict[str, xr.DataArray]:
     wavelengths = [row["wavelength_m"] for row in rows]
 
     def column(key: str, name: str) -> xr.DataArray:
-        values = [np.nan if row[key] is None else row[key] for row in rows]
-        return xr.DataArray(values, {"wavelength": wavelengths}, attrs={"units": "1", "long_name": name})
+        _, values, said = _datasets.column("wavelength", rows, key, "1", name)
+        return xr.DataArray(values, {"wavelength": wavelengths}, attrs=said)
 
     return {
         "runaway_number": column("runaway_number", "above one the wave outgrows its hardening"),
@@ -94,13 +95,8 @@ def comparison(outcomes: Sequence[Mapping[str, Any]], title: str | None) -> xr.D
     rates = [outcome["growth_rate_per_passage"] for outcome in outcomes]
     bands = levels([band["wavelength_m"] for band in rates[0]], np.zeros(len(rates[0])))
 
-    def column(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
-        values = [np.nan if outcome[key] is None else outcome[key] for outcome in outcomes]
-        return "variant", values, {"units": units, "long_name": name}
-
-    def words(key: str, name: str) -> tuple[str, list[str], dict[str, str]]:
-        return "variant", [outcome[key] or "" for outcome in outcomes], {"long_name": name}
-
+    column = partial(_datasets.column, "variant", outcomes)
+    texts = partial(_datasets.texts, "variant", outcomes)
     attributes = _datasets.attributes(title)
     attributes["no_effect"] = [outcome["no_effect"] for outcome in outcomes if outcome["no_effect"]]
     return xr.Dataset(
@@ -115,8 +111,8 @@ def comparison(outcomes: Sequence[Mapping[str, Any]], title: str | None) -> xr.D
             "ridge_frequency": column("ridge_frequency_hz", "Hz", "frequency that the strongest branch of the ridge follows"),
             "passages_to_limit": column("passages_to_limit", "1", "axle passages to the limit"),
             "months_to_limit": column("months_to_limit", "month", "months to the limit"),
-            "limit_reached": words("limit_reached", "whether the limit is reached"),
-            "hold": words("hold", "what is held where friction or load change"),
+            "limit_reached": texts("limit_reached", "whether the limit is reached"),
+            "hold": texts("hold", "what is held where friction or load change"),
             "acts": ("variant", [outcome["acts"] is not False for outcome in outcomes], {"long_name": "whether it acts"}),
         },
         {

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
-import numpy as np
 import xarray as xr
 
 from riffel import _datasets
@@ -51,26 +51,19 @@ def compare_models(case: Case, models: Sequence[str] | None = None, *, speed: Qu
     described = found["models"]
     wavelengths = found["wavelength_m"]
 
-    def fastest(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
-        values = [np.nan if model["highest"] is None else model["highest"][key] for model in described]
-        return "model", values, {"units": units, "long_name": name}
-
-    def words(key: str, name: str) -> tuple[str, list[str], dict[str, str]]:
-        return "model", [model[key] or "" for model in described], {"long_name": name}
-
-    none = np.full(len(wavelengths), np.nan)
-    rates = [none if model["growth_rate_per_passage"] is None else model["growth_rate_per_passage"] for model in described]
+    fastest = partial(_datasets.column, "model", [model["highest"] or {} for model in described])
+    texts = partial(_datasets.texts, "model", described)
     differs = [model["differs_by"][0]["joint"] if model["differs_by"] else "" for model in described]
     return xr.Dataset(
         {
-            "growth_rate": (("model", "wavelength"), np.array(rates), _datasets.GROWTH_RATE),
+            "growth_rate": (("model", "wavelength"), _datasets.rates(described, wavelengths), _datasets.GROWTH_RATE),
             "fastest_wavelength": fastest("wavelength_m", "m", "wavelength that grows fastest"),
             "fastest_growth_rate": fastest("growth_rate_per_passage", "1", "its growth rate per passage"),
             "fastest_frequency": fastest("frequency_hz", "Hz", "its frequency"),
-            "title": words("title", "authors and year"),
-            "source": words("source", "where it was published"),
+            "title": texts("title", "authors and year"),
+            "source": texts("source", "where it was published"),
             "applies": ("model", [model["applies"] for model in described], {"long_name": "whether it is on the case"}),
-            "not_on_this_case": words("not_on_this_case", "what the case lacks"),
+            "not_on_this_case": texts("not_on_this_case", "what the case lacks"),
             "differs_by": ("model", differs, {"long_name": "joint that moves growth most towards the exact contact"}),
         },
         {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -109,8 +110,7 @@ def on_smooth_rail(case: _riffel.Case, speed: float, step: float | None, title: 
         ("stick_fraction", "1", "share of the time below the creepage of the greatest creep force"),
         ("mean_dissipation_j_per_m", "J/m", "mean energy dissipated in a metre"),
     ):
-        values = np.array([contact[name] for contact in contacts])
-        columns[name.removesuffix("_j_per_m")] = ("contact", values, {"units": unit, "long_name": words})
+        columns[name.removesuffix("_j_per_m")] = _datasets.column("contact", contacts, name, unit, words)
     if len(contacts) == 1:
         for name in _COURSE:
             if name in columns and name != "height":
@@ -168,9 +168,7 @@ def evolve(
     def over_passages(key: str, unit: str, words: str) -> tuple[str, Any, dict[str, str]]:
         return "passages", np.array(stages[key], dtype=np.float64), {"units": unit, "long_name": words}
 
-    def of_bands(key: str, unit: str, words: str) -> tuple[str, Any, dict[str, str]]:
-        values = np.array([band[key] for band in bands], dtype=np.float64)
-        return "wavelength", values, {"units": unit, "long_name": words}
+    of_bands = partial(_datasets.column, "wavelength", bands)
 
     def of_both(key: str, attributes: dict[str, str]) -> tuple[tuple[str, str], Any, dict[str, str]]:
         return ("passages", "wavelength"), np.array([band[key] for band in bands]).T, attributes

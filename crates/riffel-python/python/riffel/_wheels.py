@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -63,33 +64,23 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
     wavelengths = found["wavelength_m"]
     shape = (len(speeds), len(map_wavelengths))
 
-    def fastest(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
-        values = [np.nan if wheel["highest"] is None else wheel["highest"][key] for wheel in wheels]
-        return "wheel", values, {"units": units, "long_name": name}
-
-    def words(key: str, name: str) -> tuple[str, list[str], dict[str, str]]:
-        return "wheel", [wheel[key] or "" for wheel in wheels], {"long_name": name}
-
-    none = np.full(len(wavelengths), np.nan)
-    rates = [none if wheel["growth_rate_per_passage"] is None else wheel["growth_rate_per_passage"] for wheel in wheels]
+    column = partial(_datasets.column, "wheel", wheels)
+    fastest = partial(_datasets.column, "wheel", [wheel["highest"] or {} for wheel in wheels])
+    texts = partial(_datasets.texts, "wheel", wheels)
     on_grid = [np.full(shape, np.nan) if values is None else values.reshape(shape) for values in maps]
-    states = {
-        key: ("wheel", [wheel[key] for wheel in wheels], {"units": units, "long_name": name})
-        for key, (units, name) in STATES.items()
-    }
     return xr.Dataset(
         {
             "growth_map": (("wheel", "speed", "map_wavelength"), np.array(on_grid), _datasets.GROWTH_RATE),
-            "growth_rate": (("wheel", "wavelength"), np.array(rates), _datasets.GROWTH_RATE),
+            "growth_rate": (("wheel", "wavelength"), _datasets.rates(wheels, wavelengths), _datasets.GROWTH_RATE),
             "fastest_wavelength": fastest("wavelength_m", "m", "wavelength that grows fastest under the usual traffic"),
             "fastest_growth_rate": fastest("growth_rate_per_passage", "1", "its growth rate per passage"),
             "fastest_frequency": fastest("frequency_hz", "Hz", "its frequency"),
             "wheelset": ("wheel", [wheel["wheelset"] for wheel in wheels], {"long_name": "wheelset, 1 leads"}),
-            "rail": words("rail", "low or high rail"),
-            "side": words("side", "left or right rail"),
-            "contact": words("contact", "tread, or flange of a wheel on two points"),
-            **states,
-            "not_in_loop": words("not_in_loop", "why the loop has no mean state there"),
+            "rail": texts("rail", "low or high rail"),
+            "side": texts("side", "left or right rail"),
+            "contact": texts("contact", "tread, or flange of a wheel on two points"),
+            **{key: column(key, *said) for key, said in STATES.items()},
+            "not_in_loop": texts("not_in_loop", "why the loop has no mean state there"),
         },
         {
             "wheel": ("wheel", [_label(wheel) for wheel in wheels], {"long_name": "wheel"}),

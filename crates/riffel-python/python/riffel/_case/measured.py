@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riffel import _diagnosis, _riffel
+from riffel import _riffel
 from riffel._ask import ask
 from riffel._axlebox import AxleBoxRun, checked_place, checked_run
 from riffel._case.keys import KeysOfCase
-from riffel._quantities import OR_ZERO, Quantities, Quantity, scalar
-from riffel._records import Date, RailRecord, dated_levels
-from riffel._spectra import levels_of
-from riffel._speeds import Speeds
+from riffel._layout import layout
+from riffel._quantities import Quantities, Quantity, array, scalar
+from riffel._records import Date, RailRecord, checked_dates, checked_record
+from riffel._speeds import Speeds, ranges
 from riffel._traffic import Traffic, file_or_keys
 
 
@@ -114,23 +114,27 @@ class MeasuredOnCase(KeysOfCase):
         >>> course["records"], course["per"], round(course["slope_db"], 1)
         (['2024-05-01', '2025-05-01'], 'year', 6.0)
         """
-        return _diagnosis.diagnose(
+        if traffic is not None and speed is not None:
+            raise ValueError("traffic and speed exclude each other: give one of the two")
+        if isinstance(earlier, (str, os.PathLike)):
+            raise ValueError(f"earlier is {os.fspath(earlier)!r}, but must be a sequence of records, the oldest first")
+        named = [*((f"earlier[{index}]", record) for index, record in enumerate(earlier)), ("rail", rail)]
+        dated = checked_dates(dates, len(named))
+        records = [checked_record(record, name, spacing) for name, record in named]
+        *before, present = [(name, date, given) for (name, given), date in zip(records, dated, strict=True)]
+        given_traffic = None if traffic is None else file_or_keys(traffic)
+        return _riffel.diagnose(
             self._case,
-            rail,
-            spacing=spacing,
-            earlier=earlier,
-            dates=dates,
-            traffic=None if traffic is None else file_or_keys(traffic),
-            speed=speed,
-            torsion=torsion,
-            bending=bending,
-            where=where,
-            by=by,
-            format=format,
-            height_unit=height_unit,
-            position_unit=position_unit,
-            from_vehicle=from_vehicle,
-            keep_defects=keep_defects,
+            present,
+            before,
+            layout(format, spacing, height_unit, position_unit),
+            given_traffic if speed is None else ranges(speed),
+            _modes(torsion, "torsion"),
+            _modes(bending, "bending"),
+            [f"{column}={value}" for column, value in (where or {}).items()],
+            by,
+            from_vehicle,
+            keep_defects,
         )
 
     def axlebox(
@@ -328,3 +332,10 @@ class MeasuredOnCase(KeysOfCase):
         }
         found: dict[str, Any] = ask("noise", question)
         return found
+
+
+def _modes(frequencies: Quantities, name: str) -> list[float]:
+    if isinstance(frequencies, (Sequence, np.ndarray)) and len(frequencies) == 0:
+        return []
+    modes: list[float] = array(frequencies, name, "frequency").tolist()
+    return modes
