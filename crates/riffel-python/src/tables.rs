@@ -1,4 +1,4 @@
-//! Dicts of Python as tables of TOML, and back.
+//! Dicts of Python as tables of TOML.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -50,28 +50,4 @@ pub(crate) fn value(item: &Bound<'_, PyAny>, path: &str) -> PyResult<Value> {
     Err(PyTypeError::new_err(format!(
         "`{path}` is of type {kind}, but must be a number, a string, a bool, a list or a dict"
     )))
-}
-
-/// A table as a dict.
-pub(crate) fn dict<'py>(py: Python<'py>, table: &Table) -> PyResult<Bound<'py, PyDict>> {
-    let dict = PyDict::new(py);
-    for (key, value) in table {
-        dict.set_item(key, object(py, value)?)?;
-    }
-    Ok(dict)
-}
-
-fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
-    Ok(match value {
-        Value::String(text) => text.into_pyobject(py)?.into_any(),
-        Value::Integer(whole) => whole.into_pyobject(py)?.into_any(),
-        Value::Float(real) => real.into_pyobject(py)?.into_any(),
-        Value::Boolean(truth) => truth.into_pyobject(py)?.to_owned().into_any(),
-        Value::Datetime(date) => date.to_string().into_pyobject(py)?.into_any(),
-        Value::Array(items) => {
-            let items = items.iter().map(|item| object(py, item));
-            PyList::new(py, items.collect::<PyResult<Vec<_>>>()?)?.into_any()
-        }
-        Value::Table(table) => dict(py, table)?.into_any(),
-    })
 }

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
 
 import pytest
+from conftest import ROOT
 
 import riffel
+from riffel import _riffel
 
 
 @pytest.mark.parametrize("name", riffel.__all__)
@@ -23,3 +26,11 @@ def test_a_wrong_name_is_an_attribute_error() -> None:
         riffel.Cases  # type: ignore[attr-defined]
     with pytest.raises(ImportError, match="cannot import name 'Cases'"):
         from riffel import Cases  # type: ignore[attr-defined]  # noqa: F401
+
+
+def test_the_stub_has_the_names_of_the_extension() -> None:
+    stub = ast.parse((ROOT / "crates/riffel-python/python/riffel/_riffel.pyi").read_text())
+    defined = {one.name for one in stub.body if isinstance(one, (ast.ClassDef, ast.FunctionDef))}
+    values = {one.target.id for one in stub.body if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name)}
+    names = {name for name in vars(_riffel) if not name.startswith("_")}
+    assert defined | {name for name in values if not name.startswith("_")} == names

@@ -141,7 +141,7 @@ impl Case {
         PortableCase(self.case.portable())
     }
 
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut table = toml::Table::try_from(&self.case.file).map_err(|error| wrong(error.to_string()))?;
         // What the wear measured has made is none of the keys beside it.
         if self.case.file.wear.measured.is_some()
@@ -149,7 +149,7 @@ impl Case {
         {
             wear.remove("coefficient");
         }
-        tables::dict(py, &table)
+        document(py, &table)
     }
 
     #[getter]
