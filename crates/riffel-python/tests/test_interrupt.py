@@ -32,6 +32,7 @@ except KeyboardInterrupt:
 LONG = [
     "growth_map(wavelength=np.linspace(0.02, 0.08, 100_000), speed=np.linspace(5.0, 60.0, 1000))",
     "ridge(speed=np.linspace(5.0, 60.0, 1_000_000))",
+    "with_({'map.speed.points': 100_000}).compare([{'title': 'slippery', 'contact': {'friction': 0.2}}])",
 ]
 
 
