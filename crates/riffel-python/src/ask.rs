@@ -1,11 +1,10 @@
 //! Questions by their names, as the program answers them.
 
-use std::ffi::CString;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use numpy::PyReadonlyArray1;
-use pyo3::exceptions::{PyTypeError, PyUserWarning};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use pythonize::{depythonize, pythonize};
@@ -75,9 +74,13 @@ impl<'py> InMemory<'py> {
     }
 }
 
-/// The document of the answer to a question, in which cases and levels may stand; remarks on the question are warnings.
+/// The document of the answer to a question, in which cases and levels may stand, and remarks on the question with their ids.
 #[pyfunction]
-pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn ask<'py>(
+    py: Python<'py>,
+    name: &str,
+    question: &Bound<'py, PyDict>,
+) -> PyResult<(Bound<'py, PyAny>, Vec<(&'static str, String)>)> {
     let named = question::known(name).map_err(of_answer)?;
     let (mut keys, mut in_memory) = (Map::new(), InMemory::default());
     for (key, value) in question {
@@ -94,10 +97,7 @@ pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict
         Ok::<_, AnswerError>((document, asker.0.into_inner().unwrap_or_else(PoisonError::into_inner)))
     });
     let answered = cases.iter().try_fold(answered?, |answered, case| case.get().unless_callable_failed(answered));
-    let (document, remarks): (Value, _) = answered?.map_err(of_answer)?;
-    for remark in remarks {
-        let said = CString::new(remark.to_string()).unwrap_or_default();
-        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &said, 2)?;
-    }
-    Ok(pythonize(py, &document)?)
+    let (document, remarks): (Value, Vec<_>) = answered?.map_err(of_answer)?;
+    let remarks = remarks.iter().map(|remark: &Message| (remark.id(), remark.to_string()));
+    Ok((pythonize(py, &document)?, remarks.collect()))
 }

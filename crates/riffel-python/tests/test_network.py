@@ -84,6 +84,14 @@ def test_what_cannot_be_is_refused(network: riffel.Network, tmp_path: Path) -> N
         network.worst(most=0)
 
 
+def test_a_damaged_survey_is_an_error(network: riffel.Network, tmp_path: Path) -> None:
+    chunk = sorted(tmp_path.rglob("left/c/0/0"))[-1]
+    chunk.write_bytes(bytes(reversed(chunk.read_bytes())))
+    for ask in (network.status, network.worst):
+        with pytest.raises(ValueError, match="is damaged: .*; the survey is left out"):
+            ask()
+
+
 def test_what_traffic_is_expected_to_make_is_that_of_the_program(
     network: riffel.Network, nominal: riffel.Case, tmp_path: Path
 ) -> None:

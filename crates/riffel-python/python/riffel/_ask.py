@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime
 import math
 import os
+import warnings
 from collections.abc import Mapping
 from typing import Any
 
@@ -52,6 +53,14 @@ def ask(name: str, question: Mapping[str, Any]) -> Any:
     >>> state["growth_rate_per_passage"] > 0.0
     True
     """
+    found, remarks = answer(name, question)
+    for _, remark in remarks:
+        warnings.warn(remark, stacklevel=2)
+    return found
+
+
+def answer(name: str, question: Mapping[str, Any]) -> tuple[Any, list[tuple[str, str]]]:
+    """The answer to a question, and ids and sentences of what is unusual about it."""
     return _riffel.ask(name, {key: plain(value, key) for key, value in question.items() if value is not None})
 
 

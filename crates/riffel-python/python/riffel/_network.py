@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from riffel._ask import ask
+from riffel._ask import answer
 from riffel._case import Case
 from riffel._quantities import Quantity, scalar
 from riffel._traffic import Traffic
@@ -279,7 +280,12 @@ class Network:
         )
 
     def _ask(self, name: str, question: dict[str, Any]) -> Any:
-        return ask(f"network {name}", {"store": self._folder, **question})
+        found, remarks = answer(f"network {name}", {"store": self._folder, **question})
+        for kind, remark in remarks:
+            if kind == "survey-is-left-out":
+                raise ValueError(remark)
+            warnings.warn(remark, stacklevel=3)
+        return found
 
 
 def _table(rows: Sequence[dict[str, Any]], dimension: str) -> xr.Dataset:
