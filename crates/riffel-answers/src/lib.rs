@@ -154,6 +154,10 @@ pub static QUESTIONS: &[&dyn question::AnyQuestion] = &[
     &question::of::<presets::PresetsQuestion>(),
 ];
 
+/// What the page asks about files beside [`QUESTIONS`]: no command has these names.
+static QUESTIONS_OF_THE_PAGE: &[&dyn question::AnyQuestion] =
+    &[&question::of::<page::along::AlongQuestion>(), &question::of::<page::measure::MeasureQuestion>()];
+
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]
 mod book {

@@ -25,7 +25,7 @@ export class Along {
   /** `question` gives the name of the record and how it is laid out; `onPart` takes the part of the line that was chosen, null for all of it. */
   constructor({ question, onPart, complain, inLabels, save }) {
     Object.assign(this, { question, onPart, complain, inLabels, held: null, answer: null, part: null, table: null });
-    this.line = new Line('/api/along', json);
+    this.line = new Line('/api/ask/along', json);
     this.plot = element('div', { className: 'curve tall', id: 'along' });
     const head = element('header', {}, worded('h2', 'along'));
     this.shown = element('strong', { id: 'part' });
@@ -73,7 +73,7 @@ export class Along {
   #ask(refuse = () => {}) {
     const { held, table } = this;
     const block = Math.max(SHORTEST_BLOCK, this.length / BLOCKS);
-    this.line.ask({ ...this.question(), block_m: block, ...(table && { along: table }) }, (answer) => {
+    this.line.ask({ ...this.question(), block, ...(table && { along: table }) }, (answer) => {
       // Meanwhile another record may have come.
       if (this.held !== held) return;
       this.answer = answer;

@@ -18,16 +18,16 @@ const ORIENTATIONS = ['found', 'as-written', 'mirrored', 'upside-down', 'turned'
 /** Largest file [bytes]: some thousand points. */
 const LARGEST = 80_000;
 
-/** Place in the page, word, key of the question, units, value at first, least and most. */
+/** Place in the page, word, key of the case of the curve or side of the friction, units, value at first, least and most. */
 const FIELDS = [
-  ['curve-radius', 'curve_radius', 'radius_m', 'length', 180, -100000, 100000],
-  ['curve-speed', 'curve_speed', 'speed_m_per_s', 'speed', 45, 1, 400],
-  ['curve-cant', 'curve_cant', 'cant_m', 'millimetres', 0.1, 0, 0.3],
-  ['curve-gauge', 'curve_gauge', 'gauge_m', 'millimetres', 1.435, 0.9, 1.8],
-  ['bogie-wheelbase', 'bogie_wheelbase', 'wheelbase_m', 'length', 2.1, 0.5, 6],
-  ['bogie-axle-load', 'bogie_axle_load', 'mass_per_axle_kg', 'mass', 10e3, 2e3, 50e3],
-  ['bogie-longitudinal', 'bogie_longitudinal', 'longitudinal_stiffness_n_per_m', 'stiffness', 8e6, 0.01e6, 1000e6],
-  ['bogie-lateral', 'bogie_lateral', 'lateral_stiffness_n_per_m', 'stiffness', 4e6, 0.01e6, 1000e6],
+  ['curve-radius', 'curve_radius', 'curve.radius', 'length', 180, -100000, 100000],
+  ['curve-speed', 'curve_speed', 'curve.speed', 'speed', 45, 1, 400],
+  ['curve-cant', 'curve_cant', 'curve.cant', 'millimetres', 0.1, 0, 0.3],
+  ['curve-gauge', 'curve_gauge', 'profiles.gauge', 'millimetres', 1.435, 0.9, 1.8],
+  ['bogie-wheelbase', 'bogie_wheelbase', 'bogie.wheelbase', 'length', 2.1, 0.5, 6],
+  ['bogie-axle-load', 'bogie_axle_load', 'bogie.mass_per_axle', 'mass', 10e3, 2e3, 50e3],
+  ['bogie-longitudinal', 'bogie_longitudinal', 'bogie.primary_longitudinal_stiffness', 'stiffness', 8e6, 0.01e6, 1000e6],
+  ['bogie-lateral', 'bogie_lateral', 'bogie.primary_lateral_stiffness', 'stiffness', 4e6, 0.01e6, 1000e6],
   ['friction-high', 'friction_high', 'friction_high', 'ratio', 0.4, 0.01, 1],
   ['friction-low', 'friction_low', 'friction_low', 'ratio', 0.4, 0.01, 1],
 ];
@@ -39,7 +39,7 @@ const KEPT = 'riffel-curve';
 /** Fields and profiles as they were before a reload, as far as they are such. */
 function kept() {
   const { values = {}, chosen = {} } = remembered(KEPT) ?? {};
-  const isGood = ([, , key, , , low, high]) => values[key] >= low && values[key] <= high && (key !== 'radius_m' || Math.abs(values[key]) >= NARROWEST);
+  const isGood = ([, , key, , , low, high]) => values[key] >= low && values[key] <= high && (key !== 'curve.radius' || Math.abs(values[key]) >= NARROWEST);
   const isProfile = ([kind, { name, text, orientation = 'found' }]) => (text === undefined ? NOMINAL[kind]?.includes(name) : kind in NOMINAL && typeof name === 'string' && typeof text === 'string' && ORIENTATIONS.includes(orientation));
   return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
 }
@@ -83,7 +83,7 @@ export function startBogie({ state, traffic, listen, complain, banner, inLabels,
   const fields = FIELDS.map(([id, word, key, units, otherwise, low, high]) => Object.assign(new NumberField({
     id, word, units: UNITS[units], low, high, onTrouble: settle,
     accept: (value = otherwise) => {
-      if (key === 'radius_m' && Math.abs(value) < NARROWEST) return t('too_narrow', { label: t(word), narrowest: NARROWEST });
+      if (key === 'curve.radius' && Math.abs(value) < NARROWEST) return t('too_narrow', { label: t(word), narrowest: NARROWEST });
       values[key] = value;
       keep();
       showFields();
@@ -131,16 +131,18 @@ export function startBogie({ state, traffic, listen, complain, banner, inLabels,
   function ask() {
     if (state.view !== 'curve') return;
     if (fields.some(({ isWrong }) => isWrong)) return;
-    // Speeds are held in the unit that all of them have in the page.
-    const asked = { ...values, speed_m_per_s: values.speed_m_per_s / 3.6 };
+    const { friction_high: high, friction_low: low, ...keys } = values;
+    // The outer rail of a curve to the right is the left one. Speeds are held in the unit that all of them have in the page.
+    const [left, right] = keys['curve.radius'] > 0 ? [high, low] : [low, high];
+    const asked = { ...chosen, set: { ...keys, 'curve.speed': keys['curve.speed'] / 3.6, 'contact.friction.left': left, 'contact.friction.right': right } };
     settle(true);
-    line.ask({ ...chosen, ...asked }, (answer) => {
-      shown = { ...answer, asked };
+    line.ask(asked, (answer) => {
+      shown = { ...answer, set: asked.set };
       failed = false;
       banner.clear();
       settle();
       show();
-      growth.ask(answer.curve.fault ? null : { ...chosen, ...asked });
+      growth.ask(answer.curve.fault ? null : asked);
     }, (fault) => {
       failed = true;
       complain(fault, { until: 'success' });
@@ -173,7 +175,7 @@ export function startBogie({ state, traffic, listen, complain, banner, inLabels,
     trouble.hidden = !fault;
     trouble.textContent = fault ? `${t('no_equilibrium')} ${inWords(fault.message, inLabels)}` : '';
     table.hidden = above.hidden = heads.wheels.querySelector('.take').hidden = Boolean(fault);
-    if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, gauge: shown.asked.gauge_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
+    if (!fault) drawBogie(above, shown.curve, { radius: shown.set['curve.radius'], gauge: shown.set['profiles.gauge'], wheelbase: shown.set['bogie.wheelbase'], label: t('bogie_from_above') });
     const cell = (value, digits) => value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−');
     const columns = ['shift_mm', 'attack_mrad', 'along_percent', 'across_percent', 'angle_degrees', 'load_kn', 't_gamma'];
     fillTable(table, ['', ...columns.map((head) => t(head))], wheels.map((wheel) => {

@@ -52,7 +52,7 @@ export function startCalibrate({ state, traffic, inLabels, unitOf, listen, compl
   const known = element('article', { className: 'panel wide', id: 'priors-panel', hidden: true }, element('header', {}, worded('h2', 'known_before'), worded('span', 'known_before_help', { className: 'aside' })),
     priors.place, trouble, element('div', { className: 'settings' }, element('label', { className: 'choice' }, worded('span', 'draws_of_chain'), draws), run, bar, stop, status, savePlan));
 
-  const question = () => ({ case: { keys: state.accepted }, ...traffic.question, data: data.question, changes: { parameters: priors.changes, draws: Number(draws.value) } });
+  const question = () => ({ case: { keys: state.accepted }, traffic: traffic.file, data: data.question, changes: { parameters: priors.changes, draws: Number(draws.value) } });
   const ask = async (path, body) => json(await askOnce(path, body));
 
   /** The newest plan counts. */

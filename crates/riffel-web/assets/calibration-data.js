@@ -4,7 +4,7 @@ import { element, worded } from './elements.js';
 import { said } from './messages.js';
 import { remember, remembered } from './remembered.js';
 import { addRow, held, tell, underWay } from './sent-files.js';
-import { Fault, askOnce, send } from './server.js';
+import { Fault, discard, send } from './server.js';
 import { currentLanguage, fileSize, t, translate } from './words.js';
 
 /** Where a reload finds the names of the files that the program keeps for this page. */
@@ -28,24 +28,24 @@ export class CalibrationData {
 
   /** Those that the program can take. */
   get question() {
-    return this.files.filter(({ number: own, refused }) => own !== undefined && !refused).map(({ number: own, name }) => ({ number: own, name }));
+    return this.files.filter(({ upload, refused }) => upload !== undefined && !refused).map(({ upload, name }) => ({ upload, name }));
   }
 
   /** The files, or the numbers by which the program has them. */
   get kept() {
-    return this.files.map(({ file, name, number: own }) => ({ file, name, kept: { kind: 'measurements', number: own } }));
+    return this.files.map(({ file, name, upload }) => ({ file, name, kept: upload }));
   }
 
   /** Take files in the place of those that are there. */
   replace(chosen) {
-    for (const { number: own } of this.files) if (own !== undefined) this.#drop(own);
+    for (const { upload } of this.files) if (upload !== undefined) this.#drop(upload);
     this.files = [];
     this.#keep();
     return this.add(chosen);
   }
 
-  #drop(number) {
-    askOnce('/api/calibration/remove', { number }).catch((fault) => this.complain(fault));
+  #drop(upload) {
+    discard(upload).catch((fault) => this.complain(fault));
   }
 
   async add(chosen) {
@@ -60,9 +60,9 @@ export class CalibrationData {
     const record = this.#record({ file, name: file.name, size: file.size });
     this.files.push(record);
     this.show();
-    const coming = send('/api/calibration/data', file, (share) => (record.state.textContent = underWay(share)));
+    const coming = send(file, (share) => (record.state.textContent = underWay(share)));
     try {
-      record.number = (await coming.done).number;
+      record.upload = await coming.done;
     } catch (fault) {
       this.files = this.files.filter((other) => other !== record);
       this.show();
@@ -77,7 +77,7 @@ export class CalibrationData {
   /** Ask what a file is taken as; one that cannot be told says why, and is left out. */
   async read(record) {
     try {
-      const plan = await this.plan([{ number: record.number, name: record.name }]);
+      const plan = await this.plan([{ upload: record.upload, name: record.name }]);
       if (plan) Object.assign(record, { kind: plan.data[0].kind, refused: null });
     } catch (fault) {
       if (!(fault instanceof Fault)) throw fault;
@@ -90,7 +90,7 @@ export class CalibrationData {
 
   /** Another case may take what this one refused. */
   async reread() {
-    for (const record of [...this.files]) if (record.number !== undefined) await this.read(record);
+    for (const record of [...this.files]) if (record.upload !== undefined) await this.read(record);
   }
 
   /** After a restart the program has no files of this page. */
@@ -104,7 +104,7 @@ export class CalibrationData {
 
   #remove(record) {
     this.files = this.files.filter((other) => other !== record);
-    if (record.number !== undefined) this.#drop(record.number);
+    if (record.upload !== undefined) this.#drop(record.upload);
     this.#keep();
     this.show();
     this.input.focus();
@@ -112,8 +112,8 @@ export class CalibrationData {
   }
 
   /** A file and its row; one that a reload found has no `file`. */
-  #record({ file, name, size, number: own }) {
-    return addRow({ file, name, size, number: own, kind: null, refused: null }, (record) => this.#remove(record));
+  #record({ file, name, size, upload }) {
+    return addRow({ file, name, size, upload, kind: null, refused: null }, (record) => this.#remove(record));
   }
 
   show() {

@@ -3,13 +3,14 @@
 import { element, worded } from './elements.js';
 import { remember, remembered } from './remembered.js';
 import { addRow, held, tell, underWay } from './sent-files.js';
-import { Fault, askOnce, cancelled, json, send } from './server.js';
+import { Fault, askOnce, cancelled, discard, json, send } from './server.js';
 import { currentLanguage, fileSize, t, translate } from './words.js';
 
 /** Where a reload finds names and dates of the records that the program keeps for this page. */
 const EARLIER = 'riffel-earlier';
 /** Most records that the program takes. */
 const MOST = 6;
+const DAY = 24 * 3600 * 1000;
 /** No rail was measured in this way before; a year that is being typed is earlier still. */
 const FIRST_DATE = '1900-01-01';
 
@@ -47,6 +48,7 @@ export class Earlier {
   forget() {
     const gone = this.kept;
     this.coming?.abort();
+    for (const { upload } of this.records) if (upload !== undefined) discard(upload).catch(() => {});
     // Files on their way belong to the rail before.
     Object.assign(this, { records: [], date: '', rail: this.rail + 1 });
     this.own.input.value = '';
@@ -58,7 +60,7 @@ export class Earlier {
 
   /** The files, or the numbers by which the program has them, with their dates, and that of the record; null if there are none. */
   get kept() {
-    return this.records.length ? { date: this.date, files: this.records.map(({ file, name, date, number: own }) => ({ file, name, date, kept: { kind: 'earlier', number: own } })) } : null;
+    return this.records.length ? { date: this.date, files: this.records.map(({ file, name, date, upload }) => ({ file, name, date, kept: upload })) } : null;
   }
 
   /** The record to which these belonged is back: send them again, with their dates. */
@@ -73,10 +75,19 @@ export class Earlier {
     return good.every(({ date }) => date) ? [...good].sort((a, b) => (a.date < b.date ? -1 : 1)) : good;
   }
 
-  /** What a question has of them. */
+  /** What a question has of them, with the dates of all records where all have one. */
   get question() {
-    const earlier = this.good.map(({ number: own, name, date }) => ({ number: own, name, ...(date && { date }) }));
-    return earlier.length ? { earlier, ...(this.date && { date: this.date }) } : {};
+    const earlier = this.good.map(({ upload, name }) => ({ upload, name }));
+    const dates = [...this.good.map(({ date }) => date), this.date];
+    return earlier.length ? { earlier, ...(dates.every(Boolean) && { dates }) } : {};
+  }
+
+  /** Where not all have a date, the latest that has one, and the axle passages since then under so many a day. */
+  since(daily) {
+    const dated = this.good.filter(({ date }) => date);
+    if (!this.date || !dated.length || this.question.dates) return {};
+    const { upload, name, date } = dated.reduce((latest, one) => (one.date > latest.date ? one : latest));
+    return { since: { upload, name }, passages_between: (daily * (Date.parse(this.date) - Date.parse(date))) / DAY };
   }
 
   /** Their spectra: name of a rail, date or else name of the file, levels; the oldest first. */
@@ -109,10 +120,9 @@ export class Earlier {
     const record = this.#record({ file, name: file.name, size: file.size, date });
     this.records.push(record);
     this.#show();
-    this.coming = send('/api/earlier', file, (share) => (record.state.textContent = underWay(share)));
+    this.coming = send(file, (share) => (record.state.textContent = underWay(share)));
     try {
-      const { number: own } = await this.coming.done;
-      Object.assign(record, { number: own, isAsked: true });
+      Object.assign(record, { upload: await this.coming.done, isAsked: true });
     } catch (fault) {
       this.records = this.records.filter((other) => other !== record);
       this.#show();
@@ -136,7 +146,7 @@ export class Earlier {
     const turn = (record.turn = (record.turn ?? 0) + 1);
     let [spectra, refused] = [null, null];
     try {
-      spectra = await json(await askOnce('/api/earlier/read', { number: record.number, name: record.name, ...this.layout() }));
+      spectra = await json(await askOnce('/api/ask/roughness', { file: { upload: record.upload, name: record.name }, ...this.layout() }));
     } catch (fault) {
       if (!(fault instanceof Fault) && !cancelled(fault)) throw fault;
       refused = fault instanceof Fault ? fault : { message: t('stopped_once') };
@@ -148,19 +158,19 @@ export class Earlier {
 
   /** Read all anew, by other columns or after a reload. */
   async reread() {
-    for (const record of [...this.records]) if (record.number !== undefined) await this.#read(record);
+    for (const record of [...this.records]) if (record.upload !== undefined) await this.#read(record);
   }
 
   /** After a reload the files are there and their spectra are not: a promise that they are, or null. */
   get comingBack() {
-    if (this.records.some(({ number: own, isAsked }) => own !== undefined && !isAsked)) this.reading ??= this.reread().finally(() => (this.reading = null));
+    if (this.records.some(({ upload, isAsked }) => upload !== undefined && !isAsked)) this.reading ??= this.reread().finally(() => (this.reading = null));
     return this.reading ?? null;
   }
 
   #remove(record) {
     this.records = this.records.filter((other) => other !== record);
-    if (record.number === undefined) this.coming?.abort();
-    else askOnce('/api/earlier/remove', { number: record.number }).catch((fault) => this.complain(fault, { what: `${record.name}: ` }));
+    if (record.upload === undefined) this.coming?.abort();
+    else discard(record.upload).catch((fault) => this.complain(fault, { what: `${record.name}: ` }));
     this.#checkDates();
     this.#keep();
     this.#show();
@@ -214,10 +224,10 @@ export class Earlier {
   // Showing them -----------------------------------------------------------------------------------------
 
   /** A record and its row; one that a reload found has no `file`. */
-  #record({ file, name, size, date, number: own }) {
+  #record({ file, name, size, date, upload }) {
     const field = this.#dateField(`earlier-date-${++dateFields}`);
     field.input.value = date;
-    const record = { file, name, size, date, number: own, spectra: null, refused: null, field };
+    const record = { file, name, size, date, upload, spectra: null, refused: null, field };
     return addRow(record, () => this.#remove(record), { fields: [field.input], faults: [field.fault], className: 'earlier-record' });
   }
 

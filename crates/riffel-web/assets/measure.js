@@ -14,7 +14,7 @@ import { Noise } from './noise.js';
 import { caseTitle, inSentences, inWords, once, said } from './messages.js';
 import { remember, remembered } from './remembered.js';
 import { underWay } from './sent-files.js';
-import { Fault, Line, askOnce, fetched, json, send } from './server.js';
+import { Fault, Line, askOnce, discard, json, send } from './server.js';
 import { currentLanguage, fileSize, number, power, range, t, translate } from './words.js';
 
 /** The name of a file before a sentence that does not begin with it. */
@@ -25,7 +25,7 @@ const RECORD = 'riffel-record';
 
 export function startMeasure({ state, traffic, inLabels, listen, complain, banner, announce, save, showView, leadTo, replace }) {
   const place = document.getElementById('view-measure');
-  const line = new Line('/api/measure', json);
+  const line = new Line('/api/ask/measure', json);
   let file = remembered(RECORD);
   let coming = null;
   let answer = null;
@@ -37,8 +37,8 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   let part = null;
   /** The record that the program has, with its columns, each time anew. */
   let turn = 0;
-  const hold = () => (held = { file, format, turn: ++turn });
-  let held = file && { file, format, turn };
+  const hold = (upload) => (held = { file, format, upload, turn: ++turn });
+  let held = file && { file, format, upload: file.upload, turn };
 
   // What is asked --------------------------------------------------------------------------------------
 
@@ -50,7 +50,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   const source = worded('p', 'sample_source', { className: 'fine', id: 'sample-source', hidden: true });
   const columns = new Columns({ onChoose: (chosen) => {
     [format, part] = [chosen, null];
-    hold();
+    hold(held.upload);
     keepRecord(file);
     earlier.reread().then(ask);
   } });
@@ -83,8 +83,8 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     panel('spectrum', 'map-panel', spectrum, verdicts), panel('dominant', 'loop-panel', dominant),
     panel('growth_map', 'map-panel', map, element('footer', {}, legend)), panel('forecast', 'loop-panel', outlook), panel('notes', 'notes', notes),
   ];
-  const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), onPart: choosePart, complain, inLabels, save });
-  const noise = new Noise({ question: () => question(), isCurrent: () => !line.pending && state.current, complain, banner, inLabels, save });
+  const along = new Along({ question: () => ({ file: sentFile(), ...(format && { format }) }), onPart: choosePart, complain, inLabels, save });
+  const noise = new Noise({ question: () => noiseQuestion(), isCurrent: () => !line.pending && state.current, complain, banner, inLabels, save });
   place.append(drop, unexplained, ...along.panels, ...panels.slice(0, -1), ...noise.panels, panels.at(-1));
   for (const [at, figure] of [[0, () => ({ name: 'spectrum', plot: spectrum })], [2, () => ({ name: 'map', map: view })]]) offer(panels[at].querySelector('header'), figure, save);
   const view = new MapView(map, { label: t('growth_map') });
@@ -94,7 +94,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   /** Take a file; one that comes back has the columns and the earlier records that it had. */
   function take(chosen, { columns: chosenColumns = null, earlierThen = null } = {}) {
     coming?.abort();
-    const { file: before = null, format: columnsBefore = null } = held ?? {};
+    const { file: before = null, format: columnsBefore = null, upload: uploadBefore } = held ?? {};
     const answerBefore = file === before ? answer : null;
     let sent = 0;
     banner.clear('success');
@@ -107,14 +107,15 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     bar.hidden = stop.hidden = false;
     hint.hidden = true;
     status.textContent = chosen.name;
-    coming = send('/api/roughness', chosen, (share) => {
+    coming = send(chosen, (share) => {
       bar.value = sent = share;
       status.textContent = `${chosen.name}, ${underWay(share)}`;
     });
-    coming.done.then(() => {
+    coming.done.then((upload) => {
       if (file !== chosen) return;
       coming = null;
-      hold();
+      hold(upload);
+      if (uploadBefore !== undefined) discard(uploadBefore).catch(() => {});
       keepRecord(chosen);
       const earlierBefore = earlier.forget();
       tellFile();
@@ -147,9 +148,8 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   async function trySample() {
     sample.disabled = true;
     try {
-      const answered = await fetched('/api/sample');
-      if (!answered.ok) throw new Fault(await json(answered), answered.status);
-      take(Object.assign(new File([await answered.blob()], 'sample.csv', { type: 'text/csv' }), { isSample: true }));
+      const made = await askOnce('/api/ask/roughness', { synthesise: true });
+      take(Object.assign(new File([await made.blob()], 'sample.csv', { type: 'text/csv' }), { isSample: true }));
     } catch (fault) {
       complain(fault, { what: `${t('sample')}: ` });
     } finally {
@@ -170,7 +170,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     status.textContent = file ? `${file.name}, ${more || fileSize(file.size)}` : '';
   }
 
-  const keepRecord = (record) => remember(RECORD, record && { name: record.name, size: record.size, isSample: record.isSample, format });
+  const keepRecord = (record) => remember(RECORD, record && { name: record.name, size: record.size, isSample: record.isSample, format, upload: held.upload });
 
   stop.addEventListener('click', () => coming?.abort());
   input.addEventListener('change', () => {
@@ -178,8 +178,15 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     input.value = '';
   });
 
-  const reading = () => ({ ...(format && { format }), ...part });
-  const question = () => ({ case: { keys: state.accepted }, name: file.name, ...traffic.question, ...reading(), ...earlier.question });
+  const sentFile = () => ({ upload: held.upload, name: file.name });
+  const reading = () => ({ ...(format && { format }), ...(part && { from: part.from_m, to: part.to_m }) });
+  /** What all questions about the rail have in common. */
+  const rail = () => ({ case: state.accepted, roughness: sentFile(), traffic: traffic.file, months: traffic.values.months, ...reading() });
+  const question = () => ({ ...rail(), speed: traffic.speed, ...earlier.question, ...earlier.since(traffic.values.passages_per_day) });
+  /** Noise goes on as measured where all records have a date. */
+  const noiseQuestion = () => ({ ...rail(), speed: `${traffic.meanSpeed} m/s`, ...(earlier.question.dates && earlier.question) });
+  // As on the page, a fitted coefficient is taken only by who asks for it.
+  const reportQuestion = () => ({ ...rail(), speed: traffic.speed, ...earlier.question, keep_coefficient: true });
 
   /** Everything below follows a part of the line, or all of it again. */
   function choosePart(chosen) {
@@ -234,7 +241,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     if (!answer) return false;
     report.disabled = true;
     try {
-      save(await (await askOnce('/api/report', { ...question(), language: currentLanguage() })).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
+      save(await (await askOnce('/api/ask/report', reportQuestion(), { 'Accept-Language': currentLanguage() })).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
     } finally {
       report.disabled = false;
     }
@@ -380,7 +387,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     },
     /** The record that is open with all that belongs to it, null where there is none. */
     get record() {
-      return file && { file, name: file.name, kept: { kind: 'record' }, format, table: along.table, earlier: earlier.kept };
+      return file && { file, name: file.name, kept: held?.upload, format, table: along.table, earlier: earlier.kept };
     },
     /** The record of a project. */
     bringBack({ file: chosen, format: columnsThen, table, earlier: earlierThen }) {

@@ -53,7 +53,7 @@ export class Noise {
   /** `question` asks about the rail, `isCurrent` tells whether that is still what is shown. */
   constructor({ question, isCurrent, complain, banner, inLabels, save }) {
     Object.assign(this, { question, isCurrent, complain, inLabels, of: null, answer: null, limit: keptLimit() });
-    this.line = new Line('/api/noise', json);
+    this.line = new Line('/api/ask/noise', json);
     this.line.onCancel = () => banner.say(() => t('stopped'), { ways: [['again', () => this.#ask()]] });
     this.verdict = element('p', { className: 'why', id: 'noise-verdict' });
     this.wheel = element('select', { id: 'noise-wheel' }, ...WHEELS.map(([value, word]) => worded('option', word, { value })));
@@ -92,9 +92,9 @@ export class Noise {
   show(measurement) {
     const same = this.of === measurement;
     this.of = measurement;
-    if (!measurement) this.answer = null;
+    if (!measurement || measurement.is_silent) this.answer = null;
     this.#show();
-    if (measurement && !same) this.#ask();
+    if (!same) this.#ask();
   }
 
   reword() {
@@ -102,14 +102,20 @@ export class Noise {
   }
 
   #ask() {
+    if (!this.of || this.of.is_silent) return;
     this.#stale(true);
-    this.line.ask({ ...this.question(), wheel: this.wheel.value, ...(this.limit !== null && { limit_dba: this.limit }) }, (answer) => {
+    const take = (answer) => {
       // The record may be gone meanwhile.
       if (!this.of) return;
       this.answer = answer;
       this.#stale(this.line.pending || !this.isCurrent());
       this.#show();
-    }, (fault) => fault.status !== 410 && this.complain(fault, { what: `${t('noise')}: ` }));
+    };
+    const wheel = this.wheel.value !== WHEELS[0][0] && { wheel_modes: this.wheel.value };
+    this.line.ask({ ...this.question(), ...wheel, ...(this.limit !== null && { limit_dba: this.limit }) }, take, (fault) => {
+      if (fault.status === 422) take({ fault });
+      else if (fault.status !== 410) this.complain(fault, { what: `${t('noise')}: ` });
+    });
   }
 
   #stale(is) {
@@ -146,15 +152,14 @@ export class Noise {
 
   #show() {
     const { answer } = this;
+    const isSilent = Boolean(this.of?.is_silent);
     const fault = answer?.fault;
-    this.panel.hidden = !answer;
-    this.helpPanel.hidden = !answer || Boolean(fault);
-    this.parts.hidden = this.bands.hidden = this.remarks.hidden = this.save.hidden = Boolean(fault);
-    if (!answer) return;
-    if (fault) {
-      const known = fault.key === 'track.model';
-      const { text, language } = said(fault.message, this.inLabels);
-      Object.assign(this.verdict, { textContent: known ? t('noise_silent') : text, lang: known ? currentLanguage() : language });
+    this.panel.hidden = !answer && !isSilent;
+    this.helpPanel.hidden = this.parts.hidden = this.bands.hidden = this.remarks.hidden = this.save.hidden = !answer || Boolean(fault);
+    if (this.panel.hidden) return;
+    if (isSilent || fault) {
+      const { text, language } = isSilent ? { text: t('noise_silent'), language: currentLanguage() } : said(fault.message, this.inLabels);
+      Object.assign(this.verdict, { textContent: text, lang: language });
       return;
     }
     Object.assign(this.verdict, {

@@ -17,7 +17,7 @@ const isTable = (value) => typeof value === 'object' && value !== null && !Array
 
 /** The bytes of a file, packed and as letters. One that a reload left to the program alone is that which the program has kept. */
 async function packed({ file, name, kept }) {
-  const whole = file instanceof File ? file : await (await askOnce('/api/kept', kept)).blob();
+  const whole = file instanceof File ? file : await (await askOnce('/api/upload/kept', { upload: kept })).blob();
   const zipped = await new Response(whole.stream().pipeThrough(new CompressionStream('gzip'))).blob();
   const reader = new FileReader();
   await new Promise((done, fail) => Object.assign(reader, { onload: done, onerror: () => fail(reader.error) }).readAsDataURL(zipped));

@@ -30,4 +30,4 @@ export function tell(record, what, shown, whole) {
 }
 
 /** What a reload has of records that the program holds. */
-export const held = (records) => records.filter(({ number: own }) => own !== undefined).map(({ name, size, date, number: own }) => ({ name, size, date, number: own }));
+export const held = (records) => records.filter(({ upload }) => upload !== undefined).map(({ name, size, date, upload }) => ({ name, size, date, upload }));

@@ -117,12 +117,12 @@ export async function askOnce(path, body, headers) {
   }
 }
 
-/** A file that the program makes for this page. */
-export const fetched = (path) => reach(path, { headers: { 'X-Riffel-Page': page } });
+/** Let the program remove a file that was sent. */
+export const discard = (upload) => askOnce('/api/upload/remove', { upload });
 
 /** How far the work on what was asked at a path is: `done` of `of` steps, of none where nothing is known. */
 const UNKNOWN = { done: 0, of: 0 };
-export const progress = async (path) => (inside ? UNKNOWN : ask('/api/progress', { subject: path.split('/')[2] }).then(json, () => UNKNOWN));
+export const progress = async (path) => (inside ? UNKNOWN : ask('/api/progress', { subject: path.replace(/^\/api\/(ask\/)?/, '') }).then(json, () => UNKNOWN));
 
 /** How long a question may be under way before a newer one breaks it off [ms]. */
 const PATIENCE = 250;
@@ -177,8 +177,8 @@ export class Line {
   }
 }
 
-/** Send a file as it is, with a report of how far it is; `abort` breaks off. */
-export function send(path, file, progress) {
+/** Send a file as it is, with a report of how far it is: `done` is the number by which the program has it; `abort` breaks off. */
+export function send(file, progress) {
   const request = new XMLHttpRequest();
   const done = new Promise((resolve, reject) => {
     request.upload.onprogress = (event) => event.lengthComputable && progress(event.loaded / event.total);
@@ -190,13 +190,13 @@ export function send(path, file, progress) {
       } catch {
         answer = { message: `${request.status}` };
       }
-      if (request.status === 200) resolve(answer);
+      if (request.status === 200) resolve(answer.upload);
       else reject(new Fault(answer, request.status));
     };
     request.onerror = () => reject(new Fault({ message: 'gone' }, 0));
     request.onabort = () => reject(new DOMException('aborted', 'AbortError'));
   });
-  request.open('POST', path);
+  request.open('POST', '/api/upload');
   request.setRequestHeader('X-Riffel-Page', page);
   request.setRequestHeader('Content-Type', /\.csv$/i.test(file.name) ? 'text/csv' : 'text/plain');
   request.send(file);

@@ -15,7 +15,21 @@ const FIELDS = [
 const DAYS_OF_MONTH = 365.2425 / 12;
 const GRAVITY = 9.80665;
 
-const speeds = (from, to) => ({ slowest_m_per_s: from / 3.6, fastest_m_per_s: to / 3.6 });
+/** The vehicle of a traffic that names none, as a traffic file has it. */
+const WHEEL_OF_THE_CASE = 'the wheel of the case';
+/** Where the standard deviation reaches this share of the mean, no normal distribution stands for the speeds but so many, each in the middle of an equal part. */
+const WIDEST_NORMAL = 0.25;
+const SPEEDS = 16;
+
+const ends = ({ from_km_per_h: from, to_km_per_h: to }) => [from / 3.6, to / 3.6];
+const middle = (vehicle) => (ends(vehicle)[0] + ends(vehicle)[1]) / 2;
+
+/** Speeds that lie evenly between two ends, as keys of a traffic file. */
+function evenly([from, to]) {
+  const [mean, deviation] = [(from + to) / 2, (to - from) / Math.sqrt(12)];
+  if (deviation < WIDEST_NORMAL * mean) return { speed: { mean, ...(deviation > 0 && { standard_deviation: deviation }) } };
+  return { speeds: Array.from({ length: SPEEDS }, (_, place) => ({ speed: from + ((to - from) * (place + 0.5)) / SPEEDS, share: 1 / SPEEDS })) };
+}
 
 /** A traffic with other vehicles, and the lowest and highest of their speeds. */
 function withVehicles({ vehicles: _, ...traffic }, vehicles) {
@@ -112,11 +126,29 @@ export class Traffic {
     return [...this.fields.filter((field) => field.isWrong).map((field) => ({ label: field.label(), input: field.input })), ...this.vehicles.troubles];
   }
 
-  /** What a question has of it. */
-  get question() {
-    const { from_km_per_h: from, to_km_per_h: to, passages_per_day: daily, months, vehicles, all_wheels: allWheels } = this.values;
+  get #vehicles() {
+    return this.values.vehicles ?? [{ name: WHEEL_OF_THE_CASE, share: 1, ...this.values }];
+  }
+
+  /** The keys of its traffic file. */
+  get file() {
     // A case that has no curve any more has one wheel.
-    return { ...speeds(from, to), passages_per_day: daily, months, ...(allWheels && !this.inCurve.hidden && { all_wheels: true }), ...(vehicles && { vehicles: vehicles.map(({ from_km_per_h: slowest, to_km_per_h: fastest, ...vehicle }) => ({ ...vehicle, ...speeds(slowest, fastest) })) }) };
+    const through = this.values.all_wheels && !this.inCurve.hidden && { curve: true };
+    const vehicle = this.#vehicles.map(({ name, share, wheel_load_n: load, tractive_ratio: ratio, ...speeds }) => ({
+      name, share, ...(load !== undefined && { wheel_load: load }), ...(ratio !== undefined && { tractive_ratio: ratio }), ...evenly(ends(speeds)), ...through,
+    }));
+    return { line: { passages_per_day: this.values.passages_per_day }, vehicle };
+  }
+
+  /** Mean speed of the axle passages [m/s]. */
+  get meanSpeed() {
+    const shares = this.#vehicles.reduce((sum, { share }) => sum + share, 0);
+    return this.#vehicles.reduce((sum, vehicle) => sum + vehicle.share * middle(vehicle), 0) / shares;
+  }
+
+  /** Speeds of the wheel of the case, as a question has them; none where the vehicles have their own. */
+  get speed() {
+    return this.values.vehicles ? [] : [ends(this.values).map((speed) => `${speed} m/s`).join('..')];
   }
 
   /** Time and gross tonnes of a count of axle passages, for a load of each of the two wheels of an axle where no vehicle says another [N]. */

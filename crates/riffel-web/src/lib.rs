@@ -8,7 +8,6 @@
 mod answered;
 mod api;
 mod assets;
-mod calibrations;
 mod fault;
 mod file;
 mod guard;
@@ -31,7 +30,6 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 
 use answered::Answered;
-use calibrations::Calibrations;
 use fault::{Fault, Refusal};
 use program::Program;
 use queue::Queue;
@@ -55,7 +53,6 @@ pub(crate) struct Page {
     /// Calibrations, one at a time: they take up to minutes, beside which measured rails are still answered.
     chains: Queue,
     uploads: Uploads,
-    calibrations: Calibrations,
     program: Program,
 }
 
@@ -78,24 +75,15 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/curve", post(api::curve::post))
         .route("/api/curve/wheels", post(api::wheels::post))
         .route("/api/export/{kind}", post(api::export::post))
-        .route("/api/roughness", post(api::roughness::post))
-        .route("/api/earlier", post(api::earlier::post))
-        .route("/api/earlier/read", post(api::earlier::read))
-        .route("/api/earlier/remove", post(api::earlier::remove))
-        .route("/api/kept", post(api::kept::post))
-        .route("/api/measure", post(api::roughness::measure))
-        .route("/api/along", post(api::along::post))
-        .route("/api/noise", post(api::noise::post))
+        .route("/api/ask/{name}", post(api::ask::post))
+        .route("/api/upload", post(api::upload::post))
+        .route("/api/upload/remove", post(api::upload::remove))
+        .route("/api/upload/kept", post(api::upload::kept))
         .route("/api/calibration", post(api::calibration::post))
-        .route("/api/calibration/data", post(api::calibration::data))
-        .route("/api/calibration/remove", post(api::calibration::remove))
         .route("/api/calibration/plan", post(api::calibration::plan))
         .route("/api/calibration/decision", post(api::decision::post))
         .route("/api/calibration/example", get(api::calibration::example))
         .route("/api/progress", post(api::progress::post))
-        .route("/api/sample", get(api::along::sample))
-        .route("/api/report", post(api::report::of_rail))
-        .route("/api/report/case", post(api::report::of_case))
         .fallback(nothing_here)
         .layer(axum::middleware::from_fn(guard::guard))
         .with_state(page)

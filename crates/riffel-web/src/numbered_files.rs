@@ -1,4 +1,4 @@
-//! Files in a folder of a page, by numbers: earlier records of a rail beside the present one, data of a calibration.
+//! Files in the folder of a page, by numbers: a record of a rail, earlier ones, data of a calibration.
 
 use riffel_keys::say;
 use std::fs;
@@ -7,8 +7,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::fault::{Fault, file_is_gone};
 
-/// Most files of one folder.
-pub(crate) const MOST: usize = 6;
+/// Most files of one folder: a record and the one that takes its place, six earlier ones, six of measurements.
+pub(crate) const MOST: usize = 14;
 
 /// The files of one folder by number.
 #[derive(Default)]

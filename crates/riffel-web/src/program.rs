@@ -4,7 +4,7 @@
 //! can be ended at any moment, and its memory is given back. What it prints is an answer's document, and its error is one,
 //! too.
 
-use riffel_keys::say;
+use riffel_keys::{Language, say};
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -107,22 +107,29 @@ impl Program {
         Self { command, most_memory: MOST_MEMORY }
     }
 
-    /// The answer to a question on the files of a folder.
+    /// The document that answers a question on the files of a folder.
     pub(crate) fn ask(&self, folder: &Path, name: &str, question: &Value, wanted: &Wanted) -> Result<Value, Fault> {
-        let own = std::process::id().to_string();
-        let arguments = ["ask", "--messages", "--page", &own, name];
-        let printed = self.run(folder, &arguments, question, wanted)?;
+        let printed = self.answer(folder, name, question, Language::English, wanted)?;
         serde_json::from_str(&printed).map_err(|_| Fault::defect("the program printed something else than a document"))
     }
 
-    /// What the program prints when it is run with the arguments in the folder, and a document on standard input.
-    pub(crate) fn run(
+    /// What the program prints to such a question; a page that it writes is in the language.
+    pub(crate) fn answer(
         &self,
         folder: &Path,
-        arguments: &[&str],
-        input: &Value,
+        name: &str,
+        question: &Value,
+        language: Language,
         wanted: &Wanted,
     ) -> Result<String, Fault> {
+        let own = std::process::id().to_string();
+        let arguments = ["ask", "--messages", "--page", &own, "--language", language.code()];
+        let arguments: Vec<&str> = arguments.into_iter().chain(name.split(' ')).collect();
+        self.run(folder, &arguments, question, wanted)
+    }
+
+    /// What the program prints when it is run with the arguments in the folder, and a document on standard input.
+    fn run(&self, folder: &Path, arguments: &[&str], input: &Value, wanted: &Wanted) -> Result<String, Fault> {
         let failed = |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
         // Files, not pipes: nobody has to read while it runs.
         let place = tempfile::tempdir_in(folder).map_err(disk)?;

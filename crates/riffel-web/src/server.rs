@@ -16,7 +16,6 @@ use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
 use crate::answered::Answered;
-use crate::calibrations::Calibrations;
 use crate::impatient::Impatient;
 use crate::program::Program;
 use crate::queue::Queue;
@@ -100,7 +99,6 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<PathBuf, S
         marches: Queue::new(1),
         long: Queue::for_files(),
         chains: Queue::for_files(),
-        calibrations: Calibrations::default(),
         uploads: Uploads::new().map_err(ServeError::Folder)?,
         program: Program::new(options.program),
     };

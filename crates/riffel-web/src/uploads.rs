@@ -6,7 +6,7 @@ use riffel_keys::text_file::Encoding;
 use std::fs::{self, File};
 use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use axum::body::Body;
@@ -18,11 +18,12 @@ use tokio::sync::Semaphore;
 
 use crate::fault::{Fault, disk, file_is_gone};
 use crate::numbered_files::NumberedFiles;
+use crate::workspace::Workspace;
 
 /// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
 const LARGEST: u64 = 2 << 30;
-/// Files that are kept, one of each page; one more, and the oldest goes.
-const MOST_FILES: usize = 8;
+/// Pages whose files are kept; one more, and those of the oldest go.
+const MOST_PAGES: usize = 8;
 /// Files that may come at a time: slow ones keep nobody out.
 const MOST_COMING: usize = 8;
 /// Size of all files together, in the largest.
@@ -49,33 +50,51 @@ struct Inner {
     _lock: File,
     folder: TempDir,
     coming: Semaphore,
-    files: Mutex<Vec<(String, Arc<Upload>)>>,
+    pages: Mutex<Vec<(String, Arc<Sent>)>>,
     largest: u64,
 }
 
-/// One file in a folder of its own, with the earlier records of the same rail; removed with the last who uses it.
-pub(crate) struct Upload {
+/// The files that a page has sent, in a folder of their own; removed with the last who uses it.
+pub(crate) struct Sent {
+    /// The chains that were drawn of its measurements.
+    drawn: Mutex<Option<Arc<Drawn>>>,
     folder: TempDir,
-    /// Its name in there, made here.
-    pub(crate) name: String,
-    pub(crate) bytes: u64,
-    pub(crate) earlier: NumberedFiles,
+    files: NumberedFiles,
 }
 
-impl Upload {
+/// Chains that were drawn: the folder of the question, with its plan.
+pub(crate) struct Drawn {
+    pub(crate) files: Workspace,
+    pub(crate) plan: String,
+}
+
+impl Sent {
+    /// The chains that were drawn last.
+    pub(crate) fn drawn(&self) -> Result<Arc<Drawn>, Fault> {
+        let gone = || {
+            Fault::refused(StatusCode::GONE, say!(the_calibration_is_no_longer_here), say!(choose_its_data_once_more))
+        };
+        self.drawn.lock().unwrap_or_else(PoisonError::into_inner).clone().ok_or_else(gone)
+    }
+
+    /// Keep chains in the place of those before.
+    pub(crate) fn keep(&self, drawn: Drawn) {
+        *self.drawn.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::new(drawn));
+    }
+
     pub(crate) fn folder(&self) -> &Path {
         self.folder.path()
     }
 
-    /// The file of the page.
-    pub(crate) fn file(&self) -> PathBuf {
-        self.folder().join(&self.name)
+    /// The file of a number.
+    pub(crate) fn file(&self, number: u32) -> Result<PathBuf, Fault> {
+        self.files.file(number).map(|name| self.folder().join(name))
     }
-}
 
-/// Name of a file made of what is told of its kind: nothing of what was sent becomes part of a path.
-fn file_name(stem: &str, kind: &str) -> String {
-    format!("{stem}.{}", if kind == "txt" { "txt" } else { "csv" })
+    /// Remove the file of a number.
+    pub(crate) fn remove(&self, number: u32) {
+        self.files.remove(self.folder(), number);
+    }
 }
 
 impl Uploads {
@@ -94,7 +113,7 @@ impl Uploads {
             _lock: lock,
             folder,
             coming: Semaphore::new(MOST_COMING),
-            files: Mutex::default(),
+            pages: Mutex::default(),
             largest,
         })))
     }
@@ -104,46 +123,22 @@ impl Uploads {
         self.0.folder.path()
     }
 
-    /// Write what comes to disk, piece by piece, as the file of a page.
+    /// Write what comes to disk, piece by piece, as one more file of a page; its number and its size in bytes. A picture or a document
+    /// is refused.
     pub(crate) async fn receive(
         &self,
-        page: String,
-        kind: &str,
+        page: &str,
+        is_plain_text: bool,
         announced: Option<u64>,
         body: Body,
-    ) -> Result<Arc<Upload>, Fault> {
-        let folder = self.folder()?;
-        let name = file_name("record", kind);
-        let path = folder.path().join(&name);
-        let bytes = self.store(&path, announced, body).await?;
-        // A picture or a document takes no place of a record.
-        let mut head = Vec::new();
-        let file = File::open(&path).map_err(disk)?;
-        file.take(HEAD).read_to_end(&mut head).map_err(disk)?;
-        Encoding::of(&head).map_err(|binary| Fault::bad(binary.to_string()))?;
-        let upload = Arc::new(Upload { folder, name, bytes, earlier: NumberedFiles::default() });
-        let mut files = self.files();
-        files.retain(|(other, _)| *other != page);
-        if files.len() >= MOST_FILES {
-            files.remove(0);
-        }
-        files.push((page, upload.clone()));
-        Ok(upload)
-    }
-
-    /// Write what comes to disk as one of the files of a folder; its number and its size in bytes.
-    pub(crate) async fn receive_numbered(
-        &self,
-        folder: &Path,
-        files: &NumberedFiles,
-        stem: &str,
-        kind: &str,
-        (announced, body): (Option<u64>, Body),
     ) -> Result<(u32, u64), Fault> {
-        let place = files.reserve()?;
-        let name = file_name(&format!("{stem}-{}", place.number()), kind);
-        let path = folder.join(&name);
-        match self.store(&path, announced, body).await {
+        let sent = self.begin(page)?;
+        let place = sent.files.reserve()?;
+        // Nothing of what was sent becomes part of a path.
+        let name = format!("{}.{}", place.number(), if is_plain_text { "txt" } else { "csv" });
+        let path = sent.folder().join(&name);
+        let stored = self.store(&path, announced, body).await.and_then(|bytes| is_text(&path).map(|()| bytes));
+        match stored {
             Ok(bytes) => Ok((place.keep(name), bytes)),
             Err(fault) => {
                 let _ = fs::remove_file(path);
@@ -226,14 +221,37 @@ impl Uploads {
         tempfile::tempdir_in(self.0.folder.path()).map_err(disk)
     }
 
-    /// The file of a page.
-    pub(crate) fn of(&self, page: &str) -> Result<Arc<Upload>, Fault> {
-        self.files().iter().find(|(other, _)| other == page).map(|(_, upload)| upload.clone()).ok_or_else(file_is_gone)
+    /// The files of a page.
+    pub(crate) fn of(&self, page: &str) -> Result<Arc<Sent>, Fault> {
+        let pages = self.pages();
+        let own = pages.iter().find(|(other, _)| other == page);
+        own.map(|(_, sent)| sent.clone()).ok_or_else(file_is_gone)
     }
 
-    fn files(&self) -> std::sync::MutexGuard<'_, Vec<(String, Arc<Upload>)>> {
-        self.0.files.lock().unwrap_or_else(PoisonError::into_inner)
+    /// The files of a page, none at first.
+    fn begin(&self, page: &str) -> Result<Arc<Sent>, Fault> {
+        if let Ok(sent) = self.of(page) {
+            return Ok(sent);
+        }
+        let sent = Arc::new(Sent { drawn: Mutex::default(), folder: self.folder()?, files: NumberedFiles::default() });
+        let mut pages = self.pages();
+        if pages.len() >= MOST_PAGES {
+            pages.remove(0);
+        }
+        pages.push((page.to_owned(), sent.clone()));
+        Ok(sent)
     }
+
+    fn pages(&self) -> MutexGuard<'_, Vec<(String, Arc<Sent>)>> {
+        self.0.pages.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// `Ok` for a file that begins as text does.
+fn is_text(path: &Path) -> Result<(), Fault> {
+    let mut head = Vec::new();
+    File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head)).map_err(disk)?;
+    Encoding::of(&head).map(|_| ()).map_err(|binary| Fault::bad(binary.to_string()))
 }
 
 /// Bytes of all files below a folder; what cannot be read has none.
@@ -295,21 +313,18 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_file_beyond_the_limit_leaves_nothing_behind() {
+    async fn a_file_beyond_the_limit_or_without_text_leaves_nothing_behind() {
         let place = tempfile::tempdir().unwrap();
         let uploads = Uploads::within(place.path(), 1000).unwrap();
-        let inside = || fs::read_dir(uploads.0.folder.path()).unwrap().count();
-        let receive =
-            |bytes: usize, announced| uploads.receive("a".to_owned(), "csv", announced, Body::from(vec![b'1'; bytes]));
+        let receive = |bytes: usize, announced| uploads.receive("a", false, announced, Body::from(vec![b'1'; bytes]));
         assert!(receive(1001, None).await.is_err());
         assert!(receive(10, Some(1001)).await.is_err());
-        assert_eq!(inside(), 1, "the lock alone");
-        let first = receive(1000, None).await.unwrap();
-        assert_eq!((first.bytes, inside()), (1000, 2));
-        drop(first);
-        let second = receive(7, Some(7)).await.unwrap();
-        assert_eq!(inside(), 2, "the newer file took the place of the older");
-        assert_eq!(uploads.of("a").unwrap().bytes, second.bytes);
+        assert!(uploads.receive("a", false, None, Body::from("\x7fELF\0\0\0\0")).await.is_err());
+        let inside = || fs::read_dir(uploads.of("a").unwrap().folder()).unwrap().count();
+        assert_eq!(inside(), 0);
+        // The number of one that failed is not given again.
+        assert_eq!(receive(1000, None).await.unwrap(), (4, 1000));
+        assert_eq!(inside(), 1);
         assert!(uploads.of("b").is_err());
     }
 
@@ -317,53 +332,39 @@ mod tests {
     async fn the_files_of_all_pages_have_a_limit() {
         let place = tempfile::tempdir().unwrap();
         let uploads = Uploads::within(place.path(), 1000).unwrap();
-        let receive = |page: u32, bytes: usize| {
+        let receive = async |page: u32, bytes: usize| {
             let body = Body::from(vec![b'1'; bytes]);
-            uploads.receive(page.to_string(), "csv", Some(bytes as u64), body)
+            uploads.receive(&page.to_string(), false, Some(bytes as u64), body).await
         };
         for page in 0..4 {
             receive(page, 1000).await.unwrap();
         }
         let refused = receive(4, 1).await.err().unwrap();
         assert_eq!(refused.status(), StatusCode::INSUFFICIENT_STORAGE);
-        assert!(uploads.of("0").is_ok(), "nobody else's file goes for it");
+        assert!(uploads.of("0").unwrap().file(1).is_ok(), "nobody else's file goes for it");
     }
 
     #[tokio::test]
-    async fn earlier_records_lie_beside_the_file_and_go_with_it() {
+    async fn files_go_by_their_numbers_and_pages_by_their_age() {
         let place = tempfile::tempdir().unwrap();
         let uploads = Uploads::within(place.path(), 1000).unwrap();
-        let earlier = async |bytes: usize| {
-            let upload = uploads.of("a")?;
-            let files = (upload.folder(), &upload.earlier);
-            let body = Body::from(vec![b'1'; bytes]);
-            let received = uploads.receive_numbered(files.0, files.1, "earlier", "../../txt", (None, body));
-            received.await
-        };
-        assert!(earlier(1).await.is_err(), "beside no record");
-        let body = || Body::from("1,2\n");
-        let record = uploads.receive("a".to_owned(), "txt", None, body());
-        let record = record.await.unwrap();
-        let inside = || fs::read_dir(record.folder()).unwrap().count();
-        assert_eq!(earlier(3).await.unwrap(), (1, 3));
-        assert!(earlier(1001).await.is_err());
-        assert_eq!(inside(), 2, "what was too large is gone");
-        // The number of one that failed or was removed is not given again.
-        assert_eq!(earlier(4).await.unwrap().0, 3);
-        assert_eq!(record.earlier.file(1).unwrap(), "earlier-1.csv");
-        record.earlier.remove(record.folder(), 1);
-        record.earlier.remove(record.folder(), 1);
-        assert!(record.earlier.file(1).is_err() && record.earlier.file(3).is_ok());
-        assert_eq!(inside(), 2);
-        for _ in 1..crate::numbered_files::MOST {
-            earlier(1).await.unwrap();
+        let receive = async |page: &str| uploads.receive(page, true, None, Body::from("1,2\n")).await;
+        assert_eq!(receive("a").await.unwrap(), (1, 4));
+        let sent = uploads.of("a").unwrap();
+        assert!(sent.file(1).unwrap().ends_with("1.txt"));
+        for _ in 0..2 {
+            sent.remove(1);
         }
-        assert!(earlier(1).await.is_err(), "one too many");
-        // Another record takes the place of all.
-        let folder = record.folder().to_owned();
-        drop(record);
-        let other = uploads.receive("a".to_owned(), "csv", None, body());
-        assert!(other.await.unwrap().earlier.file(3).is_err());
-        assert!(!folder.exists());
+        assert_eq!(sent.file(1).unwrap_err().status(), StatusCode::GONE);
+        for number in 0..crate::numbered_files::MOST as u32 {
+            assert_eq!(receive("a").await.unwrap().0, number + 2);
+        }
+        assert!(receive("a").await.is_err(), "one too many");
+        for page in 0..MOST_PAGES {
+            receive(&page.to_string()).await.unwrap();
+        }
+        let folder = sent.folder().to_owned();
+        drop(sent);
+        assert!(uploads.of("a").is_err() && !folder.exists());
     }
 }

@@ -41,22 +41,33 @@ impl Workspace {
 
     /// Put a file in; its name here, which is that of the user as far as it can be one.
     pub(crate) fn put(&self, file: &Path, name: &str) -> Result<String, Fault> {
-        let plain = file_name(name);
-        let mut names = (2..).map(|number| format!("{number}-{plain}"));
-        let is_free = |name: &String| !is_own(name) && !self.path().join(name).exists();
-        let name = Some(plain.clone()).filter(is_free);
-        let name = name.or_else(|| names.find(is_free)).unwrap_or(plain);
+        let name = self.free(name);
         let place = self.path().join(&name);
         // Not every disk has links.
         fs::hard_link(file, &place).or_else(|_| fs::copy(file, &place).map(|_| ())).map_err(disk)?;
         Ok(name)
     }
+
+    /// Put a text in as a file; its name here, likewise.
+    pub(crate) fn put_text(&self, text: &str, name: &str) -> Result<String, Fault> {
+        let name = self.free(name);
+        fs::write(self.path().join(&name), text).map_err(disk)?;
+        Ok(name)
+    }
+
+    /// A name for a file of the user that no other has.
+    fn free(&self, name: &str) -> String {
+        let plain = file_name(name);
+        let mut names = (2..).map(|number| format!("{number}-{plain}"));
+        let is_free = |name: &String| !is_own(name) && !self.path().join(name).exists();
+        let name = Some(plain.clone()).filter(is_free);
+        name.or_else(|| names.find(is_free)).unwrap_or(plain)
+    }
 }
 
 /// True for the names of what is written beside the files of the user, on systems that tell capital letters and on others.
 fn is_own(name: &str) -> bool {
-    const OWN: [&str; 7] =
-        ["case.toml", "traffic.toml", "plan.toml", "decision.toml", "report.html", "posterior", "along"];
+    const OWN: [&str; 6] = ["case.toml", "traffic.toml", "plan.toml", "decision.toml", "report.html", "posterior"];
     let name = name.to_lowercase();
     let is_action = name.starts_with("action-") && name.ends_with(".toml");
     OWN.contains(&&*name) || is_action || name.starts_with('.')

@@ -72,7 +72,7 @@ def test_everything_follows_the_part_that_is_clicked(page):
     noise_of = lambda: page.text("#noise-verdict")
     heard = noise_of()
     asked = []
-    page.page.on("request", lambda request: request.method == "POST" and asked.append((request.url.split("/api/")[-1], json.loads(request.post_data))) if "/api/" in request.url else None)
+    page.page.on("request", lambda request: request.method == "POST" and asked.append((request.url.split("/api/ask/")[-1], json.loads(request.post_data))) if "/api/" in request.url else None)
 
     def go(share):
         page.page.locator("#along .nsewdrag").first.evaluate("(plot) => plot.scrollIntoView({ block: 'center' })")
@@ -93,7 +93,7 @@ def test_everything_follows_the_part_that_is_clicked(page):
     assert there - whole == pytest.approx(6.0, abs=0.7) and level(page, "rail left, whole record") == pytest.approx(whole)
     assert noise_of() != heard
     questions = {name: question for name, question in asked}
-    assert questions["measure"]["to_m"] == questions["noise"]["to_m"] == pytest.approx(questions["measure"]["from_m"] + 10)
+    assert questions["measure"]["to"] == questions["noise"]["to"] == pytest.approx(questions["measure"]["from"] + 10)
     assert go(0.15) < 3
     page.page.click("#whole-record")
     page.settle()
@@ -266,7 +266,7 @@ def test_columns_in_feet_and_inches_stay_in_them(page):
     units = page.page.locator("#columns-table tr").evaluate_all("(rows) => rows.map((row) => [...row.querySelectorAll('select')].at(-1).value)")
     assert units == ["ft", "in"]
     asked = []
-    page.page.on("request", lambda request: request.url.endswith("/api/measure") and asked.append(request))
+    page.page.on("request", lambda request: request.url.endswith("/api/ask/measure") and asked.append(request))
     page.page.click("#columns-use")
     page.until(lambda: asked)
     page.settle()
@@ -283,7 +283,7 @@ def test_a_record_stays_where_the_next_one_does_not_arrive(page):
         elif answer != "wait":
             route.fallback()
 
-    page.page.route("**/api/roughness", roughness)
+    page.page.route("**/api/upload", roughness)
     state = lambda: page.text("#record-state")
     measured(page, two_rails(40), name="first.csv")
     page.until(lambda: page.page.locator("#report").is_visible() and state().startswith("first.csv"))

@@ -191,7 +191,7 @@ def test_a_file_that_is_removed_while_it_is_read_leaves_the_others(page):
     # Another case may take what this one refused: the file is read anew.
     page.set("contact.friction", "0.3")
     page.until(lambda: asked)
-    with page.page.expect_response("**/api/calibration/remove"):
+    with page.page.expect_response("**/api/upload/remove"):
         page.page.locator("#calibration-files button").click()
     page.page.set_input_files("#calibration-file", SETS / "c-all-together/hammer.csv")
     page.page.locator("#calibration-files li").wait_for()

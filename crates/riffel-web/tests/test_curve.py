@@ -10,7 +10,7 @@ from conftest import PROGRAM, ROOT
 PROFILES = pathlib.Path(__file__).resolve().parents[2] / "riffel-case/tests/profiles"
 # Under trains within a tenth of 45 km/h, the speed of the curve.
 GROWTH = """async () => {
-  const body = { case: { keys: window.riffel.state.accepted }, traffic: { slowest_m_per_s: 11.25, fastest_m_per_s: 13.75, passages_per_day: 6000 } };
+  const body = { case: { keys: window.riffel.state.accepted }, traffic: { vehicle: [{ name: 'any', share: 1, speed: { mean: 12.5, standard_deviation: 2.5 / Math.sqrt(12) } }] } };
   const answer = await fetch('/api/line', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) });
   return (await answer.json()).fastest.growth_rate_per_passage;
 }"""

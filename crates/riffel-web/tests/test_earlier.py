@@ -89,7 +89,7 @@ def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page,
     page.page.set_input_files("#earlier-file", files=files(before=texts["before"]))
     page.page.locator("#earlier-records input").wait_for()
     given = {}
-    page.page.on("response", lambda response: response.url.endswith("/api/measure") and response.ok and given.update(json.loads(response.text())))
+    page.page.on("response", lambda response: response.url.endswith("/api/ask/measure") and response.ok and given.update(json.loads(response.text())))
     page.page.fill("#record-date", DATES[1])
     page.page.locator("#earlier-records input").fill(DATES[0])
     page.until(lambda: (given.get("forecast") or {}).get("wear_fit"))
@@ -163,10 +163,10 @@ def numbers(own, there, where=""):
 def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
     page = open_page(locale="de-DE", viewport={"width": 360, "height": 780})
     questions = []
-    page.page.on("request", lambda request: request.url.endswith("/api/measure") and questions.append(request.post_data_json))
+    page.page.on("request", lambda request: request.url.endswith("/api/ask/measure") and questions.append(request.post_data_json))
     rows = page.page.locator("#earlier-records > li")
     date = lambda k: rows.nth(k).locator("input")
-    asked = lambda: [(one["name"], one.get("date")) for one in questions[-1].get("earlier", [])]
+    asked = lambda: [(one["name"], day) for one, day in zip(questions[-1].get("earlier", []), questions[-1].get("dates", [None] * 6))]
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=files(messung=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
@@ -190,7 +190,7 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
     date(0).fill("2024-05-01")
     page.until(lambda: "older.csv" in rows.nth(1).inner_text() and rows.nth(1).locator(".fault").first.is_visible())
     date(0).fill("2025-05-01")
-    page.until(lambda: asked() == [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")] and questions[-1]["date"] == "2026-05-01")
+    page.until(lambda: asked() == [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")] and questions[-1]["dates"][-1] == "2026-05-01")
     page.until(lambda: page.page.locator(".course").count() > 0 and "im Jahr" in page.page.locator(".course").first.inner_text())
     page.until(lambda: page.page.locator("#noise-panel:not(.stale)").is_visible())
     assert "kein Verschleißbeiwert" in page.text("#view-measure")
@@ -214,9 +214,9 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
 @pytest.mark.without_curves
 def test_undo_brings_back_a_record_with_its_earlier_ones(page):
     questions = []
-    page.page.on("request", lambda request: request.url.endswith("/api/measure") and questions.append(request.post_data_json))
+    page.page.on("request", lambda request: request.url.endswith("/api/ask/measure") and questions.append(request.post_data_json))
     rows = page.page.locator("#earlier-records > li")
-    asked = lambda: [(one["name"], one["date"]) for one in questions[-1].get("earlier", [])]
+    asked = lambda: [(one["name"], day) for one, day in zip(questions[-1].get("earlier", []), questions[-1].get("dates", []))]
     dated = [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")]
     good = record(8, metres=3)
     page.page.click("#tab-measure")
@@ -227,12 +227,12 @@ def test_undo_brings_back_a_record_with_its_earlier_ones(page):
     page.page.locator("#record-date").fill("2026-05-01")
     for k, (_, day) in enumerate(dated):
         rows.nth(k).locator("input").fill(day)
-    page.until(lambda: [one.get("date") for one in questions[-1].get("earlier", [])] == [day for _, day in dated])
+    page.until(lambda: questions[-1].get("dates", [])[:-1] == [day for _, day in dated])
     page.page.set_input_files("#record", files=files(another=good))
-    page.until(lambda: questions[-1]["name"] == "another.csv" and "earlier" not in questions[-1])
+    page.until(lambda: questions[-1]["roughness"]["name"] == "another.csv" and "earlier" not in questions[-1])
     page.page.locator("#notice button").first.click()
-    page.until(lambda: questions[-1]["name"] == "now.csv" and len(questions[-1].get("earlier", [])) == 2)
-    assert asked() == dated and questions[-1]["date"] == "2026-05-01"
+    page.until(lambda: questions[-1]["roughness"]["name"] == "now.csv" and len(questions[-1].get("earlier", [])) == 2)
+    assert asked() == dated and questions[-1]["dates"][-1] == "2026-05-01"
     assert page.page.locator("#record-date").input_value() == "2026-05-01"
     assert [rows.nth(k).locator("input").input_value() for k in range(2)] == [day for _, day in dated]
     page.until(lambda: page.page.locator(".course").count() > 0 and "a year" in page.page.locator(".course").first.inner_text())

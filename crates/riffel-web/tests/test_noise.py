@@ -73,7 +73,7 @@ def test_the_report_of_a_rail_has_level_and_causes_of_the_page(page, tmp_path, c
     """`riffel report` is told of no traffic, and the page neither: both go by the usual one of the line."""
     given = {}
     for what in ("measure", "noise"):
-        page.page.on("response", lambda response, what=what: response.url.endswith(f"/api/{what}") and response.ok and given.update({what: json.loads(response.text())}))
+        page.page.on("response", lambda response, what=what: response.url.endswith(f"/api/ask/{what}") and response.ok and given.update({what: json.loads(response.text())}))
     heard(page, case)
     page.until(lambda: len(given) == 2)
     (tmp_path / "trolley.csv").write_bytes(profile(30))
@@ -88,7 +88,7 @@ def test_the_report_of_a_rail_has_level_and_causes_of_the_page(page, tmp_path, c
 @pytest.mark.without_curves
 def test_a_wheel_that_rings_is_that_of_the_program(page, tmp_path):
     answers = []
-    page.page.on("response", lambda response: response.url.endswith("/api/noise") and response.ok and answers.append(json.loads(response.text())))
+    page.page.on("response", lambda response: response.url.endswith("/api/ask/noise") and response.ok and answers.append(json.loads(response.text())))
     heard(page)
     page.until(lambda: answers and answers[-1]["wheel_modes"] is None)
     page.page.select_option("#noise-wheel", "straight-web-920")

@@ -363,15 +363,15 @@ def test_fields_of_a_curve_read_the_separators_and_units_of_people(open_page):
     assert page.page.locator("#bogie-wheelbase").input_value() == "2,1" and "Pfeile: Schlupfkraft auf die Schiene, der längste 19,2 kN" in page.text("#bogie-above")
     first = asked[-1]
     for field, text, key, value in [
-        ("#bogie-lateral", "8,5", "lateral_stiffness_n_per_m", 8.5e6), ("#bogie-axle-load", "10.500 kg", None, None), ("#bogie-axle-load", "10500 kg", "mass_per_axle_kg", 10500),
-        ("#curve-speed", "28 mph", "speed_m_per_s", 28 * 0.44704), ("#curve-radius", "−1000 ft", "radius_m", -304.8), ("#friction-low", "30 %", "friction_low", 0.3),
+        ("#bogie-lateral", "8,5", "bogie.primary_lateral_stiffness", 8.5e6), ("#bogie-axle-load", "10.500 kg", None, None), ("#bogie-axle-load", "10500 kg", "bogie.mass_per_axle", 10500),
+        ("#curve-speed", "28 mph", "curve.speed", 28 * 0.44704), ("#curve-radius", "−1000 ft", "curve.radius", -304.8), ("#friction-low", "30 %", "contact.friction.left", 0.3),
         ("#bogie-wheelbase", "-2,1", None, None), ("#curve-radius", "3", None, None), ("#curve-gauge", "1435 kg", None, None),
     ]:
         count = len(asked)
         page.page.fill(field, text)
         page.page.press(field, "Tab")
         if key:
-            page.until(lambda: len(asked) > count and asked[-1][key] == pytest.approx(value))
+            page.until(lambda: len(asked) > count and asked[-1]["set"][key] == pytest.approx(value))
             assert page.page.locator(field).input_value() == text
         else:
             page.until(page.page.locator(f"{field}-fault").is_visible)
@@ -382,7 +382,8 @@ def test_fields_of_a_curve_read_the_separators_and_units_of_people(open_page):
             page.page.press(field, "Tab")
             page.until(lambda: len(asked) > count)
     # An empty field stands for the value at first, which it shows.
-    assert asked[-1] == {**first, "lateral_stiffness_n_per_m": 8.5e6, "mass_per_axle_kg": 10500, "speed_m_per_s": pytest.approx(12.51712), "friction_low": 0.3}
+    changed = {"bogie.primary_lateral_stiffness": 8.5e6, "bogie.mass_per_axle": 10500, "curve.speed": pytest.approx(12.51712), "contact.friction.right": 0.3}
+    assert asked[-1] == {**first, "set": {**first["set"], **changed}}
     assert page.page.locator("#bogie-wheelbase").get_attribute("placeholder") == "2,1"
     page.settle()
     page.page.select_option("#speed-unit", "m/s")

@@ -151,7 +151,7 @@ def test_what_the_program_has_no_more_is_named(open_page, tmp_path):
     page.page.reload()
     page.settle()
     gone = {"message": "the file is no longer here"}
-    page.page.route("**/api/kept", lambda route: route.fulfill(status=410, json=gone))
+    page.page.route("**/api/upload/kept", lambda route: route.fulfill(status=410, json=gone))
     project = json.loads(taken(page, tmp_path))
     assert "record" not in project and "It does not hold new.csv" in page.text("#notice")
     page.close(complaints=len(page.complaints))

@@ -105,7 +105,7 @@ def test_comparison_and_measurement_pale_with_the_case(page):
     page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
     page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
     page.until(lambda: pale(page, "measure") == 0)
-    release = hold(page, "**/api/measure")
+    release = hold(page, "**/api/ask/measure")
     page.set("contact.friction", "0.25")
     page.until(lambda: pale(page, "measure") >= 4)
     release()

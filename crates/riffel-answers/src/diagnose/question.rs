@@ -64,6 +64,20 @@ pub struct DiagnosedRail {
 }
 
 impl DiagnosedRail {
+    /// The diagnosis of a file with the earlier ones, all read here.
+    ///
+    /// # Errors
+    /// Those of [`diagnosis`](Self::diagnosis).
+    pub fn of_file(
+        &self,
+        case: &Case,
+        file: &Source<RoughnessFile>,
+        asker: &dyn Asker,
+    ) -> Result<Diagnosis, AnswerError> {
+        let read = file.value(|path| self.layout.read(path, asker))?;
+        self.diagnosis(case, file.name(), &read, asker)
+    }
+
     /// The diagnosis of the file that was read, with the earlier ones, which are read here.
     ///
     /// # Errors
@@ -167,8 +181,6 @@ impl Question for DiagnoseQuestion {
     const RULES: &'static [Rule] = &[Rule::Needs("dates", &["earlier"])];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
-        let case = self.case.read(asker)?;
-        let file = self.roughness.value(|path| self.rail.layout.read(path, asker))?;
-        Ok(Box::new(self.rail.diagnosis(&case, self.roughness.name(), &file, asker)?))
+        Ok(Box::new(self.rail.of_file(&*self.case.read(asker)?, &self.roughness, asker)?))
     }
 }

@@ -87,6 +87,16 @@ impl ForecastQuestion {
         Ok(answer)
     }
 
+    /// The same of the case that is to be read, told.
+    ///
+    /// # Errors
+    /// Those of [`answer_on`](Self::answer_on).
+    pub(crate) fn told(&self, asker: &dyn Asker) -> Result<ForecastAnswer, AnswerError> {
+        let case = self.case.read(asker)?;
+        let spectrum = self.spectra.spectrum.as_ref().map(|spectrum| spectrum.name().display().to_string());
+        Ok(ForecastAnswer::new(&case, self.answer_on(&case, asker)?, spectrum))
+    }
+
     /// How far to look ahead: as asked for, or a year.
     fn horizon(&self) -> ForecastHorizon {
         match (self.passages, self.mgt) {
@@ -190,11 +200,9 @@ impl Question for ForecastQuestion {
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
-        if let Some(folder) = &self.posterior {
-            return Ok(Box::new(self.over_posterior(folder)?));
-        }
-        let case = self.case.read(asker)?;
-        let spectrum = self.spectra.spectrum.as_ref().map(|spectrum| spectrum.name().display().to_string());
-        Ok(Box::new(ForecastAnswer::new(&case, self.answer_on(&case, asker)?, spectrum)))
+        Ok(match &self.posterior {
+            Some(folder) => Box::new(self.over_posterior(folder)?),
+            None => Box::new(self.told(asker)?),
+        })
     }
 }

@@ -12,6 +12,8 @@
 //! # Ok::<(), riffel_answers::page::Fault>(())
 //! ```
 
+pub(crate) mod along;
+mod bounds;
 mod case;
 mod case_text;
 mod compare;
@@ -21,6 +23,7 @@ mod field;
 mod figure;
 mod line;
 mod map;
+pub(crate) mod measure;
 mod own_values;
 mod passage;
 mod point;
@@ -34,10 +37,11 @@ mod wheelset;
 
 use serde::de::DeserializeOwned;
 
+pub use bounds::check_bounds;
 pub use case_text::{CaseText, LARGEST_CASE};
 pub use fault::Fault;
 pub use reply::{Reply, written};
-pub use traffic::{TRAFFIC_FILE, Traffic};
+pub use traffic::Traffic;
 pub use vocabulary::{VOCABULARY, vocabulary_of};
 
 /// What a module of the answers holds, so that the release it is of can be told: [`RELEASE_BEGINS`], a version and `;`.

@@ -34,13 +34,13 @@ pub use ground_source::GroundSource;
 pub use key::{Key, Kind, hold};
 pub(crate) use money::Money;
 pub use posterior_source::{PosteriorSource, finished_of, over};
-pub use rail_records::{EarlierRecords, History, RecordLayout, positive};
+pub use rail_records::{EarlierRecords, History, KeptRecords, RecordLayout, positive};
 pub(crate) use rail_records::{choose_nothing, date_of};
 pub use rule::Rule;
 pub use source::Source;
 pub use threads::on_threads;
 
-use crate::{Answer, AnswerError, QUESTIONS};
+use crate::{Answer, AnswerError, QUESTIONS, QUESTIONS_OF_THE_PAGE};
 
 /// A question of its own type; its docs say what it asks.
 pub trait Question: DeserializeOwned + JsonSchema + 'static {
@@ -84,9 +84,9 @@ pub trait AnyQuestion: Sync {
     fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError>;
 }
 
-/// The question of a name.
+/// The question of a name, of the program or of the page.
 pub fn named(name: &str) -> Option<&'static dyn AnyQuestion> {
-    QUESTIONS.iter().copied().find(|question| question.name() == name)
+    QUESTIONS.iter().chain(QUESTIONS_OF_THE_PAGE).copied().find(|question| question.name() == name)
 }
 
 /// The question of a name that somebody wrote.

@@ -1,7 +1,8 @@
 //! Records of a rail that a question names.
 
-use std::path::Path;
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use jiff::civil::Date;
 use riffel_keys::quantity::{Dimension, Length, Quantity};
@@ -42,7 +43,13 @@ pub struct RecordLayout {
     /// Keep welds, joints and squats in the spectra of a profile that are diagnosed, forecast or heard [default: they are
     /// listed and left out; limits and marches in time always have them].
     pub keep_defects: bool,
+    /// Files that were read so, where several answers are made of them.
+    #[serde(skip)]
+    pub kept: Option<KeptRecords>,
 }
+
+/// Records by their files, each read once.
+pub type KeptRecords = Arc<Mutex<BTreeMap<PathBuf, RoughnessFile>>>;
 
 impl RecordLayout {
     /// What is asked for of a file.
@@ -50,6 +57,19 @@ impl RecordLayout {
     /// # Errors
     /// [`AnswerError::Argument`] for a step that is not above zero, [`AnswerError::Case`] with the file at fault.
     pub fn read(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
+        let Some(kept) = &self.kept else {
+            return self.read_anew(path, asker);
+        };
+        let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(file) = kept.get(path) {
+            return Ok(file.clone());
+        }
+        let file = self.read_anew(path, asker)?;
+        kept.insert(path.to_owned(), file.clone());
+        Ok(file)
+    }
+
+    fn read_anew(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
         if let Some(spacing) = self.spacing {
             positive("--spacing", spacing)?;
         }

@@ -19,6 +19,7 @@ pub use level::Level;
 pub(crate) use level::levels;
 pub use profile::{ProfileAnswer, ProfileRequest};
 pub(crate) use profile::{limit_levels, rms_limit};
+pub(crate) use question::MeasuredAnswer;
 pub use question::RoughnessQuestion;
 pub use rail::{RailAnswer, Removed};
 pub use section_verdict::SectionVerdict;

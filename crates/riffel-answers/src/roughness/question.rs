@@ -7,11 +7,12 @@ use riffel::roughness::GrindSettings;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_rail::{LimitTable, LinePlace, Record, RoughnessFile, Survey};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
 
 use super::synthesised::Synthesised;
 use super::{ProfileAnswer, ProfileRequest, SpectraAnswer};
-use crate::question::{Asker, Question, RecordLayout, Rule, Source, choose_nothing, positive};
+use crate::question::{Asker, Question, RecordLayout, Rule, Source, choose_nothing, of_keys, positive};
 use crate::{Answer, AnswerError};
 
 /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
@@ -117,6 +118,45 @@ impl RoughnessQuestion {
         }
         Ok(SpectraAnswer::new(&survey.choose(&self.choose)?, limits, self.by.as_deref())?)
     }
+
+    /// What a file says that is read by a layout, all else by default.
+    ///
+    /// # Errors
+    /// None but those of a default that does not fit its key.
+    pub(crate) fn of_file(file: Source<RoughnessFile>, layout: RecordLayout) -> Result<Self, AnswerError> {
+        let question: Self = of_keys(json!({ "file": "" }))?;
+        Ok(Self { file: Some(file), layout, ..question })
+    }
+
+    /// What the file says; `None` where a profile is made.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
+    pub(crate) fn measured(&self, asker: &dyn Asker) -> Result<Option<MeasuredAnswer>, AnswerError> {
+        let Some(file) = &self.file else {
+            return Ok(None);
+        };
+        let (request, limits) = (self.request()?, LimitTable::named(&self.limit)?);
+        let record = file.value(|path| self.layout.read(path, asker))?;
+        Ok(Some(match Arc::unwrap_or_clone(record) {
+            RoughnessFile::Profile(record) => {
+                MeasuredAnswer::Profile(Box::new(self.profile(file.name(), record, &limits, &request, asker)?))
+            }
+            RoughnessFile::Spectra(spectra, warnings) => {
+                MeasuredAnswer::Spectra(Box::new(self.spectra(Survey::new(file.name(), spectra, warnings)?, &limits)?))
+            }
+        }))
+    }
+}
+
+/// What a file of roughness says.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(crate) enum MeasuredAnswer {
+    /// A profile.
+    Profile(Box<ProfileAnswer>),
+    /// A table of spectra.
+    Spectra(Box<SpectraAnswer>),
 }
 
 impl Question for RoughnessQuestion {
@@ -131,16 +171,12 @@ impl Question for RoughnessQuestion {
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
-        let Some(file) = &self.file else {
-            let recipe = self.synthesise.as_deref().filter(|path| !path.as_os_str().is_empty());
-            return Ok(Box::new(Synthesised::new(recipe, self.output.clone(), self.force)?));
-        };
-        let (request, limits) = (self.request()?, LimitTable::named(&self.limit)?);
-        let record = file.value(|path| self.layout.read(path, asker))?;
-        Ok(match Arc::unwrap_or_clone(record) {
-            RoughnessFile::Profile(record) => Box::new(self.profile(file.name(), record, &limits, &request, asker)?),
-            RoughnessFile::Spectra(spectra, warnings) => {
-                Box::new(self.spectra(Survey::new(file.name(), spectra, warnings)?, &limits)?)
+        Ok(match self.measured(asker)? {
+            Some(MeasuredAnswer::Profile(answer)) => answer,
+            Some(MeasuredAnswer::Spectra(answer)) => answer,
+            None => {
+                let recipe = self.synthesise.as_deref().filter(|path| !path.as_os_str().is_empty());
+                Box::new(Synthesised::new(recipe, self.output.clone(), self.force)?)
             }
         })
     }

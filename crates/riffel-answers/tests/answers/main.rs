@@ -8,6 +8,7 @@ mod cause;
 mod comparison;
 mod forecast;
 mod line_growth;
+mod measure;
 mod motions;
 mod pass_by;
 mod questions;

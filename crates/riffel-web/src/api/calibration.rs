@@ -1,56 +1,31 @@
-//! `POST /api/calibration`: what measurements say of the case of the page; `/data`, `/remove`: the files of these; `/plan`: what
-//! would be computed. `GET /api/calibration/example`: a case with data to try.
+//! `POST /api/calibration`: what measurements say of the case of the page; `/plan`: what would be computed. `GET
+//! /api/calibration/example`: a case with data to try.
 
-use axum::body::Body;
 use axum::extract::State;
-use axum::http::HeaderMap;
-use riffel_answers::page::{CaseText, TRAFFIC_FILE, Traffic};
+use riffel_answers::page::{CaseText, Traffic};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::numbered::{self, Removal};
-use super::roughness::CASE_FILE;
 use crate::Page;
-use crate::calibrations::{Calibration, Drawn};
 use crate::fault::{Fault, Refusal};
 use crate::plan_changes::PlanChanges;
 use crate::program::Program;
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use crate::told::Told;
+use crate::uploads::{Drawn, Sent};
 use crate::workspace::Workspace;
 
 /// The plan beside its case, its traffic and its data, and the folder of its results.
+const CASE_FILE: &str = "case.toml";
+const TRAFFIC_FILE: &str = "traffic.toml";
 const PLAN_FILE: &str = "plan.toml";
 pub(super) const POSTERIOR: &str = "posterior";
-
-/// Receive a file of measurements.
-pub(crate) async fn data(
-    State(page): State<Page>,
-    asker: Asker,
-    headers: HeaderMap,
-    body: Body,
-) -> Result<Told<Value>, Refusal> {
-    let own = page.calibrations.begin(asker.owner()?, &page.uploads)?;
-    let place = (own.folder.path(), &own.data, "data");
-    numbered::receive(&page, place, &headers, body).await
-}
-
-pub(crate) async fn remove(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(removal): Asked<Removal>,
-) -> Result<Told<Value>, Refusal> {
-    if let Ok(own) = page.calibrations.of(&asker.owner()?) {
-        own.data.remove(own.folder.path(), removal.number);
-    }
-    Ok(Told(json!({})))
-}
 
 /// A file of measurements in a question.
 #[derive(Deserialize)]
 struct DataFile {
-    number: u32,
+    upload: u32,
     /// Its name to the user.
     name: String,
 }
@@ -58,7 +33,6 @@ struct DataFile {
 #[derive(Deserialize)]
 pub(crate) struct Question {
     case: CaseText,
-    #[serde(flatten)]
     traffic: Traffic,
     data: Vec<DataFile>,
     #[serde(default)]
@@ -67,17 +41,14 @@ pub(crate) struct Question {
 
 impl Question {
     /// Case, traffic, data and plan in a folder of their own; and what the program says of the plan.
-    fn put(&self, own: &Calibration, program: &Program, wanted: &Wanted) -> Result<(Workspace, Value), Fault> {
+    fn put(&self, own: &Sent, program: &Program, wanted: &Wanted) -> Result<(Workspace, Value), Fault> {
         // They are checked here, and open no file.
         self.case.read()?;
         self.traffic.read()?;
-        let files = Workspace::within(own.folder.path())?;
+        let files = Workspace::within(own.folder())?;
         files.write(CASE_FILE, &self.case.toml()?)?;
         files.write(TRAFFIC_FILE, &self.traffic.toml()?)?;
-        let tables = self.data.iter().map(|data| {
-            let file = own.data.file(data.number)?;
-            files.put(&own.folder.path().join(file), &data.name)
-        });
+        let tables = self.data.iter().map(|data| files.put(&own.file(data.upload)?, &data.name));
         let tables = tables.collect::<Result<Vec<String>, Fault>>()?;
         let ask = |question: Value| program.ask(files.path(), "calibrate", &question, wanted);
         let usual = ask(json!({
@@ -97,7 +68,7 @@ pub(crate) async fn plan(
     asker: Asker,
     Asked(question): Asked<Question>,
 ) -> Result<Told<Value>, Refusal> {
-    let own = page.calibrations.of(&asker.owner()?)?;
+    let own = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
     page.queue
         // Plans of single files and of all are asked for side by side: none takes the place of another.
@@ -116,7 +87,7 @@ pub(crate) async fn post(
     asker: Asker,
     Asked(question): Asked<Question>,
 ) -> Result<Told<Value>, Refusal> {
-    let own = page.calibrations.of(&asker.owner()?)?;
+    let own = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
     page.chains
         .run(asker.subject("calibration"), move |wanted| {

@@ -1,5 +1,7 @@
 //! `POST /api/curve`: profiles of a wheel and a rail, and how a bogie stands on them in a curve.
 
+use std::collections::BTreeMap;
+
 use axum::extract::State;
 use riffel::profile::NominalProfile;
 use riffel_answers::curve::CurveAnswer;
@@ -20,22 +22,26 @@ pub(super) const NAME: &str = "the curve of the page";
 /// Longest name of a file that is shown, in letters.
 const LONGEST_NAME: usize = 120;
 
+/// Keys of the case of a curve that a page may give: none of them names a file.
+const KEYS: [&str; 10] = [
+    "curve.radius",
+    "curve.speed",
+    "curve.cant",
+    "profiles.gauge",
+    "bogie.wheelbase",
+    "bogie.mass_per_axle",
+    "bogie.primary_longitudinal_stiffness",
+    "bogie.primary_lateral_stiffness",
+    "contact.friction.left",
+    "contact.friction.right",
+];
+
 #[derive(Deserialize)]
 pub(crate) struct Question {
     wheel: ProfileText,
     rail: ProfileText,
-    /// Above zero to the right.
-    radius_m: f64,
-    speed_m_per_s: f64,
-    cant_m: f64,
-    gauge_m: f64,
-    wheelbase_m: f64,
-    mass_per_axle_kg: f64,
-    /// Of an axle box, along and across.
-    longitudinal_stiffness_n_per_m: f64,
-    lateral_stiffness_n_per_m: f64,
-    friction_high: f64,
-    friction_low: f64,
+    /// Keys of the case of the curve besides its profiles, with their values.
+    set: BTreeMap<String, toml::Value>,
 }
 
 /// A nominal profile, or a file.
@@ -64,16 +70,10 @@ enum InCurve {
 }
 
 impl Question {
-    /// `Ok` if the numbers are those of a curve.
+    /// `Ok` if its profiles are known ones or come with it, and its keys are those of a page.
     pub(super) fn check(&self) -> Result<(), Fault> {
-        for (what, value, unit, most) in
-            [("the radius", self.radius_m.abs(), "m", 1e6), ("the speed", self.speed_m_per_s, "m/s", 150.0)]
-        {
-            if !(value > 0.0 && value <= most) {
-                return Err(Fault::bad(format!(
-                    "{what} is {value} {unit}, but must be above zero and at most {most} {unit}"
-                )));
-            }
+        if let Some(key) = self.set.keys().find(|key| !KEYS.contains(&key.as_str())) {
+            return Err(Fault::misunderstood(&format!("{key} is no key of the curve of a page")));
         }
         // No other name may reach a reader: it would be a file of this machine.
         let is_known = |profile: &ProfileText| profile.text.is_some() || NominalProfile::named(&profile.name).is_some();
@@ -129,29 +129,14 @@ impl Question {
 
     /// The case of `riffel curve`.
     pub(super) fn curving(&self) -> Result<CurvingCase, CaseError> {
-        let [wheel, rail] = self.names().map(toml::Value::from);
-        let mut overrides = vec![
-            format!("profiles.wheel={wheel}"),
-            format!("profiles.rail={rail}"),
-            format!("curve.radius={}", self.radius_m),
-            format!("curve.speed={}", self.speed_m_per_s),
-            format!("curve.cant={}", self.cant_m),
-            format!("profiles.gauge={}", self.gauge_m),
-            format!("bogie.wheelbase={}", self.wheelbase_m),
-            format!("bogie.mass_per_axle={}", self.mass_per_axle_kg),
-            format!("bogie.primary_longitudinal_stiffness={}", self.longitudinal_stiffness_n_per_m),
-            format!("bogie.primary_lateral_stiffness={}", self.lateral_stiffness_n_per_m),
-            // The outer rail of a curve to the right is the left one.
-            match self.radius_m > 0.0 {
-                true => format!("contact.friction={{left={}, right={}}}", self.friction_high, self.friction_low),
-                false => format!("contact.friction={{left={}, right={}}}", self.friction_low, self.friction_high),
-            },
-        ];
-        let oriented = [("wheel", &self.wheel), ("rail", &self.rail)].into_iter();
-        overrides.extend(oriented.filter_map(|(kind, profile)| {
-            let name = profile.orientation?.name();
-            Some(format!("profiles.{kind}_orientation={name}"))
-        }));
+        let mut keys = self.set.clone();
+        let [wheel, rail] = self.names();
+        for (kind, profile, name) in [("wheel", &self.wheel, wheel), ("rail", &self.rail, rail)] {
+            keys.insert(format!("profiles.{kind}"), name.into());
+            let orientation = profile.orientation.map(|orientation| orientation.name().into());
+            keys.extend(orientation.map(|orientation| (format!("profiles.{kind}_orientation"), orientation)));
+        }
+        let overrides: Vec<String> = keys.iter().map(|(key, value)| format!("{key}={value}")).collect();
         CurvingCase::parse(NAME, METRO_CURVE_CASE, &overrides)
     }
 }

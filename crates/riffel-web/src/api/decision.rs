@@ -59,7 +59,7 @@ pub(crate) async fn post(
     asker: Asker,
     Asked(question): Asked<Question>,
 ) -> Result<Told<Value>, Refusal> {
-    let drawn = page.calibrations.of(&asker.owner()?)?.drawn()?;
+    let drawn = page.uploads.of(&asker.owner()?)?.drawn()?;
     let program = page.program.clone();
     page.chains
         .run(asker.subject("decision"), move |wanted| {

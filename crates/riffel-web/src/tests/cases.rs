@@ -85,7 +85,7 @@ async fn variants_are_compared_in_the_window_of_the_case() {
     assert!(one["under_traffic"]["fastest"]["wavelength_m"].is_number());
     // A variant without an answer under the traffic leaves the maps, and says why.
     let traffic = json!({
-        "slowest_m_per_s": 10, "fastest_m_per_s": 20, "passages_per_day": 1000, "all_wheels": true,
+        "vehicle": [{ "name": "unit", "share": 1, "speed": { "mean": 15 }, "curve": true }],
     });
     let question = json!({ "variants": variants, "case": case, "traffic": traffic });
     let (head, values) = ask("/api/compare", &question).await.framed();

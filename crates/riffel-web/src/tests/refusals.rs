@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use axum::http::{StatusCode, header};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::{ask, english, get, nominal, page, page_with, question, send};
 use crate::queue::Queue;
@@ -89,30 +89,37 @@ async fn a_full_queue_says_when_to_come_again() {
 }
 
 #[tokio::test]
-async fn a_measured_rail_needs_its_file() {
-    let mut body = nominal(&[]);
-    body["name"] = json!("profile.csv");
-    body["slowest_m_per_s"] = json!(20.0);
-    body["fastest_m_per_s"] = json!(25.0);
-    body["passages_per_day"] = json!(1000.0);
-    body["months"] = json!(12.0);
+async fn a_question_about_a_file_needs_that_file() {
+    let case: toml::Table = riffel_case::NOMINAL_CASE.parse().unwrap();
+    let mut body = json!({ "case": case, "roughness": { "upload": 1, "name": "profile.csv" }, "speed": "25 m/s" });
     let page = page();
-    let gone = send(&page, question("/api/measure", body.to_string())).await;
-    assert_eq!(gone.status, StatusCode::GONE);
-    let sent = send(&page, question("/api/roughness", "position_m,left_um\n0,1\n")).await;
-    assert_eq!(sent.json()["bytes"], 23);
+    let asked =
+        async |name: &str, body: &Value| send(&page, question(&format!("/api/ask/{name}"), body.to_string())).await;
+    assert_eq!(asked("noise", &body).await.status, StatusCode::GONE);
+    let sent = send(&page, question("/api/upload", "position_m,left_um\n0,1\n")).await;
+    assert_eq!(sent.json(), json!({ "upload": 1, "bytes": 23 }));
     // Without the program the page says so; it does not break off.
-    let answer = send(&page, question("/api/measure", body.to_string())).await;
-    assert_eq!(answer.status, StatusCode::INTERNAL_SERVER_ERROR);
-    // A free rail has no level, whatever is in the file.
-    let silent = send(&page, question("/api/noise", body.to_string())).await;
-    assert_eq!(silent.json()["fault"]["key"], "track.model");
-    body["limit_dba"] = json!(500.0);
-    let loud = send(&page, question("/api/noise", body.to_string())).await;
-    assert_eq!(loud.status, StatusCode::UNPROCESSABLE_ENTITY);
-    body["fastest_m_per_s"] = json!(5.0);
-    let answer = send(&page, question("/api/measure", body.to_string())).await;
-    assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);
+    assert_eq!(asked("noise", &body).await.status, StatusCode::INTERNAL_SERVER_ERROR);
+    body["roughness"]["upload"] = json!(2);
+    assert_eq!(asked("noise", &body).await.status, StatusCode::GONE);
+    assert_eq!(asked("sound", &body).await.status, StatusCode::NOT_FOUND);
+}
+
+#[tokio::test]
+async fn a_question_stays_within_what_the_page_computes() {
+    let asked = async |name: &str, body: Value| ask(&format!("/api/ask/{name}"), &body).await;
+    let case = json!({ "contact": { "response": "non-steady", "grid": 2000 } });
+    for (body, words) in [
+        (json!({ "limit_dba": 500 }), "--limit-dba is 500, but must be from 0 to 200"),
+        (json!({ "months": 0 }), "--months is 0, but must be above zero and at most 1200"),
+        (json!({ "case": case }), "2000"),
+        // No question of a page says where to write.
+        (json!({ "posterior": "/tmp" }), "do not understand"),
+    ] {
+        let answer = asked("noise", body).await;
+        assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{words}");
+        assert!(answer.message().contains(words), "{}", answer.message());
+    }
 }
 
 /// A window of frequencies that overflow used to keep a worker for good; two of them stopped the page.

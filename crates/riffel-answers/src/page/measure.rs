@@ -1,0 +1,157 @@
+//! What a measured rail says: levels held to limits, dominant wavelengths, and what becomes of it. Its record is read once.
+
+use riffel_keys::Message;
+use riffel_rail::{Limit, LimitTable, RoughnessFile};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+
+use crate::diagnose::{DiagnosedRail, Diagnosis};
+use crate::forecast::{ForecastAnswer, ForecastQuestion, MeasuredSpectra};
+use crate::page::Fault;
+use crate::question::{Asker, CaseSource, EarlierRecords, Question, Source, of_keys};
+use crate::roughness::{MeasuredAnswer, RoughnessQuestion};
+use crate::{Answer, AnswerError, Table};
+
+/// A measured rail with its case and its traffic: roughness, diagnosis and forecast.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub(crate) struct MeasureQuestion {
+    #[serde(flatten)]
+    case: CaseSource,
+    /// Longitudinal profile, or table of one-third-octave levels.
+    #[schemars(extend("value_name" = "FILE"))]
+    roughness: Source<RoughnessFile>,
+    #[serde(flatten)]
+    rail: DiagnosedRail,
+    /// Earlier record to fit the wear coefficient to, where not all have a date.
+    #[schemars(extend("value_name" = "FILE"))]
+    since: Option<Source<RoughnessFile>>,
+    /// Axle passages between that record and the roughness.
+    #[schemars(extend("value_name" = "N"))]
+    passages_between: Option<f64>,
+    /// Months that the forecast looks ahead.
+    #[schemars(extend("value_name" = "M", "default" = 12))]
+    months: f64,
+}
+
+#[derive(Serialize)]
+struct MeasureAnswer {
+    roughness: MeasuredAnswer,
+    diagnosis: Outcome<Diagnosis>,
+    forecast: Outcome<Forecast>,
+    /// The track carries its vibration on without end, and has no level of noise.
+    is_silent: bool,
+    limits: Vec<LevelLimit>,
+}
+
+/// An answer, or why there is none: short of it the others are still worth seeing.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Outcome<T> {
+    Told(Box<T>),
+    Refused { fault: Fault },
+}
+
+impl<T> From<Result<T, AnswerError>> for Outcome<T> {
+    fn from(answer: Result<T, AnswerError>) -> Self {
+        match answer {
+            Ok(answer) => Self::Told(Box::new(answer)),
+            Err(error) => Self::Refused { fault: error.into() },
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Forecast {
+    #[serde(flatten)]
+    answer: ForecastAnswer,
+    /// Why the wear coefficient cannot be fitted to the earlier records.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fit_fault: Option<Fault>,
+}
+
+/// A limit of levels that comes with Riffel.
+#[derive(Serialize)]
+struct LevelLimit {
+    edition: String,
+    source: String,
+    wavelength_m_and_level_db: Vec<[f64; 2]>,
+}
+
+impl LevelLimit {
+    fn all() -> Vec<Self> {
+        let of_levels = |table: &LimitTable| match &table.limit {
+            Limit::Levels(limit) => Some(Self {
+                edition: table.edition.clone(),
+                source: table.source.clone(),
+                wavelength_m_and_level_db: (limit.spectrum().levels().iter())
+                    .map(|level| [level.band.wavelength(), level.level])
+                    .collect(),
+            }),
+            Limit::Rms(_) => None,
+        };
+        LimitTable::all().iter().filter_map(of_levels).collect()
+    }
+}
+
+impl MeasureQuestion {
+    /// The forecast, with the wear coefficient of the earlier records where it can be fitted.
+    fn forecast(&self, asker: &dyn Asker) -> Result<Forecast, AnswerError> {
+        let mut asked: ForecastQuestion = of_keys(json!({ "case": "", "traffic": "" }))?;
+        asked.case = self.case.clone();
+        asked.traffic = self.rail.traffic.clone();
+        asked.months = Some(self.months);
+        asked.spectra = MeasuredSpectra {
+            spectrum: self.roughness.path().map(|path| Source::File(path.to_owned())),
+            layout: self.rail.layout.clone(),
+            ..MeasuredSpectra::default()
+        };
+        let mut fitted = asked.clone();
+        fitted.spectra.earlier = match &self.since {
+            Some(since) => EarlierRecords { earlier: vec![since.clone()], dates: Vec::new() },
+            None if self.rail.earlier.dates.is_empty() => EarlierRecords::default(),
+            None => self.rail.earlier.clone(),
+        };
+        fitted.spectra.passages_between = self.passages_between;
+        match fitted.told(asker) {
+            Ok(answer) => Ok(Forecast { answer, fit_fault: None }),
+            Err(error) if fitted.spectra.earlier.earlier.is_empty() => Err(error),
+            Err(error) => Ok(Forecast { answer: asked.told(asker)?, fit_fault: Some(error.into()) }),
+        }
+    }
+}
+
+impl Question for MeasureQuestion {
+    const NAME: &'static str = "measure";
+    const EXAMPLE: &'static str = "";
+
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+        let mut asked = self.clone();
+        asked.rail.layout.kept = Some(Default::default());
+        let rail = &asked.rail;
+        let roughness = RoughnessQuestion::of_file(self.roughness.clone(), rail.layout.clone())?.measured(asker)?;
+        let case = self.case.read(asker)?;
+        asked.case = case.clone().into();
+        Ok(Box::new(MeasureAnswer {
+            roughness: roughness.ok_or(AnswerError::NoSpectrum)?,
+            diagnosis: rail.of_file(&case, &self.roughness, asker).into(),
+            forecast: asked.forecast(asker).into(),
+            is_silent: case.without_decay().is_some(),
+            limits: LevelLimit::all(),
+        }))
+    }
+}
+
+impl Answer for MeasureAnswer {
+    fn name(&self) -> &'static str {
+        "measure"
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        Vec::new()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &[]
+    }
+}

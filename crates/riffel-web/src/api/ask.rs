@@ -1,0 +1,121 @@
+//! `POST /api/ask/NAME`: a question of [`riffel ask`](riffel_answers::question), answered by a process of its own.
+//!
+//! The body holds the keys of the question. In the place of a file stands one that the page has sent, `{ "upload": 3, "name": "rail.csv" }`,
+//! or its text, `{ "text": "…", "name": "line.csv" }`; the process reads no others.
+
+use axum::extract::{Path as Named, State};
+use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use riffel_answers::page::{CaseText, check_bounds};
+use riffel_answers::question::{AnyQuestion, Files, Key, Kind, named};
+use riffel_keys::Language;
+use serde::Deserialize;
+use serde_json::{Map, Value};
+
+use crate::Page;
+use crate::fault::{Fault, Refusal, file_is_gone};
+use crate::request::{Asked, Asker};
+use crate::uploads::Sent;
+use crate::workspace::Workspace;
+
+/// The question that is asked of each file for itself: a newer one does not take the place of an older.
+const OF_EACH_FILE: &str = "roughness";
+
+/// A file in a question.
+#[derive(Deserialize)]
+#[serde(untagged, deny_unknown_fields)]
+enum FileOfPage {
+    /// One that was sent, with its name to the user.
+    Sent { upload: u32, name: String },
+    /// Its text.
+    Written { text: String, name: String },
+}
+
+/// What the process hands out.
+pub(crate) enum Answer {
+    /// JSON.
+    Document(String),
+    /// Text in columns.
+    Table(String),
+    /// A page for the disk of the user, not for this origin to show.
+    File(String),
+}
+
+impl IntoResponse for Answer {
+    fn into_response(self) -> Response {
+        let kind = |kind| (header::CONTENT_TYPE, HeaderValue::from_static(kind));
+        let attached = (header::CONTENT_DISPOSITION, HeaderValue::from_static("attachment"));
+        match self {
+            Self::Document(text) => ([kind("application/json")], text).into_response(),
+            Self::Table(text) => ([kind("text/csv; charset=utf-8")], text).into_response(),
+            Self::File(text) => ([kind("application/octet-stream"), attached], text).into_response(),
+        }
+    }
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    Named(name): Named<String>,
+    asker: Asker,
+    headers: HeaderMap,
+    Asked(mut keys): Asked<Map<String, Value>>,
+) -> Result<Answer, Refusal> {
+    let unknown = || Fault::refused(StatusCode::NOT_FOUND, "there is nothing here", "");
+    let question = named(&name).ok_or_else(unknown)?;
+    check(question, &keys)?;
+    let language = headers.get(header::ACCEPT_LANGUAGE).and_then(|code| code.to_str().ok());
+    let language = Language::ALL.iter().find(|one| Some(one.code()) == language).copied().unwrap_or_default();
+    let sent = asker.owner().and_then(|owner| page.uploads.of(&owner)).ok();
+    let subject = asker.subject(&name).filter(|_| name != OF_EACH_FILE);
+    let (program, uploads) = (page.program.clone(), page.uploads.clone());
+    let answer = page
+        .long
+        .run(subject, move |wanted| {
+            let files = Workspace::within(sent.as_ref().map_or(uploads.place(), |sent| sent.folder()))?;
+            keys.values_mut().try_for_each(|value| put(value, sent.as_deref(), &files))?;
+            let printed = program.answer(files.path(), question.name(), &Value::Object(keys), language, wanted)?;
+            match file_of(question) {
+                Some(file) if files.path().join(file).exists() => files.read(file).map(Answer::File),
+                _ if printed.starts_with('{') => Ok(Answer::Document(printed)),
+                _ => Ok(Answer::Table(printed)),
+            }
+        })
+        .await?;
+    Ok(answer)
+}
+
+/// `Ok` for a question within what the page computes that says no place to write to.
+fn check(question: &dyn AnyQuestion, keys: &Map<String, Value>) -> Result<(), Fault> {
+    let writes = |key: &&Key| key.is_path && key.kind != Kind::File && keys.contains_key(&key.name);
+    if let Some(key) = question.keys().iter().find(writes) {
+        return Err(Fault::misunderstood(&format!("{} is not for a page", key.name)));
+    }
+    check_bounds(keys)?;
+    // Its faults have the key of the form.
+    if let Some(case @ Value::Object(_)) = keys.get("case") {
+        let case = toml::Table::deserialize(case).map_err(|error| Fault::misunderstood(&error.to_string()))?;
+        CaseText::Keys(case).read()?;
+    }
+    Ok(())
+}
+
+/// Put a file of the page in the folder of the question, and its name there in the place of what stands for it.
+fn put(value: &mut Value, sent: Option<&Sent>, files: &Workspace) -> Result<(), Fault> {
+    if let Value::Array(list) = value {
+        return list.iter_mut().try_for_each(|one| put(one, sent, files));
+    }
+    *value = match FileOfPage::deserialize(&*value) {
+        Ok(FileOfPage::Sent { upload, name }) => {
+            files.put(&sent.ok_or_else(file_is_gone)?.file(upload)?, &name)?.into()
+        }
+        Ok(FileOfPage::Written { text, name }) => files.put_text(&text, &name)?.into(),
+        Err(_) => return Ok(()),
+    };
+    Ok(())
+}
+
+/// The file that an answer is which is no document.
+fn file_of(question: &dyn AnyQuestion) -> Option<&str> {
+    let output = question.keys().iter().find(|key| key.name == "output")?;
+    output.default.as_ref()?.as_str().filter(|_| question.files() == Files::Text)
+}
