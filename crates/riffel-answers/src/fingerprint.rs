@@ -12,7 +12,11 @@ use sha2::{Digest, Sha256};
 /// # Errors
 /// That of reading it.
 pub fn fingerprint(path: &Path) -> io::Result<String> {
-    let mut file = File::open(path)?;
+    fingerprint_of(File::open(path)?)
+}
+
+/// The same of what is read.
+pub(crate) fn fingerprint_of(mut file: impl Read) -> io::Result<String> {
     let mut hash = Sha256::new();
     let mut part = vec![0; 1 << 20];
     loop {

@@ -96,6 +96,7 @@ pub use error::AnswerError;
 pub use expected_growth::ExpectedRates;
 #[cfg(not(target_family = "wasm"))]
 pub use fingerprint::fingerprint;
+pub(crate) use fingerprint::fingerprint_of;
 pub use grinding_interval::GrindingInterval;
 pub use highest::Highest;
 pub use level_limit::level_limit;

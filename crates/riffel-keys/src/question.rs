@@ -58,6 +58,12 @@ pub fn holds(path: &Path) -> bool {
     standing().contains_key(path)
 }
 
+/// The key under which a document stands in a question; `None` for the path of a file.
+pub fn key_of(path: &Path) -> Option<&Path> {
+    let key = path.to_str()?.strip_prefix("question:").map(Path::new);
+    key.filter(|_| holds(path))
+}
+
 /// The value in memory that stands in a question under this path, if it is of this type.
 pub fn value<T: Any + Send + Sync>(path: &Path) -> Option<Arc<T>> {
     let shared = standing().get(path)?.clone();

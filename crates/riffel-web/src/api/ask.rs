@@ -7,7 +7,7 @@ use axum::extract::{Path as Named, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use riffel_answers::page::{CaseText, check_bounds};
-use riffel_answers::question::{AnyQuestion, Files, Key, Kind, named};
+use riffel_answers::question::{AnyQuestion, Files, Kind, named};
 use riffel_keys::Language;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -86,9 +86,11 @@ pub(crate) async fn post(
 
 /// `Ok` for a question within what the page computes that says no place to write to.
 fn check(question: &dyn AnyQuestion, keys: &Map<String, Value>) -> Result<(), Fault> {
-    let writes = |key: &&Key| key.is_path && key.kind != Kind::File && keys.contains_key(&key.name);
-    if let Some(key) = question.keys().iter().find(writes) {
-        return Err(Fault::misunderstood(&format!("{} is not for a page", key.name)));
+    // Results have this name also where it is no key of the question.
+    let places = question.keys().iter().filter(|key| key.is_path && key.kind != Kind::File);
+    let mut places = places.map(|key| key.name.as_str()).chain(["output"]);
+    if let Some(place) = places.find(|place| keys.contains_key(*place)) {
+        return Err(Fault::misunderstood(&format!("{place} is not for a page")));
     }
     check_bounds(keys)?;
     // Its faults have the key of the form.

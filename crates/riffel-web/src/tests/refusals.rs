@@ -107,7 +107,6 @@ async fn a_question_about_a_file_needs_that_file() {
 
 #[tokio::test]
 async fn a_question_stays_within_what_the_page_computes() {
-    let asked = async |name: &str, body: Value| ask(&format!("/api/ask/{name}"), &body).await;
     let case = json!({ "contact": { "response": "non-steady", "grid": 2000 } });
     for (body, words) in [
         (json!({ "limit_dba": 500 }), "--limit-dba is 500, but must be from 0 to 200"),
@@ -115,8 +114,9 @@ async fn a_question_stays_within_what_the_page_computes() {
         (json!({ "case": case }), "2000"),
         // No question of a page says where to write.
         (json!({ "posterior": "/tmp" }), "do not understand"),
+        (json!({ "output": "/tmp/results" }), "do not understand"),
     ] {
-        let answer = asked("noise", body).await;
+        let answer = ask("/api/ask/noise", &body).await;
         assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{words}");
         assert!(answer.message().contains(words), "{}", answer.message());
     }
