@@ -4,10 +4,10 @@
 //! or its text, `{ "text": "…", "name": "line.csv" }`; the process reads no others.
 
 use axum::extract::{Path as Named, State};
-use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use riffel_answers::page::{CaseText, check_bounds};
-use riffel_answers::question::{AnyQuestion, Files, Kind, named};
+use riffel_answers::question::{AnyQuestion, Files, Kind, known};
 use riffel_keys::Language;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -60,8 +60,7 @@ pub(crate) async fn post(
     headers: HeaderMap,
     Asked(mut keys): Asked<Map<String, Value>>,
 ) -> Result<Answer, Refusal> {
-    let unknown = || Fault::refused(StatusCode::NOT_FOUND, "there is nothing here", "");
-    let question = named(&name).ok_or_else(unknown)?;
+    let question = known(&name).map_err(Fault::from)?;
     check(question, &keys)?;
     let language = headers.get(header::ACCEPT_LANGUAGE).and_then(|code| code.to_str().ok());
     let language = Language::ALL.iter().find(|one| Some(one.code()) == language).copied().unwrap_or_default();
