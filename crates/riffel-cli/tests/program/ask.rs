@@ -29,6 +29,21 @@ fn answer(sandbox: &Sandbox, name: &str, question: &Value) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
+/// A question of texts and numbers as a command line; `None` for what JSON alone can say.
+fn command_line(name: &str, question: &Value) -> Option<String> {
+    let option = |(key, value): (&String, &Value)| {
+        let value = value
+            .as_str()
+            .map_or_else(|| value.as_f64().map(|number| number.to_string()), |text| Some(text.to_owned()))?;
+        Some(match &**key {
+            "case" => value,
+            key => format!("--{}='{value}'", key.replace('_', "-")),
+        })
+    };
+    let options = question.as_object()?.iter().map(option).collect::<Option<Vec<_>>>()?;
+    (!options.is_empty()).then(|| format!("{name} {}", options.join(" ")))
+}
+
 /// What is said on standard error, line by line.
 fn said(output: &Output) -> Vec<Value> {
     let lines = std::str::from_utf8(&output.stderr).unwrap().lines();
@@ -148,6 +163,14 @@ fn what_is_wrong_is_one_line_of_json() {
         ),
     ];
     let bad: Vec<Bad> = serde_json::from_str(include_str!("../../../riffel-answers/tests/bad-questions.json")).unwrap();
+    for bad in &bad {
+        // An option that there is none of is refused as options are.
+        if let Some(line) = command_line(&bad.name, &bad.question).filter(|_| !bad.sentence.starts_with('`')) {
+            let outcome = sandbox.riffel(&line);
+            assert_eq!(outcome.status, Some(2), "{line}");
+            assert!(outcome.sentence().contains(&bad.sentence), "{line}: {}", outcome.sentence());
+        }
+    }
     let bad = bad.into_iter().map(|bad| (bad.name, bad.question.to_string(), bad.sentence));
     let own = own.map(|(name, question, message)| (name.to_owned(), question, message.to_owned()));
     for (name, question, message) in own.into_iter().chain(bad) {
