@@ -46,7 +46,7 @@ impl Question for CalibrateQuestion {
         seed gives the same draws on any number of threads.\n\n\
         Exit status: 0 done, 1 the chains allow no conclusion (results are written all the same), 2 bad input, 130 stopped by \
         Ctrl-C (--restart goes on).";
-    const RULES: &'static [Rule] = &[Rule::Needs("traffic", &["with"]), Rule::OneOf(&["dry_run", "restart"])];
+    const RULES: &'static [Rule] = &[Rule::Needs(&["traffic"], &["with"]), Rule::OneOf(&["dry_run", "restart"])];
     const FILES: Files = Files::Asked;
 
     fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

@@ -84,10 +84,10 @@ impl Question for MapQuestion {
         Rule::OneOf(&["traffic", "posterior"]),
         Rule::OneOf(&["wheels", "bay"]),
         Rule::OneOf(&["wheels", "observations"]),
-        Rule::Needs("wavelength", &["bay"]),
-        Rule::Needs("wavelength", &["speed"]),
-        Rule::Needs("speed", &["bay"]),
-        Rule::Needs("speed", &["wavelength"]),
+        Rule::Needs(&["wavelength"], &["bay"]),
+        Rule::Needs(&["wavelength"], &["speed"]),
+        Rule::Needs(&["speed"], &["bay"]),
+        Rule::Needs(&["speed"], &["wavelength"]),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

@@ -254,13 +254,13 @@ impl Question for CompareQuestion {
         Rule::Excludes("models", &OF_RECORDS),
         Rule::Excludes("models", &["speed_deviation", "traffic"]),
         Rule::AnyOf(&["with", "models", "remedies"]),
-        Rule::Needs("cost", &["remedies"]),
+        Rule::Needs(&["cost"], &["remedies"]),
         Rule::OneOf(&["speed", "traffic", "posterior"]),
-        Rule::Needs("speed_deviation", &["speed"]),
-        Rule::Needs("earlier", &["spectrum"]),
-        Rule::Needs("dates", &["earlier"]),
+        Rule::Needs(&["speed_deviation"], &["speed"]),
+        Rule::Needs(&["earlier"], &["spectrum"]),
+        Rule::Needs(&["dates"], &["earlier"]),
         Rule::OneOf(&["ground", "from_limit"]),
-        Rule::Needs("where", &["spectrum"]),
+        Rule::Needs(&["where"], &["spectrum"]),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

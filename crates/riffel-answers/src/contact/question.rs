@@ -49,7 +49,7 @@ impl Question for ContactQuestion {
     const NAME: &'static str = "contact";
     const EXAMPLE: &'static str = "Example: riffel contact case.toml --ratio 4,8,16 --set contact.hertz=exact";
     const RULES: &'static [Rule] =
-        &[Rule::Excludes("stress", &["creepage", "ratio"]), Rule::Needs("stress_at", &["stress"])];
+        &[Rule::Excludes("stress", &["creepage", "ratio"]), Rule::Needs(&["stress_at"], &["stress"])];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let contact = self.case.read(asker)?;

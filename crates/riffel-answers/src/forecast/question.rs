@@ -160,12 +160,9 @@ impl Question for ForecastQuestion {
         Example: riffel forecast case.toml --spectrum spectra.csv --traffic traffic.toml --months 24\n\n\
         The interval of a rail that will be ground: riffel forecast case.toml --traffic traffic.toml --from-limit \"-6 dB\"";
     const RULES: &'static [Rule] = &[
-        Rule::Needs("where", &["spectrum"]),
-        Rule::Needs("date_column", &["spectrum"]),
-        Rule::Needs("earlier", &["spectrum"]),
-        Rule::Needs("dates", &["earlier"]),
-        Rule::Needs("earlier_where", &["spectrum"]),
-        Rule::Needs("passages_between", &["spectrum"]),
+        Rule::Needs(&["where", "date_column", "earlier"], &["spectrum"]),
+        Rule::Needs(&["dates"], &["earlier"]),
+        Rule::Needs(&["earlier_where", "passages_between"], &["spectrum"]),
         Rule::OneOf(&["ground", "from_limit"]),
         Rule::OneOf(&["passages", "mgt", "months"]),
         Rule::AnyOf(&["traffic", "posterior"]),

@@ -247,11 +247,9 @@ impl Question for GrowthQuestion {
         riffel network growth railway --line \"Main line\" --case case.toml --traffic traffic.toml";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["traffic", "posterior"]),
-        Rule::Needs("traffic", &["case"]),
-        Rule::Needs("posterior", &["case"]),
-        Rule::Needs("line", &["case"]),
-        Rule::Needs("from", &["to"]),
-        Rule::Needs("to", &["from"]),
+        Rule::Needs(&["traffic", "posterior", "line"], &["case"]),
+        Rule::Needs(&["from"], &["to"]),
+        Rule::Needs(&["to"], &["from"]),
     ];
     const FILES: Files = Files::None;
 
@@ -300,14 +298,11 @@ impl Question for PlanQuestion {
         riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000 --most-track";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["traffic", "posterior"]),
-        Rule::Needs("traffic", &["case"]),
-        Rule::Needs("posterior", &["case"]),
-        Rule::Needs("line", &["case"]),
+        Rule::Needs(&["traffic", "posterior", "line"], &["case"]),
         Rule::AnyOf(&["length", "money"]),
         Rule::Excludes("length", &["money", "cost_per_metre", "cost_per_site"]),
-        Rule::Needs("money", &["cost_per_metre"]),
-        Rule::Needs("cost_per_metre", &["money"]),
-        Rule::Needs("cost_per_site", &["money"]),
+        Rule::Needs(&["money"], &["cost_per_metre"]),
+        Rule::Needs(&["cost_per_metre", "cost_per_site"], &["money"]),
     ];
     const FILES: Files = Files::None;
 

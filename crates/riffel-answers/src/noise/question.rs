@@ -183,12 +183,11 @@ impl Question for NoiseQuestion {
         Months until a level is reached: riffel noise case.toml --roughness spectra.csv --speed \"140 km/h\" --traffic \
         traffic.toml --months 24 --limit-dba 88";
     const RULES: &'static [Rule] = &[
-        Rule::Needs("dates", &["earlier"]),
-        Rule::Needs("track_transfer", &["vehicle_transfer"]),
-        Rule::Needs("vehicle_transfer", &["track_transfer"]),
+        Rule::Needs(&["dates"], &["earlier"]),
+        Rule::Needs(&["track_transfer"], &["vehicle_transfer"]),
+        Rule::Needs(&["vehicle_transfer"], &["track_transfer"]),
         Rule::OneOf(&["traffic", "posterior"]),
-        Rule::Needs("months", &["traffic", "posterior"]),
-        Rule::Needs("limit_dba", &["traffic", "posterior"]),
+        Rule::Needs(&["months", "limit_dba"], &["traffic", "posterior"]),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

@@ -42,8 +42,7 @@ pub struct PointQuestion {
 impl Question for PointQuestion {
     const NAME: &'static str = "point";
     const EXAMPLE: &'static str = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\"";
-    const RULES: &'static [Rule] =
-        &[Rule::Needs("supports", &["spacing_deviation"]), Rule::Needs("seed", &["spacing_deviation"])];
+    const RULES: &'static [Rule] = &[Rule::Needs(&["supports", "seed"], &["spacing_deviation"])];
     const FILES: Files = Files::None;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

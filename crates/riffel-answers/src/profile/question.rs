@@ -166,15 +166,10 @@ impl Question for ProfileQuestion {
         riffel profile case.toml --wheelset --load \"60 kN\"";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["against", "wheelset"]),
-        Rule::Needs("align", &["against"]),
-        Rule::Needs("inclination", &["against"]),
-        Rule::Needs("gauge_height", &["against"]),
+        Rule::Needs(&["align", "inclination", "gauge_height"], &["against"]),
         Rule::OneOf(&["orientation", "wheelset"]),
         Rule::OneOf(&["scatter", "wheelset"]),
-        Rule::Needs("yaw", &["wheelset"]),
-        Rule::Needs("lateral_shift", &["wheelset"]),
-        Rule::Needs("load", &["wheelset"]),
-        Rule::Needs("set", &["wheelset"]),
+        Rule::Needs(&["yaw", "lateral_shift", "load", "set"], &["wheelset"]),
     ];
 
     fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

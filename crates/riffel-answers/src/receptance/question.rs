@@ -90,7 +90,7 @@ impl Question for ReceptanceQuestion {
     const EXAMPLE: &'static str = "Example: riffel receptance case.toml --from \"50 Hz\" --to \"2 kHz\"";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["matrix", "direction"]),
-        Rule::Needs("frequencies", &["matrix"]),
+        Rule::Needs(&["frequencies"], &["matrix"]),
         Rule::Excludes("frequencies", &["from", "to", "points"]),
     ];
 

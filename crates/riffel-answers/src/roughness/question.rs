@@ -127,7 +127,7 @@ impl Question for RoughnessQuestion {
     const RULES: &'static [Rule] = &[
         Rule::AnyOf(&["file", "synthesise"]),
         Rule::OneOf(&["file", "synthesise"]),
-        Rule::Needs("force", &["synthesise"]),
+        Rule::Needs(&["force"], &["synthesise"]),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {

@@ -36,11 +36,8 @@ impl Question for ShakedownQuestion {
     const NAME: &'static str = "shakedown";
     const EXAMPLE: &'static str =
         "Example: riffel shakedown case.toml --wavelength \"300 mm\" --speed \"50 km/h\" --amplitude \"50 um\"";
-    const RULES: &'static [Rule] = &[
-        Rule::Needs("wavelength", &["speed"]),
-        Rule::Needs("speed", &["wavelength"]),
-        Rule::Needs("amplitude", &["wavelength"]),
-    ];
+    const RULES: &'static [Rule] =
+        &[Rule::Needs(&["wavelength"], &["speed"]), Rule::Needs(&["speed", "amplitude"], &["wavelength"])];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
         let case = self.case.read(asker)?;

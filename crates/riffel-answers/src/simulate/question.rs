@@ -202,9 +202,6 @@ impl SimulateQuestion {
     }
 }
 
-/// The key that those of a record need.
-const OF_PROFILES: &[&str] = &["profile"];
-
 impl Question for SimulateQuestion {
     const NAME: &'static str = "simulate";
     const EXAMPLE: &'static str = "\
@@ -216,20 +213,16 @@ impl Question for SimulateQuestion {
         Rule::JustOneOf(&["sinusoid", "profile", "spectrum", "weld", "smooth"]),
         Rule::AnyOf(&["speed", "traffic"]),
         Rule::OneOf(&["speed", "traffic"]),
-        Rule::Needs("traffic", &["passages"]),
-        Rule::Needs("seed", &["spectrum"]),
-        Rule::Needs("length", &["profile", "spectrum", "weld"]),
+        Rule::Needs(&["traffic"], &["passages"]),
+        Rule::Needs(&["seed"], &["spectrum"]),
+        Rule::Needs(&["length"], &["profile", "spectrum", "weld"]),
         Rule::Excludes("smooth", &["passages", "traffic", "contact_filter"]),
-        Rule::Needs("transient", &["sinusoid"]),
+        Rule::Needs(&["transient"], &["sinusoid"]),
         Rule::Excludes("transient", &["passages", "traffic"]),
-        Rule::Needs("format", OF_PROFILES),
-        Rule::Needs("spacing", OF_PROFILES),
-        Rule::Needs("height_unit", OF_PROFILES),
-        Rule::Needs("position_unit", OF_PROFILES),
-        Rule::Needs("keep_defects", OF_PROFILES),
-        Rule::Needs("rail", OF_PROFILES),
-        Rule::Needs("from", OF_PROFILES),
-        Rule::Needs("to", OF_PROFILES),
+        Rule::Needs(
+            &["format", "spacing", "height_unit", "position_unit", "keep_defects", "rail", "from", "to"],
+            &["profile"],
+        ),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
