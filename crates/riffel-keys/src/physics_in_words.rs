@@ -1,7 +1,7 @@
 //! What the physics refuses, as a message.
 
 use riffel::Error;
-use riffel::error::readable;
+use riffel::error::as_typed;
 
 use crate::quantity::named;
 use crate::{Message, Words, fixed, number, say};
@@ -12,7 +12,7 @@ pub fn physics_in_words(error: &Error) -> Message {
         Error::OutOfRange { quantity, value, unit, rule } => say!(
             out_of_range,
             quantity = named(quantity),
-            value = number(readable(value)),
+            value = number(as_typed(value)),
             unit = match unit {
                 "" => String::new(),
                 unit => format!(" {unit}"),

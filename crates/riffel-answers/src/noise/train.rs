@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel::noise::{FrequencyBand, Part, PassBy, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::traffic::Traffic;
@@ -228,7 +228,7 @@ impl Train {
             let [from, to] = [known().next(), known().next_back()].map(Option::unwrap_or_default);
             return AnswerError::Argument {
                 argument: "--decay-rate",
-                value: format!("known from {} to {} Hz", readable(from), readable(to)),
+                value: format!("known from {} to {} Hz", as_typed(from), as_typed(to)),
                 rule: "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz"
                     .to_owned(),
             };

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use riffel::Complex64;
 use riffel::contact::ContactFilter;
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel::passage::{Harmonic, Settled, Sinusoid};
 use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Message, fixed, say};
@@ -149,7 +149,7 @@ impl SinusoidRequest {
             },
             None => AnswerError::Argument {
                 argument: "--sinusoid",
-                value: format!("{} m, which passes in {:.2} s", readable(wavelength), wavelength / speed),
+                value: format!("{} m, which passes in {:.2} s", as_typed(wavelength), wavelength / speed),
                 rule:
                     "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
                        wheel"

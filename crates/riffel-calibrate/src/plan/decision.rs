@@ -1,6 +1,6 @@
 //! What a plan says of actions, measurements and costs.
 
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel_case::Variant;
 use riffel_case::traffic::DAYS_PER_MONTH;
 use riffel_keys::message::number;
@@ -173,7 +173,7 @@ impl Plan {
         }
         let rate = cost.discount_rate.map_or(0.03, |rate| rate.si());
         if !(0.0..1.0).contains(&rate) {
-            let value = say!(rate_in_per_cent, rate = number(readable(100.0 * rate)));
+            let value = say!(rate_in_per_cent, rate = number(as_typed(100.0 * rate)));
             let rule = say!(is_but_must_be, value = value, rule = say!(rate_of_interest));
             return Err(self.source.invalid("cost.discount_rate", rule, ""));
         }
@@ -202,7 +202,7 @@ impl Plan {
             if let (Some(every), Some(value)) = (action.every, &written.grind_every)
                 && every > horizon
             {
-                let rule = say!(at_most_the_horizon, months = number(readable(horizon)));
+                let rule = say!(at_most_the_horizon, months = number(as_typed(horizon)));
                 let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
                 let key = format!("action[{index}].grind_every");
                 return Err(self.source.invalid(&key, rule, ""));

@@ -16,7 +16,7 @@ use crate::arguments::AskedQuestion;
 use crate::messages::{complain, language, print_remarks, say};
 use crate::output::{json, print};
 use crate::progress::{self, duration};
-use crate::results::readable;
+use crate::results::in_words;
 use crate::staging::{INTERRUPTED, Staging, check_files, stop_on_interrupt};
 
 /// The limit of the forecast that is made with every calibration.
@@ -152,18 +152,18 @@ fn conclusions(
 ) -> miette::Result<String> {
     let mut staging = Staging::new("calibrate", folder)?;
     staging.write_figure(answer.name(), &answer.figure())?;
-    let (mut text, mut tables) = (readable(answer), answer.tables());
+    let (mut text, mut tables) = (in_words(answer), answer.tables());
     if plan.passages_per_day.is_some() && plan.has_levels() {
         let limit = level_limit(LIMIT)?;
         let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
         staging.write_figure(answer.name(), &answer.figure())?;
-        text += &readable(&answer);
+        text += &in_words(&answer);
         tables.extend(answer.tables());
     }
     if let Some(models) = models {
         staging.write_figure(models.name(), &models.figure())?;
         staging.write(models.document_name(), json(models))?;
-        text += &readable(models);
+        text += &in_words(models);
         tables.extend(models.tables());
     }
     for table in tables.into_iter().filter(Table::has_file) {

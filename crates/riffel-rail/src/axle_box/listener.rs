@@ -1,7 +1,7 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
 use riffel::axlebox::LONGEST_STEP;
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel_keys::{Message, Value, fixed, say};
 
 use super::clock::{Tick, Ticking};
@@ -192,7 +192,7 @@ impl<'a> Listener<'a> {
             return Ok(false);
         }
         if speed < 0.0 {
-            return self.refuse(number, say!(speed_is_below_zero, speed = Value::Number(readable(speed))));
+            return self.refuse(number, say!(speed_is_below_zero, speed = Value::Number(as_typed(speed))));
         }
         if speed > FASTEST {
             let faster = say!(speed_beyond_any_train, speed = fixed(speed, 1), kilometres = fixed(3.6 * speed, 0));
