@@ -7,7 +7,7 @@ use riffel_answers::calibration_question::CalibrateQuestion;
 use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::question::{of_keys, on_threads};
-use riffel_answers::{Answer, Calibration, PlanDocument, ResultFile, Table, level_limit};
+use riffel_answers::{Answer, Calibration, CalibrationPlan, ResultFile, Table, level_limit};
 use riffel_calibrate::file::SamplerKind;
 use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress};
 use riffel_keys::{Message, fixed, number};
@@ -40,7 +40,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
     let plan = Measured { case: &question.plan, traffic, tables }.plan_for(&path)?;
     if question.dry_run {
         match asked.json {
-            true => print(&json(&PlanDocument::from(&plan)))?,
+            true => print(&json(&CalibrationPlan::from(&plan)))?,
             false => print(&dry_run(&plan)?)?,
         }
         print_remarks(&plan.remarks);
