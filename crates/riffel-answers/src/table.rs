@@ -154,10 +154,9 @@ impl Column {
 impl Table {
     /// Rows with a column for each of their keys, for files alone; without rows there are no columns.
     pub(crate) fn of_rows(name: &'static str, rows: &[impl Serialize]) -> Self {
-        let mut writer = csv::WriterBuilder::new().has_headers(true).from_writer(Vec::new());
+        let mut written = Vec::new();
         // Writing to memory does not fail.
-        let _ = rows.iter().try_for_each(|row| writer.serialize(row));
-        let written = writer.into_inner().unwrap_or_default();
+        let _ = write_csv(&mut written, None, rows.iter());
         let mut reader = csv::Reader::from_reader(&written[..]);
         let keys = reader.headers().cloned().unwrap_or_default();
         let rows: Vec<csv::StringRecord> = reader.records().filter_map(Result::ok).collect();
@@ -200,13 +199,20 @@ impl Table {
     /// # Errors
     /// Those of the file.
     pub fn csv(&self, file: impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
         let named = || self.columns.iter().filter(|column| !column.name.is_empty());
-        writer.write_record(named().map(|column| &column.name))?;
-        for row in 0..self.rows() {
-            let cells = named();
-            writer.write_record(cells.map(|column| column.values.in_file(row)))?;
-        }
-        writer.flush()
+        let row = |row| named().map(|column| column.values.in_file(row)).collect::<Vec<String>>();
+        write_csv(file, Some(named().map(|column| &*column.name).collect()), (0..self.rows()).map(row))
     }
+}
+
+/// Write rows as CSV, below heads or the keys of the first row.
+fn write_csv(file: impl Write, heads: Option<Vec<&str>>, rows: impl Iterator<Item = impl Serialize>) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    if let Some(heads) = heads {
+        writer.write_record(heads)?;
+    }
+    for row in rows {
+        writer.serialize(row)?;
+    }
+    writer.flush()
 }
