@@ -1,17 +1,15 @@
 //! Wheels of a case on a smooth rail.
 
-use riffel::passage::{ContactSwing, Outcome, PassageModel};
+use riffel::passage::{ContactInstant, ContactSwing, Outcome, PassageModel};
 use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Message, fixed, say};
-use riffel_plot::{Arrangement, LineFigure};
 use serde::{Serialize, Serializer};
 
 use super::along_rail::check_step;
-use super::{Course, files, remarks};
-use crate::answer::titled;
+use super::run::March;
+use super::{Course, Run, remarks};
 use crate::number_alone;
-use crate::parameters::parameters_on_rail;
-use crate::{Answer, AnswerError, Column, ResultFile, Table};
+use crate::{AnswerError, Column, Table};
 
 /// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile; serialised, what
 /// `riffel simulate --smooth --json` prints.
@@ -37,20 +35,13 @@ pub struct SmoothRailAnswer {
     contacts: Vec<ContactSwings>,
     /// Mean square of the relative error of track and wheels in time.
     track_share_cut: f64,
-    /// The first contact over a few periods at the end.
-    #[serde(flatten)]
-    course: Course,
-    /// The same of all others in their order.
-    #[serde(skip)]
-    others: Vec<Course>,
-    /// What the reader should know of the motion.
-    #[serde(skip)]
-    pub own_remarks: Vec<Message>,
-    /// And of the case.
-    #[serde(skip)]
-    remarks: Vec<Message>,
-    #[serde(skip)]
-    case: Case,
+    /// With the courses of a few periods at the end.
+    #[serde(flatten, serialize_with = "first_course")]
+    pub run: Run,
+}
+
+fn first_course<S: Serializer>(run: &Run, serializer: S) -> Result<S::Ok, S::Error> {
+    run.courses[0].serialize(serializer)
 }
 
 /// Least and largest of what a contact did over the last half second.
@@ -138,14 +129,13 @@ impl SmoothRailAnswer {
             .on_smooth_rail(step, growth)
             .map_err(|error| CaseError::Physics { input: "--smooth".to_owned(), error })?;
         let roots = stability.as_ref().map(|stability| stability.unstable_roots);
-        let own_remarks: Vec<Message> = remarks::of_track(&model)
+        let own_remarks = remarks::of_track(&model)
             .into_iter()
             .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
-            .chain(remarks::of_linear_loop(&motion, roots))
-            .collect();
+            .chain(remarks::of_linear_loop(&motion, roots));
+        let run = Run::new(case, own_remarks, &case.remarks_at(speed));
         let names = case.contact_names();
-        let course = |contact: usize| {
-            let course = &motion.course[contact];
+        let course = |course: &Vec<ContactInstant>| {
             let places = (0..course.len()).map(|index| index as f64 * motion.step);
             Course::new(places.collect(), vec![0.0; course.len()], course, true)
         };
@@ -158,19 +148,15 @@ impl SmoothRailAnswer {
             linear_unstable_roots: roots,
             linear_frequency_hz: stability.as_ref().and_then(|stability| stability.frequency),
             linear_growth_rate_per_s: stability.as_ref().and_then(|stability| stability.growth_rate),
-            course: course(0),
-            others: (1..names.len()).map(course).collect(),
-            contacts: names.into_iter().zip(&motion.contacts).map(|(name, it)| ContactSwings::new(name, it)).collect(),
+            contacts: names
+                .iter()
+                .copied()
+                .zip(&motion.contacts)
+                .map(|(name, it)| ContactSwings::new(name, it))
+                .collect(),
             track_share_cut: model.structures.share_cut(),
-            remarks: case.remarks_at(speed).iter().chain(&own_remarks).cloned().collect(),
-            own_remarks,
-            case: case.clone(),
+            run: Run { courses: motion.course.iter().map(course).collect(), contacts: names, ..run },
         })
-    }
-
-    /// A few periods of all contacts in their order.
-    pub fn courses(&self) -> impl Iterator<Item = &Course> {
-        [&self.course].into_iter().chain(&self.others)
     }
 
     /// What becomes of the push.
@@ -235,17 +221,17 @@ impl SmoothRailAnswer {
     }
 }
 
-impl Answer for SmoothRailAnswer {
-    fn name(&self) -> &'static str {
-        "smooth"
-    }
-    fn document_name(&self) -> &'static str {
-        "smooth.json"
+impl March for SmoothRailAnswer {
+    const NAME: &'static str = "smooth";
+    const DOCUMENT: &'static str = "smooth.json";
+
+    fn run(&self) -> &Run {
+        &self.run
     }
 
-    fn introduction(&self) -> Vec<Message> {
+    fn about(&self) -> Vec<Message> {
         vec![
-            titled(self.case.file.title.as_ref(), say!(wheels_on_a_smooth_rail)),
+            self.run.titled(say!(wheels_on_a_smooth_rail)),
             say!(
                 smooth_rail_at,
                 speed = fixed(3.6 * self.speed_m_per_s, 1),
@@ -256,12 +242,12 @@ impl Answer for SmoothRailAnswer {
         ]
     }
 
-    fn tables(&self) -> Vec<Table> {
-        vec![self.swings(), self.course.table(self.name())]
+    fn shown(&self) -> Option<Table> {
+        Some(self.swings())
     }
 
-    /// A few periods of the contact that swings most, as strips.
-    fn figure(&self) -> LineFigure {
+    /// A few periods of the contact that swings most.
+    fn picture(&self) -> (String, String, usize) {
         let spans = self.contacts.iter().map(ContactSwings::span).enumerate();
         let largest = spans.max_by(|one, other| one.1.total_cmp(&other.1));
         let most = largest.map_or(0, |(index, _)| index);
@@ -276,20 +262,7 @@ impl Answer for SmoothRailAnswer {
                 format!("motion that has not settled, like itself at {frequency:.0} Hz")
             }
         };
-        LineFigure {
-            title: format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed_m_per_s),
-            caption: format!("Wheel {wheel} on the {rail} rail. {}", parameters_on_rail(&self.case)),
-            panels: self.courses().nth(most).map(Course::panels).unwrap_or_default(),
-            arrangement: Arrangement::Strips,
-        }
-    }
-
-    fn files(&self) -> Vec<ResultFile<'_>> {
-        let others = self.contacts.iter().map(|contact| contact.name).zip(self.courses()).skip(1);
-        files(self, &self.course, others)
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &self.remarks
+        let title = format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed_m_per_s);
+        (title, format!("Wheel {wheel} on the {rail} rail."), most)
     }
 }

@@ -134,7 +134,7 @@ impl EvolutionAnswer {
     fn parameters(&self) -> String {
         let alone = self.vehicles.len() == 1 && self.vehicles[0].speeds == 1;
         if alone {
-            return parameters(&self.case);
+            return parameters(&self.run.case);
         }
         let vehicles = self.vehicles.iter().map(|vehicle| {
             format!(
@@ -152,14 +152,14 @@ impl EvolutionAnswer {
         format!(
             "Traffic: {}. All else, and what a vehicle does not say, is that of the case. {}",
             vehicles.join("; "),
-            parameters(&self.case)
+            parameters(&self.run.case)
         )
     }
 
     /// What the run was, for titles.
     pub(super) fn title(&self) -> String {
         let passages = self.passages;
-        let title = self.case.file.title.as_deref().unwrap_or("A rail");
+        let title = self.run.case.file.title.as_deref().unwrap_or("A rail");
         format!(
             "{title}: {} passages at {:.1} km/h{}",
             in_words(passages),

@@ -20,7 +20,7 @@ use riffel_plot::LineFigure;
 use serde::Serialize;
 
 use super::along_rail::{check_sampling, check_step, refused};
-use super::remarks;
+use super::{Run, remarks};
 use crate::{Answer, AnswerError, ResultFile, Table};
 use band::Band;
 use bands::Bands;
@@ -215,7 +215,7 @@ impl EvolutionRun {
         let airborne = airborne.then(|| remarks::of_air(last.passages));
         let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
         let linear = Linear::new(&self.vehicles, &self.bands, &profiles[0].heights_m, spacing_m)?;
-        let own_remarks: Vec<Message> = worst.and_then(remarks::of_track).into_iter().chain(airborne).collect();
+        let own_remarks = worst.and_then(remarks::of_track).into_iter().chain(airborne);
         // Extremes of a stage are those of the first passage after the one before.
         let lifted = stages.windows(2).find(|pair| {
             let after = pair[1].extremes.as_ref();
@@ -236,9 +236,7 @@ impl EvolutionRun {
             spacing: spacing_m,
             profiles,
             linear,
-            remarks: self.case.remarks.iter().chain(&own_remarks).cloned().collect(),
-            own_remarks,
-            case: self.case.clone(),
+            run: Run::new(&self.case, own_remarks, &self.case.remarks),
         })
     }
 }
@@ -339,16 +337,11 @@ pub struct EvolutionAnswer {
     /// From before any wheel to the last.
     #[serde(skip)]
     pub profiles: Vec<WornProfile>,
-    /// What the reader should know of the run.
+    /// Without courses: there are too many.
     #[serde(skip)]
-    pub own_remarks: Vec<Message>,
-    /// And of the case.
-    #[serde(skip)]
-    remarks: Vec<Message>,
+    pub run: Run,
     #[serde(skip)]
     linear: Linear,
-    #[serde(skip)]
-    case: Case,
 }
 
 impl Answer for EvolutionAnswer {
@@ -386,6 +379,6 @@ impl Answer for EvolutionAnswer {
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.remarks
+        &self.run.remarks
     }
 }

@@ -3,9 +3,8 @@
 use riffel_keys::{Message, Value, decimal, fixed, number, say};
 
 use super::{Band, EvolutionAnswer};
-use crate::answer::titled;
 use crate::forecast::{number_alone, per_million, three_digits};
-use crate::simulate::contact_in_words;
+use crate::simulate::Extremes;
 use crate::{Column, Table};
 
 /// Level below which nothing is told \[dB re 1 µm\]: ten picometres.
@@ -33,7 +32,7 @@ pub(super) fn introduction(answer: &EvolutionAnswer) -> Vec<Message> {
             deviation = fixed(3.6 * vehicle.speed_deviation_m_per_s, 1)
         )
     });
-    let title = titled(answer.case.file.title.as_ref(), say!(rail_under_many_wheels));
+    let title = answer.run.titled(say!(rail_under_many_wheels));
     [title, run].into_iter().chain(vehicles).collect()
 }
 
@@ -85,12 +84,11 @@ pub(super) fn sentences(answer: &EvolutionAnswer) -> Vec<Message> {
 /// Those of the last stage that has any.
 fn forces(answer: &EvolutionAnswer) -> Option<Message> {
     let stages = &answer.stages;
-    let least = stages.minimum_normal_force_n.iter().zip(&stages.maximum_normal_force_n);
-    let each = least.zip(&stages.contact_loss_fraction).rev();
-    let mut each = each.filter_map(|((least, largest), loss)| Some(((*least)?, (*largest)?, (*loss)?)));
-    let (least, largest, loss) = each.next()?;
-    let [least, largest] = [least, largest].map(|force| fixed(1e-3 * force, 2));
-    Some(say!(last_normal_force, least = least, largest = largest, contact = contact_in_words(loss)))
+    let forces = stages.minimum_normal_force_n.iter().zip(&stages.maximum_normal_force_n);
+    let mut each = forces.zip(&stages.contact_loss_fraction).rev();
+    let last = each.find_map(|((least, largest), loss)| Some(Extremes::new([(*least)?, (*largest)?], (*loss)?)));
+    let (least, largest, contact) = last?.words();
+    Some(say!(last_normal_force, least = least, largest = largest, contact = contact))
 }
 
 /// The bands that have stopped growing.
