@@ -5,7 +5,7 @@ use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// Bins of a marginal distribution.
 const BINS: usize = 30;
@@ -21,37 +21,31 @@ pub(crate) fn directions(told: &Identifiability) -> Table {
         true => say!(told_by_data),
         false => say!(told_by_prior),
     };
-    let numbers = |value: &dyn Fn(&Direction) -> f64| directions.iter().map(value).collect::<Vec<f64>>();
-    let words = directions.iter().map(|it| Message::verbatim(it.words()));
-    let spreads = directions.iter().map(|it| {
+    let spread = |it: &Direction| {
         let spread = (!it.powers.is_empty()).then(|| 100.0 * it.spread.exp_m1());
         spread.filter(|spread| spread.is_finite())
-    });
+    };
     let mut columns = vec![
-        Column::words("direction", say!(values_together), words.collect()),
-        Column::words("told_by", say!(told_by), directions.iter().map(by).collect()),
-        Column::fixed("spread_percent", say!(spread_percent), spreads, 1),
-        Column::in_file("information", numbers(&|it| it.information).into_iter()),
+        directions.words("direction", say!(values_together), |it| Message::verbatim(it.words())),
+        directions.words("told_by", say!(told_by), by),
+        directions.fixed("spread_percent", say!(spread_percent), 1, spread),
+        directions.plain("information", |it| it.information),
     ];
     for (place, name) in told.names.iter().enumerate() {
-        columns.push(Column::in_file(name, numbers(&|it| it.parts[place]).into_iter()));
+        columns.push(directions.plain(name, |it| it.parts[place]));
     }
     Table { name: "identifiability", columns }
 }
 
 /// Correlations of all pairs, for a file.
 pub(crate) fn correlations(told: &Identifiability) -> Table {
-    let names = |place: usize| {
-        let pairs = told.correlations.iter();
-        pairs.map(move |pair| pair.names[place].as_str())
-    };
-    let values = told.correlations.iter().map(|pair| pair.correlation);
+    let pairs = &told.correlations;
     Table {
         name: "correlations",
         columns: vec![
-            Column::names("parameter", names(0)),
-            Column::names("other", names(1)),
-            Column::in_file("correlation", values),
+            pairs.names("parameter", |pair| &pair.names[0]),
+            pairs.names("other", |pair| &pair.names[1]),
+            pairs.plain("correlation", |pair| pair.correlation),
         ],
     }
 }

@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, Files, Question, Source, on_threads};
-use crate::{Answer, AnswerError, Column, Table, level_limit};
+use crate::{Answer, AnswerError, Rows, Table, level_limit};
 
 /// The limit of forecasts.
 const LIMIT: &str = "iso-3095-2013";
@@ -104,26 +104,20 @@ impl Answer for CalibrationCheck {
     fn tables(&self) -> Vec<Table> {
         let values = &self.simulated.values;
         // Ranks of the ln likelihood are no interval of anything.
-        let inside = |place: usize| {
+        let inside = |name: &str, head, place: usize| {
             let share = |value: &Ranked| (value.of != Checked::LogLikelihood).then_some(100.0 * value.inside[place]);
-            values.iter().map(share).collect::<Vec<Option<f64>>>().into_iter()
+            values.fixed(name, head, 0, share)
         };
-        let probability = values.iter().map(|value| Some(value.probability));
-        let simulations = values.iter().map(|value| Some(value.ranks.len() as f64));
         vec![Table {
             name: self.name(),
             columns: vec![
-                Column::words("value", say!(checked_value), values.iter().map(name).collect()),
-                Column::fixed("simulations", say!(simulations), simulations, 0),
-                Column::fixed("inside_50_percent", say!(inside_50_percent), inside(0), 0),
-                Column::fixed("inside_80_percent", say!(inside_80_percent), inside(1), 0),
-                Column::fixed("inside_90_percent", say!(inside_90_percent), inside(2), 0),
-                Column::fixed("probability", say!(probability_of_ranks), probability, 4),
-                Column::words(
-                    "verdict",
-                    say!(verdict_on_ranks),
-                    values.iter().map(|value| self.verdict(value)).collect(),
-                ),
+                values.words("value", say!(checked_value), name),
+                values.fixed("simulations", say!(simulations), 0, |value| value.ranks.len() as f64),
+                inside("inside_50_percent", say!(inside_50_percent), 0),
+                inside("inside_80_percent", say!(inside_80_percent), 1),
+                inside("inside_90_percent", say!(inside_90_percent), 2),
+                values.fixed("probability", say!(probability_of_ranks), 4, |value| value.probability),
+                values.words("verdict", say!(verdict_on_ranks), |value| self.verdict(value)),
             ],
         }]
     }

@@ -106,6 +106,7 @@ pub use netcdf::Grid;
 pub use number_alone::number_alone;
 pub use over_posterior::{NumberOverPosterior, OverPosterior, PosteriorDraws};
 pub use parameters::parameters;
+pub(crate) use table::Rows;
 pub use table::{Column, Table, Values};
 pub use track_in_words::place;
 pub(crate) use wear_limit::wear_spread;

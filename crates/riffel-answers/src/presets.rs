@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::question::{Asker, Files, Question};
-use crate::{Answer, AnswerError, Column, Table, Told};
+use crate::{Answer, AnswerError, Column, Rows, Table, Told};
 
 /// List the presets, or show one with the sources of its values.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -44,7 +44,7 @@ struct PresetsAnswer {
 
 /// A column of words under an English head.
 fn column<T>(head: &str, rows: &[T], words: impl Fn(&T) -> Message) -> Column {
-    Column::shown(Message::verbatim(head), rows.iter().map(words).collect())
+    rows.shown(Message::verbatim(head), words)
 }
 
 impl Answer for PresetsAnswer {

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, CaseSource, Question};
 use crate::stress::contour;
-use crate::{Answer, AnswerError, Column, Table};
+use crate::{Answer, AnswerError, Column, Rows, Table};
 
 /// Speeds over the range of the map.
 const SPEEDS: usize = 31;
@@ -234,25 +234,22 @@ impl Answer for StabilityMap {
     }
 
     fn tables(&self) -> Vec<Table> {
-        let branches = || self.branches.iter();
-        let column = |name: &str, head: Message, of: fn(&StabilityBranch) -> Option<f64>, shown: usize| {
-            Column::fixed(name, head, branches().map(of), shown)
-        };
-        let points = || self.points.iter();
+        let branches = &self.branches;
+        let points = &self.points;
         let in_file = |name: &str, of: fn(&StabilityPoint) -> Option<f64>| Column {
             head: None,
-            ..Column::fixed(name, Message::verbatim(name), points().map(of), 0)
+            ..points.fixed(name, Message::verbatim(name), 0, of)
         };
         let mut tables = vec![
             Table {
                 name: "branches",
                 columns: vec![
-                    column("frequency_min_hz", say!(branch_from), |it| Some(it.frequency_min_hz), 0),
-                    column("frequency_max_hz", say!(branch_to), |it| Some(it.frequency_max_hz), 0),
-                    column("friction_min", say!(least_friction), |it| Some(it.friction_min), 3),
-                    column("growth_rate_per_s", say!(fastest_growth_in_time), |it| it.growth_rate_per_s, 1),
-                    column("speed_km_per_h", say!(at_speed_column), |it| Some(3.6 * it.speed_m_per_s), 0),
-                    column("at_friction", say!(at_friction_column), |it| Some(it.at_friction), 3),
+                    branches.fixed("frequency_min_hz", say!(branch_from), 0, |it| Some(it.frequency_min_hz)),
+                    branches.fixed("frequency_max_hz", say!(branch_to), 0, |it| Some(it.frequency_max_hz)),
+                    branches.fixed("friction_min", say!(least_friction), 3, |it| Some(it.friction_min)),
+                    branches.fixed("growth_rate_per_s", say!(fastest_growth_in_time), 1, |it| it.growth_rate_per_s),
+                    branches.fixed("speed_km_per_h", say!(at_speed_column), 0, |it| Some(3.6 * it.speed_m_per_s)),
+                    branches.fixed("at_friction", say!(at_friction_column), 3, |it| Some(it.at_friction)),
                 ],
             },
             Table {

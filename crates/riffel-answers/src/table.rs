@@ -1,5 +1,6 @@
 //! Tables of answers: what a file, a terminal, a page and an array show, once.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 
 use riffel::Complex64;
@@ -148,6 +149,68 @@ impl Column {
     pub fn decibels(name: String, head: Option<Message>, values: Vec<Option<f64>>) -> Self {
         let values = Values::Fixed { values, file: 3, shown: 1, signed: false };
         Self { name, head, values }
+    }
+}
+
+/// Columns of a table with a cell of each row.
+pub(crate) trait Rows<T> {
+    /// Words for files and readers.
+    fn words(&self, name: &str, head: Message, cell: impl Fn(&T) -> Message) -> Column;
+
+    /// Words for readers alone.
+    fn shown(&self, head: Message, cell: impl Fn(&T) -> Message) -> Column {
+        self.words("", head, cell)
+    }
+
+    /// Numbers for readers alone, as they are written.
+    fn numbers<N: Display>(&self, head: Message, cell: impl Fn(&T) -> N) -> Column {
+        self.shown(head, |row| number_alone(cell(row)))
+    }
+
+    /// Numbers for readers alone, to so many digits after the point; `None` where there is nothing.
+    fn digits<N: Into<Option<f64>>>(&self, head: Message, digits: usize, value: impl Fn(&T) -> N) -> Column;
+
+    /// Numbers to so many digits before a reader, to a millionth in a file; `None` where there is nothing.
+    fn fixed<N: Into<Option<f64>>>(&self, name: &str, head: Message, shown: usize, value: impl Fn(&T) -> N) -> Column;
+
+    /// Numbers for files alone, as documents have them; `None` where there is nothing.
+    fn exact<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column;
+
+    /// Numbers for files alone, as they are; `None` where there is nothing.
+    fn plain<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column;
+
+    /// Words for files alone.
+    fn names<'a, N: ToString>(&'a self, name: &str, cell: impl Fn(&'a T) -> N) -> Column
+    where
+        T: 'a;
+}
+
+impl<T> Rows<T> for [T] {
+    fn words(&self, name: &str, head: Message, cell: impl Fn(&T) -> Message) -> Column {
+        Column::words(name, head, self.iter().map(cell).collect())
+    }
+
+    fn digits<N: Into<Option<f64>>>(&self, head: Message, digits: usize, value: impl Fn(&T) -> N) -> Column {
+        Column::digits(head, digits, self.iter().map(value))
+    }
+
+    fn fixed<N: Into<Option<f64>>>(&self, name: &str, head: Message, shown: usize, value: impl Fn(&T) -> N) -> Column {
+        Column::fixed(name, head, self.iter().map(|row| value(row).into()), shown)
+    }
+
+    fn exact<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column {
+        Column::exact(name, self.iter().map(value))
+    }
+
+    fn plain<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column {
+        Column::optional(name, self.iter().map(|row| value(row).into()).collect())
+    }
+
+    fn names<'a, N: ToString>(&'a self, name: &str, cell: impl Fn(&'a T) -> N) -> Column
+    where
+        T: 'a,
+    {
+        Column::names(name, self.iter().map(cell))
     }
 }
 

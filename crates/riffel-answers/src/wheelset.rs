@@ -17,7 +17,7 @@ use crate::complex::as_matrices;
 use crate::parameters::parameters;
 use crate::question::{AsWritten, Asker, CaseSource, Question};
 use crate::receptance::ReceptanceCurves;
-use crate::{Answer, AnswerError, Column, ResultFile, Table, mode_in_words};
+use crate::{Answer, AnswerError, Column, ResultFile, Rows, Table, mode_in_words};
 
 /// Up to which natural frequencies are listed \[Hz\].
 pub(crate) const HIGHEST: f64 = 2000.0;
@@ -115,15 +115,13 @@ impl WheelsetAnswer {
 
     /// One row for each natural frequency.
     fn natural_frequencies(&self) -> Table {
-        let modes = || self.modes.iter();
-        let mut columns = vec![
-            Column::exact("frequency_hz", modes().map(|mode| mode.frequency)),
-            Column::names("name", modes().map(|mode| &mode.name)),
-        ];
+        let modes = &self.modes;
+        let mut columns =
+            vec![modes.exact("frequency_hz", |mode| mode.frequency), modes.names("name", |mode| &mode.name)];
         if !self.modes.is_empty() {
             columns.extend([
-                Column::digits(say!(natural_frequency_column), 2, modes().map(|mode| mode.frequency)),
-                Column::shown(say!(mode_column), modes().map(|mode| mode_in_words(&mode.name)).collect()),
+                modes.digits(say!(natural_frequency_column), 2, |mode| mode.frequency),
+                modes.shown(say!(mode_column), |mode| mode_in_words(&mode.name)),
             ]);
         }
         Table { name: "modes", columns }
@@ -131,7 +129,7 @@ impl WheelsetAnswer {
 
     /// One row for each frequency, the entries on and above the diagonal.
     fn entries(&self) -> Table {
-        let mut columns = vec![Column::exact("frequency_hz", self.frequency_hz.iter().copied())];
+        let mut columns = vec![self.frequency_hz.exact("frequency_hz", |&value| value)];
         for (row, column) in (0..6).flat_map(|row| (row..6).map(move |column| (row, column))) {
             let name = format!("{}_{}_m_per_n", key(Port::ALL[row]), key(Port::ALL[column]));
             columns.extend(Column::complex(&name, self.receptances.iter().map(|matrix| matrix[row][column])));

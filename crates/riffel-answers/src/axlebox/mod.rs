@@ -21,9 +21,8 @@ use serde::{Serialize, Serializer};
 pub use question::AxleBoxQuestion;
 pub use wheels::{WheelMark, WheelMarkKind};
 
-use crate::number_alone;
 use crate::roughness::{GroundSection, Judged, RailAnswer, Verdict, tables, worst_first};
-use crate::{Answer, AnswerError, Column, Table, parameters};
+use crate::{Answer, AnswerError, Rows, Table, parameters};
 use listening::{Heard, Longest, listen, lower};
 
 /// What is asked of axle boxes.
@@ -274,23 +273,18 @@ impl AxleBoxAnswer {
     fn pads(&self) -> Table {
         let rows: Vec<(&RailAnswer, &LevelRange)> =
             self.rails.iter().flat_map(|rail| rail.levels.iter().map(|level| (&rail.rail, level))).collect();
-        let exact =
-            |name: &str, of: fn(&LevelRange) -> f64| Column::exact(name, rows.iter().map(|(_, level)| of(level)));
-        let shown = |head: Message, of: fn(&LevelRange) -> Message| {
-            Column::shown(head, rows.iter().map(|(_, level)| of(level)).collect())
-        };
         Table {
             name: "pads",
             columns: vec![
-                Column::names("rail", rows.iter().map(|(rail, _)| &rail.name)),
-                exact("wavelength_m", |level| level.band.wavelength()),
-                exact("level_db", |level| level.level),
-                exact("lowest_db", |level| level.range[0]),
-                exact("highest_db", |level| level.range[1]),
-                Column::shown(say!(rail_word), rows.iter().map(|(rail, _)| name_in_words(&rail.name)).collect()),
-                shown(say!(wavelength_of_band), |level| number_alone(level.band.nominal_millimetres())),
-                shown(say!(felt_level_column), |level| number_alone(format!("{:.1}", level.level))),
-                shown(say!(with_pads_column), |level| {
+                rows.names("rail", |(rail, _)| &rail.name),
+                rows.exact("wavelength_m", |(_, level)| level.band.wavelength()),
+                rows.exact("level_db", |(_, level)| level.level),
+                rows.exact("lowest_db", |(_, level)| level.range[0]),
+                rows.exact("highest_db", |(_, level)| level.range[1]),
+                rows.shown(say!(rail_word), |(rail, _)| name_in_words(&rail.name)),
+                rows.numbers(say!(wavelength_of_band), |(_, level)| level.band.nominal_millimetres()),
+                rows.digits(say!(felt_level_column), 1, |(_, level)| level.level),
+                rows.shown(say!(with_pads_column), |(_, level)| {
                     let [low, high] = level.range.map(|end| number(format!("{end:.1}")));
                     say!(from_to, from = low, to = high)
                 }),

@@ -5,7 +5,7 @@ use riffel_rail::name_in_words;
 
 use super::{CompareAnswer, Effect, Outcome, held_in_words, title_of};
 use crate::forecast::{RailForecast, number_alone, per_million, reached, three_digits};
-use crate::{Column, Table, column};
+use crate::{Column, Rows, Table, column};
 
 /// Growth of the bands.
 pub(super) const BANDS: &str = "bands";
@@ -14,21 +14,20 @@ pub(super) const BANDS: &str = "bands";
 pub(crate) fn outcomes(answer: &CompareAnswer) -> Table {
     let nothing = || Message::verbatim("");
     let cell = |cell: Option<Message>| cell.unwrap_or_else(nothing);
-    let outcomes = || answer.comparison.outcomes.iter();
+    let outcomes = &answer.comparison.outcomes;
     let told = |head: Message, of: &dyn Fn(&Outcome) -> Message| {
-        let cells = outcomes().map(|outcome| if outcome.untold { nothing() } else { of(outcome) });
-        Column::shown(head, cells.collect())
+        outcomes.shown(head, |outcome| if outcome.untold { nothing() } else { of(outcome) })
     };
     let number = |text: String| number_alone(text);
     let mut columns = vec![
-        Column::shown(nothing(), outcomes().map(title_of).collect()),
+        outcomes.shown(nothing(), title_of),
         told(say!(fastest_in_millimetres), &fastest),
         told(say!(decibels_per_million_passages), &|outcome| {
             number(format!("{:+.3}", per_million(outcome.fastest.rate)))
         }),
-        Column::shown(say!(change_head), outcomes().map(|outcome| change(outcome, answer)).collect()),
+        outcomes.shown(say!(change_head), |outcome| change(outcome, answer)),
     ];
-    if outcomes().any(|outcome| !outcome.held.is_empty()) {
+    if outcomes.iter().any(|outcome| !outcome.held.is_empty()) {
         columns.push(told(say!(held_head), &|outcome| match outcome.held[..] {
             [] => nothing(),
             [hold] => held_in_words(hold),
@@ -116,6 +115,6 @@ fn rates(
         .iter()
         .zip(outcomes)
         .map(|(name, outcome)| Column::exact(name, (0..wavelengths.len()).map(|place| rate(outcome, place))));
-    let wavelengths = Column::exact("wavelength_m", wavelengths.iter().copied());
+    let wavelengths = wavelengths.exact("wavelength_m", |&value| value);
     Table { name, columns: [wavelengths].into_iter().chain(rates).collect() }
 }

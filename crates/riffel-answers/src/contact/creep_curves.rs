@@ -8,8 +8,7 @@ use serde::{Serialize, Serializer};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
-use crate::number_alone;
-use crate::{Column, Table};
+use crate::{Column, Rows, Table};
 
 /// Tractive ratio against creepage by one law.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,7 +111,7 @@ fn look(law: &CreepCurve, place: usize) -> (LineStyle, Rgb) {
 pub(super) fn table(curves: &CreepCurves) -> Table {
     let laws = curves.laws.iter();
     let laws = laws.map(|law| Column::exact(&law.key.replace('-', "_"), law.tractive_ratios.iter().copied()));
-    let creepages = Column::exact("creepage", curves.creepages.iter().copied());
+    let creepages = curves.creepages.exact("creepage", |&value| value);
     Table { name: "creep-curve", columns: [creepages].into_iter().chain(laws).collect() }
 }
 
@@ -122,9 +121,7 @@ pub(super) fn shown(curves: &CreepCurves) -> Table {
     let count = curves.creepages.len();
     let shown = count.min(ROWS);
     let places: Vec<usize> = (1..=shown).map(|place| place * count / shown - 1).collect();
-    let column = |head: Message, cell: &dyn Fn(usize) -> String| {
-        Column::shown(head, places.iter().map(|&place| number_alone(cell(place))).collect())
-    };
+    let column = |head: Message, cell: &dyn Fn(usize) -> String| places.numbers(head, |&place| cell(place));
     let creepages =
         column(say!(creepage_column), &|place| format!("{} %", decimal(100.0 * curves.creepages[place], 4)));
     let laws = curves.laws.iter();

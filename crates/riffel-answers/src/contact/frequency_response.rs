@@ -11,7 +11,7 @@ use super::line;
 use super::theories::{RollingTheories, refused};
 use super::wave_response::WaveResponse;
 use crate::complex::pairs;
-use crate::{Column, Table};
+use crate::{Column, Rows, Table};
 
 /// What one output answers to one input.
 #[derive(Debug, Clone, PartialEq)]
@@ -187,7 +187,7 @@ impl Serialize for FrequencyResponse {
 
 /// One row for each sample.
 pub(super) fn table(response: &FrequencyResponse) -> Table {
-    let mut columns = vec![Column::exact("wavelength_over_semi_axis", response.ratios.iter().copied())];
+    let mut columns = vec![response.ratios.exact("wavelength_over_semi_axis", |&value| value)];
     for input in &response.inputs {
         for output in &input.outputs {
             columns.extend(Column::complex(&format!("{}_{}", input.key, output.key), output.values.iter().copied()));

@@ -4,7 +4,7 @@ use riffel::contact::ContactElement;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
 
 use super::{RollingTheories, line, parameters};
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 const TO_MILLIMETRES: f64 = 1e3;
 const TO_MEGAPASCALS: f64 = 1e-6;
@@ -120,16 +120,16 @@ pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
 
 /// The elements of the patch, one row for each.
 pub(super) fn table(patch: &RollingTheories) -> Table {
-    let column = |name: &str, value: fn(ContactElement) -> f64| Column::exact(name, patch.elements().map(value));
+    let elements: Vec<ContactElement> = patch.elements().collect();
     Table {
         name: "patch",
         columns: vec![
-            column("x_m", |element| element.centre.0),
-            column("y_m", |element| element.centre.1),
-            column("traction_longitudinal_pa", |element| element.traction.0),
-            column("traction_lateral_pa", |element| element.traction.1),
-            column("bound_pa", |element| element.bound),
-            Column::names("slips", patch.elements().map(|element| element.slips)),
+            elements.exact("x_m", |element| element.centre.0),
+            elements.exact("y_m", |element| element.centre.1),
+            elements.exact("traction_longitudinal_pa", |element| element.traction.0),
+            elements.exact("traction_lateral_pa", |element| element.traction.1),
+            elements.exact("bound_pa", |element| element.bound),
+            elements.names("slips", |element| element.slips),
         ],
     }
 }

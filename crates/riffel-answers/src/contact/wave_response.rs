@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::line;
 use super::theories::{RollingTheories, refused};
-use crate::Column;
+use crate::{Column, Rows};
 
 /// Responses per κ = R k² Δ under a constant load and slip speed, one for each wavelength.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -57,7 +57,7 @@ impl WaveResponse {
     pub(super) fn columns(&self) -> impl Iterator<Item = Column> {
         let energy = Column::complex("wave_energy", self.energy.iter().copied());
         let force = Column::complex("wave_force", self.force.iter().copied());
-        energy.into_iter().chain(force).chain([Column::exact("phi", self.phi.iter().copied())])
+        energy.into_iter().chain(force).chain([self.phi.exact("phi", |&value| value)])
     }
 
     pub(super) fn panel(&self, ratios: &[f64]) -> LinePanel {

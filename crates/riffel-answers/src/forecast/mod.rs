@@ -24,7 +24,7 @@ use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
 
-use crate::{AnswerError, Column, Table, unlikely_wear, wear_spread};
+use crate::{AnswerError, Rows, Table, unlikely_wear, wear_spread};
 use words::beyond;
 
 pub use crate::number_alone;
@@ -278,8 +278,7 @@ impl TrackForecast {
     pub(crate) fn table(&self) -> Table {
         let rows: Vec<Vec<Message>> = self.rails.iter().flat_map(|rail| self.rows_of(rail)).collect();
         let columns = self.heads().into_iter().enumerate();
-        let columns =
-            columns.map(|(place, head)| Column::shown(head, rows.iter().map(|row| row[place].clone()).collect()));
+        let columns = columns.map(|(place, head)| rows.shown(head, |row| row[place].clone()));
         Table { name: "bands", columns: columns.collect() }
     }
 

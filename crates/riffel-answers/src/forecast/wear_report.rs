@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 
 use super::words::millions;
 use super::{RailForecast, RailStart, number_alone};
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// Days of a year.
 const YEAR: f64 = 365.25;
@@ -319,9 +319,7 @@ impl WearReport {
 
     /// What a reader sees by band, the longest first.
     pub(super) fn table(&self) -> Table {
-        let shown = |head: Message, of: &dyn Fn(&FittedBand) -> Message| {
-            Column::shown(head, self.fit.bands.iter().rev().map(of).collect())
-        };
+        let bands: Vec<&FittedBand> = self.fit.bands.iter().rev().collect();
         let decibels = |value: f64| number_alone(format_args!("{value:+.1}"));
         let fitted = |value: f64| match self.fit.verdict.is_fit() {
             true => decibels(value),
@@ -330,12 +328,12 @@ impl WearReport {
         Table {
             name: Self::TABLE,
             columns: vec![
-                shown(say!(wavelength_of_band), &|band| number_alone(band.band.nominal_millimetres())),
-                shown(say!(measured_in_decibels), &|band| decibels(band.measured)),
-                shown(say!(model_in_decibels), &|band| decibels(band.predicted)),
-                shown(say!(fitted_in_decibels), &|band| fitted(band.fitted)),
-                shown(say!(residual_in_decibels), &|band| fitted(band.residual())),
-                shown(Message::verbatim(""), &|band| match (band.grows, band.predicted > 0.0) {
+                bands.numbers(say!(wavelength_of_band), |band| band.band.nominal_millimetres()),
+                bands.shown(say!(measured_in_decibels), |band| decibels(band.measured)),
+                bands.shown(say!(model_in_decibels), |band| decibels(band.predicted)),
+                bands.shown(say!(fitted_in_decibels), |band| fitted(band.fitted)),
+                bands.shown(say!(residual_in_decibels), |band| fitted(band.residual())),
+                bands.shown(Message::verbatim(""), |band| match (band.grows, band.predicted > 0.0) {
                     (true, _) => Message::verbatim(""),
                     (false, false) => say!(decays_in_the_model),
                     (false, true) => say!(decays_at_first_in_the_model),

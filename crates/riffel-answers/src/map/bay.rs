@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::{Shown, panel, table};
 use crate::parameters::parameters;
 use crate::ridge::{BranchDocument, best_fit_frequency, branches_table, ridge_of, ridge_table};
-use crate::{AnswerError, Column, ResultFile, Table};
+use crate::{AnswerError, ResultFile, Rows, Table};
 
 /// Points of the curve from one support to the next.
 const POINTS: usize = 121;
@@ -194,33 +194,31 @@ impl BayGrowth {
 
     /// One row for each place of the bay.
     fn over_places(&self) -> Table {
-        let column =
-            |name: &str, of: fn(&LoopState) -> f64| Column::exact(name, self.states.iter().map(|(_, state)| of(state)));
-        let same = |name: &str, value: f64| Column::exact(name, self.states.iter().map(|_| value));
+        let states = &self.states;
         Table {
             name: "bay",
             columns: vec![
-                Column::exact("position_m", self.states.iter().map(|(position, _)| *position)),
-                same("wavelength_m", self.wavelength_m),
-                same("speed_m_per_s", self.speed_m_per_s),
-                column("normalized_dissipation_re", |state| state.normalized_dissipation.re),
-                column("normalized_dissipation_im", |state| state.normalized_dissipation.im),
-                column("growth_rate_per_passage", |state| state.growth_rate),
+                states.exact("position_m", |(position, _)| *position),
+                states.exact("wavelength_m", |_| self.wavelength_m),
+                states.exact("speed_m_per_s", |_| self.speed_m_per_s),
+                states.exact("normalized_dissipation_re", |(_, state)| state.normalized_dissipation.re),
+                states.exact("normalized_dissipation_im", |(_, state)| state.normalized_dissipation.im),
+                states.exact("growth_rate_per_passage", |(_, state)| state.growth_rate),
             ],
         }
     }
 
     /// One row for each wavelength at the speed of the curve.
     fn over_wavelengths(&self) -> Table {
-        let column = |name: &str, of: &dyn Fn(&Rates) -> f64| Column::exact(name, self.spectrum.iter().map(of));
+        let spectrum = &self.spectrum;
         Table {
             name: "bay-wavelength",
             columns: vec![
-                column("wavelength_m", &|(wavelength, _)| *wavelength),
-                column("speed_m_per_s", &|_| self.speed_m_per_s),
-                column("growth_rate_over_support", &|(_, rates)| rates[0]),
-                column("growth_rate_mid_span", &|(_, rates)| rates[1]),
-                column("growth_rate_mean", &|(_, rates)| rates[2]),
+                spectrum.exact("wavelength_m", |(wavelength, _)| *wavelength),
+                spectrum.exact("speed_m_per_s", |_| self.speed_m_per_s),
+                spectrum.exact("growth_rate_over_support", |(_, rates)| rates[0]),
+                spectrum.exact("growth_rate_mid_span", |(_, rates)| rates[1]),
+                spectrum.exact("growth_rate_mean", |(_, rates)| rates[2]),
             ],
         }
     }

@@ -20,7 +20,7 @@ use passing::Passing;
 use crate::answer::{inputs, titled};
 use crate::highest::{Highest, wavelengths_of};
 use crate::number_alone;
-use crate::{Answer, AnswerError, Column, ResultFile, Table, WearLimitDocument, growth_lines};
+use crate::{Answer, AnswerError, ResultFile, Rows, Table, WearLimitDocument, growth_lines};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -163,21 +163,18 @@ impl ModelsAnswer {
 
     /// What a reader sees.
     fn table(&self) -> Table {
-        let on_case = || self.on_case();
+        let on_case: Vec<&ModelGrowth> = self.on_case().collect();
         let shown = |head: Message, of: fn(&Highest) -> Message| {
-            let cell = |of_model: &ModelGrowth| of_model.highest.as_ref().map_or_else(|| Message::verbatim(""), of);
-            Column::shown(head, on_case().map(cell).collect())
+            on_case.shown(head, |of_model| of_model.highest.as_ref().map_or_else(|| Message::verbatim(""), of))
         };
-        let titles = on_case().map(|of| Message::verbatim(of.model.title));
-        let rates = on_case().map(|of| match of.highest {
-            Some(highest) => number_alone(format!("{:+.4}", 1e6 * highest.rate)),
-            None => say!(no_growth_in_table),
-        });
         Table {
             name: "models",
             columns: vec![
-                Column::shown(Message::verbatim(""), titles.collect()),
-                Column::shown(say!(highest_growth_column), rates.collect()),
+                on_case.shown(Message::verbatim(""), |of| Message::verbatim(of.model.title)),
+                on_case.shown(say!(highest_growth_column), |of| match of.highest {
+                    Some(highest) => number_alone(format!("{:+.4}", 1e6 * highest.rate)),
+                    None => say!(no_growth_in_table),
+                }),
                 shown(Message::verbatim("mm"), Highest::millimetres),
                 shown(Message::verbatim("Hz"), |highest| number_alone(decimal(highest.frequency, 0))),
                 shown(say!(passages_to_double_column), |highest| {

@@ -10,7 +10,7 @@ use riffel_plot::{MapFigure, MapPanel};
 use super::{Drawing, Model, PaperFigure};
 use crate::map::{Shown, panel};
 use crate::parameters::parameters_in;
-use crate::{AnswerError, Column, Table};
+use crate::{AnswerError, Rows, Table};
 
 /// Tractive ratios of the left and the right panel.
 const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
@@ -63,15 +63,14 @@ fn maps(
         }
         points.extend(points_of(&case, ratio, &map));
     }
-    let column = |name: &str, of: fn(&Point) -> f64| Column::exact(name, points.iter().map(of));
     let table = Table {
         name: "figure",
         columns: vec![
-            column("tractive_ratio", |point| point.tractive_ratio),
-            column("wavelength_m", |point| point.wavelength),
-            column("speed_m_per_s", |point| point.speed),
-            column("dissipation_re_w", |point| point.dissipation),
-            column("normalized_dissipation_re", |point| point.normalized_dissipation),
+            points.exact("tractive_ratio", |point| point.tractive_ratio),
+            points.exact("wavelength_m", |point| point.wavelength),
+            points.exact("speed_m_per_s", |point| point.speed),
+            points.exact("dissipation_re_w", |point| point.dissipation),
+            points.exact("normalized_dissipation_re", |point| point.normalized_dissipation),
         ],
     };
     Ok(PaperFigure { drawing: Drawing::Maps(MapFigure { title, caption, panels }), table })

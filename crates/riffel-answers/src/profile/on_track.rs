@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::answer::titled;
 use crate::number_alone;
-use crate::{Answer, AnswerError, Column, Table};
+use crate::{Answer, AnswerError, Rows, Table};
 
 /// Amplitudes of the equivalent conicity \[mm\].
 const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
@@ -199,12 +199,10 @@ impl OnTrackAnswer {
 
     /// One row for each lateral shift, in mm and rad.
     fn over_shift(&self) -> Table {
-        let column =
-            |name: &str, values: &[f64], factor: f64| Column::exact(name, values.iter().map(|value| factor * value));
+        let column = |name: &str, values: &[f64], factor: f64| values.exact(name, |value| factor * value);
         let sides = Right::COLUMNS.iter().zip(self.right.columns());
         let sides = sides.chain(Left::COLUMNS.iter().zip(self.left.columns()));
-        let sides = sides
-            .map(|((name, factor), values)| Column::exact(name, values.iter().map(|value| Some(factor * (*value)?))));
+        let sides = sides.map(|((name, factor), values)| values.exact(name, |value| Some(factor * (*value)?)));
         let before = [
             column("lateral_shift_mm", &self.lateral_shift, 1e3),
             column("yaw_rad", &self.yaw, 1.0),
@@ -217,9 +215,6 @@ impl OnTrackAnswer {
 
     /// By amplitude, for a reader.
     fn conicities(&self) -> Table {
-        let shown = |head, cell: &dyn Fn(&ConicityAtAmplitude) -> Message| {
-            Column::shown(head, self.conicities.iter().map(cell).collect())
-        };
         let of = |found: &Option<EquivalentConicity>, value: fn(&EquivalentConicity) -> f64| {
             let found = found.as_ref().map(value);
             found.map_or_else(|| say!(no_motion), |value| number_alone(format_args!("{value:.4}")))
@@ -229,17 +224,16 @@ impl OnTrackAnswer {
             Some(wavelength) if wavelength.is_finite() => number_alone(format_args!("{wavelength:.2}")),
             Some(_) => say!(endless_wavelength),
         };
+        let rows = &self.conicities;
         Table {
             name: "conicity",
             columns: vec![
-                shown(say!(amplitude_in_millimetres_column), &|row| {
-                    number_alone(format_args!("{:.0}", 1e3 * row.amplitude))
-                }),
-                shown(say!(equivalent_conicity_column), &|row| of(&row.standard, |found| found.klingel)),
-                shown(say!(conicity_with_roll_column), &|row| of(&row.rolling, |found| found.klingel)),
-                shown(say!(conicity_harmonic_column), &|row| of(&row.standard, |found| found.harmonic)),
-                shown(say!(conicity_regression_column), &|row| of(&row.standard, |found| found.regression)),
-                shown(say!(wavelength_in_metres_column), &|row| wavelength(&row.standard)),
+                rows.numbers(say!(amplitude_in_millimetres_column), |row| format!("{:.0}", 1e3 * row.amplitude)),
+                rows.shown(say!(equivalent_conicity_column), |row| of(&row.standard, |found| found.klingel)),
+                rows.shown(say!(conicity_with_roll_column), |row| of(&row.rolling, |found| found.klingel)),
+                rows.shown(say!(conicity_harmonic_column), |row| of(&row.standard, |found| found.harmonic)),
+                rows.shown(say!(conicity_regression_column), |row| of(&row.standard, |found| found.regression)),
+                rows.shown(say!(wavelength_in_metres_column), |row| wavelength(&row.standard)),
             ],
         }
     }

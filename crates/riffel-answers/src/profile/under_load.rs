@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::or_dash;
 use crate::side::side;
-use crate::{Answer, AnswerError, Column, Table};
+use crate::{Answer, AnswerError, Rows, Table};
 
 /// Both contacts of a wheelset under a normal force each, at lateral shifts: serialised, what
 /// `riffel profile CASE --wheelset --load P --json` prints.
@@ -130,15 +130,14 @@ impl UnderLoadAnswer {
     /// In mm and MPa, for a reader.
     fn patches(&self) -> Table {
         let column = |head, digits: usize, of: &dyn Fn(&ContactDocument) -> Option<f64>| {
-            Column::shown(head, self.contacts.iter().map(|row| or_dash(of(row), digits)).collect())
+            self.contacts.shown(head, |row| or_dash(of(row), digits))
         };
-        let rails = self.contacts.iter().map(|row| side(row.rail));
         let peak = |patch: &PatchDocument| 1e-6 * patch.peak_pressure_pa;
         Table {
             name: "patches",
             columns: vec![
                 column(say!(shift_column), 1, &|row| Some(1e3 * row.lateral_shift_m)),
-                Column::shown(say!(rail_column), rails.collect()),
+                self.contacts.shown(say!(rail_column), |row| side(row.rail)),
                 column(say!(length_in_millimetres_column), 1, &|row| Some(1e3 * row.length_m)),
                 column(say!(width_in_millimetres_column), 1, &|row| Some(1e3 * row.width_m)),
                 column(say!(peak_pressure_column), 0, &|row| Some(1e-6 * row.peak_pressure_pa)),
@@ -159,15 +158,14 @@ impl UnderLoadAnswer {
                 loaded.flat.under_pressure().map(move |(place, pressure)| (shift, rail, place, pressure))
             })
             .collect();
-        let column = |name: &str, of: fn(&Element) -> f64| Column::exact(name, elements.iter().map(of));
         Table {
             name: "contact",
             columns: vec![
-                column("lateral_shift_m", |element| element.0),
-                Column::names("rail", elements.iter().map(|element| element.1.name())),
-                column("x_m", |element| element.2.0),
-                column("y_m", |element| element.2.1),
-                column("pressure_pa", |element| element.3),
+                elements.exact("lateral_shift_m", |element| element.0),
+                elements.names("rail", |element| element.1.name()),
+                elements.exact("x_m", |element| element.2.0),
+                elements.exact("y_m", |element| element.2.1),
+                elements.exact("pressure_pa", |element| element.3),
             ],
         }
     }

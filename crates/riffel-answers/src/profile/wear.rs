@@ -10,7 +10,7 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::{Serialize, Serializer};
 
 use super::or_dash;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Rows, Table};
 
 /// How wear is found.
 #[derive(Debug, Clone, Copy)]
@@ -262,7 +262,7 @@ impl WearAnswer {
 
     /// In mm, for a reader.
     fn measures(&self) -> Table {
-        let worn = self.profiles.iter();
+        let worn = &self.profiles;
         let name = match self.kind {
             ProfileKind::Wheel => say!(wheel_column),
             ProfileKind::Rail => say!(rail_column),
@@ -277,31 +277,27 @@ impl WearAnswer {
             ProfileKind::Rail => vec![say!(w1_column), say!(w2_column), say!(w3_column)],
         };
         let millimetres = |length: Option<f64>| or_dash(length.map(|length| 1e3 * length), 2);
-        let measures = heads.into_iter().enumerate().map(|(index, head)| {
-            Column::shown(head, worn.clone().map(|worn| millimetres(worn.measures.shown()[index])).collect())
-        });
-        let names = Column::shown(name, worn.clone().map(|worn| Message::verbatim(&worn.name)).collect());
-        let deepest = worn.clone().map(|worn| millimetres(worn.greatest_depth_m));
-        let areas = worn.clone().map(|worn| or_dash(Some(1e6 * worn.area_m2), 1));
-        let after =
-            [Column::shown(say!(deepest_column), deepest.collect()), Column::shown(say!(area_column), areas.collect())];
+        let measures = heads.into_iter().enumerate();
+        let measures = measures.map(|(index, head)| worn.shown(head, |worn| millimetres(worn.measures.shown()[index])));
+        let after = [
+            worn.shown(say!(deepest_column), |worn| millimetres(worn.greatest_depth_m)),
+            worn.shown(say!(area_column), |worn| or_dash(Some(1e6 * worn.area_m2), 1)),
+        ];
+        let names = worn.shown(name, |worn| Message::verbatim(&worn.name));
         Table { name: "measures", columns: [names].into_iter().chain(measures).chain(after).collect() }
     }
 
     /// One row for each point of the nominal profile, in mm; depths that are not measured are empty.
     fn depths(&self) -> Table {
-        let worn = || self.profiles.iter();
-        let names = worn().flat_map(|worn| worn.x_m.iter().map(|_| &worn.name));
-        let millimetres =
-            |name: &str, of: fn(&Worn) -> &[f64]| Column::exact(name, worn().flat_map(of).map(|length| 1e3 * length));
-        let depths = worn().flat_map(|worn| &worn.depth_m).map(|depth| Some(1e3 * (*depth)?));
+        let points = self.profiles.iter().flat_map(|worn| (0..worn.x_m.len()).map(move |place| (worn, place)));
+        let points: Vec<(&Worn, usize)> = points.collect();
         Table {
             name: "wear",
             columns: vec![
-                Column::names("profile", names),
-                millimetres("nominal_x_mm", |worn| &worn.x_m),
-                millimetres("nominal_y_mm", |worn| &worn.height_m),
-                Column::exact("depth_mm", depths),
+                points.names("profile", |(worn, _)| &worn.name),
+                points.exact("nominal_x_mm", |(worn, place)| 1e3 * worn.x_m[*place]),
+                points.exact("nominal_y_mm", |(worn, place)| 1e3 * worn.height_m[*place]),
+                points.exact("depth_mm", |(worn, place)| Some(1e3 * worn.depth_m[*place]?)),
             ],
         }
     }

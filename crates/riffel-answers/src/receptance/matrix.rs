@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::complex::as_matrices;
 use crate::parameters::parameters;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Column, Rows, Table};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -60,7 +60,7 @@ impl Answer for MatrixAnswer {
 
     /// One row for each frequency, the entries of both bodies on and above the diagonal.
     fn tables(&self) -> Vec<Table> {
-        let mut columns = vec![Column::exact("frequency_hz", self.frequency_hz.iter().copied())];
+        let mut columns = vec![self.frequency_hz.exact("frequency_hz", |&value| value)];
         for (body, matrices) in [("track", &self.track), ("wheel", &self.wheel)] {
             for (row, column) in upper() {
                 let name = format!("{body}_{}{}_m_per_n", AXES[row], AXES[column]);

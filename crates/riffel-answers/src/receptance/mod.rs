@@ -21,7 +21,7 @@ pub use question::ReceptanceQuestion;
 
 use crate::complex::pairs;
 use crate::parameters::parameters;
-use crate::{Answer, Column, ResultFile, Table};
+use crate::{Answer, Column, ResultFile, Rows, Table};
 
 /// What is asked of the receptances of a case.
 #[derive(Debug, Clone)]
@@ -179,7 +179,7 @@ impl ReceptanceAnswer {
 
     /// One row for each frequency.
     fn curves(&self) -> Table {
-        let frequency = Column::exact("frequency_hz", self.frequency_hz.iter().copied());
+        let frequency = self.frequency_hz.exact("frequency_hz", |&value| value);
         let curves = self.joints.iter().chain(&self.places);
         let curves = curves.flat_map(|curve| Column::complex(curve.key, curve.values.iter().copied()));
         Table { name: "receptance", columns: [frequency].into_iter().chain(curves).collect() }

@@ -14,7 +14,7 @@ use serde::Serialize;
 pub use step::Change;
 
 use crate::forecast::{per_million, rate_panel, zero};
-use crate::{Answer, AnswerError, Column, FastestGrowth, GrindingInterval, LineGrowth, Table};
+use crate::{Answer, AnswerError, FastestGrowth, GrindingInterval, LineGrowth, Rows, Table};
 use step::{Step, in_words, steps};
 
 /// The remedies of a case under a traffic, the one that helps most first.
@@ -230,40 +230,26 @@ impl Answer for RemediesAnswer {
     }
 
     fn tables(&self) -> Vec<Table> {
-        let of = |value: &dyn Fn(&Remedy) -> Message| self.remedies.iter().map(value).collect();
-        let numbers = |value: fn(&Remedy) -> Option<f64>| self.remedies.iter().map(value);
-        let change = numbers(|it| Some(100.0 * it.change_of_fastest_growth));
-        let months = numbers(|it| it.fastest?.doubling_months).collect();
-        let rates = numbers(|it| Some(it.fastest?.growth_rate_per_passage)).collect();
-        let grinding = numbers(|it| it.grinding_interval?.months).collect();
-        let unknown = || Message::verbatim("");
-        let ground_after = |it: &Remedy| it.ground_after.clone().unwrap_or_else(unknown);
-        let mut costs = Vec::new();
-        if self.remedies.iter().any(|it| it.cost.is_some()) {
-            let by_cost = numbers(Remedy::months_per_cost).collect();
-            costs.push(Column::optional("cost", numbers(|it| it.cost).collect()));
-            costs.push(Column::optional("months_per_cost", by_cost));
+        let remedies = &self.remedies;
+        let mut columns = vec![
+            remedies.words("remedy", say!(remedy_column), |it| it.title.clone()),
+            remedies.words("change", say!(remedy_changes_column), |it| Message::verbatim(in_words(&it.changes))),
+            remedies.fixed("growth_change_percent", say!(growth_change_column), 0, |it| {
+                100.0 * it.change_of_fastest_growth
+            }),
+            remedies.shown(say!(doubles_in_column), |it| it.doubles_in.clone()),
+            remedies.shown(say!(ground_after_column), |it| {
+                it.ground_after.clone().unwrap_or_else(|| Message::verbatim(""))
+            }),
+            remedies.plain("grinding_interval_months", |it| it.grinding_interval?.months),
+            remedies.plain("doubling_months", |it| it.fastest?.doubling_months),
+            remedies.plain("growth_rate_per_passage", |it| Some(it.fastest?.growth_rate_per_passage)),
+        ];
+        if remedies.iter().any(|it| it.cost.is_some()) {
+            columns.push(remedies.plain("cost", |it| it.cost));
+            columns.push(remedies.plain("months_per_cost", Remedy::months_per_cost));
         }
-        vec![Table {
-            name: "remedies",
-            columns: [
-                Column::words("remedy", say!(remedy_column), of(&|it| it.title.clone())),
-                Column::words(
-                    "change",
-                    say!(remedy_changes_column),
-                    of(&|it| Message::verbatim(in_words(&it.changes))),
-                ),
-                Column::fixed("growth_change_percent", say!(growth_change_column), change, 0),
-                Column::shown(say!(doubles_in_column), of(&|it| it.doubles_in.clone())),
-                Column::shown(say!(ground_after_column), of(&ground_after)),
-                Column::optional("grinding_interval_months", grinding),
-                Column::optional("doubling_months", months),
-                Column::optional("growth_rate_per_passage", rates),
-            ]
-            .into_iter()
-            .chain(costs)
-            .collect(),
-        }]
+        vec![Table { name: "remedies", columns }]
     }
 
     fn sentences(&self) -> Vec<Message> {

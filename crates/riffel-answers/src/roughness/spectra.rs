@@ -11,7 +11,7 @@ use super::level::as_levels;
 use super::rail::Removed;
 use super::verdict::{Judged, Verdict, worst_first};
 use crate::number_alone;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Rows, Table};
 
 /// Decibels by which a band stands over both its neighbours to be called a peak.
 const PEAK: f64 = 3.0;
@@ -137,21 +137,25 @@ impl SpectraAnswer {
     /// One row for each band: before a reader the energy mean and, behind the stroke, the mean of levels of each group.
     fn table(&self) -> Table {
         let bands = bands(&self.groups);
-        let wavelengths = Column::exact("wavelength_m", bands.iter().map(|band| band.wavelength()));
-        let nominal = bands.iter().map(|band| number_alone(band.nominal_millimetres()));
-        let mut columns = vec![wavelengths, Column::shown(say!(wavelength_of_band), nominal.collect())];
+        let mut columns = vec![
+            bands.exact("wavelength_m", |band| band.wavelength()),
+            bands.numbers(say!(wavelength_of_band), |band| band.nominal_millimetres()),
+        ];
         for group in &self.groups {
             let means = [("energy_mean_db", &group.energy), ("arithmetic_mean_db", &group.arithmetic)];
-            columns.extend(means.map(|(mean, spectrum)| {
-                let levels = bands.iter().map(|band| spectrum.level(*band));
-                Column::exact(&format!("{} {mean}", group.name), levels)
-            }));
-            let words = bands.iter().map(|band| match group.energy.level(*band).zip(group.arithmetic.level(*band)) {
-                Some((energy, arithmetic)) => number_alone(format!("{energy:.1} | {arithmetic:.1}")),
-                None => Message::verbatim(""),
-            });
-            columns
-                .push(Column::shown(Message::verbatim(format!("{} ({})", group.name, group.count)), words.collect()));
+            columns.extend(
+                means.map(|(mean, spectrum)| {
+                    bands.exact(&format!("{} {mean}", group.name), |band| spectrum.level(*band))
+                }),
+            );
+            let head = Message::verbatim(format!("{} ({})", group.name, group.count));
+            columns.push(bands.shown(
+                head,
+                |band| match group.energy.level(*band).zip(group.arithmetic.level(*band)) {
+                    Some((energy, arithmetic)) => number_alone(format!("{energy:.1} | {arithmetic:.1}")),
+                    None => Message::verbatim(""),
+                },
+            ));
         }
         Table { name: "spectrum", columns }
     }

@@ -5,7 +5,7 @@ use riffel_plot::{LinePanel, LineStyle, Series};
 use serde::Serialize;
 
 use crate::netcdf::{Grid, Variable};
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// What a wheel does along a rail, place by place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -77,7 +77,7 @@ impl Course {
 
     /// One row for each place.
     pub(super) fn table(&self, name: &'static str) -> Table {
-        let column = |name: &str, values: &[f64]| Column::exact(name, values.iter().copied());
+        let column = |name: &str, values: &[f64]| values.exact(name, |&value| value);
         let across = [("lateral_force_n", &self.lateral_force_n), ("lateral_creepage", &self.lateral_creepage)];
         let across = across.into_iter().filter_map(|(name, values)| Some(column(name, values.as_deref()?)));
         let columns = [

@@ -8,8 +8,7 @@ use serde::{Serialize, Serializer};
 use super::along_rail::check_step;
 use super::run::March;
 use super::{Course, Run, remarks};
-use crate::number_alone;
-use crate::{AnswerError, Column, Table};
+use crate::{AnswerError, Rows, Table};
 
 /// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile; serialised, what
 /// `riffel simulate --smooth --json` prints.
@@ -188,11 +187,8 @@ impl SmoothRailAnswer {
 
     /// What each contact does, for a reader.
     fn swings(&self) -> Table {
-        let shown = |head, cell: &dyn Fn(&ContactSwings) -> Message| {
-            Column::shown(head, self.contacts.iter().map(cell).collect())
-        };
         let range = |head, scale: f64, digits: usize, of: fn(&ContactSwings) -> [f64; 2]| {
-            shown(head, &|contact| {
+            self.contacts.shown(head, |contact| {
                 let [least, most] = of(contact).map(|end| fixed(scale * end, digits));
                 say!(from_one_to_another, least = least, most = most)
             })
@@ -200,8 +196,8 @@ impl SmoothRailAnswer {
         Table {
             name: "swings",
             columns: vec![
-                shown(say!(wheel_column), &|contact| number_alone(contact.name.wheel)),
-                shown(say!(rail_column), &|contact| match contact.name.rail {
+                self.contacts.numbers(say!(wheel_column), |contact| contact.name.wheel),
+                self.contacts.shown(say!(rail_column), |contact| match contact.name.rail {
                     "left" => say!(left),
                     _ => say!(right),
                 }),
@@ -210,12 +206,9 @@ impl SmoothRailAnswer {
                 range(say!(lateral_in_kilonewton_column), 1e-3, 2, |contact| contact.lateral_force_n),
                 range(say!(creepage_in_percent_column), 100.0, 3, |contact| contact.creepage),
                 range(say!(lateral_in_percent_column), 100.0, 3, |contact| contact.lateral_creepage),
-                shown(say!(stick_column), &|contact| {
-                    number_alone(format_args!("{:.0}", 100.0 * contact.stick_fraction))
-                }),
-                shown(say!(dissipation_column), &|contact| {
-                    number_alone(format_args!("{:.1}", contact.mean_dissipation_j_per_m))
-                }),
+                self.contacts.numbers(say!(stick_column), |contact| format!("{:.0}", 100.0 * contact.stick_fraction)),
+                self.contacts
+                    .numbers(say!(dissipation_column), |contact| format!("{:.1}", contact.mean_dissipation_j_per_m)),
             ],
         }
     }

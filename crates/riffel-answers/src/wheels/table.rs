@@ -7,7 +7,7 @@ use riffel_keys::{Message, decimal, say};
 use super::{WheelAnswer, WheelsAnswer};
 use crate::netcdf::{Grid, Variable};
 use crate::number_alone;
-use crate::{Column, Table, growth_lines};
+use crate::{Rows, Table, growth_lines};
 
 fn rail_in_words(rail: CurveRail) -> Message {
     match rail {
@@ -18,37 +18,31 @@ fn rail_in_words(rail: CurveRail) -> Message {
 
 /// One row for each wheel.
 pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
-    let wheels = || answer.wheels.iter();
-    let shown =
-        |head: Message, words: &dyn Fn(&WheelAnswer) -> Message| Column::shown(head, wheels().map(words).collect());
+    let wheels = &answer.wheels;
     let digits = |head: Message, digits: usize, of: fn(&WheelAnswer) -> f64| {
-        shown(head, &|wheel| number_alone(decimal(of(wheel), digits)))
+        wheels.numbers(head, |wheel| decimal(of(wheel), digits))
     };
-    let number = |name: &str, of: fn(&WheelAnswer) -> f64| Column::exact(name, wheels().map(of));
-    let highest = |name: &str, of: fn(&WheelAnswer) -> Option<f64>| Column::exact(name, wheels().map(of));
     Table {
         name: "wheels",
         columns: vec![
-            Column::names("wheelset", wheels().map(|wheel| wheel.wheelset)),
-            Column::names("rail", wheels().map(|wheel| wheel.rail.name())),
-            Column::names("side", wheels().map(|wheel| wheel.side)),
-            Column::names("contact", wheels().map(|wheel| wheel.contact.name())),
-            number("longitudinal_creepage", |wheel| wheel.longitudinal_creepage),
-            number("lateral_creepage", |wheel| wheel.lateral_creepage),
-            number("spin_1_per_m", |wheel| wheel.spin_1_per_m),
-            number("normal_force_n", |wheel| wheel.normal_force_n),
-            number("contact_angle_rad", |wheel| wheel.contact_angle_rad),
-            number("tractive_ratio", |wheel| wheel.tractive_ratio),
-            number("share_of_second_contact", |wheel| wheel.share_of_second_contact),
-            highest("highest_growth_rate_per_passage", |wheel| Some(wheel.highest?.rate)),
-            highest("highest_wavelength_m", |wheel| Some(wheel.highest?.wavelength)),
-            highest("highest_frequency_hz", |wheel| Some(wheel.highest?.frequency)),
-            Column::names(
-                "not_in_loop",
-                wheels().map(|wheel| wheel.not_in_loop.as_ref().map_or_else(String::new, ToString::to_string)),
-            ),
-            shown(say!(wheelset_column), &|wheel| number_alone(wheel.wheelset)),
-            shown(say!(rail_column), &|wheel| match wheel.contact {
+            wheels.names("wheelset", |wheel| wheel.wheelset),
+            wheels.names("rail", |wheel| wheel.rail.name()),
+            wheels.names("side", |wheel| wheel.side),
+            wheels.names("contact", |wheel| wheel.contact.name()),
+            wheels.exact("longitudinal_creepage", |wheel| wheel.longitudinal_creepage),
+            wheels.exact("lateral_creepage", |wheel| wheel.lateral_creepage),
+            wheels.exact("spin_1_per_m", |wheel| wheel.spin_1_per_m),
+            wheels.exact("normal_force_n", |wheel| wheel.normal_force_n),
+            wheels.exact("contact_angle_rad", |wheel| wheel.contact_angle_rad),
+            wheels.exact("tractive_ratio", |wheel| wheel.tractive_ratio),
+            wheels.exact("share_of_second_contact", |wheel| wheel.share_of_second_contact),
+            wheels.exact("highest_growth_rate_per_passage", |wheel| Some(wheel.highest?.rate)),
+            wheels.exact("highest_wavelength_m", |wheel| Some(wheel.highest?.wavelength)),
+            wheels.exact("highest_frequency_hz", |wheel| Some(wheel.highest?.frequency)),
+            wheels
+                .names("not_in_loop", |wheel| wheel.not_in_loop.as_ref().map_or_else(String::new, ToString::to_string)),
+            wheels.numbers(say!(wheelset_column), |wheel| wheel.wheelset),
+            wheels.shown(say!(rail_column), |wheel| match wheel.contact {
                 ContactOfWheel::Tread => rail_in_words(wheel.rail),
                 ContactOfWheel::Flange => say!(flange_of_rail, rail = rail_in_words(wheel.rail)),
             }),
@@ -57,16 +51,16 @@ pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
             digits(say!(spin_column), 3, |wheel| wheel.spin_1_per_m),
             digits(say!(normal_force_column), 1, |wheel| 1e-3 * wheel.normal_force_n),
             digits(say!(contact_angle_column), 1, |wheel| wheel.contact_angle_rad.to_degrees()),
-            shown(say!(highest_growth_column), &|wheel| match wheel.highest {
+            wheels.shown(say!(highest_growth_column), |wheel| match wheel.highest {
                 Some(highest) => number_alone(decimal(1e6 * highest.rate, 2)),
                 None if wheel.in_loop.is_some() => say!(no_growth_in_table),
                 None => say!(not_in_loop_in_table),
             }),
-            shown(Message::verbatim("mm"), &|wheel| match &wheel.highest {
+            wheels.shown(Message::verbatim("mm"), |wheel| match &wheel.highest {
                 Some(highest) => highest.millimetres(),
                 None => Message::verbatim(""),
             }),
-            shown(Message::verbatim("Hz"), &|wheel| match wheel.highest {
+            wheels.shown(Message::verbatim("Hz"), |wheel| match wheel.highest {
                 Some(highest) => number_alone(decimal(highest.frequency, 0)),
                 None => Message::verbatim(""),
             }),

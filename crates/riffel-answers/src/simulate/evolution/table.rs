@@ -2,25 +2,22 @@
 
 use super::{Band, EvolutionAnswer, Stages};
 use crate::netcdf::{Grid, Variable};
-use crate::{Column, Table};
+use crate::{Column, Rows, Table};
 
 impl EvolutionAnswer {
     /// One row for each stage and band.
     pub(super) fn bands_table(&self) -> Table {
         let stages = self.stages.passages.iter().enumerate();
-        let rows =
-            || stages.clone().flat_map(|(stage, passages)| self.bands.iter().map(move |band| (stage, *passages, band)));
-        let column = |name: &str, of: fn(usize, &Band) -> f64| {
-            Column::exact(name, rows().map(|(stage, _, band)| of(stage, band)))
-        };
+        let rows: Vec<(usize, u64, &Band)> =
+            stages.flat_map(|(stage, passages)| self.bands.iter().map(move |band| (stage, *passages, band))).collect();
         Table {
             name: "bands",
             columns: vec![
-                Column::names("passages", rows().map(|(_, passages, _)| passages)),
-                column("wavelength_m", |_, band| band.wavelength_m),
-                column("level_db", |stage, band| band.level_db[stage]),
-                column("linear_level_db", |stage, band| band.linear_level_db[stage]),
-                column("shift_m", |stage, band| band.shift_m[stage]),
+                rows.names("passages", |(_, passages, _)| passages),
+                rows.exact("wavelength_m", |(.., band)| band.wavelength_m),
+                rows.exact("level_db", |(stage, _, band)| band.level_db[*stage]),
+                rows.exact("linear_level_db", |(stage, _, band)| band.linear_level_db[*stage]),
+                rows.exact("shift_m", |(stage, _, band)| band.shift_m[*stage]),
             ],
         }
     }
@@ -30,7 +27,7 @@ impl EvolutionAnswer {
         let places = (0..self.profiles[0].heights_m.len()).map(|index| index as f64 * self.spacing);
         let profiles = self.profiles.iter().map(|profile| {
             let name = format!("height_after_{}_passages_m", profile.passages);
-            Column::exact(&name, profile.heights_m.iter().copied())
+            profile.heights_m.exact(&name, |&value| value)
         });
         let places = Column::exact("position_m", places);
         Table { name: "profile", columns: [places].into_iter().chain(profiles).collect() }

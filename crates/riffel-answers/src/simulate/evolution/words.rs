@@ -5,7 +5,7 @@ use riffel_keys::{Message, Value, decimal, fixed, number, say};
 use super::{Band, EvolutionAnswer};
 use crate::forecast::{number_alone, per_million, three_digits};
 use crate::simulate::Extremes;
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// Level below which nothing is told \[dB re 1 µm\]: ten picometres.
 const NOTHING: f64 = -100.0;
@@ -43,7 +43,6 @@ pub(super) fn bands(bands: &[Band]) -> Table {
         Some(value) if level > NOTHING => number_alone(format_args!("{value:.digits$}")),
         _ => Message::verbatim(""),
     };
-    let column = |head, of: &dyn Fn(&Band) -> Message| Column::shown(head, bands.iter().map(of).collect());
     let first = |band: &Band| band.level_db[0];
     let end = |band: &Band| band.level_db[band.level_db.len() - 1];
     let level = |level: f64| cell(level, Some(level), 1);
@@ -53,15 +52,15 @@ pub(super) fn bands(bands: &[Band]) -> Table {
     Table {
         name: "levels",
         columns: vec![
-            column(say!(wavelength_of_band), &|band| number_alone(format_args!("{:.1}", 1e3 * band.wavelength_m))),
-            column(say!(level_column), &|band| level(first(band))),
-            column(say!(level_at_end_column), &|band| level(end(band))),
-            column(say!(linear_column), &|band| level(band.linear_level_db[band.linear_level_db.len() - 1])),
-            column(say!(growth_of_level_column), &|band| growth(first(band), band.first_growth_per_passage)),
-            column(say!(linear_column), &|band| growth(first(band), band.first_linear_growth_per_passage)),
-            column(say!(last_quarter_column), &|band| growth(end(band), band.last_growth_per_passage)),
-            column(say!(drift_column), &|band| drift(first(band), band.first_shift_m_per_passage)),
-            column(say!(linear_column), &|band| drift(first(band), Some(band.linear_shift_m_per_passage))),
+            bands.numbers(say!(wavelength_of_band), |band| format!("{:.1}", 1e3 * band.wavelength_m)),
+            bands.shown(say!(level_column), |band| level(first(band))),
+            bands.shown(say!(level_at_end_column), |band| level(end(band))),
+            bands.shown(say!(linear_column), |band| level(band.linear_level_db[band.linear_level_db.len() - 1])),
+            bands.shown(say!(growth_of_level_column), |band| growth(first(band), band.first_growth_per_passage)),
+            bands.shown(say!(linear_column), |band| growth(first(band), band.first_linear_growth_per_passage)),
+            bands.shown(say!(last_quarter_column), |band| growth(end(band), band.last_growth_per_passage)),
+            bands.shown(say!(drift_column), |band| drift(first(band), band.first_shift_m_per_passage)),
+            bands.shown(say!(linear_column), |band| drift(first(band), Some(band.linear_shift_m_per_passage))),
         ],
     }
 }
