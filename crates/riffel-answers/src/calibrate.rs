@@ -158,20 +158,15 @@ impl Densities {
 fn marginal(parameter: &Parameter, values: &[f64], found: &Marginal) -> LinePanel {
     let densities = Densities::of(parameter, values, found);
     LinePanel {
-        x_label: axis(parameter),
-        y_label: "density, relative".to_owned(),
         x_range: Some((densities.from, densities.to)),
-        series: vec![
-            Series { label: "after".to_owned(), x: densities.x, y: densities.after, ..Series::default() },
-            Series {
-                label: "before".to_owned(),
-                x: densities.x_before,
-                y: densities.before,
-                style: LineStyle::Dashed,
-                ..Series::default()
-            },
-        ],
-        ..LinePanel::default()
+        ..LinePanel::new(
+            axis(parameter),
+            "density, relative",
+            [
+                Series::new("after", densities.x, densities.after),
+                Series::new("before", densities.x_before, densities.before).styled(LineStyle::Dashed),
+            ],
+        )
     }
 }
 
@@ -187,10 +182,11 @@ fn pair(plan: &Plan, chains: &Chains, pair: &Correlation) -> Option<LinePanel> {
     });
     Some(LinePanel {
         subtitle: format!("r = {:.2}", pair.correlation),
-        x_label: axis(&parameters[one]),
-        y_label: axis(&parameters[other]),
-        series: vec![Series { x, y, style: LineStyle::Markers, ..Series::default() }],
-        ..LinePanel::default()
+        ..LinePanel::new(
+            axis(&parameters[one]),
+            axis(&parameters[other]),
+            [Series::new("", x, y).styled(LineStyle::Markers)],
+        )
     })
 }
 
@@ -208,10 +204,5 @@ pub(crate) fn figure(plan: &Plan, chains: &Chains, summary: &Summary, told: &Ide
     for sentence in &together {
         caption += &format!(" {}.", sentence.text(riffel_keys::Language::English));
     }
-    LineFigure {
-        title: plan.file.title.clone().unwrap_or_else(|| "Calibration".to_owned()),
-        caption,
-        panels: panels.chain(shown).collect(),
-        ..LineFigure::default()
-    }
+    LineFigure::new(plan.file.title.clone().unwrap_or_else(|| "Calibration".to_owned()), caption, panels.chain(shown))
 }

@@ -133,12 +133,8 @@ impl Answer for CalibrationCheck {
         let runs = self.simulated.runs as f64;
         let text = |message: Message| message.text(riffel_keys::Language::English);
         let ends = [0.0, 1.0];
-        let band = |sign: f64, label: &str| Series {
-            label: label.to_owned(),
-            x: ends.to_vec(),
-            y: vec![sign * BAND / runs.sqrt(); 2],
-            style: LineStyle::Dashed,
-            ..Series::default()
+        let band = |sign: f64, label: &str| {
+            Series::new(label, ends.to_vec(), vec![sign * BAND / runs.sqrt(); 2]).styled(LineStyle::Dashed)
         };
         let series = self.simulated.values.iter().map(|value| {
             let ranks = (0..=riffel_calibrate::RANKED).map(|rank| {
@@ -147,25 +143,25 @@ impl Answer for CalibrationCheck {
                 (share, below / value.ranks.len() as f64 - share)
             });
             let (x, y) = ranks.unzip();
-            Series { label: text(name(value)), x, y, ..Series::default() }
+            Series::new(text(name(value)), x, y)
         });
         let bands = [band(1.0, "band of 99.9 %"), band(-1.0, "")];
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| "Check".to_owned()),
-            caption: format!(
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| "Check".to_owned()),
+            format!(
                 "Share of {} simulations in which at most so many draws lie below the truth, less that of even ranks; dashed, what one \
                  value in a thousand exceeds (Kolmogorov).",
                 self.simulated.runs
             ),
-            panels: vec![LinePanel {
-                x_label: "share of draws below the truth".to_owned(),
-                y_label: "share of simulations, less even".to_owned(),
+            [LinePanel {
                 x_range: Some((0.0, 1.0)),
-                series: series.chain(bands).collect(),
-                ..LinePanel::default()
+                ..LinePanel::new(
+                    "share of draws below the truth",
+                    "share of simulations, less even",
+                    series.chain(bands),
+                )
             }],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn doubts(&self) -> Vec<Message> {

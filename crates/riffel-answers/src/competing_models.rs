@@ -192,28 +192,25 @@ impl Answer for CompetingModels {
 
     fn figure(&self) -> LineFigure {
         let text = |message: Message| message.text(riffel_keys::Language::English);
-        let series = self.comparison.models.iter().map(|model| Series {
-            label: text(name(model)),
-            x: (1..=model.scores.len()).map(|number| number as f64).collect(),
-            y: model.scores.iter().map(|score| score.log_density).collect(),
-            style: LineStyle::Markers,
-            ..Series::default()
+        let series = self.comparison.models.iter().map(|model| {
+            Series::new(
+                text(name(model)),
+                (1..=model.scores.len()).map(|number| number as f64).collect(),
+                model.scores.iter().map(|score| score.log_density).collect(),
+            )
+            .styled(LineStyle::Markers)
         });
         let groups = self.comparison.models[0].scores.iter().enumerate();
         let groups = groups.map(|(place, score)| format!("{} {}", place + 1, text(left_out(score))));
         let groups: Vec<String> = groups.collect();
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| "Models".to_owned()),
-            caption: format!("ln of the density that each model gives to what was left out: {}.", groups.join("; ")),
-            panels: vec![LinePanel {
-                x_label: "left out, by its number".to_owned(),
-                y_label: "ln density".to_owned(),
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| "Models".to_owned()),
+            format!("ln of the density that each model gives to what was left out: {}.", groups.join("; ")),
+            [LinePanel {
                 x_range: Some((0.5, groups.len() as f64 + 0.5)),
-                series: series.collect(),
-                ..LinePanel::default()
+                ..LinePanel::new("left out, by its number", "ln density", series)
             }],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {

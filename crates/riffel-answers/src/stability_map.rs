@@ -296,7 +296,7 @@ impl Answer for StabilityMap {
         let x: Vec<f64> = self.speeds_m_per_s.iter().map(|speed| 3.6 * speed).collect();
         let line = |label: String, values: &[f64], level: f64, style: LineStyle, color: Rgb| {
             let (x, y) = contour(&x, &self.friction, values, level);
-            Series { label, x, y, style, color: Some(color) }
+            Series::new(label, x, y).styled(style).colored(color)
         };
         let mut series = Vec::new();
         for (branch, color) in self.branches.iter().zip(OKABE_ITO.iter().cycle().skip(1)) {
@@ -313,29 +313,25 @@ impl Answer for StabilityMap {
                 let drawn = line(format!("{level:.0}/s"), &growth, *level, *style, *color);
                 series.extend((!drawn.x.is_empty()).then_some(drawn));
             }
-            let at = Series {
-                label: format!("{:.1}/s", branch.growth_rate_per_s.unwrap_or(0.0)),
-                x: vec![3.6 * branch.speed_m_per_s],
-                y: vec![branch.at_friction],
-                style: LineStyle::Markers,
-                color: Some(*color),
-            };
+            let at = Series::new(
+                format!("{:.1}/s", branch.growth_rate_per_s.unwrap_or(0.0)),
+                vec![3.6 * branch.speed_m_per_s],
+                vec![branch.at_friction],
+            )
+            .styled(LineStyle::Markers)
+            .colored(*color);
             series.extend(branch.growth_rate_per_s.map(|_| at));
         }
         let ends = |values: &[f64]| Some((values[0], values[values.len() - 1]));
-        LineFigure {
-            title: say!(stability_title).to_string(),
-            caption: say!(stability_caption).to_string(),
-            panels: vec![LinePanel {
-                x_label: "speed [km/h]".to_owned(),
-                y_label: "friction coefficient [-]".to_owned(),
+        LineFigure::new(
+            say!(stability_title).to_string(),
+            say!(stability_caption).to_string(),
+            [LinePanel {
                 x_range: ends(&x),
                 y_range: ends(&self.friction),
-                series,
-                ..LinePanel::default()
+                ..LinePanel::new("speed [km/h]", "friction coefficient [-]", series)
             }],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {

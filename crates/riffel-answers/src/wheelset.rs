@@ -157,37 +157,31 @@ impl WheelsetAnswer {
                 };
                 let values: Vec<f64> = places.iter().map(motion).collect();
                 let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-                Some(Series {
-                    label: format!("{:.1} Hz {}", mode.frequency, mode.name),
-                    x: places.clone(),
-                    y: values.iter().map(|value| value / largest).collect(),
-                    ..Series::default()
-                })
+                Some(Series::new(
+                    format!("{:.1} Hz {}", mode.frequency, mode.name),
+                    places.clone(),
+                    values.iter().map(|value| value / largest).collect(),
+                ))
             });
             LinePanel {
                 subtitle: subtitle.to_owned(),
-                x_label: "place along the axle y [m]".to_owned(),
-                y_label: "over its largest value [-]".to_owned(),
-                x_scale: Scale::Linear,
-                y_scale: Scale::Linear,
-                series: series.collect(),
-                ..LinePanel::default()
+                ..LinePanel::new("place along the axle y [m]", "over its largest value [-]", series)
             }
         };
         let bends = |name: &ModeName| {
             matches!(name, ModeName::Bending { plane: BendingPlane::Both | BendingPlane::Vertical, .. })
         };
-        Some(LineFigure {
-            title: "Mode shapes of the wheelset".to_owned(),
-            caption:
-                "Displacement of the axle in bending, its angle in torsion; without loss and damping, not rotating."
-                    .to_owned(),
-            panels: vec![
-                panel("bending", bends, false),
-                panel("torsion", |name| matches!(name, ModeName::Torsion { .. }), true),
-            ],
-            arrangement: Arrangement::Stacked,
-        })
+        Some(
+            LineFigure::new(
+                "Mode shapes of the wheelset",
+                "Displacement of the axle in bending, its angle in torsion; without loss and damping, not rotating.",
+                [
+                    panel("bending", bends, false),
+                    panel("torsion", |name| matches!(name, ModeName::Torsion { .. }), true),
+                ],
+            )
+            .arranged(Arrangement::Stacked),
+        )
     }
 }
 
@@ -217,29 +211,27 @@ impl Answer for WheelsetAnswer {
             ("downward, zz", 5, 5),
             ("across by downward, yz", 4, 5),
         ];
-        let series = entries.into_iter().map(|(label, row, column)| Series {
-            label: label.to_owned(),
-            x: self.frequency_hz.clone(),
-            y: self.receptances.iter().map(|matrix| matrix[row][column].norm()).collect(),
-            style: match row == column {
+        let series = entries.into_iter().map(|(label, row, column)| {
+            Series::new(
+                label,
+                self.frequency_hz.clone(),
+                self.receptances.iter().map(|matrix| matrix[row][column].norm()).collect(),
+            )
+            .styled(match row == column {
                 true => LineStyle::Solid,
                 false => LineStyle::Dashed,
-            },
-            color: None,
+            })
         });
-        LineFigure {
-            title: "Wheelset at its contacts".to_owned(),
-            caption: format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(&self.case)),
-            panels: vec![LinePanel {
-                x_label: "frequency f [Hz]".to_owned(),
-                y_label: "|H| [m/N]".to_owned(),
+        LineFigure::new(
+            "Wheelset at its contacts",
+            format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(&self.case)),
+            [LinePanel {
                 x_scale: Scale::Log,
                 y_scale: Scale::Log,
-                series: series.collect(),
-                ..LinePanel::default()
+                ..LinePanel::new("frequency f [Hz]", "|H| [m/N]", series)
             }],
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {

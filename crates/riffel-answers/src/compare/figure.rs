@@ -15,12 +15,13 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
     let wavelengths: Vec<f64> = base.growth.wavelengths().iter().map(|w| 1e3 * w).collect();
     let outcomes = || answer.comparison.outcomes.iter().enumerate();
     let mut rates: Vec<Series> = outcomes()
-        .map(|(index, outcome)| Series {
-            label: title_of(outcome).text(language),
-            x: wavelengths.clone(),
-            y: outcome.growth.rates().iter().map(|rate| per_million(*rate)).collect(),
-            style: LineStyle::Solid,
-            color: Some(color(index)),
+        .map(|(index, outcome)| {
+            Series::new(
+                title_of(outcome).text(language),
+                wavelengths.clone(),
+                outcome.growth.rates().iter().map(|rate| per_million(*rate)).collect(),
+            )
+            .colored(color(index))
         })
         .collect();
     rates.push(zero(&wavelengths));
@@ -57,12 +58,13 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
             }
             let bands = forecast.bands().iter();
             // Where the wheel leaves the rail now, there is nothing but the spectrum now.
-            (until > 0.0).then(|| Series {
-                label: title_of(outcome).text(language),
-                x: bands.clone().map(|band| 1e3 * band.now.band.wavelength()).collect(),
-                y: bands.map(|band| band.level(until)).collect(),
-                style: LineStyle::Solid,
-                color: Some(color(index)),
+            (until > 0.0).then(|| {
+                Series::new(
+                    title_of(outcome).text(language),
+                    bands.clone().map(|band| 1e3 * band.now.band.wavelength()).collect(),
+                    bands.map(|band| band.level(until)).collect(),
+                )
+                .colored(color(index))
             })
         }));
         levels.push(curve(&answer.table.edition, answer.limit.spectrum(), LineStyle::Dashed, Rgb::BLACK));
@@ -77,12 +79,12 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
         }
     }
     let caption: Vec<String> = caption.iter().map(|one| sentence(one, language)).collect();
-    LineFigure {
-        title: case.file.title.clone().unwrap_or_else(|| say!(comparison).text(language)),
-        caption: caption.join(" "),
+    LineFigure::new(
+        case.file.title.clone().unwrap_or_else(|| say!(comparison).text(language)),
+        caption.join(" "),
         panels,
-        arrangement: Arrangement::Stacked,
-    }
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 /// Black for the case as it is.

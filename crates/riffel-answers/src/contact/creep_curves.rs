@@ -141,23 +141,22 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
         let (style, color) = look(law, place);
         Series { style, color: Some(color), ..line(law.label, &percent, &from_origin(&law.tractive_ratios, 1.0)) }
     });
-    let mean_state = patch.along_rail().then(|| Series {
-        label: "mean state".to_owned(),
-        x: vec![TO_PERCENT * patch.state.creepage()],
-        y: vec![patch.tractive_ratio(patch.state.tangential_force())],
-        style: LineStyle::Markers,
-        color: Some(OKABE_ITO[0]),
+    let mean_state = patch.along_rail().then(|| {
+        Series::new(
+            "mean state",
+            vec![TO_PERCENT * patch.state.creepage()],
+            vec![patch.tractive_ratio(patch.state.tangential_force())],
+        )
+        .styled(LineStyle::Markers)
+        .colored(OKABE_ITO[0])
     });
     LinePanel {
         subtitle: match patch.along_rail() {
             true => "steady rolling".to_owned(),
             false => "steady rolling, longitudinal creepage alone".to_owned(),
         },
-        x_label: "creepage ξ [%]".to_owned(),
-        y_label: "tractive ratio Q/μP [-]".to_owned(),
         y_range: Some((0.0, 1.08)),
-        series: laws.chain(mean_state).collect(),
-        ..LinePanel::default()
+        ..LinePanel::new("creepage ξ [%]", "tractive ratio Q/μP [-]", laws.chain(mean_state))
     }
 }
 

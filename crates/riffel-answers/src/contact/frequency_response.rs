@@ -241,12 +241,9 @@ fn input_panel(ratios: &[f64], input: &InputResponse) -> LinePanel {
     const HIGHEST: f64 = 1.6;
     LinePanel {
         subtitle: format!("response to {} over quasi-static response", input.name),
-        x_label: "wavelength λ/a [-]".to_owned(),
         x_scale: Scale::Log,
-        y_label: "modulus [-]".to_owned(),
         y_range: Some((0.0, HIGHEST.max(1.25 * largest))),
-        series,
-        ..LinePanel::default()
+        ..LinePanel::new("wavelength λ/a [-]", "modulus [-]", series)
     }
 }
 

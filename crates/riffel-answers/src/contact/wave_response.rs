@@ -72,11 +72,8 @@ impl WaveResponse {
             curves.map(|(name, values, color)| Series { color: Some(OKABE_ITO[color]), ..line(name, ratios, &values) });
         LinePanel {
             subtitle: "geometry of a wave, under constant load and slip speed".to_owned(),
-            x_label: "wavelength λ/a [-]".to_owned(),
             x_scale: Scale::Log,
-            y_label: "e₁/e₀ over R k²Δ [-]".to_owned(),
-            series: series.into(),
-            ..LinePanel::default()
+            ..LinePanel::new("wavelength λ/a [-]", "e₁/e₀ over R k²Δ [-]", series)
         }
     }
 }

@@ -133,25 +133,25 @@ impl OverRadius {
             1 => "",
             _ => "Wheelset 1 leads. ",
         };
-        LineFigure {
-            title: match self.running_gear {
+        LineFigure::new(
+            match self.running_gear {
                 RunningGear::Wheelset(_) => "Wheelset in curves",
                 RunningGear::Bogie(_) => "Bogie in curves",
                 RunningGear::Vehicle { .. } => "Vehicle in curves",
             }
             .to_owned(),
-            caption: format!(
+            format!(
                 "{leads}Each radius at the lateral acceleration of the case, the speed in proportion to \
                  √R{of_case}."
             ),
-            panels: vec![
+            [
                 self.of_wheelsets("lateral shift y [mm]", |wheelset| 1e3 * wheelset.lateral_shift_m),
                 self.of_wheelsets("angle of attack [mrad]", |wheelset| 1e3 * wheelset.angle_of_attack_rad),
                 self.of_wheels("|Q|/μP [-]", share_of_friction),
                 self.of_wheels("wear number Tγ [N]", Wheel::whole_t_gamma),
             ],
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn of_wheelsets(&self, label: &str, value: impl Fn(&Wheelset) -> f64) -> LinePanel {
@@ -182,21 +182,17 @@ impl OverRadius {
             true => LineStyle::Markers,
             false => style,
         };
-        Series { label: label.to_owned(), x, y, style, color: None }
+        Series::new(label, x, y).styled(style)
     }
 
     fn panel(&self, label: &str, series: Vec<Series>) -> LinePanel {
         LinePanel {
-            x_label: "curve radius |R| [m]".to_owned(),
-            y_label: label.to_owned(),
             x_scale: Scale::Log,
-            y_scale: Scale::Linear,
-            series,
             marks: match self.listed {
                 true => Vec::new(),
                 false => vec![Mark { x: self.radius, label: String::new() }],
             },
-            ..LinePanel::default()
+            ..LinePanel::new("curve radius |R| [m]", label, series)
         }
     }
 }

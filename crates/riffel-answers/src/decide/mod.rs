@@ -189,22 +189,20 @@ impl Answer for DecideAnswer {
 
     fn figure(&self) -> LineFigure {
         let decision = &self.decision;
-        let line = |name: &Message, values: &[f64]| Series {
-            label: name.text(riffel_keys::Language::English),
-            x: values.to_vec(),
-            y: (1..20).map(|part| 5.0 * f64::from(part)).collect(),
-            ..Series::default()
+        let line = |name: &Message, values: &[f64]| {
+            Series::new(
+                name.text(riffel_keys::Language::English),
+                values.to_vec(),
+                (1..20).map(|part| 5.0 * f64::from(part)).collect(),
+            )
         };
         let names = names(&self.decision);
         let actions = || decision.actions.iter().zip(&names);
         let panel = |subtitle: &str, x_label: String, series: Vec<Series>, marks: Vec<Mark>| LinePanel {
             subtitle: subtitle.to_owned(),
-            x_label,
-            y_label: "share of the draws below [%]".to_owned(),
             y_range: Some((0.0, 100.0)),
-            series,
             marks,
-            ..LinePanel::default()
+            ..LinePanel::new(x_label, "share of the draws below [%]", series)
         };
         let months = actions().map(|(action, name)| line(name, &action.curves[0]));
         let costs = actions().map(|(action, name)| line(name, &action.curves[1]));
@@ -213,14 +211,14 @@ impl Answer for DecideAnswer {
             x: action.mean_cost_per_year,
             label: name.text(riffel_keys::Language::English),
         });
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| "Decision".to_owned()),
-            caption: format!(
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| "Decision".to_owned()),
+            format!(
                 "{} draws of the posterior, 5 to 95 %. Months from grinding until the first band has risen by {} dB; costs of a year. The line marks the \
                  least mean cost. Knowing everything is worth {:.0} {} a year.",
                 decision.draws, decision.rise_db, decision.evpi_per_year, decision.currency
             ),
-            panels: vec![
+            [
                 panel("interval", "months to the limit".to_owned(), months.collect(), Vec::new()),
                 panel(
                     "cost",
@@ -229,8 +227,7 @@ impl Answer for DecideAnswer {
                     mark.into_iter().collect(),
                 ),
             ],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {

@@ -166,37 +166,36 @@ impl PosteriorForecast {
             };
             LinePanel {
                 subtitle: subtitle.text(language),
-                x_label: say!(wavelength_in_millimetres).text(language),
-                y_label: say!(level_axis).text(language),
                 x_scale: Scale::Log,
                 areas: vec![area("90 %", 0, 4, 225), area("50 %", 1, 3, 190)],
-                series: vec![
-                    Series { label: say!(median).text(language), x: x.clone(), y: of(levels, 2), ..Series::default() },
-                    Series {
-                        label: self.limit.clone(),
-                        x: x.clone(),
-                        y: bands.iter().map(|band| band.limit_db.unwrap_or(f64::NAN)).collect(),
-                        style: LineStyle::Dashed,
-                        ..Series::default()
-                    },
-                ],
-                ..LinePanel::default()
+                ..LinePanel::new(
+                    say!(wavelength_in_millimetres).text(language),
+                    say!(level_axis).text(language),
+                    [
+                        Series::new(say!(median).text(language), x.clone(), of(levels, 2)),
+                        Series::new(
+                            self.limit.clone(),
+                            x.clone(),
+                            bands.iter().map(|band| band.limit_db.unwrap_or(f64::NAN)).collect(),
+                        )
+                        .styled(LineStyle::Dashed),
+                    ],
+                )
             }
         };
         let months = self.forecast.horizon_months;
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| say!(forecast).text(language)),
-            caption: say!(
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| say!(forecast).text(language)),
+            say!(
                 caption_of_posterior_forecast,
                 draws = numeral(self.forecast.draws),
                 months = numeral(in_words(&self.forecast.months_to_limit, months))
             )
             .text(language),
-            panels: vec![
+            [
                 panel(say!(at_the_last_date), |band| &band.level_now_db),
                 panel(say!(months_later, months = fixed(months, 0)), |band| &band.level_then_db),
             ],
-            ..LineFigure::default()
-        }
+        )
     }
 }

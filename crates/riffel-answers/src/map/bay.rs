@@ -146,50 +146,51 @@ impl BayGrowth {
 
     /// Growth over the places of the bay, and over wavelength.
     fn curve_figure(&self, case: &Case) -> LineFigure {
-        let series =
-            |label: &str, style, x: Vec<f64>, y: Vec<f64>| Series { label: label.to_owned(), x, y, style, color: None };
+        let series = |label: &str, style, x: Vec<f64>, y: Vec<f64>| Series::new(label, x, y).styled(style);
         let positions: Vec<f64> = self.states.iter().map(|(position, _)| *position).collect();
         let ends = vec![0.0, self.spacing];
         let along = LinePanel {
             subtitle: format!("at {:.1} mm", 1e3 * self.wavelength_m),
-            x_label: "distance from a support [m]".to_owned(),
-            y_label: "growth rate per passage [-]".to_owned(),
-            series: vec![
-                series(
-                    "wheel at this place",
-                    LineStyle::Solid,
-                    positions,
-                    self.states.iter().map(|(_, state)| state.growth_rate).collect(),
-                ),
-                series("mean over the bay", LineStyle::Dashed, ends, vec![self.growth_rate_mean; 2]),
-            ],
             marks: vec![Mark { x: 0.5 * self.spacing, label: "mid-span".to_owned() }],
-            ..LinePanel::default()
+            ..LinePanel::new(
+                "distance from a support [m]",
+                "growth rate per passage [-]",
+                [
+                    series(
+                        "wheel at this place",
+                        LineStyle::Solid,
+                        positions,
+                        self.states.iter().map(|(_, state)| state.growth_rate).collect(),
+                    ),
+                    series("mean over the bay", LineStyle::Dashed, ends, vec![self.growth_rate_mean; 2]),
+                ],
+            )
         };
         let wavelengths: Vec<f64> = self.spectrum.iter().map(|(wavelength, _)| 1e3 * wavelength).collect();
         let rates = |place: usize| self.spectrum.iter().map(|(_, rates)| rates[place]).collect();
         let over = LinePanel {
             subtitle: format!("over wavelength at {:.0} km/h", 3.6 * self.speed_m_per_s),
-            x_label: "wavelength λ [mm]".to_owned(),
-            y_label: "growth rate per passage [-]".to_owned(),
-            series: vec![
-                series("over a support", LineStyle::Solid, wavelengths.clone(), rates(0)),
-                series("in mid-span", LineStyle::Dotted, wavelengths.clone(), rates(1)),
-                series("mean over the bay", LineStyle::Dashed, wavelengths, rates(2)),
-            ],
             marks: vec![Mark { x: 1e3 * self.wavelength_m, label: String::new() }],
-            ..LinePanel::default()
+            ..LinePanel::new(
+                "wavelength λ [mm]",
+                "growth rate per passage [-]",
+                [
+                    series("over a support", LineStyle::Solid, wavelengths.clone(), rates(0)),
+                    series("in mid-span", LineStyle::Dotted, wavelengths.clone(), rates(1)),
+                    series("mean over the bay", LineStyle::Dashed, wavelengths, rates(2)),
+                ],
+            )
         };
-        LineFigure {
-            title: "Growth over a sleeper bay".to_owned(),
-            caption: format!(
+        LineFigure::new(
+            "Growth over a sleeper bay",
+            format!(
                 "Quasi-static in position: at each place as if the wheel stayed there. Positive where \
                  corrugation grows. {}",
                 parameters(case)
             ),
-            panels: vec![along, over],
-            arrangement: Arrangement::Stacked,
-        }
+            [along, over],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     /// One row for each place of the bay.

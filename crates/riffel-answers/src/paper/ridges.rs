@@ -6,7 +6,7 @@ use riffel::{Axis, Ridge};
 use riffel_case::Case;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{Language, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
+use riffel_plot::{LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
 use crate::AnswerError;
@@ -73,23 +73,12 @@ fn minimum(case: &Case) -> Result<f64, AnswerError> {
 }
 
 fn curve(label: &str, style: LineStyle, points: &[RidgePoint], value: impl Fn(&RidgePoint) -> f64) -> Series {
-    Series {
-        label: label.to_owned(),
-        x: points.iter().map(|point| point.speed).collect(),
-        y: points.iter().map(value).collect(),
-        style,
-        color: None,
-    }
+    Series::new(label, points.iter().map(|point| point.speed).collect(), points.iter().map(value).collect())
+        .styled(style)
 }
 
 fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
-    LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_label: say!(speed_axis).text(language),
-        y_label: y_label.to_owned(),
-        series,
-        ..LinePanel::default()
-    }
+    LinePanel { subtitle: subtitle.to_owned(), ..LinePanel::new(say!(speed_axis).text(language), y_label, series) }
 }
 
 /// A value for each inertia over speed.
@@ -127,10 +116,10 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
     let minima = say!(minima_inside_window).text(language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: format!("{minima} {}", parameters_in(&nominal, language)),
-            panels: vec![
+        LineFigure::new(
+            model.title(&title, language),
+            format!("{minima} {}", parameters_in(&nominal, language)),
+            [
                 over_speed(language, &say!(panel_of_tractive_ratio).text(language), MINIMUM_LABEL, by_ratio),
                 over_speed(
                     language,
@@ -139,8 +128,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
                     wavelengths,
                 ),
             ],
-            arrangement: Arrangement::SideBySide,
-        },
+        ),
     ))
 }
 
@@ -149,17 +137,16 @@ pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, 
     let title = say!(figure_7).text(language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: format!("{} {}", minima(language), parameters_in(&nominal, language)),
-            panels: vec![over_speed(
+        LineFigure::new(
+            model.title(&title, language),
+            format!("{} {}", minima(language), parameters_in(&nominal, language)),
+            [over_speed(
                 language,
                 "τ = 0.1",
                 MINIMUM_LABEL,
                 over_inertia(&nominal, |point| point.normalized_dissipation)?,
             )],
-            arrangement: Arrangement::SideBySide,
-        },
+        ),
     ))
 }
 
@@ -175,11 +162,8 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
     };
     let panel = |subtitle: &str, x_label: &str, x_scale, series| LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: x_label.to_owned(),
-        y_label: MINIMUM_LABEL.to_owned(),
         x_scale,
-        series: vec![series],
-        ..LinePanel::default()
+        ..LinePanel::new(x_label, MINIMUM_LABEL, [series])
     };
     let title = say!(figure_8, speed = SPEED).text(language);
     let falls = match model.is_the_papers() {
@@ -189,10 +173,10 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
     let caption = format!("{} {falls}{}", minima(language), parameters_in(&nominal, language));
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
+        LineFigure::new(
+            model.title(&title, language),
             caption,
-            panels: vec![
+            [
                 panel(
                     "(a)",
                     &say!(tractive_ratio_axis).text(language),
@@ -206,7 +190,6 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
                     sweep(inertias, &|inertia| turning(&nominal, Turning::Inertia(inertia)))?,
                 ),
             ],
-            arrangement: Arrangement::SideBySide,
-        },
+        ),
     ))
 }

@@ -27,24 +27,16 @@ fn frequencies() -> Vec<f64> {
 fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState) -> f64) -> Series {
     let x = frequencies();
     let state = |frequency: &f64| case.feedback.at(SPEED / frequency, SPEED);
-    Series {
-        label: label.to_owned(),
-        y: x.iter().map(|frequency| value(&state(frequency))).collect(),
-        x,
-        style,
-        color: None,
-    }
+    let y = x.iter().map(|frequency| value(&state(frequency))).collect();
+    Series::new(label, x, y).styled(style)
 }
 
 fn panel(language: Language, subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: say!(frequency_axis).text(language),
-        y_label: y_label.to_owned(),
         x_scale: Scale::Log,
         y_scale,
-        series,
-        ..LinePanel::default()
+        ..LinePanel::new(say!(frequency_axis).text(language), y_label, series)
     }
 }
 
@@ -65,10 +57,10 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
     let title = say!(figure_2).text(language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: say!(caption_of_figure_2, speed = SPEED, solid = solid, dashed = dashed).text(language),
-            panels: vec![
+        LineFigure::new(
+            model.title(&title, language),
+            say!(caption_of_figure_2, speed = SPEED, solid = solid, dashed = dashed).text(language),
+            [
                 panel(language, &say!(modulus).text(language), "|H| [m/N]", Scale::Log, curves(|h| h.norm())),
                 panel(
                     language,
@@ -78,8 +70,8 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
                     curves(|h| h.arg().to_degrees()),
                 ),
             ],
-            arrangement: Arrangement::Stacked,
-        },
+        )
+        .arranged(Arrangement::Stacked),
     ))
 }
 
@@ -92,10 +84,10 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
     let parameters = parameters_in(&case, language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: say!(caption_of_figure_3, speed = SPEED, parameters = parameters).text(language),
-            panels: vec![
+        LineFigure::new(
+            model.title(&title, language),
+            say!(caption_of_figure_3, speed = SPEED, parameters = parameters).text(language),
+            [
                 LinePanel {
                     y_range: Some((1e-2, 1e1)),
                     ..panel(
@@ -125,7 +117,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                     vec![series(&case, "", LineStyle::Solid, |state| state.normal_force().arg().to_degrees())],
                 ),
             ],
-            arrangement: Arrangement::Stacked,
-        },
+        )
+        .arranged(Arrangement::Stacked),
     ))
 }

@@ -3,7 +3,7 @@
 use riffel::profile::{EquivalentConicity, ProfileContact, WheelsetContact};
 use riffel_case::CurvingCase;
 use riffel_keys::{Message, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
 use crate::answer::titled;
@@ -259,20 +259,11 @@ impl Answer for OnTrackAnswer {
     /// Rolling radius difference, place and angle of the contact over the lateral shift.
     fn figure(&self) -> LineFigure {
         let shifts: Vec<f64> = self.contacts.iter().map(|contact| 1e3 * contact.lateral_shift).collect();
-        let series = |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| Series {
-            label: label.to_owned(),
-            x: shifts.clone(),
-            y: self.contacts.iter().map(value).collect(),
-            style,
-            color: None,
+        let series = |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| {
+            Series::new(label, shifts.clone(), self.contacts.iter().map(value).collect()).styled(style)
         };
-        let panel = |label: &str, series: Vec<Series>| LinePanel {
-            x_label: "lateral shift y, to the right positive [mm]".to_owned(),
-            y_label: label.to_owned(),
-            x_scale: Scale::Linear,
-            y_scale: Scale::Linear,
-            series,
-            ..LinePanel::default()
+        let panel = |label: &str, series: Vec<Series>| {
+            LinePanel::new("lateral shift y, to the right positive [mm]", label, series)
         };
         let both = |value: fn(&ProfileContact) -> f64| {
             vec![
@@ -281,18 +272,12 @@ impl Answer for OnTrackAnswer {
             ]
         };
         let difference = series("", LineStyle::Solid, &|contact| 1e3 * contact.rolling_radius_difference());
-        LineFigure {
-            title: "Wheelset on its track".to_owned(),
-            caption: "Rigid contact at two points, one on each rail; places on the wheel from its datum circle, the flange at the \
-                      negative side."
-                .to_owned(),
-            panels: vec![
+        LineFigure::new("Wheelset on its track", "Rigid contact at two points, one on each rail; places on the wheel from its datum circle, the flange at the \
+                      negative side.", [
                 panel("Δr, right less left [mm]", vec![difference]),
                 panel("place on the wheel [mm]", both(|contact| 1e3 * contact.x_wheel)),
                 panel("contact angle [deg]", both(|contact| contact.contact_angle.to_degrees())),
-            ],
-            arrangement: Arrangement::Stacked,
-        }
+            ]).arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {

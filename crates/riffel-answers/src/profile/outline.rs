@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use riffel::profile::{Profile, ProfilePoint};
 use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Message, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, Series};
 use serde::Serialize;
 
 use super::or_dash;
@@ -124,28 +124,19 @@ impl Answer for OutlineAnswer {
             let series = self.profiles.iter().map(|outline| {
                 let drawn = outline.points.iter();
                 let (x, y) = drawn.filter_map(|point| Some((1e3 * point.x, value(point)?))).unzip();
-                Series { label: outline.name.clone(), x, y, ..Series::default() }
+                Series::new(outline.name.clone(), x, y)
             });
-            LinePanel {
-                x_label: "lateral x, field side positive [mm]".to_owned(),
-                y_label: label.to_owned(),
-                x_scale: Scale::Linear,
-                y_scale: Scale::Linear,
-                series: series.collect(),
-                ..LinePanel::default()
-            }
+            LinePanel::new("lateral x, field side positive [mm]", label, series)
         };
-        LineFigure {
-            title: "Profiles".to_owned(),
-            caption:
-                "Curvature is positive where a profile is hollow seen from above; beyond ±200 1/m it is not drawn."
-                    .to_owned(),
-            panels: vec![
+        LineFigure::new(
+            "Profiles",
+            "Curvature is positive where a profile is hollow seen from above; beyond ±200 1/m it is not drawn.",
+            [
                 panel("height [mm]", |point| Some(1e3 * point.height)),
                 panel("curvature [1/m]", |point| (point.curvature.abs() <= MOST_CURVATURE).then_some(point.curvature)),
             ],
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {

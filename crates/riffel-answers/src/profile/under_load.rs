@@ -4,7 +4,7 @@ use riffel::profile::{ContactSurface, LoadedContact, WheelsetContact};
 use riffel::{ElasticMaterial, Rail};
 use riffel_case::CurvingCase;
 use riffel_keys::{Message, fixed, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
 use super::or_dash;
@@ -175,13 +175,10 @@ impl UnderLoadAnswer {
             let rows = self.contacts.iter();
             let (x, y) =
                 rows.filter(|row| row.rail == rail.name()).map(|row| (1e3 * row.lateral_shift_m, value(row))).unzip();
-            Series { label: format!("{label}{}", rail.name()), x, y, style, color: None }
+            Series::new(format!("{label}{}", rail.name()), x, y).styled(style)
         };
-        let panel = |y_label: &str, series: Vec<Series>| LinePanel {
-            x_label: "lateral shift y, to the right positive [mm]".to_owned(),
-            y_label: y_label.to_owned(),
-            series,
-            ..LinePanel::default()
+        let panel = |y_label: &str, series: Vec<Series>| {
+            LinePanel::new("lateral shift y, to the right positive [mm]", y_label, series)
         };
         let both = |label: &str, style: LineStyle, value: &dyn Fn(&ContactDocument) -> f64| {
             RAILS.map(|rail| of(label, style, rail, value))
@@ -223,14 +220,12 @@ impl Answer for UnderLoadAnswer {
             }
             _ => self.over_shifts(),
         };
-        LineFigure {
-            title: self.title().to_string(),
-            caption: "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y along its arc), the fast patch \
-                      of Kik and Piotrowski, and Hertz with the curvatures where the profiles first touch; y across, to the right."
-                .to_owned(),
+        LineFigure::new(
+            self.title().to_string(),
+            "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y along its arc), the fast patch \
+                      of Kik and Piotrowski, and Hertz with the curvatures where the profiles first touch; y across, to the right.",
             panels,
-            arrangement: Arrangement::SideBySide,
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {
@@ -321,13 +316,7 @@ fn rows_of(loaded: &LoadedContact) -> Vec<(f64, f64, [f64; 2])> {
 fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
     let (loaded, rows) = (&pressed.flat, rows_of(&pressed.flat));
     let y: Vec<f64> = rows.iter().map(|row| 1e3 * row.0).collect();
-    let series = |label: &str, style: LineStyle, x: Vec<f64>, y: Vec<f64>| Series {
-        label: label.to_owned(),
-        x,
-        y,
-        style,
-        color: None,
-    };
+    let series = |label: &str, style: LineStyle, x: Vec<f64>, y: Vec<f64>| Series::new(label, x, y).styled(style);
     let fast: Vec<[f64; 2]> = loaded.fast().pressures().collect();
     let mut pressures = vec![
         series("exact", LineStyle::Solid, y.clone(), rows.iter().map(|row| 1e-6 * row.1).collect()),
@@ -378,10 +367,7 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
     }
     let panel = |subtitle: String, label: &str, series: Vec<Series>| LinePanel {
         subtitle,
-        x_label: "y across [mm]".to_owned(),
-        y_label: label.to_owned(),
-        series,
-        ..LinePanel::default()
+        ..LinePanel::new("y across [mm]", label, series)
     };
     let name = |what: &str| format!("{} rail: {what}", rail.name());
     [panel(name("largest pressure"), "pressure [MPa]", pressures), panel(name("patch"), "x along [mm]", outlines)]

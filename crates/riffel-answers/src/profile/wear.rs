@@ -6,7 +6,7 @@ use riffel::profile::{Profile, ProfileAlignment, ProfileError, ProfileWear, Rail
 use riffel_case::file::{Inclination, ProfileKind};
 use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use serde::{Serialize, Serializer};
 
 use super::or_dash;
@@ -322,7 +322,7 @@ impl Answer for WearAnswer {
         const STEP: f64 = 2.5e-4;
         let outline = |label: &str, profile: &Profile, style: LineStyle| {
             let (x, y) = profile.along(STEP).iter().map(|point| (1e3 * point.x, 1e3 * point.height)).unzip();
-            Series { label: label.to_owned(), x, y, style, ..Series::default() }
+            Series::new(label, x, y).styled(style)
         };
         let mut outlines = vec![outline(&self.nominal_name, &self.nominal, LineStyle::Dashed)];
         let mut depths = Vec::new();
@@ -330,25 +330,18 @@ impl Answer for WearAnswer {
             outlines.push(outline(&worn.name, &worn.measured, LineStyle::Solid));
             let x = worn.x_m.iter().map(|x| 1e3 * x).collect();
             let y = worn.depth_m.iter().map(|depth| depth.map_or(f64::NAN, |depth| 1e3 * depth)).collect();
-            depths.push(Series { label: worn.name.clone(), x, y, ..Series::default() });
+            depths.push(Series::new(worn.name.clone(), x, y));
         }
         // The colours of the outlines, of which the nominal one has the first.
         depths.insert(0, Series::default());
-        let panel = |label: &str, series: Vec<Series>| LinePanel {
-            x_label: "lateral x, field side positive [mm]".to_owned(),
-            y_label: label.to_owned(),
-            x_scale: Scale::Linear,
-            y_scale: Scale::Linear,
-            series,
-            ..LinePanel::default()
-        };
-        LineFigure {
-            title: self.title().to_string(),
-            caption: "Depth is measured across the nominal profile into the metal; above zero metal is missing."
-                .to_owned(),
-            panels: vec![panel("height [mm]", outlines), panel("depth [mm]", depths)],
-            arrangement: Arrangement::Stacked,
-        }
+        let panel =
+            |label: &str, series: Vec<Series>| LinePanel::new("lateral x, field side positive [mm]", label, series);
+        LineFigure::new(
+            self.title().to_string(),
+            "Depth is measured across the nominal profile into the metal; above zero metal is missing.",
+            [panel("height [mm]", outlines), panel("depth [mm]", depths)],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {

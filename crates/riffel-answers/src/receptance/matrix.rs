@@ -74,30 +74,31 @@ impl Answer for MatrixAnswer {
     fn figure(&self) -> LineFigure {
         let panel = |subtitle: &str, matrices: &[[[Complex64; 3]; 3]]| LinePanel {
             subtitle: subtitle.to_owned(),
-            x_label: "frequency f [Hz]".to_owned(),
-            y_label: "|H| [m/N]".to_owned(),
             x_scale: Scale::Log,
             y_scale: Scale::Log,
-            series: upper()
-                .map(|(row, column)| Series {
-                    label: format!("{}{}", AXES[row], AXES[column]),
-                    x: self.frequency_hz.clone(),
-                    y: matrices.iter().map(|matrix| matrix[row][column].norm()).collect(),
-                    ..Series::default()
-                })
-                .filter(|series| series.y.iter().any(|&modulus| modulus > 0.0))
-                .collect(),
-            ..LinePanel::default()
+            ..LinePanel::new(
+                "frequency f [Hz]",
+                "|H| [m/N]",
+                upper()
+                    .map(|(row, column)| {
+                        Series::new(
+                            format!("{}{}", AXES[row], AXES[column]),
+                            self.frequency_hz.clone(),
+                            matrices.iter().map(|matrix| matrix[row][column].norm()).collect(),
+                        )
+                    })
+                    .filter(|series| series.y.iter().any(|&modulus| modulus > 0.0)),
+            )
         };
-        LineFigure {
-            title: "Receptances at the contact, all axes".to_owned(),
-            caption: format!(
+        LineFigure::new(
+            "Receptances at the contact, all axes",
+            format!(
                 "x along the rail, y to the right, z downward; displacement per force, exp(+iωt). {}",
                 parameters(&self.case)
             ),
-            panels: vec![panel("track", &self.track), panel("wheel", &self.wheel)],
-            arrangement: Arrangement::Stacked,
-        }
+            [panel("track", &self.track), panel("wheel", &self.wheel)],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {

@@ -261,23 +261,23 @@ impl Answer for RemediesAnswer {
     }
 
     fn figure(&self) -> LineFigure {
-        let line = |label: String, curve: &[[f64; 2]]| Series {
-            label,
-            x: curve.iter().map(|[wavelength, _]| 1e3 * wavelength).collect(),
-            y: curve.iter().map(|[_, rate]| per_million(*rate)).collect(),
-            ..Series::default()
+        let line = |label: String, curve: &[[f64; 2]]| {
+            Series::new(
+                label,
+                curve.iter().map(|[wavelength, _]| 1e3 * wavelength).collect(),
+                curve.iter().map(|[_, rate]| per_million(*rate)).collect(),
+            )
         };
         let as_it_is = line("as it is".to_owned(), &self.under_traffic.curve);
         let floor = zero(&as_it_is.x);
         let remedies = self.remedies.iter();
         let remedies = remedies.map(|it| line(it.title.to_string(), &it.curve));
         let series = std::iter::once(as_it_is).chain(remedies).chain([floor]);
-        LineFigure {
-            title: "Remedies".to_owned(),
-            caption: "Growth of the level by wavelength, positive where corrugation grows.".to_owned(),
-            panels: vec![rate_panel(series.collect(), Language::English)],
-            ..LineFigure::default()
-        }
+        LineFigure::new(
+            "Remedies",
+            "Growth of the level by wavelength, positive where corrugation grows.",
+            [rate_panel(series.collect(), Language::English)],
+        )
     }
 
     fn remarks(&self) -> &[Message] {

@@ -21,20 +21,12 @@ pub(super) fn strips(record: &Record, language: Language) -> Result<Section, Plo
     let panels = record.rails.iter().map(|rail| {
         let series = rail.stretches.iter().map(|stretch| {
             let (x, y) = extremes(stretch, record.to - record.from);
-            Series {
-                x: x.into_iter().map(|position| unit.of(position)).collect(),
-                y,
-                color: Some(OKABE_ITO[1]),
-                ..Series::default()
-            }
+            Series::new("", x.into_iter().map(|position| unit.of(position)).collect(), y).colored(OKABE_ITO[1])
         });
         LinePanel {
             subtitle: name_in_words(&rail.name).text(language),
-            x_label: position_axis(unit).text(language),
-            y_label: say!(height_axis).text(language),
             x_range: Some((unit.of(record.from), unit.of(record.to))),
-            series: series.collect(),
-            ..LinePanel::default()
+            ..LinePanel::new(position_axis(unit).text(language), say!(height_axis).text(language), series)
         }
     });
     let drawing = LineFigure { panels: panels.collect(), arrangement: Arrangement::Strips, ..LineFigure::default() };

@@ -107,12 +107,12 @@ impl<M: March> Answer for M {
     fn figure(&self) -> LineFigure {
         let (title, about, contact) = self.picture();
         let Run { courses, case, .. } = self.run();
-        LineFigure {
+        LineFigure::new(
             title,
-            caption: format!("{about} {}", parameters_on_rail(case)),
-            panels: courses.get(contact).map(Course::panels).unwrap_or_default(),
-            arrangement: Arrangement::Strips,
-        }
+            format!("{about} {}", parameters_on_rail(case)),
+            courses.get(contact).map(Course::panels).unwrap_or_default(),
+        )
+        .arranged(Arrangement::Strips)
     }
 
     /// The picture, tables and grid of the first contact, and tables of the others.

@@ -66,15 +66,10 @@ pub(super) fn curves(answer: &WheelsAnswer) -> LineFigure {
             },
         }
     });
-    LineFigure {
-        title: title(answer),
-        caption: format!(
+    LineFigure::new(title(answer), format!(
             "Growth {} under each wheel, on the contact that carries most of it, positive where corrugation grows; marks: fastest wavelengths.{}{}",
             answer.under,
             missing(answer),
             place(&answer.case)
-        ),
-        panels: growth_lines::panels(&answer.wavelength_m, lines, "wheel"),
-        arrangement: Arrangement::Stacked,
-    }
+        ), growth_lines::panels(&answer.wavelength_m, lines, "wheel")).arranged(Arrangement::Stacked)
 }
