@@ -184,6 +184,11 @@ impl From<riffel_network::NetworkError> for AnswerError {
 }
 
 impl AnswerError {
+    /// That an argument of the program has a value out of the question, and what it must be.
+    pub(crate) fn argument(argument: &'static str, value: impl ToString, rule: impl Into<String>) -> Self {
+        Self::Argument { argument, value: value.to_string(), rule: rule.into() }
+    }
+
     /// What is wrong; what no case is at fault for is English.
     pub fn message(&self) -> Message {
         match self {

@@ -17,11 +17,10 @@ pub fn level_limit(name: &str) -> Result<(LimitTable, LevelLimit), AnswerError> 
             let limit = limit.clone();
             Ok((table, limit))
         }
-        Limit::Rms(_) => Err(AnswerError::Argument {
-            argument: "--limit",
-            value: name.to_owned(),
-            rule: "a table of one-third-octave levels: an RMS along the rail does not follow from a spectrum"
-                .to_owned(),
-        }),
+        Limit::Rms(_) => Err(AnswerError::argument(
+            "--limit",
+            name,
+            "a table of one-third-octave levels: an RMS along the rail does not follow from a spectrum",
+        )),
     }
 }

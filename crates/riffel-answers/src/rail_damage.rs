@@ -57,8 +57,7 @@ fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<TrackForecas
     };
     let (table, limit) = level_limit(LIMIT)?;
     let ground = GroundRail::below(&table.edition, &limit, BELOW_LIMIT);
-    let ground =
-        ground.map_err(|rule| AnswerError::Argument { argument: "--ground", value: BELOW_LIMIT.to_owned(), rule })?;
+    let ground = ground.map_err(|rule| AnswerError::argument("--ground", BELOW_LIMIT, rule))?;
     let request = ForecastRequest {
         traffic,
         survey: None,

@@ -105,11 +105,11 @@ impl StabilityMap {
         friction.sort_by(f64::total_cmp);
         friction.dedup();
         if friction.len() < 2 {
-            return Err(AnswerError::Argument {
-                argument: "--friction",
-                value: friction.iter().map(f64::to_string).collect(),
-                rule: "two different values or more".to_owned(),
-            });
+            return Err(AnswerError::argument(
+                "--friction",
+                friction.iter().map(f64::to_string).collect::<String>(),
+                "two different values or more",
+            ));
         }
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
         let speeds: Vec<f64> =

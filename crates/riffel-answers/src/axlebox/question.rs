@@ -82,7 +82,7 @@ impl AxleBoxQuestion {
             return Ok(request);
         }
         let rule = "at least twice --shortest".to_owned();
-        Err(AnswerError::Argument { argument: "--longest", value: self.longest.to_string(), rule })
+        Err(AnswerError::argument("--longest", self.longest, rule))
     }
 }
 

@@ -36,7 +36,7 @@ pub struct CurveQuestion {
 impl CurveQuestion {
     /// The radii that are listed \[m\]; none where none are.
     fn radii(&self, case: &CurvingCase) -> Result<Option<Vec<f64>>, AnswerError> {
-        let wrong = |value: String, rule: String| AnswerError::Argument { argument: "--radius", value, rule };
+        let wrong = |value: String, rule: String| AnswerError::argument("--radius", value, rule);
         let listed: Vec<f64> = self.radius.iter().map(AsWritten::si).collect();
         let bare = self.radius.iter().find(|radius| radius.is_bare());
         let with_unit = self.radius.iter().find(|radius| !radius.is_bare());

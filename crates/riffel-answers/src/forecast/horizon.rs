@@ -29,11 +29,7 @@ impl ForecastHorizon {
         if value > 0.0 && value <= most {
             return Ok(());
         }
-        Err(AnswerError::Argument {
-            argument,
-            value: value.to_string(),
-            rule: format!("above zero and at most {most}"),
-        })
+        Err(AnswerError::argument(argument, value, format!("above zero and at most {most}")))
     }
 
     /// In axle passages.

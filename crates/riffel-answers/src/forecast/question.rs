@@ -100,13 +100,12 @@ impl ForecastQuestion {
     fn of_arguments(&self, case: &Case, survey: Option<&Survey>, error: AnswerError) -> AnswerError {
         match error {
             AnswerError::NoSpectrum => left_out("--spectrum", "given, or else --ground or --from-limit"),
-            AnswerError::NoPassagesPerDay => AnswerError::Argument {
-                argument: "--months",
-                value: self.months.map_or("left out".to_owned(), |months| months.to_string()),
-                rule: "replaced by --passages or --mgt, for the traffic file says under [line] neither \
-                       passages_per_day nor mgt_per_year"
-                    .to_owned(),
-            },
+            AnswerError::NoPassagesPerDay => AnswerError::argument(
+                "--months",
+                self.months.map_or("left out".to_owned(), |months| months.to_string()),
+                "replaced by --passages or --mgt, for the traffic file says under [line] neither \
+                       passages_per_day nor mgt_per_year",
+            ),
             error => self.ground.outside(survey, case, error),
         }
     }
@@ -116,13 +115,12 @@ impl ForecastQuestion {
         let between = self.spectra.passages_between;
         let Some(earlier) = &dated.earlier else {
             return match between {
-                Some(_) => Err(AnswerError::Argument {
-                    argument: "--passages-between",
-                    value: "given".to_owned(),
-                    rule: "left out, for there is no earlier measurement; give --earlier, --earlier-where or \
-                           --date-column"
-                        .to_owned(),
-                }),
+                Some(_) => Err(AnswerError::argument(
+                    "--passages-between",
+                    "given",
+                    "left out, for there is no earlier measurement; give --earlier, --earlier-where or \
+                           --date-column",
+                )),
                 None => Ok(None),
             };
         };
@@ -151,7 +149,7 @@ impl ForecastQuestion {
 }
 
 fn left_out(argument: &'static str, rule: &str) -> AnswerError {
-    AnswerError::Argument { argument, value: "left out".to_owned(), rule: rule.to_owned() }
+    AnswerError::argument(argument, "left out", rule)
 }
 
 impl Question for ForecastQuestion {

@@ -87,7 +87,7 @@ impl Train {
         check_length(length, wheels)?;
         if distance <= PassBy::NEAREST {
             let rule = "beyond the rail, 0.75 m".to_owned();
-            return Err(AnswerError::Argument { argument: "--distance", value: format!("{distance} m"), rule });
+            return Err(AnswerError::argument("--distance", format!("{distance} m"), rule));
         }
         if question.traffic.is_some() || question.posterior.posterior.is_some() {
             ForecastHorizon::Months(question.months).check()?;
@@ -135,11 +135,7 @@ impl Train {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<NoiseAnswer, AnswerError> {
         if let (None, Some(why)) = (&self.radiator.decay_rate, case.without_decay()) {
-            return Err(AnswerError::Argument {
-                argument: "--decay-rate",
-                value: "left out".to_owned(),
-                rule: format!("given: {why}"),
-            });
+            return Err(AnswerError::argument("--decay-rate", "left out", format!("given: {why}")));
         }
         let radiation = self.radiation(case, self.wheel_modes(), self.speed)?;
         let powers = self.powers(&radiation, &self.roughness)?;
@@ -226,20 +222,18 @@ impl Train {
         {
             let known = || rates.iter().map(|(band, _)| band.nominal());
             let [from, to] = [known().next(), known().next_back()].map(Option::unwrap_or_default);
-            return AnswerError::Argument {
-                argument: "--decay-rate",
-                value: format!("known from {} to {} Hz", as_typed(from), as_typed(to)),
-                rule: "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz"
-                    .to_owned(),
-            };
+            return AnswerError::argument(
+                "--decay-rate",
+                format!("known from {} to {} Hz", as_typed(from), as_typed(to)),
+                "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz",
+            );
         }
-        AnswerError::Argument {
-            argument: "--speed",
-            value: format!("{:.1} km/h", 3.6 * self.speed),
-            rule: "one at which the wavelengths of the roughness fill a one-third octave \
-                   between 100 Hz and 5 kHz"
-                .to_owned(),
-        }
+        AnswerError::argument(
+            "--speed",
+            format!("{:.1} km/h", 3.6 * self.speed),
+            "one at which the wavelengths of the roughness fill a one-third octave \
+                   between 100 Hz and 5 kHz",
+        )
     }
 
     pub(super) fn wheel_modes(&self) -> Option<&WheelModes> {
@@ -254,7 +248,7 @@ fn check_length(length: f64, wheels: u32) -> Result<(), AnswerError> {
         return Ok(());
     }
     let rule = format!("at least {shortest} m, half a metre to each of {wheels} wheels");
-    Err(AnswerError::Argument { argument: "--train-length", value: format!("{length} m"), rule })
+    Err(AnswerError::argument("--train-length", format!("{length} m"), rule))
 }
 
 /// The roughness of the wheels with its name.
@@ -264,10 +258,12 @@ fn wheel_roughness(question: &NoiseQuestion) -> Result<Option<(String, Spectrum)
         Some(RoughWheels::Given(levels)) => Ok(Some(("given".to_owned(), levels.clone()))),
         Some(RoughWheels::Named(name)) => {
             let found = WheelRoughness::named_or_in(name, Path::new(name))?;
-            found.map(Some).ok_or_else(|| AnswerError::Argument {
-                argument: "--wheel-roughness",
-                value: format!("\"{name}\""),
-                rule: format!("a spectrum or one of {}", WheelRoughness::names()),
+            found.map(Some).ok_or_else(|| {
+                AnswerError::argument(
+                    "--wheel-roughness",
+                    format!("\"{name}\""),
+                    format!("a spectrum or one of {}", WheelRoughness::names()),
+                )
             })
         }
     }

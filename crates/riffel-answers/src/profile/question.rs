@@ -117,7 +117,7 @@ impl ProfileQuestion {
     fn wear(&self, nominal: &str, reading: ProfileReading) -> Result<WearAnswer, AnswerError> {
         let default = WearSettings::default();
         let inclination = self.inclination.as_deref().map(|text| {
-            let wrong = |rule| AnswerError::Argument { argument: "--inclination", value: text.to_owned(), rule };
+            let wrong = |rule| AnswerError::argument("--inclination", text, rule);
             Inclination::read(text).map_err(wrong)
         });
         let gauge_height = self.gauge_height.map(|height| positive("--gauge-height", height));
@@ -133,7 +133,7 @@ impl ProfileQuestion {
 
     /// A wheelset on its track, under load if one is given.
     fn on_track(&self) -> Result<Box<dyn Answer>, AnswerError> {
-        let wrong = |argument, value, rule: String| Err(AnswerError::Argument { argument, value, rule });
+        let wrong = |argument, value, rule: String| Err(AnswerError::argument(argument, value, rule));
         if let Some(second) = self.file.get(1) {
             let rule = "the only one with --wheelset, a case file".to_owned();
             return wrong("FILE", second.display().to_string(), rule);

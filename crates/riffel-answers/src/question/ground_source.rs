@@ -41,7 +41,7 @@ impl GroundSource {
         (table, limit): &(LimitTable, LevelLimit),
         asker: &dyn Asker,
     ) -> Result<Option<GroundRail>, AnswerError> {
-        let refuse = |argument, value: &str, rule| AnswerError::Argument { argument, value: value.to_owned(), rule };
+        let refuse = |argument, value: &str, rule| AnswerError::argument(argument, value, rule);
         if let Some(decibels) = &self.from_limit {
             let below = GroundRail::below(&table.edition, limit, decibels);
             return below.map(Some).map_err(|rule| refuse("--from-limit", decibels, rule));
@@ -82,6 +82,6 @@ impl GroundSource {
             1e3 * case.wavelength.min(),
             1e3 * case.wavelength.max()
         );
-        AnswerError::Argument { argument, value, rule }
+        AnswerError::argument(argument, value, rule)
     }
 }

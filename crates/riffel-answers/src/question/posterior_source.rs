@@ -44,7 +44,7 @@ pub fn finished_of(is_case: &dyn Fn(&Path) -> bool, folder: &Path) -> Result<(Pl
     if !is_case(&plan.inputs[1]) {
         let rule =
             format!("a calibration of the case that is named, without --set; it is of {}", plan.inputs[1].display());
-        return Err(AnswerError::Argument { argument: "--posterior", value: folder.display().to_string(), rule });
+        return Err(AnswerError::argument("--posterior", folder.display(), rule));
     }
     Ok((plan, chains))
 }

@@ -81,7 +81,7 @@ impl ReceptanceQuestion {
             return Ok(ReceptanceCurves::frequencies(from, to, self.points));
         }
         let rule = format!("above --from, {from} Hz");
-        Err(AnswerError::Argument { argument: "--to", value: format!("{to} Hz"), rule })
+        Err(AnswerError::argument("--to", format!("{to} Hz"), rule))
     }
 }
 

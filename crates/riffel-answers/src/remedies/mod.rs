@@ -152,21 +152,17 @@ impl RemediesAnswer {
     /// [`AnswerError::Argument`] for a cost that is not above zero, or of what no remedy is called.
     pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self, AnswerError> {
         if let Some((id, cost)) = costs.iter().find(|(_, cost)| !(**cost > 0.0 && cost.is_finite())) {
-            return Err(AnswerError::Argument {
-                argument: "cost",
-                value: format!("{id} = {cost}"),
-                rule: "finite and above zero".to_owned(),
-            });
+            return Err(AnswerError::argument("cost", format!("{id} = {cost}"), "finite and above zero"));
         }
         let left_out = self.left_out.iter().map(|it| it.title.id());
         let known = self.remedies.iter().map(|it| it.id).chain(left_out);
         let known: Vec<&str> = known.collect();
         if let Some(id) = costs.keys().find(|id| !known.contains(&id.as_str())) {
-            return Err(AnswerError::Argument {
-                argument: "cost",
-                value: format!("that of \"{id}\""),
-                rule: format!("that of one of {}", known.join(", ")),
-            });
+            return Err(AnswerError::argument(
+                "cost",
+                format!("that of \"{id}\""),
+                format!("that of one of {}", known.join(", ")),
+            ));
         }
         for remedy in &mut self.remedies {
             remedy.cost = costs.get(remedy.id).copied();

@@ -134,11 +134,11 @@ impl Working<'_> {
             None => rail.and_then(|rail| rail.before.clone()),
         };
         match (question.passages_between, &before) {
-            (Some(passages), None) => Err(AnswerError::Argument {
-                argument: "--passages-between",
-                value: passages.to_string(),
-                rule: "left out, for there is no earlier record; give --earlier".to_owned(),
-            }),
+            (Some(passages), None) => Err(AnswerError::argument(
+                "--passages-between",
+                passages,
+                "left out, for there is no earlier record; give --earlier",
+            )),
             _ => Ok(before),
         }
     }

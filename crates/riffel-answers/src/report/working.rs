@@ -146,10 +146,12 @@ impl<'a> Working<'a> {
 
     /// What becomes of the rail over the draws of a calibration.
     fn forecast_over(&self, plan: &Plan, chains: &Chains) -> Result<PosteriorForecast, AnswerError> {
-        let limit = self.level_limit.as_ref().ok_or_else(|| AnswerError::Argument {
-            argument: "--limit",
-            value: self.question.limit.join(", "),
-            rule: "a limit of levels where there is a --posterior".to_owned(),
+        let limit = self.level_limit.as_ref().ok_or_else(|| {
+            AnswerError::argument(
+                "--limit",
+                self.question.limit.join(", "),
+                "a limit of levels where there is a --posterior",
+            )
         })?;
         let months = self.question.months.unwrap_or(MONTHS_OF_NOISE);
         Ok(PosteriorForecast::new(plan, chains, &level_limit(limit)?, months)?)

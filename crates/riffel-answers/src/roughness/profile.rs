@@ -91,11 +91,11 @@ pub(crate) fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, Answe
     });
     let first = found.next();
     match found.next() {
-        Some((second, _)) => Err(AnswerError::Argument {
-            argument: "--limit",
-            value: second.name.clone(),
-            rule: "the only table of RMS limits: what to grind follows from one".to_owned(),
-        }),
+        Some((second, _)) => Err(AnswerError::argument(
+            "--limit",
+            &second.name,
+            "the only table of RMS limits: what to grind follows from one",
+        )),
         None => Ok(first.map(|(_, limit)| limit.clone())),
     }
 }
@@ -324,14 +324,14 @@ fn check_longest(record: &Record, request: &ProfileRequest) -> Result<(), Answer
     if let Some(asked) = request.longest
         && asked.si() > 0.25 * (longest_stretch + record.spacing)
     {
-        return Err(AnswerError::Argument {
-            argument: "--longest",
-            value: asked.to_string(),
-            rule: format!(
+        return Err(AnswerError::argument(
+            "--longest",
+            asked,
+            format!(
                 "at most {:.3} m, a quarter of the longest stretch without gaps",
                 0.25 * (longest_stretch + record.spacing)
             ),
-        });
+        ));
     }
     Ok(())
 }

@@ -153,11 +153,7 @@ impl ShakedownLimits {
     pub fn answer(&self, case: &Case) -> Result<ShakedownAnswer, AnswerError> {
         for &friction in &self.utilised_friction {
             if !(0.0..=1.0).contains(&friction) {
-                return Err(AnswerError::Argument {
-                    argument: "--utilised-friction",
-                    value: friction.to_string(),
-                    rule: "between 0 and 1".to_owned(),
-                });
+                return Err(AnswerError::argument("--utilised-friction", friction, "between 0 and 1"));
             }
         }
         let shear_yield = case.shear_yield();
@@ -173,10 +169,12 @@ impl ShakedownLimits {
         let along_wave = self.wave.map(|[wavelength, speed]| {
             let state = case.point(wavelength, speed)?;
             let amplitude = self.amplitude.unwrap_or(case.feedback.amplitude());
-            let points = along(case, &state, amplitude).ok_or_else(|| AnswerError::Argument {
-                argument: "--amplitude",
-                value: format!("{} mm", 1e3 * amplitude),
-                rule: say!(below_r_at_the_wavelength_of, wavelength = wavelength).to_string(),
+            let points = along(case, &state, amplitude).ok_or_else(|| {
+                AnswerError::argument(
+                    "--amplitude",
+                    format!("{} mm", 1e3 * amplitude),
+                    say!(below_r_at_the_wavelength_of, wavelength = wavelength).to_string(),
+                )
             })?;
             Ok::<_, AnswerError>((amplitude, points))
         });

@@ -158,11 +158,11 @@ pub(super) fn check_step(step: f64) -> Result<(), AnswerError> {
     if step >= LEAST {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--step",
-        value: format!("{step:e} m"),
-        rule: format!("at least {LEAST:e} m, a million steps to a metre"),
-    })
+    Err(AnswerError::argument(
+        "--step",
+        format!("{step:e} m"),
+        format!("at least {LEAST:e} m, a million steps to a metre"),
+    ))
 }
 
 /// `Ok` if a profile is sampled at least once in a semi-axis of the contact.
@@ -171,11 +171,11 @@ pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<(), Answe
     if profile.spacing() <= largest {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--profile",
-        value: format!("sampled every {:.3} mm", 1e3 * profile.spacing()),
-        rule: format!("sampled at least every {:.3} mm, the semi-axis of the contact along the rail", 1e3 * largest),
-    })
+    Err(AnswerError::argument(
+        "--profile",
+        format!("sampled every {:.3} mm", 1e3 * profile.spacing()),
+        format!("sampled at least every {:.3} mm, the semi-axis of the contact along the rail", 1e3 * largest),
+    ))
 }
 
 /// A refusal of the physics, of the profile.

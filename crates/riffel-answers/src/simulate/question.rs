@@ -124,11 +124,11 @@ impl SimulateQuestion {
         };
         let (case, step) = (self.case.read(asker)?, self.step()?);
         if passages.fract() != 0.0 || !(1.0..=MOST_PASSAGES).contains(&passages) {
-            return Err(AnswerError::Argument {
-                argument: "--passages",
-                value: passages.to_string(),
-                rule: format!("a whole number from 1 to {MOST_PASSAGES:e}"),
-            });
+            return Err(AnswerError::argument(
+                "--passages",
+                passages,
+                format!("a whole number from 1 to {MOST_PASSAGES:e}"),
+            ));
         }
         let traffic = match &self.traffic {
             Some(traffic) => Traffic::clone(&*traffic.value(Traffic::read)?),
@@ -166,11 +166,11 @@ impl SimulateQuestion {
     fn step(&self) -> Result<Option<f64>, AnswerError> {
         let step = self.step.map(|step| positive("--step", step)).transpose()?;
         match step.filter(|step| self.sinusoid.is_none() && !(0.05e-3..=0.1).contains(step)) {
-            Some(step) => Err(AnswerError::Argument {
-                argument: "--step",
-                value: format!("{step:e} m"),
-                rule: "between 0.05 and 100 mm: the contact is some millimetres long".to_owned(),
-            }),
+            Some(step) => Err(AnswerError::argument(
+                "--step",
+                format!("{step:e} m"),
+                "between 0.05 and 100 mm: the contact is some millimetres long",
+            )),
             None => Ok(step),
         }
     }
@@ -182,11 +182,11 @@ impl SimulateQuestion {
             return Ok(Surface::Record(rail::record(path, &self.layout, length, asker)?));
         }
         if let Some(length) = length.filter(|length| *length > MOST_LENGTH) {
-            return Err(AnswerError::Argument {
-                argument: "--length",
-                value: format!("{length} m"),
-                rule: format!("at most {MOST_LENGTH} m for a rail that is made"),
-            });
+            return Err(AnswerError::argument(
+                "--length",
+                format!("{length} m"),
+                format!("at most {MOST_LENGTH} m for a rail that is made"),
+            ));
         }
         let length = length.unwrap_or(USUAL_LENGTH);
         let length = match case.track.support_spacing() {

@@ -46,15 +46,11 @@ pub(super) fn drawn(
         riffel::Error::OutOfRange {
             quantity: "length of the profile",
             ..
-        } => AnswerError::Argument {
-            argument: "--length",
-            value: format!("{length} m"),
-            rule: format!(
+        } => AnswerError::argument("--length", format!("{length} m"), format!(
                 "at least {:.1} m, thirteen of the longest waves of the spectrum, {longest:.3} m, so that every band has \
                  three waves",
                 13.0 * longest
-            ),
-        },
+            )),
         error => of("--spectrum", error),
     })
 }

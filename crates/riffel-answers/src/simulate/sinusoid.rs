@@ -123,23 +123,21 @@ impl SinusoidRequest {
             return Ok(Self { speed, profile, steps: steps as usize, contact_filter: false, transient: false });
         }
         Err(match step {
-            Some(step) => AnswerError::Argument {
-                argument: "--step",
-                value: format!("{step} m"),
-                rule: format!(
+            Some(step) => AnswerError::argument(
+                "--step",
+                format!("{step} m"),
+                format!(
                     "between {:.1e} and {:.1e} m, so that a wave has {least} to {most} steps",
                     wavelength / most,
                     wavelength / least,
                 ),
-            },
-            None => AnswerError::Argument {
-                argument: "--sinusoid",
-                value: format!("{} m, which passes in {:.2} s", as_typed(wavelength), wavelength / speed),
-                rule:
-                    "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
-                       wheel"
-                        .to_owned(),
-            },
+            ),
+            None => AnswerError::argument(
+                "--sinusoid",
+                format!("{} m, which passes in {:.2} s", as_typed(wavelength), wavelength / speed),
+                "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
+                       wheel",
+            ),
         })
     }
 
@@ -174,11 +172,11 @@ impl SinusoidAnswer {
                 (rolled.settled, Vec::new(), Some(rolled.energy_at_rail))
             }
             (true, false) => {
-                return Err(AnswerError::Argument {
-                    argument: "--transient",
-                    value: "given".to_owned(),
-                    rule: "for one wheel with longitudinal creepage on a track that is even along the rail".to_owned(),
-                });
+                return Err(AnswerError::argument(
+                    "--transient",
+                    "given",
+                    "for one wheel with longitudinal creepage on a track that is even along the rail",
+                ));
             }
         };
         let radius = case.hertz.rolling_radius();

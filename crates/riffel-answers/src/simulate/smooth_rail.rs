@@ -101,11 +101,11 @@ impl SmoothRailAnswer {
         let step = step.unwrap_or(longest);
         check_step(step)?;
         if step > longest {
-            return Err(AnswerError::Argument {
-                argument: "--step",
-                value: format!("{step} m"),
-                rule: format!("at most {longest:.1e} m on a smooth rail, 10 µs at this speed"),
-            });
+            return Err(AnswerError::argument(
+                "--step",
+                format!("{step} m"),
+                format!("at most {longest:.1e} m on a smooth rail, 10 µs at this speed"),
+            ));
         }
         case.check_points([case.wavelength.min(); 2], [speed; 2])?;
         let model = case.in_time_without_profile(speed)?;

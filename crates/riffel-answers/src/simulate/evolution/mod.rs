@@ -122,17 +122,17 @@ impl EvolutionRun {
         // Harmonics of a wave come of themselves, and what supports print: but there must be something to begin with.
         let is_still = bands.mean_squares(&evolution.waves()).iter().all(|square| *square < STILL);
         if bands.count() == 0 || is_still && case.track.support_spacing().is_none() {
-            return Err(AnswerError::Argument {
-                argument: "--passages",
-                value: "given".to_owned(),
-                rule: format!(
+            return Err(AnswerError::argument(
+                "--passages",
+                "given",
+                format!(
                     "left out: the profile has no wave in map.wavelength of the case, {:.1} to {:.1} mm, that is longer than \
                      the patch, {:.1} mm",
                     1e3 * case.wavelength.min(),
                     1e3 * case.wavelength.max(),
                     1e3 * shortest
                 ),
-            });
+            ));
         }
         let inputs = Inputs::new(case, &request);
         Ok(Self {
@@ -247,13 +247,11 @@ fn check_length(record: &Profile, longest: f64) -> Result<(), AnswerError> {
     if record.length() >= least {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--profile",
-        value: format!("{:.3} m long", record.length()),
-        rule: format!(
-            "at least {least:.1} m long, four of the longest waves that are kept, so that its ends can be joined"
-        ),
-    })
+    Err(AnswerError::argument(
+        "--profile",
+        format!("{:.3} m long", record.length()),
+        format!("at least {least:.1} m long, four of the longest waves that are kept, so that its ends can be joined"),
+    ))
 }
 
 /// `Ok` if a ring \[m\] is of whole bays \[m\].
@@ -262,14 +260,14 @@ fn check_bays(length: f64, bay: f64) -> Result<(), AnswerError> {
     if (bays - bays.round()).abs() <= 1e-6 && bays > 0.5 {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--length",
-        value: format!("{length} m"),
-        rule: format!(
+    Err(AnswerError::argument(
+        "--length",
+        format!("{length} m"),
+        format!(
             "a whole number of support spacings of {bay} m for a rail that goes on where it ends, such as {:.3} m",
             bays.ceil() * bay
         ),
-    })
+    ))
 }
 
 /// A kind of wheel that passed.
