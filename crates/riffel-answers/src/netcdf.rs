@@ -18,6 +18,19 @@ pub(crate) struct Variable<'a> {
     pub(crate) values: Box<dyn Fn() -> Vec<f64> + 'a>,
 }
 
+impl<'a> Variable<'a> {
+    /// A quantity with its values, asked for when their turn comes.
+    pub(crate) fn new(
+        name: &'static str,
+        axes: &'a [&'static str],
+        unit: &'a str,
+        long_name: &'a str,
+        values: impl Fn() -> Vec<f64> + 'a,
+    ) -> Self {
+        Self { name, axes, unit, long_name, values: Box::new(values) }
+    }
+}
+
 /// Quantities on a grid.
 pub struct Grid<'a> {
     pub(crate) title: String,

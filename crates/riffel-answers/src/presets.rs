@@ -89,8 +89,4 @@ impl Answer for PresetsAnswer {
         let tables = self.tables().into_iter().map(Told::Texts);
         lines(self.introduction()).chain(tables).chain(lines(self.sentences())).collect()
     }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
-    }
 }

@@ -69,21 +69,17 @@ pub(super) fn grid(map: &GrowthMap, title: String) -> Grid<'_> {
     let rate = map.growth_rate_per_dissipation();
     let axis = |name, axes, unit, long_name, axis: riffel::Axis| {
         let values = axis.values();
-        Variable { name, axes, unit, long_name, values: Box::new(move || values.clone()) }
+        Variable::new(name, axes, unit, long_name, move || values.clone())
     };
     let mut variables = vec![
         axis("wavelength", &["wavelength"], "m", "wavelength of the corrugation", map.wavelength()),
         axis("speed", &["speed"], "m/s", "speed of the vehicle", map.speed()),
     ];
-    variables.extend(OUTPUTS.iter().map(|output| Variable {
-        name: output.variable,
-        axes: &["speed", "wavelength"],
-        unit: "1",
-        long_name: output.long_name,
-        values: Box::new(move || {
+    variables.extend(OUTPUTS.iter().map(|output| {
+        Variable::new(output.variable, &["speed", "wavelength"], "1", output.long_name, move || {
             let points = map.rows().flat_map(|(_, row)| row);
             points.map(|&value| (output.value)(value, rate)).collect()
-        }),
+        })
     }));
     let axes = vec![("speed", map.speed().points()), ("wavelength", map.wavelength().points())];
     Grid { title, axes, variables }

@@ -37,8 +37,4 @@ impl Answer for StatusAnswer {
     fn sentences(&self) -> Vec<Message> {
         vec![say!(surveys_in_cells, surveys = number(self.0.surveys), length = number(self.0.resolution_m))]
     }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
-    }
 }

@@ -5,7 +5,7 @@ use riffel_case::Case;
 use riffel_keys::{Language, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, PlotError};
 
-use super::page::{Section, escape, figure, list, said, sentence, table};
+use super::page::{Section, cells, figure, list, said, sentence, table, table_of};
 use crate::Answer;
 use crate::compare::{CompareAnswer, Effect, Outcome, held_in_words, outcomes};
 use crate::forecast::{TrackForecast, WearReport, number};
@@ -36,10 +36,7 @@ pub(super) fn of_answer<A: Answer>(
         html += &format!("<p>{}</p>\n", sentence(message, language));
     }
     for shown in answer.tables() {
-        let (heads, rows) = shown.shown(language);
-        let rows = rows.iter();
-        let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
-        html += &table("", &heads, &rows);
+        html += &table_of(&shown, language);
     }
     let sentences = answer.sentences();
     let brief: Vec<String> = (sentences.iter()).map(|message| sentence(message, language)).collect();
@@ -50,8 +47,6 @@ pub(super) fn of_answer<A: Answer>(
 
 /// What becomes of the spectrum under the traffic.
 pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) -> Result<Outlook, PlotError> {
-    let (heads, rows) = report.table().shown(language);
-    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
     let mut findings = report.findings();
     let wear = report.wear.as_ref();
     let of_wear = wear.into_iter();
@@ -66,7 +61,7 @@ pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) 
     let mut html = format!("<p>{}</p>\n", sentence(&introduction, language));
     html += &list(findings.iter().map(|finding| said(finding, language)));
     html += &drawing(report.figure(case, language), language)?;
-    html += &table("", &heads, &rows);
+    html += &table_of(&report.table(), language);
     let mut warnings = report.warnings.clone();
     warnings.extend(report.on.remarks.iter().cloned());
     if wear.and_then(WearReport::fitted_coefficient).is_none() {
@@ -89,9 +84,8 @@ pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) 
 
 /// What would help.
 pub(super) fn what_if(report: &CompareAnswer, language: Language) -> Result<Outlook, PlotError> {
-    let (mut heads, rows) = outcomes(report).shown(language);
+    let (mut heads, rows) = cells(&outcomes(report), language);
     heads[0] = say!(variant_head).text(language);
-    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
     let mut introduction = say!(case_and_variants, speeds = report.speeds.clone());
     if report.leading().is_some() {
         let limit = say!(limit_is, edition = &report.table.edition);

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{Message, say};
+use riffel_keys::say;
 use riffel_rail::RoughnessFile;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -134,9 +134,5 @@ impl Answer for ReportAnswer {
             existing: if self.force { Existing::Replaced } else { Existing::ReplacedIfKnown(Some(GENERATOR)) },
             written: Some(say!(report_is_written, file = self.path.display().to_string())),
         })
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
     }
 }

@@ -5,8 +5,7 @@ use riffel_keys::{Language, Message, Value, fixed, number, say};
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, PlotError, Series};
 use riffel_rail::{Limit, LimitTable, Record, name_in_words};
 
-use super::page::{Section, escape, figure, list, said, sentence, table, texts};
-use crate::Table;
+use super::page::{Section, cells, figure, list, said, sentence, table, texts};
 use crate::roughness::figure::position_axis;
 use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, tables};
 
@@ -152,7 +151,7 @@ pub(super) fn marked(verdict: &Verdict, language: Language) -> String {
 
 /// Statistics of the bands.
 pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Language) -> Section {
-    let rows = cells(&tables::bands(report.rails.iter()), language);
+    let (_, rows) = cells(&tables::bands(report.rails.iter()), language);
     let heads = [
         say!(rail_word),
         say!(band_in_millimetres),
@@ -173,12 +172,6 @@ pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Lan
     Section::There(say!(wavelength_bands), table + &note)
 }
 
-/// The cells of a table as a reader sees them.
-fn cells(shown: &Table, language: Language) -> Vec<Vec<String>> {
-    let (_, rows) = shown.shown(language);
-    rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect()
-}
-
 /// What to grind.
 pub(super) fn grind(report: &ProfileAnswer, language: Language) -> Section {
     let heading = say!(what_to_grind);
@@ -190,7 +183,7 @@ pub(super) fn grind(report: &ProfileAnswer, language: Language) -> Section {
         let nothing = sentence(&report.nothing_to_grind(), language);
         return Section::There(heading, format!("<p>{nothing}</p>\n"));
     }
-    let rows = cells(&tables::shown_grind(report.rails.iter(), GRIND_ROWS), language);
+    let (_, rows) = cells(&tables::shown_grind(report.rails.iter(), GRIND_ROWS), language);
     let heads = [
         say!(section_head),
         say!(rail_word),

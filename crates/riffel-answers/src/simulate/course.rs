@@ -54,7 +54,7 @@ impl Course {
     pub(super) fn grid(&self, title: String) -> Grid<'_> {
         let of = |name, unit, long_name, values: &'_ [f64]| {
             let values = values.to_vec();
-            Variable { name, axes: &["position"], unit, long_name, values: Box::new(move || values.clone()) }
+            Variable::new(name, &["position"], unit, long_name, move || values.clone())
         };
         let mut variables = vec![
             of("position", "m", "place of the wheel centre", &self.position_m),

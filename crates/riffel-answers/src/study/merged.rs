@@ -62,8 +62,4 @@ impl Answer for MergeAnswer {
             folder = self.into.display().to_string()
         )]
     }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
-    }
 }

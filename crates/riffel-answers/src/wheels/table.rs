@@ -82,51 +82,33 @@ pub(super) fn grid(answer: &WheelsAnswer) -> Grid<'_> {
     let points = wavelength.points() * speed.points();
     let of_wheels = |value: fn(&WheelAnswer) -> f64| {
         let values: Vec<f64> = answer.wheels.iter().map(value).collect();
-        Box::new(move || values.clone())
+        move || values.clone()
     };
-    let of_axis = |axis: Axis| Box::new(move || axis.values());
+    let of_axis = |axis: Axis| move || axis.values();
     let variables = vec![
-        Variable {
-            name: "wavelength",
-            axes: &["wavelength"],
-            unit: "m",
-            long_name: "wavelength of the corrugation",
-            values: of_axis(wavelength),
-        },
-        Variable {
-            name: "speed",
-            axes: &["speed"],
-            unit: "m/s",
-            long_name: "speed of the vehicle",
-            values: of_axis(speed),
-        },
-        Variable {
-            name: "wheelset",
-            axes: &["wheel"],
-            unit: "1",
-            long_name: "wheelset, 1 leads",
-            values: of_wheels(|wheel| wheel.wheelset as f64),
-        },
-        Variable {
-            name: "high_rail",
-            axes: &["wheel"],
-            unit: "1",
-            long_name: "one for the high rail, zero for the low one",
-            values: of_wheels(|wheel| f64::from(wheel.rail == CurveRail::High)),
-        },
-        Variable {
-            name: "flange",
-            axes: &["wheel"],
-            unit: "1",
-            long_name: "one for the flange of a wheel on two points, else zero",
-            values: of_wheels(|wheel| f64::from(wheel.contact == ContactOfWheel::Flange)),
-        },
-        Variable {
-            name: "growth_rate",
-            axes: &["wheel", "speed", "wavelength"],
-            unit: "1",
-            long_name: "growth rate of the amplitude per passage of a wheel",
-            values: Box::new(move || {
+        Variable::new("wavelength", &["wavelength"], "m", "wavelength of the corrugation", of_axis(wavelength)),
+        Variable::new("speed", &["speed"], "m/s", "speed of the vehicle", of_axis(speed)),
+        Variable::new("wheelset", &["wheel"], "1", "wheelset, 1 leads", of_wheels(|wheel| wheel.wheelset as f64)),
+        Variable::new(
+            "high_rail",
+            &["wheel"],
+            "1",
+            "one for the high rail, zero for the low one",
+            of_wheels(|wheel| f64::from(wheel.rail == CurveRail::High)),
+        ),
+        Variable::new(
+            "flange",
+            &["wheel"],
+            "1",
+            "one for the flange of a wheel on two points, else zero",
+            of_wheels(|wheel| f64::from(wheel.contact == ContactOfWheel::Flange)),
+        ),
+        Variable::new(
+            "growth_rate",
+            &["wheel", "speed", "wavelength"],
+            "1",
+            "growth rate of the amplitude per passage of a wheel",
+            move || {
                 let wheels = answer.wheels.iter();
                 wheels
                     .flat_map(|wheel| match &wheel.in_loop {
@@ -134,8 +116,8 @@ pub(super) fn grid(answer: &WheelsAnswer) -> Grid<'_> {
                         None => vec![f64::NAN; points],
                     })
                     .collect()
-            }),
-        },
+            },
+        ),
     ];
     let axes = vec![("wheel", answer.wheels.len()), ("speed", speed.points()), ("wavelength", wavelength.points())];
     let title = case.file.title.as_deref();

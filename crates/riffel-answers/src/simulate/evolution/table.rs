@@ -46,33 +46,23 @@ impl EvolutionAnswer {
         variables.extend(over_both(&self.bands));
         let count = axes[3].1;
         variables.extend([
-            Variable {
-                name: "profile_passages",
-                axes: &["profile_passages"],
-                unit: "1",
-                long_name: "wheels so far",
-                values: Box::new(|| {
-                    let profiles = self.profiles.iter();
-                    profiles.map(|profile| profile.passages as f64).collect()
-                }),
-            },
-            Variable {
-                name: "position",
-                axes: &["position"],
-                unit: "m",
-                long_name: "position on the ring",
-                values: Box::new(move || (0..count).map(|n| n as f64 * self.spacing).collect()),
-            },
-            Variable {
-                name: "height",
-                axes: &["profile_passages", "position"],
-                unit: "m",
-                long_name: "height of the ring, positive upward",
-                values: Box::new(|| {
+            Variable::new("profile_passages", &["profile_passages"], "1", "wheels so far", || {
+                let profiles = self.profiles.iter();
+                profiles.map(|profile| profile.passages as f64).collect()
+            }),
+            Variable::new("position", &["position"], "m", "position on the ring", move || {
+                (0..count).map(|n| n as f64 * self.spacing).collect()
+            }),
+            Variable::new(
+                "height",
+                &["profile_passages", "position"],
+                "m",
+                "height of the ring, positive upward",
+                || {
                     let profiles = self.profiles.iter();
                     profiles.flat_map(|profile| profile.heights_m.iter().copied()).collect()
-                }),
-            },
+                },
+            ),
         ]);
         Grid { title: self.title(), axes, variables }
     }
@@ -83,12 +73,8 @@ fn over_passages(stages: &Stages) -> Vec<Variable<'_>> {
         let values = values.iter();
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     };
-    let of = |name, unit, long_name, values: Vec<f64>| Variable {
-        name,
-        axes: &["passages"],
-        unit,
-        long_name,
-        values: Box::new(move || values.clone()),
+    let of = |name, unit, long_name, values: Vec<f64>| {
+        Variable::new(name, &["passages"], unit, long_name, move || values.clone())
     };
     let passages = stages.passages.iter().map(|passages| *passages as f64);
     let mut variables = vec![
@@ -114,12 +100,10 @@ const DECIBELS: &str = "dB re 1 um";
 
 fn over_wavelength(bands: &[Band]) -> Vec<Variable<'_>> {
     type Of = fn(&Band) -> Option<f64>;
-    let of = |(name, unit, long_name, value): (_, _, _, Of)| Variable {
-        name,
-        axes: &["wavelength"],
-        unit,
-        long_name,
-        values: Box::new(move || bands.iter().map(|band| value(band).unwrap_or(f64::NAN)).collect()),
+    let of = |(name, unit, long_name, value): (_, _, _, Of)| {
+        Variable::new(name, &["wavelength"], unit, long_name, move || {
+            bands.iter().map(|band| value(band).unwrap_or(f64::NAN)).collect()
+        })
     };
     let variables: [(_, _, _, Of); 7] = [
         ("wavelength", "m", "centre of the one-third octave", |band| Some(band.wavelength_m)),
@@ -139,16 +123,12 @@ fn over_wavelength(bands: &[Band]) -> Vec<Variable<'_>> {
 
 fn over_both(bands: &[Band]) -> Vec<Variable<'_>> {
     type Of = fn(&Band) -> &[f64];
-    let of = |(name, unit, long_name, value): (_, _, _, Of)| Variable {
-        name,
-        axes: &["passages", "wavelength"],
-        unit,
-        long_name,
-        values: Box::new(move || {
+    let of = |(name, unit, long_name, value): (_, _, _, Of)| {
+        Variable::new(name, &["passages", "wavelength"], unit, long_name, move || {
             let stages = 0..bands.first().map_or(0, |band| value(band).len());
             let row = |stage: usize| bands.iter().map(move |band| value(band)[stage]);
             stages.flat_map(row).collect()
-        }),
+        })
     };
     let variables: [(_, _, _, Of); 3] = [
         ("level", DECIBELS, "one-third-octave level", |band| &band.level_db),
