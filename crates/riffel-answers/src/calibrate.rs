@@ -64,8 +64,8 @@ pub(crate) fn close_pairs(told: &Identifiability) -> Vec<Message> {
         let [one, other] = &pair.names;
         let correlation = fixed(pair.correlation, 2);
         match pair.correlation < 0.0 {
-            true => say!(told_as_a_product, one = one, other = other, correlation = correlation),
-            false => say!(told_as_a_ratio, one = one, other = other, correlation = correlation),
+            true => say!(told_as_a_product, one, other, correlation),
+            false => say!(told_as_a_ratio, one, other, correlation),
         }
     });
     pairs.collect()
@@ -99,7 +99,7 @@ impl LogEvidence {
     pub(crate) fn in_words(&self) -> Message {
         let Self { value, range, runs } = *self;
         let [low, high] = range.map(|it| fixed(it, 2));
-        say!(log_evidence, value = fixed(value, 2), low = low, high = high, runs = runs)
+        say!(log_evidence, value = fixed(value, 2), low, high, runs)
     }
 }
 

@@ -199,7 +199,7 @@ fn conclusion(parameters: &[Value]) -> Message {
     let told = values().filter(|value| value.is_told);
     let best = told.clone().max_by(|a, b| a.contraction.total_cmp(&b.contraction));
     let Some(best) = best else {
-        return say!(calibration_tells_nothing, count = count);
+        return say!(calibration_tells_nothing, count);
     };
     let untold = values().filter(|value| !value.is_told);
     let untold: Vec<&str> = untold.map(|value| &*value.name).collect();
@@ -208,19 +208,15 @@ fn conclusion(parameters: &[Value]) -> Message {
             let contractions = values().map(|value| value.contraction);
             say!(
                 calibration_tells_all,
-                count = count,
+                count,
                 least = fixed(1e2 * contractions.fold(f64::INFINITY, f64::min), 0),
                 most = fixed(1e2 * best.contraction, 0),
                 best = &best.name
             )
         }
-        untold => say!(
-            calibration_tells_some,
-            told = told.count(),
-            count = count,
-            best = &best.name,
-            untold = untold.join(", ")
-        ),
+        untold => {
+            say!(calibration_tells_some, told = told.count(), count, best = &best.name, untold = untold.join(", "))
+        }
     }
 }
 

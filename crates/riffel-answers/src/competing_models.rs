@@ -135,8 +135,8 @@ fn left_out(score: &Score) -> Message {
 fn held_out(data: &str, held: Held) -> Message {
     match held {
         Held::All => Message::verbatim(data),
-        Held::Date(passages) => say!(left_out_date, data = data, passages = fixed(passages, 0)),
-        Held::Place(place) => say!(left_out_place, data = data, place = fixed(place, 3)),
+        Held::Date(passages) => say!(left_out_date, data, passages = fixed(passages, 0)),
+        Held::Place(place) => say!(left_out_place, data, place = fixed(place, 3)),
     }
 }
 
@@ -180,10 +180,10 @@ impl Answer for CompetingModels {
             let (behind, error) = (fixed(model.behind, 1), fixed(model.error, 1));
             match model.is_worse {
                 true => {
-                    say!(model_predicts_worse, model = name(model), best = name(best), behind = behind, error = error)
+                    say!(model_predicts_worse, model = name(model), best = name(best), behind, error)
                 }
                 false => {
-                    say!(model_not_told_apart, model = name(model), best = name(best), behind = behind, error = error)
+                    say!(model_not_told_apart, model = name(model), best = name(best), behind, error)
                 }
             }
         };

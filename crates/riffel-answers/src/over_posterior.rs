@@ -42,7 +42,7 @@ impl PosteriorDraws {
         }
         let doubts = chains.summary(plan).doubts().len();
         if doubts > 0 {
-            remarks.push(say!(forecast_on_doubtful_chains, doubts = doubts));
+            remarks.push(say!(forecast_on_doubtful_chains, doubts));
         }
         Ok(Self { drawn: plan.drawn(chains, DRAWS)?, traffic: plan.traffic.clone(), remarks })
     }

@@ -142,7 +142,7 @@ impl StabilityMap {
             let unknown = unknown - without.len() * SPEEDS;
             remarks.extend((unknown > 0).then(|| say!(stability_unknown, points = unknown)));
             let without = (!without.is_empty()).then(|| without.join(", "));
-            remarks.extend(without.map(|friction| say!(no_mean_state, friction = friction)));
+            remarks.extend(without.map(|friction| say!(no_mean_state, friction)));
         }
         Ok(Self {
             title: case.file.title.clone(),
@@ -277,17 +277,17 @@ impl Answer for StabilityMap {
         let [slowest, fastest] = [slowest, fastest].map(|speed| shown_speed(speed, 0));
         let highest = fixed(self.friction[self.friction.len() - 1], 3);
         vec![if least.is_infinite() {
-            say!(stable_everywhere, slowest = slowest, fastest = fastest, highest = highest)
+            say!(stable_everywhere, slowest, fastest, highest)
         } else if least <= lowest {
-            say!(unstable_from_the_least, least = fixed(least, 3), slowest = slowest, fastest = fastest)
+            say!(unstable_from_the_least, least = fixed(least, 3), slowest, fastest)
         } else {
             let stable = self.friction.iter().copied().filter(|it| *it < least);
             say!(
                 unstable_from,
                 stable = fixed(stable.fold(0.0, f64::max), 3),
                 least = fixed(least, 3),
-                slowest = slowest,
-                fastest = fastest
+                slowest,
+                fastest
             )
         }]
     }

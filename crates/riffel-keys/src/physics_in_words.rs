@@ -21,7 +21,7 @@ pub fn physics_in_words(error: &Error) -> Message {
         ),
         Error::OffTheRails { wheelset, lateral_shift, yaw } => say!(
             off_the_rails,
-            wheelset = wheelset,
+            wheelset,
             shift = fixed(1e3 * lateral_shift, 0),
             yaw = fixed(1e3 * yaw, 0),
             farthest_shift = fixed(1e3 * riffel::curving::FARTHEST_SHIFT, 0),
@@ -31,7 +31,7 @@ pub fn physics_in_words(error: &Error) -> Message {
             say!(no_equilibrium_beyond, percent = fixed(100.0 * reached, 0))
         }
         Error::TorqueBeyondFriction { torque, wheelset, largest } => {
-            say!(torque_beyond_friction, torque = fixed(torque, 0), wheelset = wheelset, largest = fixed(largest, 0))
+            say!(torque_beyond_friction, torque = fixed(torque, 0), wheelset, largest = fixed(largest, 0))
         }
         Error::FullSlip { creepage, saturation_creepage } => {
             say!(beyond_full_slip, creepage = fixed(100.0 * creepage, 4), limit = fixed(100.0 * saturation_creepage, 4))

@@ -305,8 +305,8 @@ impl Answer for AxleBoxAnswer {
                 rail_is_heard,
                 rail = rail.rail.name.as_str(),
                 length = fixed(rail.rail.length_m, 1),
-                slowest = slowest,
-                fastest = fastest,
+                slowest,
+                fastest,
                 shortest = fixed(1e3 * rail.known.from(), 1),
                 longest = fixed(1e3 * rail.known.to(), 0)
             )
@@ -361,23 +361,10 @@ fn too_short(longest: &Longest, run: &RunSettings, warnings: Vec<Message>) -> Me
     let (length, speed) = (fixed(longest.length, 1), fixed(3.6 * longest.speed, 1));
     let said = Message::one_after_other(warnings).unwrap_or_else(|| Message::verbatim(""));
     if longest.speed < run.slowest {
-        return say!(
-            stretch_is_too_slow,
-            length = length,
-            speed = speed,
-            slowest = fixed(3.6 * run.slowest, 1),
-            said = said
-        );
+        return say!(stretch_is_too_slow, length, speed, slowest = fixed(3.6 * run.slowest, 1), said);
     }
     let least = 2.0 * run.lost_at_ends(longest.speed) + 4.0 * run.longest;
-    say!(
-        stretch_is_too_short,
-        length = length,
-        least = fixed(least, 1),
-        speed = speed,
-        longest = number(run.longest),
-        said = said
-    )
+    say!(stretch_is_too_short, length, least = fixed(least, 1), speed, longest = number(run.longest), said)
 }
 
 /// What the model leaves out.

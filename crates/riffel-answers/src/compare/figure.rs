@@ -41,7 +41,7 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
             None => say!(now),
         };
         let now = match answer.rail(leading) {
-            Some(rail) => say!(rail_when, rail = rail, time = now),
+            Some(rail) => say!(rail_when, rail, time = now),
             None => now,
         };
         let mut ended = Vec::new();
@@ -71,11 +71,11 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
         panels.push(level_panel(levels, language));
         caption.push(say!(levels_after, passages = when(Some(passages)), tonnes = number(base.growth.mgt(passages))));
         if let Some(rail) = answer.rail(leading) {
-            caption.push(say!(levels_of_rail_as_it_is, rail = rail));
+            caption.push(say!(levels_of_rail_as_it_is, rail));
         }
         if !ended.is_empty() {
             let titles: Value = ended.into_iter().collect();
-            caption.push(say!(forecast_ends_before, titles = titles));
+            caption.push(say!(forecast_ends_before, titles));
         }
     }
     let caption: Vec<String> = caption.iter().map(|one| sentence(one, language)).collect();

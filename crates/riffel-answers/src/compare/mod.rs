@@ -262,7 +262,7 @@ impl Answer for CompareAnswer {
         let ground = self.ground.iter();
         let ground = ground
             .map(|ground| say!(from_ground_to_limit, ground = ground.words.clone(), edition = &self.table.edition));
-        [say!(under_title, title = title, passing = self.speeds.clone())]
+        [say!(under_title, title, passing = self.speeds.clone())]
             .into_iter()
             .chain(ground)
             .chain(self.first_said())

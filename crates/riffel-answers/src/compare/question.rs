@@ -187,8 +187,8 @@ impl CompareQuestion {
             .map_err(|error| CaseError::Physics { input: "--speed-deviation".to_owned(), error })?;
         let speed = shown_speed(speeds.mean(), 1);
         let words = match speeds.deviation() {
-            0.0 => say!(at_speed, speed = speed),
-            deviation => say!(at_spread_speed, speed = speed, deviation = shown_speed(deviation, 1)),
+            0.0 => say!(at_speed, speed),
+            deviation => say!(at_spread_speed, speed, deviation = shown_speed(deviation, 1)),
         };
         Ok((Traffic::of_case(speeds), words))
     }

@@ -61,7 +61,7 @@ pub(crate) fn outcomes(answer: &CompareAnswer) -> Table {
 fn fastest(outcome: &Outcome) -> Message {
     let wavelength = number_alone(format_args!("{:.1}", 1e3 * outcome.fastest.wavelength));
     match outcome.fastest.at_edge {
-        true => say!(at_edge_of_lines, wavelength = wavelength),
+        true => say!(at_edge_of_lines, wavelength),
         false => wavelength,
     }
 }

@@ -164,8 +164,8 @@ impl CurveAnswer {
     fn residual(&self) -> Message {
         let residual = number(format_args!("{:.0e}", self.equilibrium.residual));
         match self.continuation.len() {
-            0 => say!(residual_without_straight_track, residual = residual),
-            steps => say!(residual_from_straight_track, residual = residual, steps = number(steps)),
+            0 => say!(residual_without_straight_track, residual),
+            steps => say!(residual_from_straight_track, residual, steps = number(steps)),
         }
     }
 
@@ -187,8 +187,8 @@ impl CurveAnswer {
     fn others(&self) -> Message {
         let others = self.other_equilibria.iter().filter_map(|other| {
             let shifts = other.lateral_shift_m.iter().map(|shift| fixed(1e3 * shift, 3));
-            let shifts = shifts.reduce(|one, other| say!(both, one = one, other = other).into())?;
-            Some(say!(shifts_in_millimetres, shifts = shifts))
+            let shifts = shifts.reduce(|one, other| say!(both, one, other).into())?;
+            Some(say!(shifts_in_millimetres, shifts))
         });
         let shifts = Message::one_after_other(others);
         shifts.map_or_else(|| say!(no_other_equilibrium), |shifts| say!(other_equilibria, shifts = Value::from(shifts)))

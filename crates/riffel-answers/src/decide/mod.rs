@@ -32,7 +32,7 @@ impl DecideAnswer {
         let cost = plan.file.cost.as_ref();
         let mut remarks = Vec::new();
         if doubts > 0 {
-            remarks.push(say!(decision_on_doubtful_chains, doubts = doubts));
+            remarks.push(say!(decision_on_doubtful_chains, doubts));
         }
         if cost.is_some_and(|cost| cost.from_limit.is_none()) {
             remarks.push(say!(rise_after_grinding_assumed));
@@ -56,11 +56,11 @@ impl DecideAnswer {
         let currency = &*self.decision.currency;
         let mut columns = vec![
             worth.words("title", what, |it| Message::verbatim(&it.title)),
-            worth.fixed("worth_per_year", say!(worth_per_year, currency = currency), 0, |it| it.per_year),
+            worth.fixed("worth_per_year", say!(worth_per_year, currency), 0, |it| it.per_year),
         ];
         if worth.iter().any(|it| it.price.is_some()) {
-            columns.push(worth.fixed("price", say!(price_in, currency = currency), 0, |it| it.price));
-            columns.push(worth.fixed("net", say!(net_worth_in, currency = currency), 0, |it| it.net));
+            columns.push(worth.fixed("price", say!(price_in, currency), 0, |it| it.price));
+            columns.push(worth.fixed("net", say!(net_worth_in, currency), 0, |it| it.net));
         }
         Table { name, columns }
     }
@@ -87,7 +87,7 @@ fn sentences(decision: &Decision) -> Vec<Message> {
             cheapest_in_the_mean,
             action = name,
             cost = fixed(action.mean_cost_per_year, 0),
-            currency = currency,
+            currency,
             share = fixed(100.0 * action.probability_cheapest, 0)
         ));
     }
@@ -97,7 +97,7 @@ fn sentences(decision: &Decision) -> Vec<Message> {
     } else if breaking > 0 {
         sentences.push(say!(actions_break, count = breaking));
     }
-    sentences.push(say!(worth_of_knowing_all, worth = fixed(decision.evpi_per_year, 0), currency = currency));
+    sentences.push(say!(worth_of_knowing_all, worth = fixed(decision.evpi_per_year, 0), currency));
     let pays = decision.measurements.iter().filter(|it| it.net.is_some_and(|net| net > 0.0));
     match (pays.collect::<Vec<&Worth>>().first(), decision.measurements.is_empty()) {
         (Some(first), _) => sentences.push(say!(measure_first, measurement = &first.title)),
@@ -143,7 +143,7 @@ impl Answer for DecideAnswer {
         columns.push(
             actions.fixed("never_percent", say!(never_percent), 1, |it| 100.0 * it.months_to_limit.probability_never),
         );
-        let head = say!(mean_cost_per_year, currency = currency);
+        let head = say!(mean_cost_per_year, currency);
         columns.push(actions.fixed("mean_cost_per_year", head, 0, |it| it.mean_cost_per_year));
         for (place, name, head) in [
             (0, "saving_q05", Some(say!(saving_from))),
@@ -171,7 +171,7 @@ impl Answer for DecideAnswer {
             }
         }
         columns.push(actions.fixed("rank", say!(rank_of_action), 0, |it| it.rank as f64));
-        let head = say!(regret_per_year, currency = currency);
+        let head = say!(regret_per_year, currency);
         columns.push(actions.fixed("expected_regret_per_year", head, 0, |it| it.expected_regret_per_year));
         let mut tables = vec![
             Table { name: "actions", columns },

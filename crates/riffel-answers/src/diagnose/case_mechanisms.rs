@@ -69,7 +69,7 @@ impl Wheels {
                         None => mechanism,
                     });
                 }
-                Err(reason) => unknown.push(say!(growth_ridge_is_no_candidate, reason = reason)),
+                Err(reason) => unknown.push(say!(growth_ridge_is_no_candidate, reason)),
             }
         }
         unknown.dedup();

@@ -43,16 +43,9 @@ impl Finding {
         let frequency = number(range(frequencies, |hertz| format!("{hertz:.0}")));
         let speeds = speeds.words();
         match self.place() {
-            Some(place) => say!(
-                dominant_wavelength_at,
-                wavelength = wavelength,
-                band = band,
-                place = place,
-                frequency = frequency,
-                speeds = speeds
-            ),
+            Some(place) => say!(dominant_wavelength_at, wavelength, band, place, frequency, speeds),
             None => {
-                say!(dominant_wavelength, wavelength = wavelength, band = band, frequency = frequency, speeds = speeds)
+                say!(dominant_wavelength, wavelength, band, frequency, speeds)
             }
         }
     }
@@ -64,14 +57,14 @@ impl Finding {
         let place = match (places.first(), all_along) {
             // A table of levels has no places.
             (None, _) => rail,
-            (Some(_), true) => say!(rail_all_along, rail = rail),
+            (Some(_), true) => say!(rail_all_along, rail),
             (Some(first), false) => {
-                say!(rail_from_to, rail = rail, from = fixed(first.from, 1), to = fixed(first.to, 1))
+                say!(rail_from_to, rail, from = fixed(first.from, 1), to = fixed(first.to, 1))
             }
         };
         Some(match places.len() {
             0 | 1 => place,
-            count => say!(more_places, place = place, count = count - 1),
+            count => say!(more_places, place, count = count - 1),
         })
     }
 
@@ -84,8 +77,8 @@ impl Finding {
             None => say!(scatter_unknown),
         };
         let level = match record {
-            Some(record) => say!(level_of_record, level = level, record = record),
-            None => say!(level_of_peak, level = level),
+            Some(record) => say!(level_of_record, level, record),
+            None => say!(level_of_peak, level),
         };
         let level = match rails.is_empty() {
             true => level,
@@ -94,10 +87,10 @@ impl Finding {
                     .iter()
                     .map(|(name, level)| say!(level_of_rail, name = name_in_words(name), level = fixed(*level, 1)))
                     .collect();
-                say!(with_levels_of_rails, level = level, rails = rails)
+                say!(with_levels_of_rails, level, rails)
             }
         };
-        let mut words = say!(stands_over_its_trend, level = level, prominence = prominence, scatter = scatter);
+        let mut words = say!(stands_over_its_trend, level, prominence, scatter);
         let chance = peak.false_peaks.map(|peaks| match peaks < 1e-6 {
             true => say!(by_chance_in_a_million),
             false => say!(by_chance, spectra = fixed(1.0 / peaks, 0)),
@@ -118,7 +111,7 @@ impl Finding {
         Some(match &self.measured.energy_levels {
             Some(levels) => {
                 let levels: Value = levels.iter().map(|level| fixed(*level, 1)).collect();
-                let energies = say!(means_of_energies, levels = levels);
+                let energies = say!(means_of_energies, levels);
                 say!(one_after_other, one = course, other = energies)
             }
             None => course,
@@ -178,7 +171,7 @@ impl Finding {
     pub fn name(&self, candidate: &Candidate) -> Message {
         let mechanism = mechanism_name(candidate.kind);
         match self.wheel(candidate) {
-            Some(wheel) => say!(mechanism_of, mechanism = mechanism, wheel = wheel.clone()),
+            Some(wheel) => say!(mechanism_of, mechanism, wheel = wheel.clone()),
             None => mechanism,
         }
     }

@@ -203,7 +203,7 @@ impl Answer for Diagnosis {
 
     fn introduction(&self) -> Vec<Message> {
         let title = self.title.as_deref().map_or_else(|| say!(the_case), Message::verbatim);
-        let held = say!(held_against, title = title, speeds = number(self.speeds.words()));
+        let held = say!(held_against, title, speeds = number(self.speeds.words()));
         let nothing = self.findings.is_empty().then(|| say!(nothing_stands_out));
         [self.words.clone().about(self.file.as_str()), held].into_iter().chain(nothing).collect()
     }

@@ -426,7 +426,7 @@ impl Answer for ForecastAnswer {
         let title = titled(&self.inputs.case.file.title, say!(growth_forecast));
         let traffic = titled(&self.inputs.traffic.title, say!(the_traffic));
         let amount = self.forecast.amount(self.forecast.passages);
-        vec![say!(under_title, title = title, passing = traffic), say!(after_amount, amount = amount)]
+        vec![say!(under_title, title, passing = traffic), say!(after_amount, amount)]
     }
 
     /// One row for each band of every rail, the rail that leads first; then lines, cracks and the fit.

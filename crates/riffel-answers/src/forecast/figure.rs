@@ -12,7 +12,7 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
     let traffic = answer.growth();
     let rail = answer.leading();
     let of_rail = |words: Message| match answer.rail(rail) {
-        Some(rail) => say!(rail_when, rail = rail, time = words).text(language),
+        Some(rail) => say!(rail_when, rail, time = words).text(language),
         None => words.text(language),
     };
     let now = of_rail(match &answer.ground {
@@ -24,8 +24,8 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
     let until = answer.passages.min(valid_to);
     let tonnes = number(traffic.mgt(until));
     let after = match answer.passages <= valid_to {
-        true => say!(after_tonnes, tonnes = tonnes),
-        false => say!(after_tonnes_at_end, tonnes = tonnes),
+        true => say!(after_tonnes, tonnes),
+        false => say!(after_tonnes_at_end, tonnes),
     };
     let bands = || rail.forecast.bands().iter();
     let then = Series::new(
@@ -47,7 +47,7 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
         .map(|(index, vehicle)| {
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
             let percent = fixed(100.0 * vehicle.share, 0);
-            let label = say!(by_vehicle, vehicle = vehicle_in_words(&vehicle.name), percent = percent).text(language);
+            let label = say!(by_vehicle, vehicle = vehicle_in_words(&vehicle.name), percent).text(language);
             let own = vehicle.growth.rates.iter();
             let parts: Vec<f64> = own.map(|rate| vehicle.share * rate).collect();
             rate(label, &parts, color)
@@ -57,7 +57,7 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
     rates.push(zero(&wavelengths));
     let caption = say!(caption_of_forecast, amount = answer.amount(until)).text(language);
     let caption = match answer.rail(rail) {
-        Some(rail) => caption + " " + &say!(levels_of_leading_rail, rail = rail).text(language),
+        Some(rail) => caption + " " + &say!(levels_of_leading_rail, rail).text(language),
         None => caption,
     };
     let mut panels = vec![

@@ -142,7 +142,7 @@ impl TrackForecast {
                 CurveRail::Left => say!(of_left),
                 CurveRail::Right => say!(of_right),
             };
-            warnings.push(say!(all_rails_grow_alike, of_rail = of_rail));
+            warnings.push(say!(all_rails_grow_alike, of_rail));
         }
         let unlikely_wear = unlikely_wear(case, on.growth.mean_wear());
         Ok(Self {
@@ -266,10 +266,10 @@ impl TrackForecast {
         let passages = words::millions(passages);
         match (months, date) {
             (Some(months), Some(date)) => {
-                say!(amount_with_date, passages = passages, tonnes = tonnes, months = months, date = date)
+                say!(amount_with_date, passages, tonnes, months, date)
             }
-            (Some(months), None) => say!(amount_with_months, passages = passages, tonnes = tonnes, months = months),
-            (None, _) => say!(amount_of_traffic, passages = passages, tonnes = tonnes),
+            (Some(months), None) => say!(amount_with_months, passages, tonnes, months),
+            (None, _) => say!(amount_of_traffic, passages, tonnes),
         }
     }
 

@@ -34,7 +34,7 @@ impl PosteriorForecast {
         let mut remarks = vec![say!(posterior_forecast_is_linear)];
         let doubts = chains.summary(plan).doubts().len();
         if doubts > 0 {
-            remarks.push(say!(forecast_on_doubtful_chains, doubts = doubts));
+            remarks.push(say!(forecast_on_doubtful_chains, doubts));
         }
         Ok(Self {
             riffel_version: env!("CARGO_PKG_VERSION"),

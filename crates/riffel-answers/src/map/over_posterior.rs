@@ -38,16 +38,16 @@ pub fn growth_in_words(growth: &OverPosterior) -> Vec<Message> {
             Some(months) => time_between(months.band_90),
             None => {
                 let [early, late] = passages.band_90.map(|it| significant(1e-6 * it, 2));
-                say!(million_axles_between, early = early, late = late)
+                say!(million_axles_between, early, late)
             }
         };
         sentences.push(say!(
             growth_over_posterior,
             draws = growth.draws,
             wavelength = millimetres(wavelength.median),
-            shortest = shortest,
-            longest = longest,
-            time = time
+            shortest,
+            longest,
+            time
         ));
     }
     if grows < 1.0 {

@@ -202,7 +202,7 @@ impl Answer for ModelsAnswer {
 
     fn introduction(&self) -> Vec<Message> {
         let title = titled(self.case.file.title.as_ref(), say!(models_of_the_field));
-        vec![say!(under_title, title = title, passing = self.passing.clone())]
+        vec![say!(under_title, title, passing = self.passing.clone())]
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -218,7 +218,7 @@ impl Answer for ModelsAnswer {
         let heading = (!moves.is_empty()).then(|| say!(what_moves_models_most));
         let left_out = self.models.iter().filter_map(|of| {
             let reason = of.not_on_this_case.as_deref()?;
-            Some(say!(model_not_on_this_case, model = of.model.title, reason = reason))
+            Some(say!(model_not_on_this_case, model = of.model.title, reason))
         });
         heading.into_iter().chain(moves).chain(left_out).collect()
     }

@@ -69,9 +69,9 @@ impl Answer for PlanAnswer {
             months = number(plan.months),
             over = kilometres(plan.over_limit_m),
             ground = kilometres(plan.length_m),
-            cost = cost,
+            cost,
             left = kilometres(plan.left_over_limit_m),
-            least = least
+            least
         );
         more.into_iter().chain([planned]).collect()
     }

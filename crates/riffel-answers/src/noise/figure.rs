@@ -18,7 +18,7 @@ pub(super) fn figure(answer: &NoiseAnswer, parameters: &str, language: Language)
             speed = shown_speed(answer.speed_m_per_s, 0),
             distance = number(answer.distance_m),
             height = number(answer.height_m),
-            parameters = parameters
+            parameters
         )
         .text(language),
         panels,
@@ -34,14 +34,14 @@ fn parts(answer: &NoiseAnswer, language: Language) -> LinePanel {
         .filter_map(|(part, color)| {
             let (levels, a_weighted) = answer.level.of(part);
             let level = at_least(a_weighted?, answer.lower_bound_up_to_hz);
-            let label = say!(part_and_level, part = name_of(part), level = level).text(language);
+            let label = say!(part_and_level, part = name_of(part), level).text(language);
             let style = LineStyle::Solid;
             Some(curve(&answer.frequency_hz, levels, label, style, color))
         })
         .collect();
     if let Some(since) = &answer.since {
         let level = at_least(since.before_dba, lower_bound_up_to(&since.frequency_hz));
-        let label = say!(part_and_level, part = say!(noise_before), level = level);
+        let label = say!(part_and_level, part = say!(noise_before), level);
         let (label, style) = (label.text(language), LineStyle::Dotted);
         let levels = &since.before_db;
         series.push(curve(&since.frequency_hz, levels, label, style, Rgb::BLACK));

@@ -20,7 +20,7 @@ pub(super) fn introduction(answer: &NoiseAnswer) -> Vec<Message> {
     let title = answer.title.clone();
     let title = title.map_or_else(|| say!(rolling_noise), Message::verbatim);
     vec![
-        say!(noise_at_speed, title = title, speed = shown_speed(answer.speed_m_per_s, 1)),
+        say!(noise_at_speed, title, speed = shown_speed(answer.speed_m_per_s, 1)),
         say!(noise_heard_at, distance = number(answer.distance_m), height = number(answer.height_m)),
     ]
 }
@@ -75,7 +75,7 @@ fn bands(answer: &NoiseAnswer) -> Table {
 fn level_head(answer: &NoiseAnswer) -> Message {
     let level = say!(decibels_a_weighted);
     match answer.lower_bound_up_to_hz {
-        Some(hertz) => say!(level_at_least, level = level, hertz = number(hertz)),
+        Some(hertz) => say!(level_at_least, level, hertz = number(hertz)),
         None => level,
     }
 }

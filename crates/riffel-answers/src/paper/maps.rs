@@ -52,13 +52,7 @@ fn maps(
         if caption.is_empty() {
             let parameters = parameters_in(&case, language);
             caption = language.numbers(
-                &say!(
-                    parameters_of,
-                    letter = letter,
-                    parameters = parameters,
-                    sign = say!(sign_of_growth).text(language)
-                )
-                .text(language),
+                &say!(parameters_of, letter, parameters, sign = say!(sign_of_growth).text(language)).text(language),
             );
         }
         points.extend(points_of(&case, ratio, &map));

@@ -59,7 +59,7 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
         language,
         LineFigure::new(
             model.title(&title, language),
-            say!(caption_of_figure_2, speed = SPEED, solid = solid, dashed = dashed).text(language),
+            say!(caption_of_figure_2, speed = SPEED, solid, dashed).text(language),
             [
                 panel(language, &say!(modulus).text(language), "|H| [m/N]", Scale::Log, curves(|h| h.norm())),
                 panel(
@@ -86,7 +86,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
         language,
         LineFigure::new(
             model.title(&title, language),
-            say!(caption_of_figure_3, speed = SPEED, parameters = parameters).text(language),
+            say!(caption_of_figure_3, speed = SPEED, parameters).text(language),
             [
                 LinePanel {
                     y_range: Some((1e-2, 1e1)),

@@ -116,8 +116,8 @@ pub(super) fn introduction(answer: &PointAnswer) -> Vec<Message> {
         say!(
             contact_at_point,
             ratio = fixed(case.steady.tractive_ratio(), 3),
-            creepage = creepage,
-            full_slip = full_slip,
+            creepage,
+            full_slip,
             length = fixed(2e3 * case.hertz.semi_axis_longitudinal(), 2),
             width = fixed(2e3 * case.hertz.semi_axis_lateral(), 2)
         ),
@@ -214,11 +214,11 @@ fn verdict(answer: &PointAnswer) -> Message {
     if answer.oscillates() {
         say!(loop_oscillates_by_itself)
     } else if rate > 0.0 {
-        say!(doubles_in_passages, passages = passages)
+        say!(doubles_in_passages, passages)
     } else if rate == 0.0 {
         say!(neither_grows_nor_decays)
     } else {
-        say!(halves_in_passages, passages = passages)
+        say!(halves_in_passages, passages)
     }
 }
 

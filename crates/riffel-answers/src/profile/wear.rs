@@ -134,7 +134,7 @@ impl Measures {
         let count = silent.len();
         (count > 0).then(|| {
             let measures = Value::List(silent);
-            say!(measures_not_measured, name = name, measures = measures, count = count)
+            say!(measures_not_measured, name, measures, count)
         })
     }
 
@@ -254,9 +254,9 @@ impl WearAnswer {
     fn title(&self) -> Message {
         let nominal = &self.nominal_name;
         match self.alignment {
-            ProfileAlignment::AsWritten => say!(wear_as_written, nominal = nominal),
-            ProfileAlignment::Flange => say!(wear_laid_by_flange, nominal = nominal),
-            ProfileAlignment::FieldSide => say!(wear_laid_by_field_side, nominal = nominal),
+            ProfileAlignment::AsWritten => say!(wear_as_written, nominal),
+            ProfileAlignment::Flange => say!(wear_laid_by_flange, nominal),
+            ProfileAlignment::FieldSide => say!(wear_laid_by_field_side, nominal),
         }
     }
 
@@ -355,5 +355,5 @@ fn of_misfit(name: &str, wear: &ProfileWear) -> Option<Message> {
     const WORTH_A_REMARK: f64 = 1e-4;
     let misfit = wear.misfit.filter(|misfit| *misfit > WORTH_A_REMARK)?;
     let millimetres = 1e3 * misfit;
-    Some(say!(rail_worn_on_field_side, name = name, millimetres = fixed(millimetres, 2)))
+    Some(say!(rail_worn_on_field_side, name, millimetres = fixed(millimetres, 2)))
 }

@@ -139,7 +139,7 @@ impl CaseSource {
             Err(CaseError::Changed { message, .. }) => Err(AnswerError::Option { option, message }),
             Ok(case) if case.track.support_spacing().is_none() => {
                 let model = case.file.track.model.name();
-                Err(AnswerError::Option { option, message: say!(track_is_the_same_everywhere, model = model) })
+                Err(AnswerError::Option { option, message: say!(track_is_the_same_everywhere, model) })
             }
             case => Ok(Arc::new(case?)),
         }

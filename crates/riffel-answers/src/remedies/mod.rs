@@ -108,7 +108,7 @@ impl RemediesAnswer {
             let after = |fastest: FastestGrowth| fastest.growth_rate_per_passage;
             let change = growth.fastest.map_or(0.0, after) / before.growth_rate_per_passage - 1.0;
             if change == 0.0 {
-                let reason = say!(remedy_has_no_effect, key = key);
+                let reason = say!(remedy_has_no_effect, key);
                 answer.left_out.push(LeftOut { title, reason });
                 continue;
             }
@@ -190,10 +190,10 @@ impl RemediesAnswer {
         let percent = fixed(-100.0 * best.change_of_fastest_growth, 0);
         Some(match best.fastest {
             Some(fastest) if fastest.faster_than_known => {
-                say!(helps_most_in_order, title = title, percent = percent)
+                say!(helps_most_in_order, title, percent)
             }
-            Some(fastest) => say!(helps_most, title = title, percent = percent, time = fastest.time()),
-            None => say!(helps_most_of_all, title = title),
+            Some(fastest) => say!(helps_most, title, percent, time = fastest.time()),
+            None => say!(helps_most_of_all, title),
         })
     }
 }

@@ -99,7 +99,7 @@ impl Working<'_> {
                 let before = Before::of_table(&survey);
                 let answer = SpectraAnswer::new(&survey, limits, by)?;
                 let understood = match (answer.count(), &asked.choose[..]) {
-                    (count, []) => say!(one_third_octave_spectra, count = count),
+                    (count, []) => say!(one_third_octave_spectra, count),
                     (count, choose) => say!(chosen_spectra, count = number(count), choices = choose.join(", ")),
                 };
                 let (survey, date) = survey.latest();

@@ -33,7 +33,7 @@ pub(super) fn heard(case: &Case, answer: &NoiseAnswer, language: Language) -> Re
         say!(part_and_level, part = name_of(part), level = decibels(level))
     });
     let parts: Value = parts.into_iter().collect();
-    let parts = sentence(&say!(level_is_of, parts = parts), language);
+    let parts = sentence(&say!(level_is_of, parts), language);
     let mut html = format!("<p>{level} {parts}</p>\n");
     html += &table_of(&answer.measures_table(), language);
     let course = answer.course.as_ref();
@@ -47,14 +47,14 @@ pub(super) fn heard(case: &Case, answer: &NoiseAnswer, language: Language) -> Re
         .filter(|measure| measure.saved_db >= WORTH_SAYING)
         .map(|measure| {
             let saved = fixed(measure.saved_db, 1);
-            say!(measure_saves, title = measure.title.clone(), saved = saved)
+            say!(measure_saves, title = measure.title.clone(), saved)
         })
         .collect();
     let savings = match savings.is_empty() {
         true => String::new(),
         false => {
             let savings: Value = savings.into_iter().collect();
-            format!(" {}", sentence(&say!(each_alone_would_save, savings = savings), language))
+            format!(" {}", sentence(&say!(each_alone_would_save, savings), language))
         }
     };
     let over = answer.over_posterior_in_words();

@@ -55,8 +55,8 @@ pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) 
     let title = title.map_or_else(|| say!(the_traffic), Message::verbatim);
     let amount = report.amount(report.passages);
     let introduction = match &report.ground {
-        Some(ground) => say!(levels_after_grinding, traffic = title, ground = ground.words.clone(), amount = amount),
-        None => say!(levels_under_traffic, traffic = title, amount = amount),
+        Some(ground) => say!(levels_after_grinding, traffic = title, ground = ground.words.clone(), amount),
+        None => say!(levels_under_traffic, traffic = title, amount),
     };
     let mut html = format!("<p>{}</p>\n", sentence(&introduction, language));
     html += &list(findings.iter().map(|finding| said(finding, language)));
@@ -147,7 +147,7 @@ fn best(report: &CompareAnswer) -> Vec<Message> {
     let mut sentences = vec![lowers];
     if !idle.is_empty() {
         let titles: Value = idle.into_iter().collect();
-        sentences.push(say!(without_any_effect, titles = titles));
+        sentences.push(say!(without_any_effect, titles));
     }
     sentences
 }
@@ -159,8 +159,8 @@ fn months(report: &CompareAnswer) -> Option<Message> {
     if base.reach()? == Reach::After(0.0) {
         let rail = base.leading().and_then(|rail| report.rail(rail));
         return Some(match rail {
-            Some(rail) => say!(limit_is_passed_on, edition = edition, rail = rail),
-            None => say!(limit_is_passed, edition = edition),
+            Some(rail) => say!(limit_is_passed_on, edition, rail),
+            None => say!(limit_is_passed, edition),
         });
     }
     let when = |outcome: &Outcome| {
@@ -180,15 +180,15 @@ fn months(report: &CompareAnswer) -> Option<Message> {
         };
         let rail = outcome.leading().and_then(|rail| report.rail(rail));
         Some(match rail {
-            Some(rail) => say!(on_rail, sentence = time, rail = rail),
+            Some(rail) => say!(on_rail, sentence = time, rail),
             None => time,
         })
     };
     let times = report.comparison.outcomes.iter().filter_map(when);
     let times = times.reduce(Message::followed_by)?;
     Some(match &report.ground {
-        Some(ground) => say!(limit_is_reached_from, ground = ground.words.clone(), edition = edition, times = times),
-        None => say!(limit_is_reached, edition = edition, times = times),
+        Some(ground) => say!(limit_is_reached_from, ground = ground.words.clone(), edition, times),
+        None => say!(limit_is_reached, edition, times),
     })
 }
 

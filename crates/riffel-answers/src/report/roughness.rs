@@ -102,10 +102,10 @@ pub(super) fn spectrum_of_means(
     let groups: Value = groups
         .map(|group| {
             let name = Message::verbatim(&group.name);
-            say!(group_of_spectra, name = name, count = number(group.count))
+            say!(group_of_spectra, name, count = number(group.count))
         })
         .collect();
-    let caption = say!(caption_of_group_means, groups = groups);
+    let caption = say!(caption_of_group_means, groups);
     let html = spectrum(drawing, caption, limits, language)?;
     let findings = means.findings.iter().map(|finding| said(finding, language));
     let html = html + &verdicts(means.verdicts.iter(), language) + &list(findings);

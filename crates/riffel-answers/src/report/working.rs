@@ -266,7 +266,7 @@ impl<'a> Working<'a> {
             let title = case.file.title.as_deref().map_or_else(|| say!(a_case), Message::verbatim);
             let words = match source.overrides() {
                 [] => title,
-                overrides => say!(input_with, title = title, values = overrides.join(", ")),
+                overrides => say!(input_with, title, values = overrides.join(", ")),
             };
             add(say!(input_case), source.name(), words)?;
             if let Some(file) = source.measurement(case) {

@@ -123,7 +123,7 @@ impl BranchDocument {
             frequency = fixed(self.frequency_hz, 0),
             mechanism = or_nothing(mechanism),
             speeds = shown_speeds(self.speed_m_per_s),
-            wavelengths = wavelengths,
+            wavelengths,
             edge = or_nothing(edge)
         )
     }
@@ -140,17 +140,17 @@ impl BranchDocument {
                 .map(|wavelength| format!("{:.0}", 1e3 * wavelength))
                 .collect();
             let ends = ends.into_iter().map(Value::from);
-            let ends = ends.reduce(|one, other| say!(both, one = one, other = other).into());
+            let ends = ends.reduce(|one, other| say!(both, one, other).into());
             return say!(no_crest, ends = ends.unwrap_or("".into()));
         }
         let words = strongest.in_words();
         if weaker.is_empty() {
-            return say!(one_branch, words = words);
+            return say!(one_branch, words);
         }
         let highest = strongest.highest_growth_rate_per_passage;
         let named = weaker.iter().take(NAMED).map(|branch| {
             let share = share(branch.highest_growth_rate_per_passage / highest);
-            say!(branch_with_share, words = branch.in_words(), share = share)
+            say!(branch_with_share, words = branch.in_words(), share)
         });
         let more = weaker.len().checked_sub(NAMED + 1);
         let more = more.map(|more| say!(more_branches, count = more + 1));
@@ -158,7 +158,7 @@ impl BranchDocument {
         let named = named.reduce(Message::followed_by);
         say!(
             strongest_branch,
-            words = words,
+            words,
             noun = say!(weaker_branches, count = weaker.len()),
             named = named.map_or("".into(), Value::from)
         )

@@ -210,8 +210,8 @@ impl ProfileAnswer {
         let over = worst.verdicts.iter().filter(|one| !one.within).count();
         let (count, all) = (number(over), number(worst.verdicts.len()));
         Some(match over {
-            0 => say!(worst_within, rail = rail),
-            _ => say!(worst_over, rail = rail, count = count, all = all),
+            0 => say!(worst_within, rail),
+            _ => say!(worst_over, rail, count, all),
         })
     }
 
@@ -345,12 +345,12 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
             let (length, step) = (number(4.0 * band.to()), fixed(1e3 * spacing, 3));
             let band = name(band);
             remarks.push(match resolves {
-                true => say!(stretches_too_short_for_band, band = band, length = length),
-                false => say!(samples_too_far_for_band, band = band, step = step),
+                true => say!(stretches_too_short_for_band, band, length),
+                false => say!(samples_too_far_for_band, band, step),
             });
         } else if let Some(window) = settings.window.filter(|window| *window < band.to()) {
             let (window, band) = (number(window), name(band));
-            remarks.push(say!(window_shorter_than_wave, window = window, band = band));
+            remarks.push(say!(window_shorter_than_wave, window, band));
         }
     }
     let unlike = |band: &&BandSummary| {
@@ -358,7 +358,7 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
     };
     if let Some(band) = bands.iter().find(unlike) {
         let rms = number(format_args!("{:.3e}", 1e6 * band.rms));
-        remarks.push(say!(rms_unlike_any_rail, rms = rms));
+        remarks.push(say!(rms_unlike_any_rail, rms));
     }
     remarks
 }

@@ -170,9 +170,9 @@ impl Answer for SpectraAnswer {
         let spectra = say!(one_third_octave_spectra, count = self.count());
         let read = match &self.dates {
             Some(column) => {
-                say!(read_as_spectra_of_dates, spectra = spectra, dates = number(self.groups.len()), column = column)
+                say!(read_as_spectra_of_dates, spectra, dates = number(self.groups.len()), column)
             }
-            None => say!(read_as_spectra, spectra = spectra),
+            None => say!(read_as_spectra, spectra),
         };
         vec![Message::verbatim(&self.file), read, say!(means_of_spectra)]
     }
@@ -229,7 +229,7 @@ fn verdicts(group: &str, survey: &Survey, limits: &[LimitTable]) -> Vec<Verdict>
             let subject = match (several, group) {
                 (false, group) => group.map(Message::verbatim),
                 (true, None) => Some(rail_in_words(&rail)),
-                (true, Some(group)) => Some(say!(group_and_rail, group = group, rail = rail_in_words(&rail))),
+                (true, Some(group)) => Some(say!(group_and_rail, group, rail = rail_in_words(&rail))),
             };
             let verdicts = Verdict::all(limits, &spectra.mean(), None).into_iter();
             let verdicts = verdicts.map(|verdict| verdict.of(subject.as_ref()));
@@ -272,11 +272,11 @@ fn findings(groups: &[MeanSpectra]) -> Vec<Message> {
             let wavelength = number(band.nominal_millimetres());
             (levels.len() == groups.len()).then(|| {
                 if all(|pair| pair[1] < pair[0]) {
-                    say!(peak_falls, wavelength = wavelength, levels = list)
+                    say!(peak_falls, wavelength, levels = list)
                 } else if all(|pair| pair[1] > pair[0]) {
-                    say!(peak_rises, wavelength = wavelength, levels = list)
+                    say!(peak_rises, wavelength, levels = list)
                 } else {
-                    say!(peak_stays, wavelength = wavelength, levels = list)
+                    say!(peak_stays, wavelength, levels = list)
                 }
             })
         })

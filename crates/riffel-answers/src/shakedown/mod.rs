@@ -173,7 +173,7 @@ impl ShakedownLimits {
                 AnswerError::argument(
                     "--amplitude",
                     format!("{} mm", 1e3 * amplitude),
-                    say!(below_r_at_the_wavelength_of, wavelength = wavelength).to_string(),
+                    say!(below_r_at_the_wavelength_of, wavelength).to_string(),
                 )
             })?;
             Ok::<_, AnswerError>((amplitude, points))

@@ -33,6 +33,6 @@ impl Extremes {
     /// The same as a sentence.
     pub(super) fn sentence(self) -> Message {
         let (least, largest, contact) = self.words();
-        say!(normal_force_between, least = least, largest = largest, contact = contact)
+        say!(normal_force_between, least, largest, contact)
     }
 }

@@ -162,8 +162,8 @@ impl SmoothRailAnswer {
     fn outcome(&self) -> Message {
         let frequency = self.frequency_hz.map(|frequency| fixed(frequency, 1));
         match (self.outcome, frequency) {
-            (Outcome::LimitCycle, Some(frequency)) => say!(limit_cycle_of, frequency = frequency),
-            (_, Some(frequency)) => say!(no_settled_period, frequency = frequency),
+            (Outcome::LimitCycle, Some(frequency)) => say!(limit_cycle_of, frequency),
+            (_, Some(frequency)) => say!(no_settled_period, frequency),
             (Outcome::RunsAway, None) => say!(wheels_slide_off),
             (_, None) => say!(push_dies_out),
         }
@@ -176,9 +176,9 @@ impl SmoothRailAnswer {
             (Some(0), _) => say!(linear_loop_stable),
             (Some(_), Some(frequency)) => match self.linear_growth_rate_per_s {
                 Some(growth) => {
-                    say!(linear_loop_grows, frequency = frequency, seconds = fixed(growth.recip(), 3))
+                    say!(linear_loop_grows, frequency, seconds = fixed(growth.recip(), 3))
                 }
-                None => say!(linear_loop_unstable_near, frequency = frequency),
+                None => say!(linear_loop_unstable_near, frequency),
             },
             (Some(_), None) => say!(linear_loop_unstable),
             (None, _) => say!(linear_loop_not_judged),
@@ -190,7 +190,7 @@ impl SmoothRailAnswer {
         let range = |head, scale: f64, digits: usize, of: fn(&ContactSwings) -> [f64; 2]| {
             self.contacts.shown(head, |contact| {
                 let [least, most] = of(contact).map(|end| fixed(scale * end, digits));
-                say!(from_one_to_another, least = least, most = most)
+                say!(from_one_to_another, least, most)
             })
         };
         Table {

@@ -286,10 +286,10 @@ impl Answer for WheelsAnswer {
     fn sentences(&self) -> Vec<Message> {
         let under = self.under.clone();
         let fastest = match self.fastest() {
-            None => say!(under_no_wheel, under = under),
+            None => say!(under_no_wheel, under),
             Some((wheel, highest)) => say!(
                 fastest_at_wheel,
-                under = under,
+                under,
                 wheel = wheel.name.as_str(),
                 rate = format!("{:.2e}", highest.rate),
                 wavelength = fixed(1e3 * highest.wavelength, 0),
@@ -299,7 +299,7 @@ impl Answer for WheelsAnswer {
         let wheels = self.wheels.iter();
         let left_out = wheels.filter_map(|wheel| {
             let reason = wheel.not_in_loop.clone()?;
-            Some(say!(wheel_not_in_loop, wheel = wheel.name.as_str(), reason = reason))
+            Some(say!(wheel_not_in_loop, wheel = wheel.name.as_str(), reason))
         });
         [fastest].into_iter().chain(left_out).collect()
     }

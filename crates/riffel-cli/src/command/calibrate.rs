@@ -61,7 +61,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
             Progress::Drawn(draws) => progress.advance(draws as usize),
             Progress::GoesOn { draws } => {
                 progress.lengthen(chains * (sampler.left_out() + draws));
-                say(riffel_keys::say!(chains_go_on, draws = draws));
+                say(riffel_keys::say!(chains_go_on, draws));
             }
         };
         folder.run(&tell, &stop)
@@ -79,7 +79,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
             let to = (&*path, question.restart);
             let of_each = |folder: &Folder<'_>, title: &str| {
                 if !title.is_empty() {
-                    say(riffel_keys::say!(chains_of_model, title = title));
+                    say(riffel_keys::say!(chains_of_model, title));
                 }
                 sample(folder, title)
             };

@@ -70,8 +70,8 @@ impl Counted {
         let (count, first) = (self.count, counting.at(self.first));
         match count {
             0 => None,
-            1 => Some(say!(found_once, what = what, at = first)),
-            _ => Some(say!(found_often, what = what, count = count, at = first)),
+            1 => Some(say!(found_once, what, at = first)),
+            _ => Some(say!(found_often, what, count, at = first)),
         }
     }
 }
@@ -128,7 +128,7 @@ impl<'a> Listener<'a> {
                     return Ok(std::mem::take(&mut self.is_there));
                 }
                 Tick::Back => {
-                    let falls = say!(time_falls, before = before, time = time);
+                    let falls = say!(time_falls, before, time);
                     return self.refuse(row.number, falls);
                 }
             }
@@ -207,7 +207,7 @@ impl<'a> Listener<'a> {
         }
         let before = self.odometer.unwrap_or(odometer);
         if odometer < before - ROUNDING {
-            let falls = say!(odometer_falls, before = before, odometer = odometer);
+            let falls = say!(odometer_falls, before, odometer);
             return self.refuse(number, falls);
         }
         // It may be read once a second.

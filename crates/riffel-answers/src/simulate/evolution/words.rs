@@ -71,12 +71,12 @@ pub(super) fn sentences(answer: &EvolutionAnswer) -> Vec<Message> {
             level if level > NOTHING => say!(so_many_decibels, level = fixed(level, 1)),
             _ => say!(no_level_yet),
         });
-        say!(waves_between_supports, first = first, last = last)
+        say!(waves_between_supports, first, last)
     });
     let lifts = answer.first_contact_loss_passages;
     let lifts = lifts.map(|passages| say!(wheel_leaves_rail_from, passages = number(three_digits(passages as f64))));
     let depth = number(three_digits(1e6 * answer.mean_depth_m));
-    let worn = say!(worn_off_everywhere, depth = depth);
+    let worn = say!(worn_off_everywhere, depth);
     supports.into_iter().chain([saturated(&answer.bands)]).chain(lifts).chain(forces(answer)).chain([worn]).collect()
 }
 
@@ -87,7 +87,7 @@ fn forces(answer: &EvolutionAnswer) -> Option<Message> {
     let mut each = forces.zip(&stages.contact_loss_fraction).rev();
     let last = each.find_map(|((least, largest), loss)| Some(Extremes::new([(*least)?, (*largest)?], (*loss)?)));
     let (least, largest, contact) = last?.words();
-    Some(say!(last_normal_force, least = least, largest = largest, contact = contact))
+    Some(say!(last_normal_force, least, largest, contact))
 }
 
 /// The bands that have stopped growing.
@@ -95,7 +95,7 @@ fn saturated(bands: &[Band]) -> Message {
     let saturated = bands.iter().filter_map(|band| {
         let level = band.saturation_level_db?;
         let wavelength = number(decimal(1e3 * band.wavelength_m, 1));
-        Some(say!(wavelength_at_level, wavelength = wavelength, level = fixed(level, 1)))
+        Some(say!(wavelength_at_level, wavelength, level = fixed(level, 1)))
     });
     let saturated: Vec<Message> = saturated.collect();
     match saturated.is_empty() {
