@@ -4,7 +4,7 @@ use riffel::profile::{EquivalentConicity, ProfileContact, WheelsetContact};
 use riffel_case::CurvingCase;
 use riffel_keys::{Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::answer::titled;
 use crate::number_alone;
@@ -23,15 +23,11 @@ pub struct OnTrackAnswer {
     yaw: Vec<f64>,
     roll: Vec<f64>,
     centre_z: Vec<f64>,
-    #[serde(flatten)]
-    right: Right,
-    #[serde(flatten)]
-    left: Left,
+    #[serde(flatten, serialize_with = "by_rail")]
+    contacts: Vec<WheelsetContact>,
     rolling_radius_difference: Vec<f64>,
     /// Without yaw, by amplitude.
     equivalent_conicity: Conicities,
-    #[serde(skip)]
-    contacts: Vec<WheelsetContact>,
     #[serde(skip)]
     conicities: Vec<ConicityAtAmplitude>,
     #[serde(skip)]
@@ -79,55 +75,35 @@ impl Rules {
     }
 }
 
-macro_rules! side {
-    ($name:ident, $index:literal: $($field:ident = $value:expr, $column:literal, $factor:literal;)+) => {
-        #[derive(Serialize)]
-        struct $name {
-            $($field: Vec<Option<f64>>),+
-        }
+/// A quantity of a contact: its name, its unit in a table with the factor from SI, and its value.
+type Quantity = (&'static str, &'static str, f64, fn(&ProfileContact) -> Option<f64>);
 
-        impl $name {
-            /// Names of the columns, with the factor from SI to their unit.
-            const COLUMNS: &[(&str, f64)] = &[$(($column, $factor)),+];
+/// What is told of the contact on each rail.
+const QUANTITIES: [Quantity; 10] = [
+    ("rolling_radius", "mm", 1e3, |on| Some(on.rolling_radius)),
+    ("contact_angle", "rad", 1.0, |on| Some(on.contact_angle)),
+    ("y_wheel", "mm", 1e3, |on| Some(on.x_wheel)),
+    ("y_track", "mm", 1e3, |on| Some(on.on_track[1])),
+    ("z_track", "mm", 1e3, |on| Some(on.on_track[2])),
+    ("x_track", "mm", 1e3, |on| Some(on.on_track[0])),
+    ("rail_curvature", "1_per_mm", 1e-3, |on| Some(on.rail_curvature)),
+    ("wheel_curvature", "1_per_mm", 1e-3, |on| Some(on.wheel_curvature)),
+    ("second_gap", "mm", 1e3, |on| on.second.map(|second| second.0)),
+    ("second_y_wheel", "mm", 1e3, |on| on.second.map(|second| second.1)),
+];
 
-            fn new(contacts: &[WheelsetContact]) -> Self {
-                let of = |value: fn(&ProfileContact) -> Option<f64>| {
-                    contacts.iter().map(|contact| value(&contact.contacts[$index])).collect()
-                };
-                Self { $($field: of($value)),+ }
-            }
-
-            fn columns(&self) -> Vec<&[Option<f64>]> {
-                vec![$(&self.$field),+]
-            }
-        }
-    };
+/// Quantities of both contacts over the lateral shift, the right one first: name with the rail, unit, factor, values.
+fn on_both_rails(contacts: &[WheelsetContact]) -> impl Iterator<Item = (String, &'static str, f64, Vec<Option<f64>>)> {
+    [("right", 1), ("left", 0)].into_iter().flat_map(move |(rail, index)| {
+        QUANTITIES.iter().map(move |(name, unit, factor, of)| {
+            let values = contacts.iter().map(|contact| of(&contact.contacts[index]));
+            (format!("{rail}_{name}"), *unit, *factor, values.collect())
+        })
+    })
 }
 
-side! { Right, 1:
-    right_rolling_radius = |on| Some(on.rolling_radius), "right_rolling_radius_mm", 1e3;
-    right_contact_angle = |on| Some(on.contact_angle), "right_contact_angle_rad", 1.0;
-    right_y_wheel = |on| Some(on.x_wheel), "right_y_wheel_mm", 1e3;
-    right_y_track = |on| Some(on.on_track[1]), "right_y_track_mm", 1e3;
-    right_z_track = |on| Some(on.on_track[2]), "right_z_track_mm", 1e3;
-    right_x_track = |on| Some(on.on_track[0]), "right_x_track_mm", 1e3;
-    right_rail_curvature = |on| Some(on.rail_curvature), "right_rail_curvature_1_per_mm", 1e-3;
-    right_wheel_curvature = |on| Some(on.wheel_curvature), "right_wheel_curvature_1_per_mm", 1e-3;
-    right_second_gap = |on| on.second.map(|second| second.0), "right_second_gap_mm", 1e3;
-    right_second_y_wheel = |on| on.second.map(|second| second.1), "right_second_y_wheel_mm", 1e3;
-}
-
-side! { Left, 0:
-    left_rolling_radius = |on| Some(on.rolling_radius), "left_rolling_radius_mm", 1e3;
-    left_contact_angle = |on| Some(on.contact_angle), "left_contact_angle_rad", 1.0;
-    left_y_wheel = |on| Some(on.x_wheel), "left_y_wheel_mm", 1e3;
-    left_y_track = |on| Some(on.on_track[1]), "left_y_track_mm", 1e3;
-    left_z_track = |on| Some(on.on_track[2]), "left_z_track_mm", 1e3;
-    left_x_track = |on| Some(on.on_track[0]), "left_x_track_mm", 1e3;
-    left_rail_curvature = |on| Some(on.rail_curvature), "left_rail_curvature_1_per_mm", 1e-3;
-    left_wheel_curvature = |on| Some(on.wheel_curvature), "left_wheel_curvature_1_per_mm", 1e-3;
-    left_second_gap = |on| on.second.map(|second| second.0), "left_second_gap_mm", 1e3;
-    left_second_y_wheel = |on| on.second.map(|second| second.1), "left_second_y_wheel_mm", 1e3;
+fn by_rail<S: Serializer>(contacts: &[WheelsetContact], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(on_both_rails(contacts).map(|(name, .., values)| (name, values)))
 }
 
 /// The results without errors around that in the middle; that one alone where it is an error.
@@ -182,8 +158,6 @@ impl OnTrackAnswer {
             yaw: of(|contact| contact.yaw),
             roll: of(|contact| contact.roll),
             centre_z: of(|contact| contact.centre_z),
-            right: Right::new(&contacts),
-            left: Left::new(&contacts),
             rolling_radius_difference: of(WheelsetContact::rolling_radius_difference),
             equivalent_conicity: Conicities {
                 amplitude_m: conicities.iter().map(|one| one.amplitude).collect(),
@@ -200,9 +174,9 @@ impl OnTrackAnswer {
     /// One row for each lateral shift, in mm and rad.
     fn over_shift(&self) -> Table {
         let column = |name: &str, values: &[f64], factor: f64| values.exact(name, |value| factor * value);
-        let sides = Right::COLUMNS.iter().zip(self.right.columns());
-        let sides = sides.chain(Left::COLUMNS.iter().zip(self.left.columns()));
-        let sides = sides.map(|((name, factor), values)| values.exact(name, |value| Some(factor * (*value)?)));
+        let sides = on_both_rails(&self.contacts).map(|(name, unit, factor, values)| {
+            values.exact(&format!("{name}_{unit}"), |value| Some(factor * (*value)?))
+        });
         let before = [
             column("lateral_shift_mm", &self.lateral_shift, 1e3),
             column("yaw_rad", &self.yaw, 1.0),
@@ -272,12 +246,17 @@ impl Answer for OnTrackAnswer {
             ]
         };
         let difference = series("", LineStyle::Solid, &|contact| 1e3 * contact.rolling_radius_difference());
-        LineFigure::new("Wheelset on its track", "Rigid contact at two points, one on each rail; places on the wheel from its datum circle, the flange at the \
-                      negative side.", [
+        LineFigure::new(
+            "Wheelset on its track",
+            "Rigid contact at two points, one on each rail; places \
+                      on the wheel from its datum circle, the flange at the negative side.",
+            [
                 panel("Δr, right less left [mm]", vec![difference]),
                 panel("place on the wheel [mm]", both(|contact| 1e3 * contact.x_wheel)),
                 panel("contact angle [deg]", both(|contact| contact.contact_angle.to_degrees())),
-            ]).arranged(Arrangement::Stacked)
+            ],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {
