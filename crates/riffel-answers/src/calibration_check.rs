@@ -149,8 +149,8 @@ impl Answer for CalibrationCheck {
         LineFigure::new(
             self.title.clone().unwrap_or_else(|| "Check".to_owned()),
             format!(
-                "Share of {} simulations in which at most so many draws lie below the truth, less that of even ranks; dashed, what one \
-                 value in a thousand exceeds (Kolmogorov).",
+                "Share of {} simulations in which at most so many draws lie below the truth, less that \
+                 of even ranks; dashed, what one value in a thousand exceeds (Kolmogorov).",
                 self.simulated.runs
             ),
             [LinePanel {

@@ -214,8 +214,9 @@ impl Answer for DecideAnswer {
         LineFigure::new(
             self.title.clone().unwrap_or_else(|| "Decision".to_owned()),
             format!(
-                "{} draws of the posterior, 5 to 95 %. Months from grinding until the first band has risen by {} dB; costs of a year. The line marks the \
-                 least mean cost. Knowing everything is worth {:.0} {} a year.",
+                "{} draws of the posterior, 5 to 95 %. Months from grinding until the first band has \
+                 risen by {} dB; costs of a year. The line marks the least mean cost. Knowing \
+                  everything is worth {:.0} {} a year.",
                 decision.draws, decision.rise_db, decision.evpi_per_year, decision.currency
             ),
             [

@@ -40,8 +40,8 @@ pub(super) fn growth(answer: &ModelsAnswer) -> LineFigure {
     LineFigure::new(
         title(answer),
         format!(
-            "Growth {} by the models of the field, positive where corrugation grows; marks: fastest wavelengths. \
-             The case: {}",
+            "Growth {} by the models of the field, positive where corrugation grows; marks: fastest \
+             wavelengths. The case: {}",
             answer.passing,
             parameters(&answer.case)
         ),
@@ -79,17 +79,30 @@ pub(super) fn complex_plane(answer: &ModelsAnswer) -> Option<LineFigure> {
         series.push(line(&values[..1], "", LineStyle::Markers));
     }
     let (lowest, highest) = (plane.frequency_hz.first()?, plane.frequency_hz.last()?);
-    Some(LineFigure::new(title(answer), format!(
-            "Wear in the complex plane as {} draws it, at {:.1} km/h from {lowest:.0} Hz (marks) to {highest:.0} Hz: a wave \
-             grows in the left half-plane, shaded, and travels by the imaginary part. The case: {}",
-            model.title,
-            3.6 * answer.speed_m_per_s,
-            parameters(&answer.case)
-        ), [LinePanel { x_range: Some((-re, re)), y_range: Some((-im, im)), areas: vec![Area {
-                label: "growth".to_owned(),
-                x: vec![-re, 0.0],
-                low: vec![-im; 2],
-                high: vec![im; 2],
-                color: GROWTH,
-            }], ..LinePanel::new("Re e₁/Δ [J/m per µm]", "Im e₁/Δ [J/m per µm]", series) }]).arranged(Arrangement::Stacked))
+    Some(
+        LineFigure::new(
+            title(answer),
+            format!(
+                "Wear in the complex plane as {} draws it, at {:.1} km/h from {lowest:.0} Hz (marks) to \
+             {highest:.0} Hz: a wave grows in the left half-plane, shaded, and travels by the \
+              imaginary part. The case: {}",
+                model.title,
+                3.6 * answer.speed_m_per_s,
+                parameters(&answer.case)
+            ),
+            [LinePanel {
+                x_range: Some((-re, re)),
+                y_range: Some((-im, im)),
+                areas: vec![Area {
+                    label: "growth".to_owned(),
+                    x: vec![-re, 0.0],
+                    low: vec![-im; 2],
+                    high: vec![im; 2],
+                    color: GROWTH,
+                }],
+                ..LinePanel::new("Re e₁/Δ [J/m per µm]", "Im e₁/Δ [J/m per µm]", series)
+            }],
+        )
+        .arranged(Arrangement::Stacked),
+    )
 }

@@ -222,8 +222,9 @@ impl Answer for UnderLoadAnswer {
         };
         LineFigure::new(
             self.title().to_string(),
-            "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y along its arc), the fast patch \
-                      of Kik and Piotrowski, and Hertz with the curvatures where the profiles first touch; y across, to the right.",
+            "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y \
+                      along its arc), the fast patch of Kik and Piotrowski, and Hertz with the \
+                       curvatures where the profiles first touch; y across, to the right.",
             panels,
         )
     }

@@ -9,20 +9,22 @@ const TOP: f64 = 7.0;
 
 pub(super) fn figure(answer: &ShakedownAnswer) -> LineFigure {
     let panels = std::iter::once(map(answer)).chain(along_wave(answer));
-    LineFigure::new("Shakedown of the rail", format!(
-            "Largest contact pressure over the shear yield of {:.0} MPa, and the limits of repeated loading over the friction that is \
-             used, a/b = {:.2}. Elastic: first yield by von Mises in full slip. Line: shakedown of line contact. Surface: 1/f. Below: \
-             of the ellipse without friction, an upper bound.{}",
-            1e-6 * answer.shear_yield_pa,
-            answer.a_over_b,
-            match answer.amplitude_m {
-                Some(amplitude) => format!(
-                    " The orbit is that of the operating point over a wave of the amplitude {:.1} µm, from the crest through the trough.",
-                    1e6 * amplitude
-                ),
-                None => String::new(),
-            }
-        ), panels).arranged(Arrangement::Stacked)
+    let caption = format!(
+        "Largest contact pressure over the shear yield of {:.0} MPa, and the limits of repeated \
+             loading over the friction that is used, a/b = {:.2}. Elastic: first yield by von Mises in full \
+             slip. Line: shakedown of line contact. Surface: 1/f. Below: of the ellipse without friction, an upper bound.{}",
+        1e-6 * answer.shear_yield_pa,
+        answer.a_over_b,
+        match answer.amplitude_m {
+            Some(amplitude) => format!(
+                " The orbit is that of the operating point over a wave of the amplitude {:.1} \
+                     µm, from the crest through the trough.",
+                1e6 * amplitude
+            ),
+            None => String::new(),
+        }
+    );
+    LineFigure::new("Shakedown of the rail", caption, panels).arranged(Arrangement::Stacked)
 }
 
 fn map(answer: &ShakedownAnswer) -> LinePanel {

@@ -43,14 +43,15 @@ pub(super) fn drawn(
     }
     let longest = kept.levels().last().map_or(0.0, |level| level.band.wavelength());
     kept.drawn(length, step, seed).map_err(|error| match error {
-        riffel::Error::OutOfRange {
-            quantity: "length of the profile",
-            ..
-        } => AnswerError::argument("--length", format!("{length} m"), format!(
-                "at least {:.1} m, thirteen of the longest waves of the spectrum, {longest:.3} m, so that every band has \
-                 three waves",
+        riffel::Error::OutOfRange { quantity: "length of the profile", .. } => AnswerError::argument(
+            "--length",
+            format!("{length} m"),
+            format!(
+                "at least {:.1} m, thirteen of the longest waves of the spectrum, {longest:.3} m, so that every \
+                 band has three waves",
                 13.0 * longest
-            )),
+            ),
+        ),
         error => of("--spectrum", error),
     })
 }

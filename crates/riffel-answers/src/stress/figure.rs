@@ -25,8 +25,9 @@ pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
     LineFigure::new(
         "Stress under the contact",
         format!(
-            "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction {:.2}, a/b = {:.2}. Sections through the \
-             middle and the surface of the patch with lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.{}",
+            "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction \
+             {:.2}, a/b = {:.2}. Sections through the middle and the surface of the patch with \
+              lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.{}",
             1e-6 * answer.peak_pressure_pa,
             answer.friction,
             answer.semi_axis_longitudinal_m / answer.semi_axis_lateral_m,

@@ -62,8 +62,8 @@ pub(super) fn indices(study: &Study, analyses: &[Analysis]) -> BarFigure {
     BarFigure {
         title: format!("What matters: {}", title(study)),
         caption: format!(
-            "Sobol indices, estimators of Saltelli et al. (2010) and Jansen (1999), {base_samples} base samples; whiskers: \
-             bootstrap intervals."
+            "Sobol indices, estimators of Saltelli et al. (2010) and Jansen (1999), {base_samples} base \
+             samples; whiskers: bootstrap intervals."
         ),
         panels: panels.collect(),
     }
@@ -129,8 +129,8 @@ pub(super) fn bands(study: &Study, bands: &Bands) -> LineFigure {
     LineFigure::new(
         title(study).to_owned(),
         format!(
-            "{} samples ({}); growth rate per passage in the mean over {} speeds from {:.0} to {:.0} km/h. Corrugation \
-             grows where the rate is positive.",
+            "{} samples ({}); growth rate per passage in the mean over {} speeds from {:.0} to {:.0} \
+             km/h. Corrugation grows where the rate is positive.",
             bands.samples,
             study.plan.file.design.method.name(),
             speeds.len(),

@@ -18,8 +18,8 @@ impl EvolutionAnswer {
         LineFigure::new(
             self.title(),
             format!(
-                "One-third-octave levels, growth of the level and shift of the waves along the rail. The linear loop is taken wave \
-                 by wave from the rail before any wheel. {}",
+                "One-third-octave levels, growth of the level and shift of the waves along the rail. \
+                 The linear loop is taken wave by wave from the rail before any wheel. {}",
                 self.parameters()
             ),
             [self.levels(bands), self.over_passages(bands), growth(bands), drift(bands)],
@@ -33,7 +33,8 @@ impl EvolutionAnswer {
         LineFigure::new(
             self.title(),
             format!(
-                "Part of the rail, with the waves of map.wavelength alone. What is worn off everywhere is left out. {}",
+                "Part of the rail, with the waves of map.wavelength alone. What is worn off \
+                 everywhere is left out. {}",
                 self.parameters()
             ),
             shown.map(|index| {
@@ -60,8 +61,8 @@ impl EvolutionAnswer {
             .filter(|level| level.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &level| (low.min(level), high.max(level)));
         let caption = format!(
-            "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is taken wave by wave from the \
-             rail before any wheel. {}",
+            "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is \
+             taken wave by wave from the rail before any wheel. {}",
             self.parameters()
         );
         let curve = |label: &str, y: Vec<f64>, style, color| Series {
