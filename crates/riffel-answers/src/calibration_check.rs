@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, Files, Question, Source, on_threads};
-use crate::{Answer, AnswerError, Rows, Table, level_limit};
+use crate::{Answer, AnswerError, Result, Rows, Table, level_limit};
 
 /// The limit of forecasts.
 const LIMIT: &str = "iso-3095-2013";
@@ -42,7 +42,7 @@ impl Question for CheckQuestion {
         Exit status: 0 the ranks are even, 1 they are not, 2 bad input, 130 stopped by Ctrl-C.";
     const FILES: Files = Files::Asked;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let plan = Plan::read(&self.plan)?;
         let (_, limit) = level_limit(LIMIT)?;
         let stop = asker.stop();

@@ -10,6 +10,9 @@ use riffel_plot::PlotError;
 use riffel_study::StudyError;
 use thiserror::Error;
 
+/// An answer or a part of it, or why there is none.
+pub type Result<T, E = AnswerError> = std::result::Result<T, E>;
+
 /// Why there is no answer, or no figure or table of it.
 #[derive(Debug, Error, Diagnostic)]
 #[non_exhaustive]

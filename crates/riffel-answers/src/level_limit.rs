@@ -3,14 +3,14 @@
 use riffel::roughness::LevelLimit;
 use riffel_rail::{Limit, LimitTable};
 
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// The limit of levels of a name or a file, with its table.
 ///
 /// # Errors
 /// [`AnswerError::Case`] for a name that is not known or a file at fault, [`AnswerError::Argument`] for a limit of the RMS along the
 /// rail.
-pub fn level_limit(name: &str) -> Result<(LimitTable, LevelLimit), AnswerError> {
+pub fn level_limit(name: &str) -> Result<(LimitTable, LevelLimit)> {
     let table = LimitTable::find(name)?;
     match &table.limit {
         Limit::Levels(limit) => {

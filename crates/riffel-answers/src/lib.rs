@@ -93,7 +93,7 @@ pub use calibration::Calibration;
 pub use calibration_plan::CalibrationPlan;
 pub use capital::sentence;
 pub use cause::Cause;
-pub use error::AnswerError;
+pub use error::{AnswerError, Result};
 pub use expected_growth::ExpectedRates;
 #[cfg(not(target_family = "wasm"))]
 pub use fingerprint::fingerprint;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use netcdf3::{DataSet, FileWriter, InvalidDataSet, Version, WriteError};
 
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// A quantity on some axes of a grid; one with the name of its axis is the coordinate of that.
 pub(crate) struct Variable<'a> {
@@ -44,7 +44,7 @@ impl Grid<'_> {
     ///
     /// # Errors
     /// [`AnswerError::Grid`].
-    pub fn write(&self, path: &Path) -> Result<(), AnswerError> {
+    pub fn write(&self, path: &Path) -> Result<()> {
         let Self { title, axes, variables } = self;
         let wrong = |error: &dyn std::fmt::Debug| AnswerError::Grid(format!("{error:?}"));
         let define = || -> Result<DataSet, InvalidDataSet> {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::question::{Asker, Files, Question};
-use crate::{Answer, AnswerError, Column, Rows, Table, Told};
+use crate::{Answer, Column, Result, Rows, Table, Told};
 
 /// List the presets, or show one with the sources of its values.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -22,7 +22,7 @@ impl Question for PresetsQuestion {
     const EXAMPLE: &'static str = "Example: riffel presets BS113A";
     const FILES: Files = Files::None;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
         let preset = self.name.as_deref().map(preset).transpose()?;
         let document = match preset {
             Some(preset) => preset.document(),

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, CaseSource, Question};
 use crate::stress::contour;
-use crate::{Answer, AnswerError, Column, Rows, Table};
+use crate::{Answer, AnswerError, Column, Result, Rows, Table};
 
 /// Speeds over the range of the map.
 const SPEEDS: usize = 31;
@@ -36,7 +36,7 @@ impl Question for StabilityQuestion {
         Example: riffel stability case.toml --friction 0.1,0.2,0.3,0.4,0.5 --set 'map.speed={min=\"20 km/h\",max=\"80 km/h\"}'\n\n\
         Each friction has the mean state of its own; the speeds are those of map.speed.";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         let friction = match self.friction.is_empty() {
             true => StabilityMap::frictions(),
@@ -100,7 +100,7 @@ impl StabilityMap {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for fewer than two frictions; [`AnswerError::Case`] for one that the case refuses.
-    pub fn new(case: &Case, friction: &[f64], progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, friction: &[f64], progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let mut friction = friction.to_vec();
         friction.sort_by(f64::total_cmp);
         friction.dedup();

@@ -17,7 +17,7 @@ use crate::complex::as_matrices;
 use crate::parameters::parameters;
 use crate::question::{AsWritten, Asker, CaseSource, Question};
 use crate::receptance::ReceptanceCurves;
-use crate::{Answer, AnswerError, Column, ResultFile, Rows, Table, mode_in_words};
+use crate::{Answer, Column, Result, ResultFile, Rows, Table, mode_in_words};
 
 /// Up to which natural frequencies are listed \[Hz\].
 pub(crate) const HIGHEST: f64 = 2000.0;
@@ -46,7 +46,7 @@ impl Question for WheelsetQuestion {
     const NAME: &'static str = "wheelset";
     const EXAMPLE: &'static str = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         let frequencies = match &self.frequencies[..] {
             [] => {

@@ -22,7 +22,7 @@ pub use question::AxleBoxQuestion;
 pub use wheels::{WheelMark, WheelMarkKind};
 
 use crate::roughness::{GroundSection, Judged, RailAnswer, Verdict, tables, worst_first};
-use crate::{Answer, AnswerError, Rows, Table, parameters};
+use crate::{Answer, Result, Rows, Table, parameters};
 use listening::{Heard, Longest, listen, lower};
 
 /// What is asked of axle boxes.
@@ -158,8 +158,8 @@ impl AxleBoxAnswer {
     /// a row for each block.
     ///
     /// # Errors
-    /// [`AnswerError::Case`] for a file that is refused, with its line, or a train that never runs fast enough;
-    /// [`AnswerError::Argument`] for two tables of RMS limits; [`AnswerError::Physics`] for wavelengths less than an octave
+    /// [`AnswerError::Case`](crate::AnswerError::Case) for a file that is refused, with its line, or a train that never runs fast enough;
+    /// [`AnswerError::Argument`](crate::AnswerError::Argument) for two tables of RMS limits; [`AnswerError::Physics`](crate::AnswerError::Physics) for wavelengths less than an octave
     /// apart.
     pub fn new(
         case: &Case,
@@ -167,7 +167,7 @@ impl AxleBoxAnswer {
         limits: &[LimitTable],
         request: &AxleBoxRequest,
         progress: &dyn Fn(usize),
-    ) -> Result<Self, AnswerError> {
+    ) -> Result<Self> {
         let mut heard: Vec<Heard> = Vec::new();
         let mut remarks = Vec::new();
         let mut ends: Vec<(&[String], RunEnd)> = Vec::new();
@@ -201,7 +201,7 @@ impl AxleBoxAnswer {
         request: &AxleBoxRequest,
         heard: Vec<Heard>,
         mut remarks: Vec<Message>,
-    ) -> Result<Self, AnswerError> {
+    ) -> Result<Self> {
         let heard: Vec<Heard> = heard.into_iter().filter(|one| !one.is_empty()).collect();
         let several = heard.len() > 1;
         let (mut rails, mut wheels) = (Vec::new(), Vec::new());

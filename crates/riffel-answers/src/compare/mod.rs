@@ -24,7 +24,7 @@ pub(crate) use tables::outcomes;
 use crate::answer::inputs;
 use crate::forecast::{RailForecast, RailStart, not_forecast};
 use crate::roughness::{Level, levels};
-use crate::{Answer, AnswerError, OverPosterior, Table, unlikely_wear, wear_spread};
+use crate::{Answer, AnswerError, OverPosterior, Result, Table, unlikely_wear, wear_spread};
 
 /// What is asked of variants.
 #[derive(Clone)]
@@ -107,7 +107,7 @@ impl CompareAnswer {
     /// # Errors
     /// [`AnswerError::Case`] with the key at fault, [`AnswerError::OutsideWindow`] where no rail has a band in the
     /// window of the case.
-    pub fn new(case: &Case, request: CompareRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: CompareRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let CompareRequest { variants, traffic, speeds, hold, survey, ground, limit: (table, limit), over_posterior } =
             request;
         let mut warnings = Vec::new();

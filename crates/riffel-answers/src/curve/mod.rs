@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::answer::titled;
 use crate::question::{AsWritten, Asker, CaseSource, Question};
 use crate::side::side;
-use crate::{Answer, AnswerError, Table};
+use crate::{Answer, AnswerError, Result, Table};
 use equilibrium::Equilibrium;
 use over_radius::OverRadius;
 
@@ -35,7 +35,7 @@ pub struct CurveQuestion {
 
 impl CurveQuestion {
     /// The radii that are listed \[m\]; none where none are.
-    fn radii(&self, case: &CurvingCase) -> Result<Option<Vec<f64>>, AnswerError> {
+    fn radii(&self, case: &CurvingCase) -> Result<Option<Vec<f64>>> {
         let wrong = |value: String, rule: String| AnswerError::argument("--radius", value, rule);
         let listed: Vec<f64> = self.radius.iter().map(AsWritten::si).collect();
         let bare = self.radius.iter().find(|radius| radius.is_bare());
@@ -57,7 +57,7 @@ impl Question for CurveQuestion {
     const EXAMPLE: &'static str = "\
         Examples:\n  riffel curve case.toml --set \"curve.radius=300 m\"\n  riffel curve case.toml --radius \"300 m,600 m,1200 m\" --json";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         Ok(Box::new(CurveAnswer::new(&case, self.radii(&case)?.as_deref())?))
     }

@@ -24,7 +24,7 @@ use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
 
-use crate::{AnswerError, Rows, Table, unlikely_wear, wear_spread};
+use crate::{AnswerError, Result, Rows, Table, unlikely_wear, wear_spread};
 use words::beyond;
 
 pub use crate::number_alone;
@@ -114,7 +114,7 @@ impl TrackForecast {
     /// traffic at fault, [`AnswerError::NoSpectrum`] without a spectrum,
     /// [`AnswerError::OutsideWindow`] where no rail has a band in the window of the case, and
     /// [`AnswerError::NoPassagesPerDay`] for months where the traffic does not say how much of it there is.
-    pub fn new(case: &Case, request: ForecastRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: ForecastRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let ForecastRequest { traffic, survey, ground, horizon, limit: (table, limit), date } = request;
         horizon.check()?;
         let wear_spread = wear_spread(case);

@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer};
 use super::measured_spectra::{Dated, MeasuredSpectra};
 use super::{ForecastAnswer, ForecastHorizon, ForecastRequest, PosteriorForecast, TrackForecast, WearReport};
 use crate::question::{Asker, CaseSource, GroundSource, Question, Rule, Source, date_of, finished_of};
-use crate::{Answer, AnswerError, level_limit};
+use crate::{Answer, AnswerError, Result, level_limit};
 
 /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -62,7 +62,7 @@ impl ForecastQuestion {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
-    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast, AnswerError> {
+    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
         let survey = self.spectra.read(asker)?;
         let traffic = self.traffic.as_ref().ok_or_else(|| left_out("--traffic", "given"))?;
         let traffic = Arc::unwrap_or_clone(traffic.value(Traffic::read)?);
@@ -111,7 +111,7 @@ impl ForecastQuestion {
     }
 
     /// The wear coefficient of two dated measurements, where there is an earlier one.
-    fn wear(&self, dated: &Dated, case: &Case, answer: &TrackForecast) -> Result<Option<WearReport>, AnswerError> {
+    fn wear(&self, dated: &Dated, case: &Case, answer: &TrackForecast) -> Result<Option<WearReport>> {
         let between = self.spectra.passages_between;
         let Some(earlier) = &dated.earlier else {
             return match between {
@@ -140,7 +140,7 @@ impl ForecastQuestion {
     }
 
     /// The forecast of the rail of a calibration.
-    fn over_posterior(&self, folder: &Path) -> Result<PosteriorForecast, AnswerError> {
+    fn over_posterior(&self, folder: &Path) -> Result<PosteriorForecast> {
         let (plan, chains) = finished_of(&|path| self.case.is_just(path), folder)?;
         let months = self.months.unwrap_or(12.0);
         ForecastHorizon::Months(months).check()?;
@@ -184,7 +184,7 @@ impl Question for ForecastQuestion {
         ),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         if let Some(folder) = &self.posterior {
             return Ok(Box::new(self.over_posterior(folder)?));
         }

@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::{Shown, panel, table};
 use crate::parameters::parameters;
 use crate::ridge::{BranchDocument, best_fit_frequency, branches_table, ridge_of, ridge_table};
-use crate::{AnswerError, ResultFile, Rows, Table};
+use crate::{AnswerError, Result, ResultFile, Rows, Table};
 
 /// Points of the curve from one support to the next.
 const POINTS: usize = 121;
@@ -53,7 +53,7 @@ impl BayGrowth {
     ///
     /// # Errors
     /// [`AnswerError::NoBay`] for a case without discrete supports.
-    pub fn new(case: &Case, curve: Option<(f64, f64)>, progress: impl Fn(usize) + Sync) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, curve: Option<(f64, f64)>, progress: impl Fn(usize) + Sync) -> Result<Self> {
         let structure = case.track.structure.clone();
         let bay = structure
             .and_then(|track| Bay::new(&case.feedback, track))

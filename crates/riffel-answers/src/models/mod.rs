@@ -20,7 +20,7 @@ use passing::Passing;
 use crate::answer::{inputs, titled};
 use crate::highest::{Highest, wavelengths_of};
 use crate::number_alone;
-use crate::{Answer, AnswerError, ResultFile, Rows, Table, WearLimitDocument, growth_lines};
+use crate::{Answer, AnswerError, Result, ResultFile, Rows, Table, WearLimitDocument, growth_lines};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -99,7 +99,7 @@ impl ModelsAnswer {
     /// # Errors
     /// [`AnswerError::Case`] for frequencies at which the case is not known, [`AnswerError::NotOnCase`] for a model that
     /// is named and cannot be read from the case.
-    pub fn new(case: &Case, request: &ModelsRequest, progress: &dyn Fn(usize)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: &ModelsRequest, progress: &dyn Fn(usize)) -> Result<Self> {
         let named = !request.models.is_empty();
         let models = match named {
             true => request.models.clone(),
@@ -125,7 +125,7 @@ impl ModelsAnswer {
                 growth => Ok((model, growth)),
             }
         };
-        let models: Result<Vec<_>, AnswerError> = models.into_iter().map(growth).collect();
+        let models: Result<Vec<_>> = models.into_iter().map(growth).collect();
         let models = models?;
         let on_case = models.iter().filter_map(|(_, growth)| growth.as_ref().ok());
         let wavelengths = wavelengths_of(on_case.map(|(_, course, _)| course));

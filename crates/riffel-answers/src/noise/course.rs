@@ -10,8 +10,8 @@ use serde::Serialize;
 use super::at_least;
 use super::sources::Radiation;
 use super::train::Train;
-use crate::AnswerError;
 use crate::forecast::RailStart;
+use crate::{AnswerError, Result};
 
 /// Steps of the time looked ahead.
 const STEPS: u32 = 24;
@@ -40,7 +40,7 @@ impl Course {
         radiation: &Radiation<'_>,
         traffic: &Traffic,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<(Option<Self>, Vec<Message>), AnswerError> {
+    ) -> Result<(Option<Self>, Vec<Message>)> {
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
         let per_month = on.passages_per_month().ok_or(AnswerError::NoPassagesPerDay)?;
         let start = RailStart {
@@ -68,7 +68,7 @@ impl Course {
         } else {
             vec![0.0]
         };
-        let level = |month: f64| -> Result<f64, AnswerError> {
+        let level = |month: f64| -> Result<f64> {
             let passages = (month * per_month).min(forecast.valid_to());
             let roughness = then(&train.roughness, &forecast.spectrum(passages)?)?;
             let heard = train.levels(radiation, &roughness)?;

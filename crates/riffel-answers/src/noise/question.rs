@@ -17,7 +17,7 @@ use super::train::Train;
 use crate::question::{
     AsWritten, Asker, CaseSource, EarlierRecords, PosteriorSource, Question, RecordLayout, Rule, Source, of_keys, over,
 };
-use crate::{Answer, AnswerError, PosteriorDraws};
+use crate::{Answer, PosteriorDraws, Result};
 
 /// How loud a train is on a rough rail, and what would make it quieter.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -137,12 +137,7 @@ impl NoiseQuestion {
     ///
     /// # Errors
     /// None but those of a default that does not fit its key.
-    pub fn of_a_coach(
-        case: impl Into<CaseSource>,
-        survey: Survey,
-        speed: f64,
-        limit: &str,
-    ) -> Result<Self, AnswerError> {
+    pub fn of_a_coach(case: impl Into<CaseSource>, survey: Survey, speed: f64, limit: &str) -> Result<Self> {
         let question: Self = of_keys(json!({ "case": "", "roughness": "", "speed": speed, "limit": limit }))?;
         Ok(Self { case: case.into(), roughness: survey.into(), ..question })
     }
@@ -150,9 +145,9 @@ impl NoiseQuestion {
     /// The answer; `asker` is told how far it is and what is unusual.
     ///
     /// # Errors
-    /// [`AnswerError::Argument`] where a number is outside its range, no band is known, or the track has no decay;
-    /// [`AnswerError::Case`] with the key or the file at fault.
-    pub fn answer(&self, asker: &dyn Asker) -> Result<NoiseAnswer, AnswerError> {
+    /// [`AnswerError::Argument`](crate::AnswerError::Argument) where a number is outside its range, no band is known, or the track has no decay;
+    /// [`AnswerError::Case`](crate::AnswerError::Case) with the key or the file at fault.
+    pub fn answer(&self, asker: &dyn Asker) -> Result<NoiseAnswer> {
         let draws = self.posterior.draws(&self.case, asker)?;
         self.answer_over(draws.as_ref(), asker)
     }
@@ -161,7 +156,7 @@ impl NoiseQuestion {
     ///
     /// # Errors
     /// Those of [`answer`](Self::answer).
-    pub fn answer_over(&self, draws: Option<&PosteriorDraws>, asker: &dyn Asker) -> Result<NoiseAnswer, AnswerError> {
+    pub fn answer_over(&self, draws: Option<&PosteriorDraws>, asker: &dyn Asker) -> Result<NoiseAnswer> {
         let train = Train::new(self, asker)?;
         let case = self.case.read(asker)?;
         let own = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
@@ -190,7 +185,7 @@ impl Question for NoiseQuestion {
         Rule::Needs(&["months", "limit_dba"], &["traffic", "posterior"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         Ok(Box::new(self.answer(asker)?))
     }
 }

@@ -21,7 +21,7 @@ use super::sources::powers_of_parts;
 use super::{Course, Levels, NoiseAnswer, NoiseQuestion, RoughWheels, Since, TransferLevels, nominal};
 use crate::forecast::ForecastHorizon;
 use crate::question::Asker;
-use crate::{AnswerError, parameters};
+use crate::{AnswerError, Result, parameters};
 
 /// Least length of train to a wheel on one rail \[m\]: wheels follow each other at more than their diameter.
 const LEAST_PER_WHEEL: f64 = 0.5;
@@ -59,7 +59,7 @@ pub(super) struct Train {
 
 impl Train {
     /// What a question names, read; `asker` is told what is unusual.
-    pub(super) fn new(question: &NoiseQuestion, asker: &dyn Asker) -> Result<Self, AnswerError> {
+    pub(super) fn new(question: &NoiseQuestion, asker: &dyn Asker) -> Result<Self> {
         let (layout, choose) = (&question.layout, &question.choose);
         let now = Arc::unwrap_or_clone(question.roughness.value(|path| layout.survey(path, asker))?);
         let survey = question.earlier.of_dates(now, question.roughness.path(), layout, choose, asker)?;
@@ -133,7 +133,7 @@ impl Train {
         case: &Case,
         traffic: Option<&Traffic>,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<NoiseAnswer, AnswerError> {
+    ) -> Result<NoiseAnswer> {
         if let (None, Some(why)) = (&self.radiator.decay_rate, case.without_decay()) {
             return Err(AnswerError::argument("--decay-rate", "left out", format!("given: {why}")));
         }
@@ -242,7 +242,7 @@ impl Train {
 }
 
 /// `Ok` if the wheels have room in a train.
-fn check_length(length: f64, wheels: u32) -> Result<(), AnswerError> {
+fn check_length(length: f64, wheels: u32) -> Result<()> {
     let shortest = LEAST_PER_WHEEL * f64::from(wheels);
     if length >= shortest {
         return Ok(());
@@ -252,7 +252,7 @@ fn check_length(length: f64, wheels: u32) -> Result<(), AnswerError> {
 }
 
 /// The roughness of the wheels with its name.
-fn wheel_roughness(question: &NoiseQuestion) -> Result<Option<(String, Spectrum)>, AnswerError> {
+fn wheel_roughness(question: &NoiseQuestion) -> Result<Option<(String, Spectrum)>> {
     match &question.wheel_roughness {
         None => Ok(None),
         Some(RoughWheels::Given(levels)) => Ok(Some(("given".to_owned(), levels.clone()))),

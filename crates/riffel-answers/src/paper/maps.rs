@@ -10,17 +10,17 @@ use riffel_plot::{MapFigure, MapPanel};
 use super::{Drawing, Model, PaperFigure};
 use crate::map::{Shown, panel};
 use crate::parameters::parameters_in;
-use crate::{AnswerError, Rows, Table};
+use crate::{Result, Rows, Table};
 
 /// Tractive ratios of the left and the right panel.
 const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
 
-pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure> {
     let title = say!(figure_4).text(language);
     maps(language, model.title(&title, language), |ratio| model.nominal(|keys| in_window(keys, ratio)))
 }
 
-pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure> {
     let title = say!(figure_5).text(language);
     maps(language, model.title(&title, language), |ratio| model.bhaskar_track(|keys| in_window(keys, ratio)))
 }
@@ -33,11 +33,7 @@ fn in_window(keys: &mut CaseFile, tractive_ratio: f64) {
     keys.contact.tractive_ratio = Some(Quantity::new(tractive_ratio));
 }
 
-fn maps(
-    language: Language,
-    title: String,
-    case: impl Fn(f64) -> Result<Case, AnswerError>,
-) -> Result<PaperFigure, AnswerError> {
+fn maps(language: Language, title: String, case: impl Fn(f64) -> Result<Case>) -> Result<PaperFigure> {
     let mut panels = Vec::new();
     let mut caption = String::new();
     let mut points = Vec::new();

@@ -12,7 +12,7 @@ use riffel_plot::{LineFigure, MapFigure};
 #[cfg(not(target_family = "wasm"))]
 use riffel_plot::{Picture, PlotError};
 
-use crate::{AnswerError, Rows, Table};
+use crate::{Result, Rows, Table};
 
 /// A figure and its numbers.
 pub struct PaperFigure {
@@ -45,7 +45,7 @@ impl PaperFigure {
 }
 
 /// Number in the paper and how it is made, with its words in a language.
-pub type Entry = (u8, fn(Model, Language) -> Result<PaperFigure, AnswerError>);
+pub type Entry = (u8, fn(Model, Language) -> Result<PaperFigure>);
 
 /// All figures, in order.
 pub const FIGURES: [Entry; 7] = [
@@ -70,15 +70,15 @@ pub enum Model {
 }
 
 impl Model {
-    fn nominal(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+    fn nominal(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case> {
         self.case("cases/nominal.toml", NOMINAL_CASE, change)
     }
 
-    fn bhaskar_track(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+    fn bhaskar_track(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case> {
         self.case("cases/bhaskar-track.toml", BHASKAR_TRACK_CASE, change)
     }
 
-    fn case(self, name: &str, text: &str, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+    fn case(self, name: &str, text: &str, change: impl FnOnce(&mut CaseFile)) -> Result<Case> {
         let case = Case::parse(name, text, &[])?;
         Ok(case.edit(|keys| {
             change(keys);

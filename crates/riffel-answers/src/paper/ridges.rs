@@ -9,8 +9,8 @@ use riffel_keys::{Language, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
-use crate::AnswerError;
 use crate::parameters::parameters_in;
+use crate::{AnswerError, Result};
 
 /// Speed of Fig. 8 \[m/s\].
 const SPEED: f64 = 30.0;
@@ -38,12 +38,12 @@ const INERTIAS: [(&str, Turning, LineStyle); 5] = [
 ];
 
 /// The nominal case at a tractive ratio.
-fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case, AnswerError> {
+fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case> {
     model.nominal(|keys| keys.contact.tractive_ratio = Some(Quantity::new(ratio)))
 }
 
 /// The case with another rotation of the wheel; its contact stays as it is.
-fn turning(case: &Case, turning: Turning) -> Result<Case, AnswerError> {
+fn turning(case: &Case, turning: Turning) -> Result<Case> {
     let rotation = match turning {
         Turning::Inertia(inertia) => {
             let rigid = RigidInertia::new(inertia, case.hertz.rolling_radius());
@@ -58,17 +58,17 @@ fn turning(case: &Case, turning: Turning) -> Result<Case, AnswerError> {
 }
 
 /// The ridge of the nominal window over speeds of 5–40 m/s.
-fn ridge(case: &Case) -> Result<Vec<RidgePoint>, AnswerError> {
+fn ridge(case: &Case) -> Result<Vec<RidgePoint>> {
     Ok(search(case, 5.0, 40.0, 141)?.points)
 }
 
-fn search(case: &Case, from: f64, to: f64, points: usize) -> Result<Ridge, AnswerError> {
+fn search(case: &Case, from: f64, to: f64, points: usize) -> Result<Ridge> {
     let speed = Axis::new(from, to, points)?;
     Ok(Ridge::search(&case.feedback, case.wavelength, speed))
 }
 
 /// The smallest Re Ŵ₁ at the speed of Fig. 8.
-fn minimum(case: &Case) -> Result<f64, AnswerError> {
+fn minimum(case: &Case) -> Result<f64> {
     Ok(search(case, SPEED, SPEED + 1.0, 2)?.points[0].normalized_dissipation)
 }
 
@@ -82,7 +82,7 @@ fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Ser
 }
 
 /// A value for each inertia over speed.
-fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Series>, AnswerError> {
+fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Series>> {
     INERTIAS
         .iter()
         .map(|&(label, inertia, style)| {
@@ -97,7 +97,7 @@ fn minima(language: Language) -> String {
     say!(minima_over_wavelengths).text(language)
 }
 
-pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure> {
     let nominal = model.nominal(|_| ())?;
     let by_ratio = [0.1, 0.3, 0.5, 0.7, 0.95]
         .iter()
@@ -106,7 +106,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
             let label = format!("τ = {ratio}");
             Ok(curve(&label, LineStyle::Solid, &points, |point| point.normalized_dissipation))
         })
-        .collect::<Result<Vec<Series>, AnswerError>>()?;
+        .collect::<Result<Vec<Series>>>()?;
     // A minimum at the edge of the window is no line of growth.
     let wavelengths = over_inertia(&nominal, |point| match point.at_edge {
         true => f64::NAN,
@@ -132,7 +132,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
     ))
 }
 
-pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure> {
     let nominal = model.nominal(|_| ())?;
     let title = say!(figure_7).text(language);
     Ok(lines(
@@ -150,15 +150,15 @@ pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, 
     ))
 }
 
-pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure> {
     let nominal = model.nominal(|_| ())?;
     // A mean state that takes a table of its own is worth a coarser sweep.
     let steps = if model.is_tabulated() { 20 } else { 100 };
     let ratios: Vec<f64> = (1..steps).map(|step| f64::from(step) / f64::from(steps)).collect();
     let inertias: Vec<f64> = (0..=80).map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0)).collect();
-    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> Result<Case, AnswerError>| {
+    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> Result<Case>| {
         let y = x.iter().map(|&value| minimum(&case(value)?));
-        Ok::<_, AnswerError>(Series { y: y.collect::<Result<_, AnswerError>>()?, x, ..Series::default() })
+        Ok::<_, AnswerError>(Series { y: y.collect::<Result<_>>()?, x, ..Series::default() })
     };
     let panel = |subtitle: &str, x_label: &str, x_scale, series| LinePanel {
         subtitle: subtitle.to_owned(),

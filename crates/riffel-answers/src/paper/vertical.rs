@@ -8,7 +8,7 @@ use riffel_keys::{Language, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
-use crate::AnswerError;
+use crate::Result;
 use crate::parameters::parameters_in;
 use crate::track_in_words::track;
 
@@ -40,7 +40,7 @@ fn panel(language: Language, subtitle: &str, y_label: &str, y_scale: Scale, seri
     }
 }
 
-pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure> {
     let moving = model.nominal(moving_beam)?;
     let bhaskar = model.bhaskar_track(|_| ())?;
     let curves = |value: fn(Complex64) -> f64| {
@@ -75,7 +75,7 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
     ))
 }
 
-pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure> {
     let case = model.nominal(moving_beam)?;
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude() / mean;

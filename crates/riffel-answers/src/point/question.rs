@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::{PointAnswer, PointRequest};
 use crate::question::{AsWritten, Asker, CaseSource, Files, Question, Rule, covering, positive};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// The whole loop at one wavelength and speed.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -45,7 +45,7 @@ impl Question for PointQuestion {
     const RULES: &'static [Rule] = &[Rule::Needs(&["supports", "seed"], &["spacing_deviation"])];
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read_at(self.position, asker)?;
         let wavelength = self.wavelength.within("--wavelength", asker)?;
         let speed = self.speed.within("--speed", asker)?;

@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 
 use crate::answer::titled;
 use crate::number_alone;
-use crate::{Answer, AnswerError, Rows, Table};
+use crate::{Answer, AnswerError, Result, Rows, Table};
 
 /// Amplitudes of the equivalent conicity \[mm\].
 const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
@@ -125,7 +125,7 @@ impl OnTrackAnswer {
     ///
     /// # Errors
     /// [`AnswerError`] for profiles that cannot be read or do not fit, and where a wheel has left its rail.
-    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64) -> Result<Self, AnswerError> {
+    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64) -> Result<Self> {
         let wheelset = case.wheelset_on_track()?;
         let at = |shifts: &[f64]| {
             let places: Vec<(f64, f64)> = shifts.iter().map(|shift| (*shift, yaw)).collect();

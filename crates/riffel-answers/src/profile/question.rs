@@ -11,7 +11,7 @@ use serde::Deserialize;
 
 use super::{OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings};
 use crate::question::{Asker, Question, Rule, Source, positive};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// Largest yaw \[rad\], far beyond any curve.
 const LARGEST_YAW: f64 = 0.1;
@@ -114,7 +114,7 @@ impl From<Orientation> for ProfileOrientation {
 
 impl ProfileQuestion {
     /// Wear against a nominal profile.
-    fn wear(&self, nominal: &str, reading: ProfileReading) -> Result<WearAnswer, AnswerError> {
+    fn wear(&self, nominal: &str, reading: ProfileReading) -> Result<WearAnswer> {
         let default = WearSettings::default();
         let inclination = self.inclination.as_deref().map(|text| {
             let wrong = |rule| AnswerError::argument("--inclination", text, rule);
@@ -132,7 +132,7 @@ impl ProfileQuestion {
     }
 
     /// A wheelset on its track, under load if one is given.
-    fn on_track(&self) -> Result<Box<dyn Answer>, AnswerError> {
+    fn on_track(&self) -> Result<Box<dyn Answer>> {
         let wrong = |argument, value, rule: String| Err(AnswerError::argument(argument, value, rule));
         if let Some(second) = self.file.get(1) {
             let rule = "the only one with --wheelset, a case file".to_owned();
@@ -172,7 +172,7 @@ impl Question for ProfileQuestion {
         Rule::Needs(&["yaw", "lateral_shift", "load", "set"], &["wheelset"]),
     ];
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
         if self.wheelset {
             return self.on_track();
         }

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::or_dash;
 use crate::side::side;
-use crate::{Answer, AnswerError, Rows, Table};
+use crate::{Answer, AnswerError, Result, Rows, Table};
 
 /// Both contacts of a wheelset under a normal force each, at lateral shifts: serialised, what
 /// `riffel profile CASE --wheelset --load P --json` prints.
@@ -91,7 +91,7 @@ impl UnderLoadAnswer {
     /// # Errors
     /// [`AnswerError`] for profiles that cannot be read or do not fit, where a wheel has left its rail, and where a contact lies at
     /// the end of a profile.
-    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64, normal_force: f64) -> Result<Self, AnswerError> {
+    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64, normal_force: f64) -> Result<Self> {
         let wheelset = case.wheelset_on_track()?;
         let steel: ElasticMaterial = case.steel()?;
         let refused = AnswerError::Profile;
@@ -235,7 +235,7 @@ impl Answer for UnderLoadAnswer {
 }
 
 impl ContactDocument {
-    fn new(at: &WheelsetContact, rail: Rail, pressed: &Pressed) -> Result<Self, AnswerError> {
+    fn new(at: &WheelsetContact, rail: Rail, pressed: &Pressed) -> Result<Self> {
         let loaded = &pressed.flat;
         let [length, width] = loaded.size();
         let (state, fast) = (loaded.state(), loaded.fast());
@@ -279,7 +279,7 @@ impl ContactDocument {
 }
 
 impl ConformalDocument {
-    fn new(loaded: &LoadedContact) -> Result<Self, AnswerError> {
+    fn new(loaded: &LoadedContact) -> Result<Self> {
         let (state, [length, width]) = (loaded.state(), loaded.size());
         Ok(Self {
             patch: PatchDocument {

@@ -12,7 +12,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{Asker, Source};
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// A case file with overrides, of which a question takes the whole or a part.
 #[derive(Deserialize, JsonSchema)]
@@ -109,7 +109,7 @@ impl<T: OfCase> CaseSource<T> {
     ///
     /// # Errors
     /// [`AnswerError::Case`] with the key, the value and the rule.
-    pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>, AnswerError> {
+    pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>> {
         let case = self.case.value(|path| T::read(path, &self.set))?;
         if let Some(file) = self.measurement(&case) {
             asker.reads(&file);
@@ -129,7 +129,7 @@ impl CaseSource {
     ///
     /// # Errors
     /// [`AnswerError::Option`] for a place that the bay does not have, and on a track that has no bay.
-    pub fn read_at(&self, position: Option<Quantity<Length>>, asker: &dyn Asker) -> Result<Arc<Case>, AnswerError> {
+    pub fn read_at(&self, position: Option<Quantity<Length>>, asker: &dyn Asker) -> Result<Arc<Case>> {
         let case = self.read(asker)?;
         let Some(position) = position else {
             return Ok(case);
@@ -162,7 +162,7 @@ impl<T> From<Arc<T>> for CaseSource<T> {
 ///
 /// # Errors
 /// [`AnswerError::Option`] where the contact does not answer there.
-pub fn covering(case: &Case, from: f64, to: f64) -> Result<Case, AnswerError> {
+pub fn covering(case: &Case, from: f64, to: f64) -> Result<Case> {
     // The window was not written by the user.
     case.covering(from, to)
         .map_err(|error| AnswerError::Option { option: "--wavelength", message: error.without_key() })

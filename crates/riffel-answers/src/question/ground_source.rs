@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use super::as_written::written;
 use super::{Asker, RecordLayout};
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// A rail that will be ground, in place of the rail as it was measured.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -36,11 +36,7 @@ impl GroundSource {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a rail that is not below the limit, [`AnswerError::Case`] with the file at fault.
-    pub fn read(
-        &self,
-        (table, limit): &(LimitTable, LevelLimit),
-        asker: &dyn Asker,
-    ) -> Result<Option<GroundRail>, AnswerError> {
+    pub fn read(&self, (table, limit): &(LimitTable, LevelLimit), asker: &dyn Asker) -> Result<Option<GroundRail>> {
         let refuse = |argument, value: &str, rule| AnswerError::argument(argument, value, rule);
         if let Some(decibels) = &self.from_limit {
             let below = GroundRail::below(&table.edition, limit, decibels);

@@ -14,7 +14,7 @@ use serde::Serialize;
 pub use step::Change;
 
 use crate::forecast::{per_million, rate_panel, zero};
-use crate::{Answer, AnswerError, FastestGrowth, GrindingInterval, LineGrowth, Rows, Table};
+use crate::{Answer, AnswerError, FastestGrowth, GrindingInterval, LineGrowth, Result, Rows, Table};
 use step::{Step, in_words, steps};
 
 /// The remedies of a case under a traffic, the one that helps most first.
@@ -150,7 +150,7 @@ impl RemediesAnswer {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a cost that is not above zero, or of what no remedy is called.
-    pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self, AnswerError> {
+    pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self> {
         if let Some((id, cost)) = costs.iter().find(|(_, cost)| !(**cost > 0.0 && cost.is_finite())) {
             return Err(AnswerError::argument("cost", format!("{id} = {cost}"), "finite and above zero"));
         }

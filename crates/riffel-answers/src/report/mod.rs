@@ -27,7 +27,7 @@ pub use question::ReportQuestion;
 use roughness::block_of_strip;
 pub use site::Site;
 
-use crate::AnswerError;
+use crate::Result;
 use crate::compare::CompareAnswer;
 use crate::diagnose::{Diagnosis, Finding, course_in_words};
 use crate::forecast::{PosteriorForecast, TrackForecast};
@@ -237,8 +237,8 @@ fn outlooks(
 /// The report as a page of HTML that loads nothing and prints on A4.
 ///
 /// # Errors
-/// [`AnswerError::Plot`].
-pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
+/// [`AnswerError::Plot`](crate::AnswerError::Plot).
+pub fn report(request: ReportRequest<'_>) -> Result<String> {
     let ReportRequest {
         language,
         title,

@@ -13,7 +13,7 @@ use super::{GENERATOR, Site};
 use crate::diagnose::DiagnosedRail;
 use crate::noise::RoughWheels;
 use crate::question::{Asker, Files, GroundSource, Question, Rule, Source};
-use crate::{Answer, AnswerError, Existing, OwnText, Table};
+use crate::{Answer, Existing, OwnText, Result, Table};
 
 /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -112,7 +112,7 @@ impl Question for ReportQuestion {
     ];
     const FILES: Files = Files::Text;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let page = Working::new(self, asker)?.page()?;
         Ok(Box::new(ReportAnswer { page, path: self.output.clone(), force: self.force }))
     }

@@ -18,7 +18,7 @@ use crate::forecast::{ForecastQuestion, MeasuredSpectra, PosteriorForecast, Trac
 use crate::map::{MapAnswer, growth_over};
 use crate::noise::{NoiseAnswer, NoiseQuestion};
 use crate::question::{Asker, CaseSource, PosteriorSource, finished_of, over};
-use crate::{AnswerError, LineGrowth, PosteriorDraws, fingerprint, level_limit};
+use crate::{AnswerError, LineGrowth, PosteriorDraws, Result, fingerprint, level_limit};
 
 /// Months for which the level of a train is told ahead where no other time is asked for.
 const MONTHS_OF_NOISE: f64 = 12.0;
@@ -42,7 +42,7 @@ struct Given {
 }
 
 impl<'a> Working<'a> {
-    pub(super) fn new(question: &'a ReportQuestion, asker: &'a dyn Asker) -> Result<Self, AnswerError> {
+    pub(super) fn new(question: &'a ReportQuestion, asker: &'a dyn Asker) -> Result<Self> {
         let limits = LimitTable::named(&question.limit)?;
         let is_of_levels = |table: &LimitTable| matches!(table.limit, Limit::Levels(_));
         let first = limits.iter().position(is_of_levels);
@@ -52,7 +52,7 @@ impl<'a> Working<'a> {
     }
 
     /// The page.
-    pub(super) fn page(&self) -> Result<String, AnswerError> {
+    pub(super) fn page(&self) -> Result<String> {
         let (question, asker) = (self.question, self.asker);
         let site = question.site.as_ref().map(|site| site.value(Site::read)).transpose()?.unwrap_or_default();
         let mut given = self.given(question.set.clone())?;
@@ -122,7 +122,7 @@ impl<'a> Working<'a> {
     }
 
     /// The case with some overrides, if there is one.
-    fn given(&self, set: Vec<String>) -> Result<Option<Given>, AnswerError> {
+    fn given(&self, set: Vec<String>) -> Result<Option<Given>> {
         let Some(case) = &self.question.case else {
             return Ok(None);
         };
@@ -131,7 +131,7 @@ impl<'a> Working<'a> {
     }
 
     /// The growth map of a case.
-    fn growth_map(&self, case: &Case, draws: Option<&PosteriorDraws>) -> Result<MapAnswer, AnswerError> {
+    fn growth_map(&self, case: &Case, draws: Option<&PosteriorDraws>) -> Result<MapAnswer> {
         case.check_window()?;
         let traffic = self.question.rail.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
         let step = self.asker.begin(say!(progress_growth_map), case.speed.points());
@@ -145,7 +145,7 @@ impl<'a> Working<'a> {
     }
 
     /// What becomes of the rail over the draws of a calibration.
-    fn forecast_over(&self, plan: &Plan, chains: &Chains) -> Result<PosteriorForecast, AnswerError> {
+    fn forecast_over(&self, plan: &Plan, chains: &Chains) -> Result<PosteriorForecast> {
         let limit = self.level_limit.as_ref().ok_or_else(|| {
             AnswerError::argument(
                 "--limit",
@@ -163,12 +163,7 @@ impl<'a> Working<'a> {
     }
 
     /// What becomes of the rail; `wear` is the fit that the case goes by, or why there is none.
-    fn outlook(
-        &self,
-        given: &Given,
-        now: &Now,
-        wear: Option<Section<WearReport>>,
-    ) -> Result<Section<TrackForecast>, AnswerError> {
+    fn outlook(&self, given: &Given, now: &Now, wear: Option<Section<WearReport>>) -> Result<Section<TrackForecast>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit.to_owned(),
             Err(why) => return Ok(Err(why)),
@@ -198,12 +193,7 @@ impl<'a> Working<'a> {
     }
 
     /// What a coach sounds like on the rail at the mean speed of the traffic.
-    fn heard(
-        &self,
-        given: &Given,
-        now: &Now,
-        draws: Option<&PosteriorDraws>,
-    ) -> Result<Section<NoiseAnswer>, AnswerError> {
+    fn heard(&self, given: &Given, now: &Now, draws: Option<&PosteriorDraws>) -> Result<Section<NoiseAnswer>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit,
             Err(why) => return Ok(Err(why)),
@@ -221,7 +211,7 @@ impl<'a> Working<'a> {
     }
 
     /// What would help, with what is measured now if anything is.
-    fn what_if(&self, given: &Given, now: Option<&Now>) -> Result<Section<CompareAnswer>, AnswerError> {
+    fn what_if(&self, given: &Given, now: Option<&Now>) -> Result<Section<CompareAnswer>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit,
             Err(why) => return Ok(Err(why)),
@@ -242,7 +232,7 @@ impl<'a> Working<'a> {
     }
 
     /// The files that the report is made of, with their fingerprints.
-    fn inputs(&self, given: Option<&Given>, rail: Option<&Measured>) -> Result<Inputs, AnswerError> {
+    fn inputs(&self, given: Option<&Given>, rail: Option<&Measured>) -> Result<Inputs> {
         let mut inputs = Inputs::default();
         let (question, asked) = (self.question, &self.question.rail);
         let mut add = |role: Message, path: &Path, origin: Message| {

@@ -21,7 +21,7 @@ use super::verdict::{Verdict, worst_first};
 use super::words::name;
 use super::{figure, tables};
 use crate::question::Asker;
-use crate::{Answer, AnswerError, Existing, OwnText, Table};
+use crate::{Answer, AnswerError, Existing, OwnText, Result, Table};
 
 /// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
 const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
@@ -84,7 +84,7 @@ pub struct ProfileAnswer {
 }
 
 /// The limit of the moving RMS: there is one at most.
-pub(crate) fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, AnswerError> {
+pub(crate) fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>> {
     let mut found = limits.iter().filter_map(|table| match &table.limit {
         Limit::Rms(limit) => Some((table, limit)),
         Limit::Levels(_) => None,
@@ -118,7 +118,7 @@ impl ProfileAnswer {
         limits: &[LimitTable],
         request: &ProfileRequest,
         asker: &dyn Asker,
-    ) -> Result<Self, AnswerError> {
+    ) -> Result<Self> {
         check_longest(&record, request)?;
         let step = asker.begin(say!(progress_roughness), Self::steps(&record));
         let mut settings = AnalysisSettings {
@@ -315,7 +315,7 @@ impl Answer for ProfileAnswer {
 }
 
 /// `Ok` if the record is long enough for the longest wavelength that is asked for.
-fn check_longest(record: &Record, request: &ProfileRequest) -> Result<(), AnswerError> {
+fn check_longest(record: &Record, request: &ProfileRequest) -> Result<()> {
     let longest_stretch = record
         .rails
         .iter()

@@ -14,7 +14,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::question::{AsWritten, Asker, CaseSource, Question, Rule};
-use crate::{Answer, AnswerError, Table};
+use crate::{Answer, AnswerError, Result, Table};
 
 /// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -39,7 +39,7 @@ impl Question for ShakedownQuestion {
     const RULES: &'static [Rule] =
         &[Rule::Needs(&["wavelength"], &["speed"]), Rule::Needs(&["speed", "amplitude"], &["wavelength"])];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         let mut covering = None;
         let wave = match (&self.wavelength, &self.speed) {
@@ -150,7 +150,7 @@ impl ShakedownLimits {
     ///
     /// # Errors
     /// [`AnswerError`] for a friction below zero or above one, and for a point that the case does not know.
-    pub fn answer(&self, case: &Case) -> Result<ShakedownAnswer, AnswerError> {
+    pub fn answer(&self, case: &Case) -> Result<ShakedownAnswer> {
         for &friction in &self.utilised_friction {
             if !(0.0..=1.0).contains(&friction) {
                 return Err(AnswerError::argument("--utilised-friction", friction, "between 0 and 1"));

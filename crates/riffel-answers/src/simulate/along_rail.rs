@@ -3,12 +3,12 @@
 use riffel::passage::ContactInstant;
 use riffel::roughness::Profile;
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
 
 use super::run::{March, model};
-use super::{Course, Extremes, Run, remarks};
-use crate::AnswerError;
+use super::{Course, Extremes, Run, refused, remarks};
+use crate::{AnswerError, Result};
 
 /// A profile to roll over.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,14 +74,14 @@ impl PassageAnswer {
     /// A case along a profile.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::in_time`], for a profile coarser than the patch is long, and for one shorter than the
+    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`], for a profile coarser than the patch is long, and for one shorter than the
     /// motion remembers.
-    pub fn new(case: &Case, request: PassageRequest) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: PassageRequest) -> Result<Self> {
         let profile = &request.profile;
         check_sampling(case, profile)?;
         check_step(request.largest_step)?;
         let model = model(case, request.speed, request.contact_filter)?;
-        let passage = model.pass(profile, request.largest_step).map_err(refused)?;
+        let passage = model.pass(profile, request.largest_step).map_err(refused("--profile"))?;
         let contacts = case.contact_names();
         let own_remarks = remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model));
         let along = case.feedback.contacts().iter().map(|contact| contact.along).skip(1);
@@ -153,7 +153,7 @@ impl March for PassageAnswer {
 }
 
 /// `Ok` if a step along a profile \[m\] is no shorter than a micrometre, a million to a metre.
-pub(super) fn check_step(step: f64) -> Result<(), AnswerError> {
+pub(super) fn check_step(step: f64) -> Result<()> {
     const LEAST: f64 = 1e-6;
     if step >= LEAST {
         return Ok(());
@@ -166,7 +166,7 @@ pub(super) fn check_step(step: f64) -> Result<(), AnswerError> {
 }
 
 /// `Ok` if a profile is sampled at least once in a semi-axis of the contact.
-pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<(), AnswerError> {
+pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<()> {
     let largest = case.hertz.semi_axis_longitudinal();
     if profile.spacing() <= largest {
         return Ok(());
@@ -176,9 +176,4 @@ pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<(), Answe
         format!("sampled every {:.3} mm", 1e3 * profile.spacing()),
         format!("sampled at least every {:.3} mm, the semi-axis of the contact along the rail", 1e3 * largest),
     ))
-}
-
-/// A refusal of the physics, of the profile.
-pub(super) fn refused(error: riffel::Error) -> CaseError {
-    CaseError::Physics { input: "--profile".to_owned(), error }
 }

@@ -19,3 +19,10 @@ pub use question::SimulateQuestion;
 pub use run::Run;
 pub use sinusoid::{SinusoidAnswer, SinusoidRequest};
 pub use smooth_rail::SmoothRailAnswer;
+
+use riffel_keys::CaseError;
+
+/// A refusal of the physics, of an argument.
+fn refused(argument: &'static str) -> impl Fn(riffel::Error) -> CaseError {
+    move |error| CaseError::Physics { input: argument.to_owned(), error }
+}

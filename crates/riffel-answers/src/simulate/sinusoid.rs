@@ -6,13 +6,13 @@ use riffel::Complex64;
 use riffel::error::as_typed;
 use riffel::passage::{Harmonic, Settled, Sinusoid};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 
 use super::run::{March, model};
-use super::{Course, Extremes, Run, remarks};
+use super::{Course, Extremes, Run, refused, remarks};
 use crate::number_alone;
-use crate::{AnswerError, Column, Table};
+use crate::{AnswerError, Column, Result, Table};
 
 /// A sinusoid to roll over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,7 +112,7 @@ impl SinusoidRequest {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a step or a slow wave that gives a wave too few or too many steps.
-    pub fn new(speed: f64, profile: Sinusoid, step: Option<f64>) -> Result<Self, AnswerError> {
+    pub fn new(speed: f64, profile: Sinusoid, step: Option<f64>) -> Result<Self> {
         let wavelength = profile.wavelength;
         let (least, most) = (Sinusoid::LEAST_STEPS as f64, Sinusoid::MOST_STEPS as f64);
         let steps = match step {
@@ -151,24 +151,24 @@ impl SinusoidAnswer {
     /// A case over a sinusoid.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
+    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
     /// does not settle.
-    pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self> {
         let SinusoidRequest { speed, profile, steps, contact_filter, transient } = request;
         case.check_points([profile.wavelength; 2], [speed; 2])?;
         let model = model(case, speed, contact_filter)?;
-        let of_sinusoid = |error| CaseError::Physics { input: "--sinusoid".to_owned(), error };
+        let of_sinusoid = refused("--sinusoid");
         let even = model.structures.support_spacing().is_none();
         let one_wheel = even && case.feedback.is_along_one_axis();
         let (settled, others, energy_at_rail) = match (transient, one_wheel) {
             (false, _) => {
-                let mut all = model.settle(profile, steps).map_err(of_sinusoid)?;
+                let mut all = model.settle(profile, steps).map_err(&of_sinusoid)?;
                 (all.remove(0), all, None)
             }
             (true, true) => {
                 let contact = case.transient_contact();
                 let rolled = model.settle_transient(profile, steps, contact);
-                let rolled = rolled.map_err(of_sinusoid)?;
+                let rolled = rolled.map_err(&of_sinusoid)?;
                 (rolled.settled, Vec::new(), Some(rolled.energy_at_rail))
             }
             (true, false) => {

@@ -2,13 +2,13 @@
 
 use riffel::passage::{ContactInstant, ContactSwing, Outcome, PassageModel};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
 
 use super::along_rail::check_step;
 use super::run::March;
-use super::{Course, Run, remarks};
-use crate::{AnswerError, Rows, Table};
+use super::{Course, Run, refused, remarks};
+use crate::{AnswerError, Result, Rows, Table};
 
 /// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile; serialised, what
 /// `riffel simulate --smooth --json` prints.
@@ -94,9 +94,9 @@ impl SmoothRailAnswer {
     /// A case at a speed \[m/s\], in steps of at most the length given \[m\].
     ///
     /// # Errors
-    /// [`CaseError`] for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
+    /// [`CaseError`](riffel_keys::CaseError) for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
     /// [`Case::in_time_without_profile`].
-    pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self> {
         let longest = PassageModel::LONGEST_TIME_STEP * speed;
         let step = step.unwrap_or(longest);
         check_step(step)?;
@@ -124,9 +124,7 @@ impl SmoothRailAnswer {
             .as_ref()
             .filter(|stability| stability.unstable_roots > 0)
             .map(|stability| stability.growth_rate.unwrap_or(1.0));
-        let motion = model
-            .on_smooth_rail(step, growth)
-            .map_err(|error| CaseError::Physics { input: "--smooth".to_owned(), error })?;
+        let motion = model.on_smooth_rail(step, growth).map_err(refused("--smooth"))?;
         let roots = stability.as_ref().map(|stability| stability.unstable_roots);
         let own_remarks = remarks::of_track(&model)
             .into_iter()

@@ -15,7 +15,7 @@ use serde::Serialize;
 use crate::answer::{inputs, titled};
 use crate::map::RidgeMap;
 use crate::ridge::BranchDocument;
-use crate::{Answer, AnswerError, Highest, LineGrowth, ResultFile, Table, WearLimitDocument};
+use crate::{Answer, AnswerError, Highest, LineGrowth, Result, ResultFile, Table, WearLimitDocument};
 
 /// Contact angles that differ by no more are one \[rad\]: case files hold them rounded.
 const SAME_ANGLE: f64 = 1e-6;
@@ -124,7 +124,7 @@ impl WheelsAnswer {
     /// # Errors
     /// [`AnswerError::NoCurve`] for a case without `contact.from`, [`AnswerError::Case`] for a vehicle without equilibrium and
     /// for frequencies at which the case is not known.
-    pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Result<Self> {
         let found = case.sharing_parts().wheels_of_curve()?;
         let WheelsOfCurve { curve, wheels } = found.ok_or(AnswerError::NoCurve)?;
         let ends = [case.wavelength.min(), case.wavelength.max()];

@@ -15,13 +15,13 @@ use riffel::passage::{Evolution, EvolutionStep, PassingWheel, Sinusoid};
 use riffel::roughness::Profile;
 use riffel_case::Case;
 use riffel_case::traffic::{Traffic, VehicleInTime};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::Message;
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
-use super::along_rail::{check_sampling, check_step, refused};
-use super::{Run, remarks};
-use crate::{Answer, AnswerError, ResultFile, Table};
+use super::along_rail::{check_sampling, check_step};
+use super::{Run, refused, remarks};
+use crate::{Answer, AnswerError, Result, ResultFile, Table};
 use band::Band;
 use bands::Bands;
 use inputs::Inputs;
@@ -63,7 +63,7 @@ impl Surface {
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for a wavelength that is not positive.
-    pub fn of_sinusoid(sinusoid: Sinusoid, bay: Option<f64>) -> Result<Self, AnswerError> {
+    pub fn of_sinusoid(sinusoid: Sinusoid, bay: Option<f64>) -> Result<Self> {
         Ok(Self::Ring(sinusoid.ring(bay)?))
     }
 }
@@ -88,9 +88,9 @@ impl EvolutionRun {
     /// A run before any wheel.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::in_time`], for a profile coarser than the patch is long, for a record shorter than the motion remembers
+    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`], for a profile coarser than the patch is long, for a record shorter than the motion remembers
     /// or than four of the longest waves kept, and for a ring on discrete supports that is not of whole bays.
-    pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self> {
         /// Mean square of a band that is nothing but rounding \[m²\].
         const STILL: f64 = 1e-30;
         check_step(request.largest_step)?;
@@ -108,7 +108,7 @@ impl EvolutionRun {
                 check_sampling(case, record)?;
                 let longest = f64::max(Self::LONGEST_KEPT, 1.3 * case.wavelength.max());
                 check_length(record, longest)?;
-                Evolution::of_record(record, longest, case.track.support_spacing()).map_err(refused)?
+                Evolution::of_record(record, longest, case.track.support_spacing()).map_err(refused("--profile"))?
             }
             Surface::Ring(ring) => Evolution::new(ring),
         };
@@ -181,15 +181,13 @@ impl EvolutionRun {
     ///
     /// # Errors
     /// Those of a march.
-    pub fn go_on(&mut self, passages: u64) -> Result<Option<EvolutionAnswer>, AnswerError> {
+    pub fn go_on(&mut self, passages: u64) -> Result<Option<EvolutionAnswer>> {
         let mut state = self.state.clone();
         if self.passages() < passages && !state.reached.is_airborne() {
             let most = passages - self.passages();
             let mut evolution = self.evolution.clone();
             let wheels: Vec<&PassingWheel> = self.wheels().collect();
-            let extremes = evolution
-                .advance(&wheels, &self.step, most)
-                .map_err(|error| CaseError::Physics { input: "--passages".to_owned(), error })?;
+            let extremes = evolution.advance(&wheels, &self.step, most).map_err(refused("--passages"))?;
             state.reach(state.next(&self.evolution, &evolution, extremes, &self.bands));
             if evolution.passages() < passages {
                 self.evolution = evolution;
@@ -204,7 +202,7 @@ impl EvolutionRun {
         self.vehicles.iter().flat_map(|vehicle| &vehicle.wheels)
     }
 
-    fn answer(&self, state: EvolutionState) -> Result<EvolutionAnswer, AnswerError> {
+    fn answer(&self, state: EvolutionState) -> Result<EvolutionAnswer> {
         let EvolutionState { stages, profiles, reached, profile, spacing_m, .. } = state;
         let stages: Vec<Stage> = stages.entries.into_iter().chain([reached]).collect();
         let profiles: Vec<WornProfile> = profiles.entries.into_iter().chain([profile]).collect();
@@ -242,7 +240,7 @@ impl EvolutionRun {
 }
 
 /// `Ok` if a record is long enough to be joined, four of the longest waves kept \[m\].
-fn check_length(record: &Profile, longest: f64) -> Result<(), AnswerError> {
+fn check_length(record: &Profile, longest: f64) -> Result<()> {
     let least = 4.0 * longest;
     if record.length() >= least {
         return Ok(());
@@ -255,7 +253,7 @@ fn check_length(record: &Profile, longest: f64) -> Result<(), AnswerError> {
 }
 
 /// `Ok` if a ring \[m\] is of whole bays \[m\].
-fn check_bays(length: f64, bay: f64) -> Result<(), AnswerError> {
+fn check_bays(length: f64, bay: f64) -> Result<()> {
     let bays = length / bay;
     if (bays - bays.round()).abs() <= 1e-6 && bays > 0.5 {
         return Ok(());
