@@ -180,14 +180,14 @@ fn pair(plan: &Plan, chains: &Chains, pair: &Correlation) -> Option<LinePanel> {
         let step = values.len().div_ceil(SHOWN);
         values.into_iter().step_by(step).collect::<Vec<f64>>()
     });
-    Some(LinePanel {
-        subtitle: format!("r = {:.2}", pair.correlation),
-        ..LinePanel::new(
+    Some(
+        LinePanel::new(
             axis(&parameters[one]),
             axis(&parameters[other]),
             [Series::new("", x, y).styled(LineStyle::Markers)],
         )
-    })
+        .titled(format!("r = {:.2}", pair.correlation)),
+    )
 }
 
 /// Marginal distributions after and before the data, and pairs: those that the data do not part, or else the closest.

@@ -55,16 +55,13 @@ pub(crate) fn panels<'a>(
     }
     absolute.push(zero(&millimetres));
     relative.push(zero(&millimetres));
-    let x_label = "wavelength λ [mm]".to_owned();
+    let x_label = "wavelength λ [mm]";
     vec![
+        LinePanel::new(x_label, "growth rate [10⁻⁶ per passage]", absolute).titled("growth rate"),
         LinePanel {
-            subtitle: "growth rate".to_owned(),
-            ..LinePanel::new(x_label.clone(), "growth rate [10⁻⁶ per passage]", absolute)
-        },
-        LinePanel {
-            subtitle: format!("over the largest of each {what}"),
             y_range: Some((-1.05, 1.05)),
             ..LinePanel::new(x_label, "growth rate / largest [-]", relative)
+                .titled(format!("over the largest of each {what}"))
         },
     ]
 }

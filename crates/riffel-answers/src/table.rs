@@ -134,17 +134,6 @@ impl Column {
         Self::shown(head, cells.collect())
     }
 
-    /// Numbers for files alone, as they are; none where there is nothing.
-    pub fn optional(name: &str, values: Vec<Option<f64>>) -> Self {
-        Self { name: name.to_owned(), head: None, values: Values::Plain(values) }
-    }
-
-    /// Numbers to so many digits before a reader, to a millionth in a file; none where there is nothing.
-    pub fn fixed(name: &str, head: Message, values: impl Iterator<Item = Option<f64>>, shown: usize) -> Self {
-        let values = Values::Fixed { values: values.collect(), file: 6, shown, signed: false };
-        Self { name: name.to_owned(), head: Some(head), values }
-    }
-
     /// Decibels: to a tenth before a reader, to a thousandth in a file.
     pub fn decibels(name: String, head: Option<Message>, values: Vec<Option<f64>>) -> Self {
         let values = Values::Fixed { values, file: 3, shown: 1, signed: false };
@@ -195,7 +184,9 @@ impl<T> Rows<T> for [T] {
     }
 
     fn fixed<N: Into<Option<f64>>>(&self, name: &str, head: Message, shown: usize, value: impl Fn(&T) -> N) -> Column {
-        Column::fixed(name, head, self.iter().map(|row| value(row).into()), shown)
+        let values = self.iter().map(|row| value(row).into()).collect();
+        let values = Values::Fixed { values, file: 6, shown, signed: false };
+        Column { name: name.to_owned(), head: Some(head), values }
     }
 
     fn exact<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column {
@@ -203,7 +194,8 @@ impl<T> Rows<T> for [T] {
     }
 
     fn plain<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column {
-        Column::optional(name, self.iter().map(|row| value(row).into()).collect())
+        let values = Values::Plain(self.iter().map(|row| value(row).into()).collect());
+        Column { name: name.to_owned(), head: None, values }
     }
 
     fn names<'a, N: ToString>(&'a self, name: &str, cell: impl Fn(&'a T) -> N) -> Column

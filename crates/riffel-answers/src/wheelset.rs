@@ -163,10 +163,7 @@ impl WheelsetAnswer {
                     values.iter().map(|value| value / largest).collect(),
                 ))
             });
-            LinePanel {
-                subtitle: subtitle.to_owned(),
-                ..LinePanel::new("place along the axle y [m]", "over its largest value [-]", series)
-            }
+            LinePanel::new("place along the axle y [m]", "over its largest value [-]", series).titled(subtitle)
         };
         let bends = |name: &ModeName| {
             matches!(name, ModeName::Bending { plane: BendingPlane::Both | BendingPlane::Vertical, .. })
@@ -225,11 +222,7 @@ impl Answer for WheelsetAnswer {
         LineFigure::new(
             "Wheelset at its contacts",
             format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(&self.case)),
-            [LinePanel {
-                x_scale: Scale::Log,
-                y_scale: Scale::Log,
-                ..LinePanel::new("frequency f [Hz]", "|H| [m/N]", series)
-            }],
+            [LinePanel::new("frequency f [Hz]", "|H| [m/N]", series).scaled(Scale::Log, Scale::Log)],
         )
         .arranged(Arrangement::Stacked)
     }

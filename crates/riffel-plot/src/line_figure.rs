@@ -168,6 +168,16 @@ impl LinePanel {
         }
     }
 
+    /// The same below some words.
+    pub fn titled(self, subtitle: impl Into<String>) -> Self {
+        Self { subtitle: subtitle.into(), ..self }
+    }
+
+    /// The same on axes of a spacing each.
+    pub fn scaled(self, x_scale: Scale, y_scale: Scale) -> Self {
+        Self { x_scale, y_scale, ..self }
+    }
+
     fn check(&self, panel: usize) -> Result<(), PlotError> {
         for series in &self.series {
             let (x_count, y_count) = (series.x.len(), series.y.len());

@@ -1,5 +1,6 @@
 //! A comparison as tables.
 
+use riffel::roughness::ThirdOctave;
 use riffel_keys::{Message, say};
 use riffel_rail::name_in_words;
 
@@ -79,14 +80,11 @@ fn change(outcome: &Outcome, answer: &CompareAnswer) -> Message {
 
 /// What a reader sees of the bands, the longest first.
 pub(super) fn shown_bands(answer: &CompareAnswer) -> Table {
-    let bands = || answer.comparison.bands.iter().enumerate().rev();
-    let wavelengths = bands().map(|(_, band)| number_alone(band.nominal_millimetres()));
+    let bands: Vec<(usize, &ThirdOctave)> = answer.comparison.bands.iter().enumerate().rev().collect();
     let rates = answer.comparison.outcomes.iter().map(|outcome| {
-        let rates = bands().map(|(place, _)| per_million(outcome.growth.band_rate(place)));
-        let rates = rates.map(|rate| number_alone(format_args!("{rate:+.3}")));
-        Column::shown(title_of(outcome), rates.collect())
+        bands.numbers(title_of(outcome), |(place, _)| format!("{:+.3}", per_million(outcome.growth.band_rate(*place))))
     });
-    let wavelengths = Column::shown(say!(wavelength_of_band), wavelengths.collect());
+    let wavelengths = bands.numbers(say!(wavelength_of_band), |(_, band)| band.nominal_millimetres());
     Table { name: BANDS, columns: [wavelengths].into_iter().chain(rates).collect() }
 }
 

@@ -151,12 +151,13 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
         .colored(OKABE_ITO[0])
     });
     LinePanel {
-        subtitle: match patch.along_rail() {
-            true => "steady rolling".to_owned(),
-            false => "steady rolling, longitudinal creepage alone".to_owned(),
-        },
         y_range: Some((0.0, 1.08)),
-        ..LinePanel::new("creepage ξ [%]", "tractive ratio Q/μP [-]", laws.chain(mean_state))
+        ..LinePanel::new("creepage ξ [%]", "tractive ratio Q/μP [-]", laws.chain(mean_state)).titled(
+            match patch.along_rail() {
+                true => "steady rolling".to_owned(),
+                false => "steady rolling, longitudinal creepage alone".to_owned(),
+            },
+        )
     }
 }
 

@@ -240,10 +240,10 @@ fn input_panel(ratios: &[f64], input: &InputResponse) -> LinePanel {
     /// Room for the names above the curves, which end at 1.
     const HIGHEST: f64 = 1.6;
     LinePanel {
-        subtitle: format!("response to {} over quasi-static response", input.name),
-        x_scale: Scale::Log,
         y_range: Some((0.0, HIGHEST.max(1.25 * largest))),
         ..LinePanel::new("wavelength λ/a [-]", "modulus [-]", series)
+            .titled(format!("response to {} over quasi-static response", input.name))
+            .scaled(Scale::Log, Scale::Linear)
     }
 }
 

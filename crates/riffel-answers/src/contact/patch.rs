@@ -24,16 +24,16 @@ pub(super) fn figure(patch: &RollingTheories) -> LineFigure {
         format!("Half-space theory; material enters on the right, at x = +a. {}", parameters(patch)),
         [
             LinePanel {
-                subtitle: "tractions on the centre line".to_owned(),
                 x_range,
                 y_range: Some((0.0, 1.25 * highest)),
                 ..LinePanel::new(x_label.clone(), "traction [MPa]", tractions(patch))
+                    .titled("tractions on the centre line")
             },
             LinePanel {
-                subtitle: "where the surfaces stick and slip".to_owned(),
                 x_range,
                 y_range: Some((-half_height, half_height)),
                 ..LinePanel::new(x_label, "y across the rail [mm]", stick_and_slip(patch))
+                    .titled("where the surfaces stick and slip")
             },
         ],
     )

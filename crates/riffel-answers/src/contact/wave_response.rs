@@ -70,10 +70,8 @@ impl WaveResponse {
         ];
         let series =
             curves.map(|(name, values, color)| Series { color: Some(OKABE_ITO[color]), ..line(name, ratios, &values) });
-        LinePanel {
-            subtitle: "geometry of a wave, under constant load and slip speed".to_owned(),
-            x_scale: Scale::Log,
-            ..LinePanel::new("wavelength λ/a [-]", "e₁/e₀ over R k²Δ [-]", series)
-        }
+        LinePanel::new("wavelength λ/a [-]", "e₁/e₀ over R k²Δ [-]", series)
+            .titled("geometry of a wave, under constant load and slip speed")
+            .scaled(Scale::Log, Scale::Linear)
     }
 }

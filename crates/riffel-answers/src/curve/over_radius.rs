@@ -187,12 +187,11 @@ impl OverRadius {
 
     fn panel(&self, label: &str, series: Vec<Series>) -> LinePanel {
         LinePanel {
-            x_scale: Scale::Log,
             marks: match self.listed {
                 true => Vec::new(),
                 false => vec![Mark { x: self.radius, label: String::new() }],
             },
-            ..LinePanel::new("curve radius |R| [m]", label, series)
+            ..LinePanel::new("curve radius |R| [m]", label, series).scaled(Scale::Log, Scale::Linear)
         }
     }
 }

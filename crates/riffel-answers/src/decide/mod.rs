@@ -199,10 +199,9 @@ impl Answer for DecideAnswer {
         let names = names(&self.decision);
         let actions = || decision.actions.iter().zip(&names);
         let panel = |subtitle: &str, x_label: String, series: Vec<Series>, marks: Vec<Mark>| LinePanel {
-            subtitle: subtitle.to_owned(),
             y_range: Some((0.0, 100.0)),
             marks,
-            ..LinePanel::new(x_label, "share of the draws below [%]", series)
+            ..LinePanel::new(x_label, "share of the draws below [%]", series).titled(subtitle)
         };
         let months = actions().map(|(action, name)| line(name, &action.curves[0]));
         let costs = actions().map(|(action, name)| line(name, &action.curves[1]));

@@ -68,9 +68,9 @@ pub(super) fn of(diagnosis: &Diagnosis, language: Language) -> LineFigure {
         )
         .text(language),
         [LinePanel {
-            x_scale: Scale::Log,
             marks: marks.collect(),
             ..LinePanel::new(say!(wavelength_axis).text(language), label.text(language), series)
+                .scaled(Scale::Log, Scale::Linear)
         }],
     )
 }

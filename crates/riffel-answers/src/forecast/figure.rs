@@ -102,18 +102,16 @@ fn crack_panel(answer: &TrackForecast, until: f64, language: Language) -> Option
             })
             .colored(OKABE_ITO[1 + phase])
     });
-    Some(LinePanel {
-        subtitle: say!(cracks_at, wavelength = band.now.band.nominal_millimetres()).text(language),
-        ..LinePanel::new(x_label.text(language), say!(crack_axis).text(language), series)
-    })
+    Some(
+        LinePanel::new(x_label.text(language), say!(crack_axis).text(language), series)
+            .titled(say!(cracks_at, wavelength = band.now.band.nominal_millimetres()).text(language)),
+    )
 }
 
 /// Growth over wavelength.
 pub(crate) fn rate_panel(series: Vec<Series>, language: Language) -> LinePanel {
-    LinePanel {
-        x_scale: Scale::Log,
-        ..LinePanel::new(say!(wavelength_axis).text(language), say!(growth_axis).text(language), series)
-    }
+    LinePanel::new(say!(wavelength_axis).text(language), say!(growth_axis).text(language), series)
+        .scaled(Scale::Log, Scale::Linear)
 }
 
 /// Neither growth nor decay.

@@ -165,8 +165,6 @@ impl PosteriorForecast {
                 color: riffel_plot::Rgb(shade, shade, 255),
             };
             LinePanel {
-                subtitle: subtitle.text(language),
-                x_scale: Scale::Log,
                 areas: vec![area("90 %", 0, 4, 225), area("50 %", 1, 3, 190)],
                 ..LinePanel::new(
                     say!(wavelength_in_millimetres).text(language),
@@ -181,6 +179,8 @@ impl PosteriorForecast {
                         .styled(LineStyle::Dashed),
                     ],
                 )
+                .titled(subtitle.text(language))
+                .scaled(Scale::Log, Scale::Linear)
             }
         };
         let months = self.forecast.horizon_months;

@@ -150,7 +150,6 @@ impl BayGrowth {
         let positions: Vec<f64> = self.states.iter().map(|(position, _)| *position).collect();
         let ends = vec![0.0, self.spacing];
         let along = LinePanel {
-            subtitle: format!("at {:.1} mm", 1e3 * self.wavelength_m),
             marks: vec![Mark { x: 0.5 * self.spacing, label: "mid-span".to_owned() }],
             ..LinePanel::new(
                 "distance from a support [m]",
@@ -165,11 +164,11 @@ impl BayGrowth {
                     series("mean over the bay", LineStyle::Dashed, ends, vec![self.growth_rate_mean; 2]),
                 ],
             )
+            .titled(format!("at {:.1} mm", 1e3 * self.wavelength_m))
         };
         let wavelengths: Vec<f64> = self.spectrum.iter().map(|(wavelength, _)| 1e3 * wavelength).collect();
         let rates = |place: usize| self.spectrum.iter().map(|(_, rates)| rates[place]).collect();
         let over = LinePanel {
-            subtitle: format!("over wavelength at {:.0} km/h", 3.6 * self.speed_m_per_s),
             marks: vec![Mark { x: 1e3 * self.wavelength_m, label: String::new() }],
             ..LinePanel::new(
                 "wavelength λ [mm]",
@@ -180,6 +179,7 @@ impl BayGrowth {
                     series("mean over the bay", LineStyle::Dashed, wavelengths, rates(2)),
                 ],
             )
+            .titled(format!("over wavelength at {:.0} km/h", 3.6 * self.speed_m_per_s))
         };
         LineFigure::new(
             "Growth over a sleeper bay",

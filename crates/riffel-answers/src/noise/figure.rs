@@ -96,10 +96,8 @@ fn course(course: &Course, language: Language) -> LinePanel {
                 .colored(OKABE_ITO[1]),
         );
     }
-    LinePanel {
-        subtitle: say!(under_traffic).text(language),
-        ..LinePanel::new(say!(time_axis_in_months).text(language), say!(level_axis_a_weighted).text(language), series)
-    }
+    LinePanel::new(say!(time_axis_in_months).text(language), say!(level_axis_a_weighted).text(language), series)
+        .titled(say!(under_traffic).text(language))
 }
 
 fn curve(frequencies: &[f64], levels: &[Option<f64>], label: String, style: LineStyle, color: Rgb) -> Series {
@@ -109,9 +107,7 @@ fn curve(frequencies: &[f64], levels: &[Option<f64>], label: String, style: Line
 }
 
 fn panel(subtitle: Message, series: Vec<Series>, language: Language) -> LinePanel {
-    LinePanel {
-        subtitle: subtitle.text(language),
-        x_scale: Scale::Log,
-        ..LinePanel::new(say!(frequency_axis).text(language), say!(level_axis_in_decibels).text(language), series)
-    }
+    LinePanel::new(say!(frequency_axis).text(language), say!(level_axis_in_decibels).text(language), series)
+        .titled(subtitle.text(language))
+        .scaled(Scale::Log, Scale::Linear)
 }

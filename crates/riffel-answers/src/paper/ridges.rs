@@ -78,7 +78,7 @@ fn curve(label: &str, style: LineStyle, points: &[RidgePoint], value: impl Fn(&R
 }
 
 fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
-    LinePanel { subtitle: subtitle.to_owned(), ..LinePanel::new(say!(speed_axis).text(language), y_label, series) }
+    LinePanel::new(say!(speed_axis).text(language), y_label, series).titled(subtitle)
 }
 
 /// A value for each inertia over speed.
@@ -160,10 +160,8 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure> 
         let y = x.iter().map(|&value| minimum(&case(value)?));
         Ok::<_, AnswerError>(Series { y: y.collect::<Result<_>>()?, x, ..Series::default() })
     };
-    let panel = |subtitle: &str, x_label: &str, x_scale, series| LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_scale,
-        ..LinePanel::new(x_label, MINIMUM_LABEL, [series])
+    let panel = |subtitle: &str, x_label: &str, x_scale, series| {
+        LinePanel::new(x_label, MINIMUM_LABEL, [series]).titled(subtitle).scaled(x_scale, Scale::Linear)
     };
     let title = say!(figure_8, speed = SPEED).text(language);
     let falls = match model.is_the_papers() {

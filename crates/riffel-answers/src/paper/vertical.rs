@@ -32,12 +32,7 @@ fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState)
 }
 
 fn panel(language: Language, subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> LinePanel {
-    LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_scale: Scale::Log,
-        y_scale,
-        ..LinePanel::new(say!(frequency_axis).text(language), y_label, series)
-    }
+    LinePanel::new(say!(frequency_axis).text(language), y_label, series).titled(subtitle).scaled(Scale::Log, y_scale)
 }
 
 pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure> {

@@ -366,9 +366,8 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
         let (y, peaks) = rows_of(conformal).into_iter().map(|row| (1e3 * row.0, 1e-6 * row.1)).unzip();
         pressures.push(series("conformal", LineStyle::Markers, y, peaks));
     }
-    let panel = |subtitle: String, label: &str, series: Vec<Series>| LinePanel {
-        subtitle,
-        ..LinePanel::new("y across [mm]", label, series)
+    let panel = |subtitle: String, label: &str, series: Vec<Series>| {
+        LinePanel::new("y across [mm]", label, series).titled(subtitle)
     };
     let name = |what: &str| format!("{} rail: {what}", rail.name());
     [panel(name("largest pressure"), "pressure [MPa]", pressures), panel(name("patch"), "x along [mm]", outlines)]

@@ -72,11 +72,8 @@ impl Answer for MatrixAnswer {
 
     /// Moduli of the entries that are not zero.
     fn figure(&self) -> LineFigure {
-        let panel = |subtitle: &str, matrices: &[[[Complex64; 3]; 3]]| LinePanel {
-            subtitle: subtitle.to_owned(),
-            x_scale: Scale::Log,
-            y_scale: Scale::Log,
-            ..LinePanel::new(
+        let panel = |subtitle: &str, matrices: &[[[Complex64; 3]; 3]]| {
+            LinePanel::new(
                 "frequency f [Hz]",
                 "|H| [m/N]",
                 upper()
@@ -89,6 +86,8 @@ impl Answer for MatrixAnswer {
                     })
                     .filter(|series| series.y.iter().any(|&modulus| modulus > 0.0)),
             )
+            .titled(subtitle)
+            .scaled(Scale::Log, Scale::Log)
         };
         LineFigure::new(
             "Receptances at the contact, all axes",

@@ -190,19 +190,16 @@ impl ReceptanceAnswer {
         LineFigure::new(
             "Track decay rate",
             format!("One-third octaves of EN 15461, force in mid-span. {}", parameters(&self.case)),
-            [LinePanel {
-                x_scale: Scale::Log,
-                y_scale: Scale::Log,
-                ..LinePanel::new(
-                    "frequency f [Hz]",
-                    "decay rate [dB/m]",
-                    [Series::new(
-                        "",
-                        rates.iter().map(|rate| rate.nominal_frequency).collect(),
-                        rates.iter().map(|rate| rate.decay_rate).collect(),
-                    )],
-                )
-            }],
+            [LinePanel::new(
+                "frequency f [Hz]",
+                "decay rate [dB/m]",
+                [Series::new(
+                    "",
+                    rates.iter().map(|rate| rate.nominal_frequency).collect(),
+                    rates.iter().map(|rate| rate.decay_rate).collect(),
+                )],
+            )
+            .scaled(Scale::Log, Scale::Log)],
         )
         .arranged(Arrangement::Stacked)
     }
@@ -240,8 +237,6 @@ impl Answer for ReceptanceAnswer {
     fn figure(&self) -> LineFigure {
         // Names stand in the first panel only.
         let panel = |named: bool, y_label: &str, y_scale, value: fn(Complex64) -> f64| LinePanel {
-            x_scale: Scale::Log,
-            y_scale,
             marks: self.resonances.iter().map(|resonance| mark(resonance, named)).collect(),
             ..LinePanel::new(
                 "frequency f [Hz]",
@@ -255,6 +250,7 @@ impl Answer for ReceptanceAnswer {
                     .styled(style(curve))
                 }),
             )
+            .scaled(Scale::Log, y_scale)
         };
         let (title, force) = match self.direction {
             Direction::Vertical => ("Receptances at the contact", "both downward"),

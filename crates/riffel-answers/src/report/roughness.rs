@@ -23,9 +23,9 @@ pub(super) fn strips(record: &Record, language: Language) -> Result<Section, Plo
             Series::new("", x.into_iter().map(|position| unit.of(position)).collect(), y).colored(OKABE_ITO[1])
         });
         LinePanel {
-            subtitle: name_in_words(&rail.name).text(language),
             x_range: Some((unit.of(record.from), unit.of(record.to))),
             ..LinePanel::new(position_axis(unit).text(language), say!(height_axis).text(language), series)
+                .titled(name_in_words(&rail.name).text(language))
         }
     });
     let drawing = LineFigure { panels: panels.collect(), arrangement: Arrangement::Strips, ..LineFigure::default() };

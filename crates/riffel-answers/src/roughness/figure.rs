@@ -86,10 +86,10 @@ pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2], language: Lang
         }));
     }
     LinePanel {
-        subtitle: name_in_words(&rail.name).text(language),
         x_range: Some(ends),
-        y_scale: Scale::Log,
         ..LinePanel::new(position_axis(unit).text(language), say!(moving_rms_axis).text(language), series)
+            .titled(name_in_words(&rail.name).text(language))
+            .scaled(Scale::Linear, Scale::Log)
     }
 }
 
@@ -118,10 +118,8 @@ pub(crate) fn of_spectra(answer: &SpectraAnswer, language: Language) -> LineFigu
 
 /// Levels over wavelength.
 pub(crate) fn level_panel(series: Vec<Series>, language: Language) -> LinePanel {
-    LinePanel {
-        x_scale: Scale::Log,
-        ..LinePanel::new(say!(wavelength_axis).text(language), say!(level_axis).text(language), series)
-    }
+    LinePanel::new(say!(wavelength_axis).text(language), say!(level_axis).text(language), series)
+        .scaled(Scale::Log, Scale::Linear)
 }
 
 pub(crate) fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series> {

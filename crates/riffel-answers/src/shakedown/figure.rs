@@ -76,8 +76,5 @@ fn along_wave(answer: &ShakedownAnswer) -> Option<LinePanel> {
     ];
     let series =
         series.map(|(label, color, style, y)| Series::new(label, phase.clone(), y).styled(style).colored(color));
-    Some(LinePanel {
-        subtitle: "over the wave".to_owned(),
-        ..LinePanel::new("phase of the profile / °", "demand", series.to_vec())
-    })
+    Some(LinePanel::new("phase of the profile / °", "demand", series.to_vec()).titled("over the wave"))
 }

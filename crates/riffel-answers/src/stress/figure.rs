@@ -64,10 +64,9 @@ fn section(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel 
     let values = mises(answer, traction, [&x, &[0.0], &depth]);
     let down: Vec<f64> = depth.iter().map(|z| -z).collect();
     LinePanel {
-        subtitle: format!("section, {name}"),
         x_range: Some((-2.0, 2.0)),
         y_range: Some((-2.0, 0.0)),
-        ..LinePanel::new("x/a", "−z/a", contours(&x, &down, &values))
+        ..LinePanel::new("x/a", "−z/a", contours(&x, &down, &values)).titled(format!("section, {name}"))
     }
 }
 
@@ -86,10 +85,9 @@ fn surface(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel 
         .colored(Rgb::BLACK),
     );
     LinePanel {
-        subtitle: format!("surface, {name}"),
         x_range: Some((-1.5, 1.5)),
         y_range: Some((-1.5, 1.5)),
-        ..LinePanel::new("x/a", "y/b", series)
+        ..LinePanel::new("x/a", "y/b", series).titled(format!("surface, {name}"))
     }
 }
 
@@ -100,7 +98,7 @@ fn along(answer: &StressAnswer, tractions: &[(&str, &Traction)]) -> LinePanel {
     let series = tractions.iter().enumerate().map(|(index, (label, traction))| {
         Series::new(*label, x.clone(), mises(answer, traction, [&x, &[0.0], &[0.0]])).colored(OKABE_ITO[1 + index])
     });
-    LinePanel { subtitle: "middle of the surface".to_owned(), ..LinePanel::new("x/a", "von Mises stress/p₀", series) }
+    LinePanel::new("x/a", "von Mises stress/p₀", series).titled("middle of the surface")
 }
 
 fn over_friction(answer: &StressAnswer) -> LinePanel {
@@ -113,7 +111,5 @@ fn over_friction(answer: &StressAnswer) -> LinePanel {
         .into_iter()
         .enumerate()
         .map(|(index, (label, y))| Series::new(label, x.clone(), y).colored(OKABE_ITO[1 + index]));
-    LinePanel {
-        subtitle: "largest, full slip".to_owned(), ..LinePanel::new("friction", "von Mises stress/p₀", series)
-    }
+    LinePanel::new("friction", "von Mises stress/p₀", series).titled("largest, full slip")
 }

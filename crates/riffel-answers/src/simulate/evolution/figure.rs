@@ -269,9 +269,8 @@ impl Stretch {
             })
         });
         LinePanel {
-            subtitle,
             y_range: Some((-1.05 * self.largest, 1.05 * self.largest)),
-            ..LinePanel::new("place along the rail x [m]", "height [µm]", series)
+            ..LinePanel::new("place along the rail x [m]", "height [µm]", series).titled(subtitle)
         }
     }
 }
@@ -314,20 +313,18 @@ fn drift(bands: &[Band]) -> LinePanel {
         // [m] in a passage are [mm] in a thousand, and a thousand of them in a million.
         ..over_bands(bands.iter().map(|band| (band.wavelength_m, 1e9 * of(band))))
     };
-    LinePanel {
-        x_scale: Scale::Log,
-        ..LinePanel::new(
-            "wavelength λ [mm]",
-            "drift [mm per 10⁶ passages]",
-            [
-                curve("first step", LineStyle::Solid, OKABE_ITO[1], &|band| {
-                    band.first_shift_m_per_passage.unwrap_or(f64::NAN)
-                }),
-                curve("linear", LineStyle::Markers, Rgb::BLACK, &|band| band.linear_shift_m_per_passage),
-                zero(&wavelengths),
-            ],
-        )
-    }
+    LinePanel::new(
+        "wavelength λ [mm]",
+        "drift [mm per 10⁶ passages]",
+        [
+            curve("first step", LineStyle::Solid, OKABE_ITO[1], &|band| {
+                band.first_shift_m_per_passage.unwrap_or(f64::NAN)
+            }),
+            curve("linear", LineStyle::Markers, Rgb::BLACK, &|band| band.linear_shift_m_per_passage),
+            zero(&wavelengths),
+        ],
+    )
+    .scaled(Scale::Log, Scale::Linear)
 }
 
 /// A curve over bands by their wavelengths \[m\], broken where one is left out.
