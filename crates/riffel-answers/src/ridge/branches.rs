@@ -201,11 +201,13 @@ pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
         .filter(|mechanism| vertical(mechanism.kind))
         .filter_map(|mechanism| Some((mechanism.kind, mechanism.frequency()?)));
     let highest = case.speed.max() / case.wavelength.min();
-    let modes = case.wheelset.as_deref().map_or_else(Vec::new, |wheelset| {
-        // Where modes cannot be told apart so high, a branch has no name.
-        case.wheelset_modes(wheelset, highest).unwrap_or_default()
-    });
-    let of_wheelset = modes.iter().filter_map(|mode| {
+    of_track.chain(modes_of_axle(case, highest)).collect()
+}
+
+/// Natural frequencies up to one \[Hz\] at which the axle of a wheelset twists or bends; none where modes cannot be told apart so high.
+pub(crate) fn modes_of_axle(case: &Case, highest: f64) -> Vec<(MechanismKind, f64)> {
+    let modes = case.wheelset.as_deref().and_then(|wheelset| case.wheelset_modes(wheelset, highest).ok());
+    let named = modes.iter().flatten().filter_map(|mode| {
         let kind = match mode.name {
             ModeName::Torsion { .. } => MechanismKind::WheelsetTorsion,
             ModeName::Bending { .. } => MechanismKind::WheelsetBending,
@@ -213,7 +215,7 @@ pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
         };
         Some((kind, mode.frequency))
     });
-    of_track.chain(of_wheelset).collect()
+    named.collect()
 }
 
 /// The name of a mechanism.
