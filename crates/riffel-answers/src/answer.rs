@@ -179,7 +179,9 @@ pub trait Answer: Document {
     }
 
     /// What the reader should know.
-    fn remarks(&self) -> &[Message];
+    fn remarks(&self) -> &[Message] {
+        &[]
+    }
 }
 
 /// The title that somebody gave, or the usual one.

@@ -5,7 +5,7 @@ use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// Bins of a marginal distribution.
 const BINS: usize = 30;
@@ -21,37 +21,31 @@ pub(crate) fn directions(told: &Identifiability) -> Table {
         true => say!(told_by_data),
         false => say!(told_by_prior),
     };
-    let numbers = |value: &dyn Fn(&Direction) -> f64| directions.iter().map(value).collect::<Vec<f64>>();
-    let words = directions.iter().map(|it| Message::verbatim(it.words()));
-    let spreads = directions.iter().map(|it| {
+    let spread = |it: &Direction| {
         let spread = (!it.powers.is_empty()).then(|| 100.0 * it.spread.exp_m1());
         spread.filter(|spread| spread.is_finite())
-    });
+    };
     let mut columns = vec![
-        Column::words("direction", say!(values_together), words.collect()),
-        Column::words("told_by", say!(told_by), directions.iter().map(by).collect()),
-        Column::fixed("spread_percent", say!(spread_percent), spreads, 1),
-        Column::in_file("information", numbers(&|it| it.information).into_iter()),
+        directions.words("direction", say!(values_together), |it| Message::verbatim(it.words())),
+        directions.words("told_by", say!(told_by), by),
+        directions.fixed("spread_percent", say!(spread_percent), 1, spread),
+        directions.plain("information", |it| it.information),
     ];
     for (place, name) in told.names.iter().enumerate() {
-        columns.push(Column::in_file(name, numbers(&|it| it.parts[place]).into_iter()));
+        columns.push(directions.plain(name, |it| it.parts[place]));
     }
     Table { name: "identifiability", columns }
 }
 
 /// Correlations of all pairs, for a file.
 pub(crate) fn correlations(told: &Identifiability) -> Table {
-    let names = |place: usize| {
-        let pairs = told.correlations.iter();
-        pairs.map(move |pair| pair.names[place].as_str())
-    };
-    let values = told.correlations.iter().map(|pair| pair.correlation);
+    let pairs = &told.correlations;
     Table {
         name: "correlations",
         columns: vec![
-            Column::names("parameter", names(0)),
-            Column::names("other", names(1)),
-            Column::in_file("correlation", values),
+            pairs.names("parameter", |pair| &pair.names[0]),
+            pairs.names("other", |pair| &pair.names[1]),
+            pairs.plain("correlation", |pair| pair.correlation),
         ],
     }
 }
@@ -70,8 +64,8 @@ pub(crate) fn close_pairs(told: &Identifiability) -> Vec<Message> {
         let [one, other] = &pair.names;
         let correlation = fixed(pair.correlation, 2);
         match pair.correlation < 0.0 {
-            true => say!(told_as_a_product, one = one, other = other, correlation = correlation),
-            false => say!(told_as_a_ratio, one = one, other = other, correlation = correlation),
+            true => say!(told_as_a_product, one, other, correlation),
+            false => say!(told_as_a_ratio, one, other, correlation),
         }
     });
     pairs.collect()
@@ -105,7 +99,7 @@ impl LogEvidence {
     pub(crate) fn in_words(&self) -> Message {
         let Self { value, range, runs } = *self;
         let [low, high] = range.map(|it| fixed(it, 2));
-        say!(log_evidence, value = fixed(value, 2), low = low, high = high, runs = runs)
+        say!(log_evidence, value = fixed(value, 2), low, high, runs)
     }
 }
 
@@ -164,20 +158,15 @@ impl Densities {
 fn marginal(parameter: &Parameter, values: &[f64], found: &Marginal) -> LinePanel {
     let densities = Densities::of(parameter, values, found);
     LinePanel {
-        x_label: axis(parameter),
-        y_label: "density, relative".to_owned(),
         x_range: Some((densities.from, densities.to)),
-        series: vec![
-            Series { label: "after".to_owned(), x: densities.x, y: densities.after, ..Series::default() },
-            Series {
-                label: "before".to_owned(),
-                x: densities.x_before,
-                y: densities.before,
-                style: LineStyle::Dashed,
-                ..Series::default()
-            },
-        ],
-        ..LinePanel::default()
+        ..LinePanel::new(
+            axis(parameter),
+            "density, relative",
+            [
+                Series::new("after", densities.x, densities.after),
+                Series::new("before", densities.x_before, densities.before).styled(LineStyle::Dashed),
+            ],
+        )
     }
 }
 
@@ -191,13 +180,14 @@ fn pair(plan: &Plan, chains: &Chains, pair: &Correlation) -> Option<LinePanel> {
         let step = values.len().div_ceil(SHOWN);
         values.into_iter().step_by(step).collect::<Vec<f64>>()
     });
-    Some(LinePanel {
-        subtitle: format!("r = {:.2}", pair.correlation),
-        x_label: axis(&parameters[one]),
-        y_label: axis(&parameters[other]),
-        series: vec![Series { x, y, style: LineStyle::Markers, ..Series::default() }],
-        ..LinePanel::default()
-    })
+    Some(
+        LinePanel::new(
+            axis(&parameters[one]),
+            axis(&parameters[other]),
+            [Series::new("", x, y).styled(LineStyle::Markers)],
+        )
+        .titled(format!("r = {:.2}", pair.correlation)),
+    )
 }
 
 /// Marginal distributions after and before the data, and pairs: those that the data do not part, or else the closest.
@@ -214,10 +204,5 @@ pub(crate) fn figure(plan: &Plan, chains: &Chains, summary: &Summary, told: &Ide
     for sentence in &together {
         caption += &format!(" {}.", sentence.text(riffel_keys::Language::English));
     }
-    LineFigure {
-        title: plan.file.title.clone().unwrap_or_else(|| "Calibration".to_owned()),
-        caption,
-        panels: panels.chain(shown).collect(),
-        ..LineFigure::default()
-    }
+    LineFigure::new(plan.file.title.clone().unwrap_or_else(|| "Calibration".to_owned()), caption, panels.chain(shown))
 }

@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::calibrate::{Densities, LogEvidence, close_pairs, correlations, directions, figure};
 use crate::number_alone;
 use crate::outlying::in_words;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Rows, Table};
 
 /// What the chains of a plan say of each value, and of the data.
 #[derive(Serialize)]
@@ -176,22 +176,18 @@ impl Answer for Calibration {
 
 /// What the data say of each parameter, as a reader sees it.
 fn marginals(summary: &Summary) -> Table {
-    let shown = |head: Message, of: &dyn Fn(&Marginal) -> Message| {
-        Column::shown(head, summary.marginals.iter().map(of).collect())
-    };
-    let quantile =
-        |head: Message, place: usize| shown(head, &|found| number_alone(four_digits(found.quantiles[place])));
-    let told = |found: &Marginal| number_alone(format!("{:.0} %", 100.0 * found.contraction.max(0.0)));
+    let rows = &summary.marginals;
+    let quantile = |head: Message, place: usize| rows.numbers(head, |found| four_digits(found.quantiles[place]));
     Table {
         name: "marginals",
         columns: vec![
-            shown(Message::verbatim(""), &|found| Message::verbatim(&found.name)),
+            rows.shown(Message::verbatim(""), |found| Message::verbatim(&found.name)),
             quantile(say!(median), 2),
             quantile(number_alone("5 %"), 0),
             quantile(number_alone("95 %"), 4),
-            shown(Message::verbatim("R̂"), &|found| number_alone(format!("{:.3}", found.rhat))),
-            shown(say!(told_by_data_column), &told),
-            shown(say!(unit_column), &|found| Message::verbatim(&found.unit)),
+            rows.digits(Message::verbatim("R̂"), 3, |found| found.rhat),
+            rows.numbers(say!(told_by_data_column), |found| format!("{:.0} %", 100.0 * found.contraction.max(0.0))),
+            rows.shown(say!(unit_column), |found| Message::verbatim(&found.unit)),
         ],
     }
 }
@@ -203,7 +199,7 @@ fn conclusion(parameters: &[Value]) -> Message {
     let told = values().filter(|value| value.is_told);
     let best = told.clone().max_by(|a, b| a.contraction.total_cmp(&b.contraction));
     let Some(best) = best else {
-        return say!(calibration_tells_nothing, count = count);
+        return say!(calibration_tells_nothing, count);
     };
     let untold = values().filter(|value| !value.is_told);
     let untold: Vec<&str> = untold.map(|value| &*value.name).collect();
@@ -212,19 +208,15 @@ fn conclusion(parameters: &[Value]) -> Message {
             let contractions = values().map(|value| value.contraction);
             say!(
                 calibration_tells_all,
-                count = count,
+                count,
                 least = fixed(1e2 * contractions.fold(f64::INFINITY, f64::min), 0),
                 most = fixed(1e2 * best.contraction, 0),
                 best = &best.name
             )
         }
-        untold => say!(
-            calibration_tells_some,
-            told = told.count(),
-            count = count,
-            best = &best.name,
-            untold = untold.join(", ")
-        ),
+        untold => {
+            say!(calibration_tells_some, told = told.count(), count, best = &best.name, untold = untold.join(", "))
+        }
     }
 }
 

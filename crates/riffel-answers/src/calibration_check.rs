@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, Files, Question, Source, on_threads};
-use crate::{Answer, AnswerError, Column, Table, level_limit};
+use crate::{Answer, AnswerError, Result, Rows, Table, level_limit};
 
 /// The limit of forecasts.
 const LIMIT: &str = "iso-3095-2013";
@@ -42,7 +42,7 @@ impl Question for CheckQuestion {
         Exit status: 0 the ranks are even, 1 they are not, 2 bad input, 130 stopped by Ctrl-C.";
     const FILES: Files = Files::Asked;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let plan = Plan::read(&self.plan)?;
         let (_, limit) = level_limit(LIMIT)?;
         let stop = asker.stop();
@@ -104,26 +104,20 @@ impl Answer for CalibrationCheck {
     fn tables(&self) -> Vec<Table> {
         let values = &self.simulated.values;
         // Ranks of the ln likelihood are no interval of anything.
-        let inside = |place: usize| {
+        let inside = |name: &str, head, place: usize| {
             let share = |value: &Ranked| (value.of != Checked::LogLikelihood).then_some(100.0 * value.inside[place]);
-            values.iter().map(share).collect::<Vec<Option<f64>>>().into_iter()
+            values.fixed(name, head, 0, share)
         };
-        let probability = values.iter().map(|value| Some(value.probability));
-        let simulations = values.iter().map(|value| Some(value.ranks.len() as f64));
         vec![Table {
             name: self.name(),
             columns: vec![
-                Column::words("value", say!(checked_value), values.iter().map(name).collect()),
-                Column::fixed("simulations", say!(simulations), simulations, 0),
-                Column::fixed("inside_50_percent", say!(inside_50_percent), inside(0), 0),
-                Column::fixed("inside_80_percent", say!(inside_80_percent), inside(1), 0),
-                Column::fixed("inside_90_percent", say!(inside_90_percent), inside(2), 0),
-                Column::fixed("probability", say!(probability_of_ranks), probability, 4),
-                Column::words(
-                    "verdict",
-                    say!(verdict_on_ranks),
-                    values.iter().map(|value| self.verdict(value)).collect(),
-                ),
+                values.words("value", say!(checked_value), name),
+                values.fixed("simulations", say!(simulations), 0, |value| value.ranks.len() as f64),
+                inside("inside_50_percent", say!(inside_50_percent), 0),
+                inside("inside_80_percent", say!(inside_80_percent), 1),
+                inside("inside_90_percent", say!(inside_90_percent), 2),
+                values.fixed("probability", say!(probability_of_ranks), 4, |value| value.probability),
+                values.words("verdict", say!(verdict_on_ranks), |value| self.verdict(value)),
             ],
         }]
     }
@@ -139,12 +133,8 @@ impl Answer for CalibrationCheck {
         let runs = self.simulated.runs as f64;
         let text = |message: Message| message.text(riffel_keys::Language::English);
         let ends = [0.0, 1.0];
-        let band = |sign: f64, label: &str| Series {
-            label: label.to_owned(),
-            x: ends.to_vec(),
-            y: vec![sign * BAND / runs.sqrt(); 2],
-            style: LineStyle::Dashed,
-            ..Series::default()
+        let band = |sign: f64, label: &str| {
+            Series::new(label, ends.to_vec(), vec![sign * BAND / runs.sqrt(); 2]).styled(LineStyle::Dashed)
         };
         let series = self.simulated.values.iter().map(|value| {
             let ranks = (0..=riffel_calibrate::RANKED).map(|rank| {
@@ -153,25 +143,25 @@ impl Answer for CalibrationCheck {
                 (share, below / value.ranks.len() as f64 - share)
             });
             let (x, y) = ranks.unzip();
-            Series { label: text(name(value)), x, y, ..Series::default() }
+            Series::new(text(name(value)), x, y)
         });
         let bands = [band(1.0, "band of 99.9 %"), band(-1.0, "")];
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| "Check".to_owned()),
-            caption: format!(
-                "Share of {} simulations in which at most so many draws lie below the truth, less that of even ranks; dashed, what one \
-                 value in a thousand exceeds (Kolmogorov).",
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| "Check".to_owned()),
+            format!(
+                "Share of {} simulations in which at most so many draws lie below the truth, less that \
+                 of even ranks; dashed, what one value in a thousand exceeds (Kolmogorov).",
                 self.simulated.runs
             ),
-            panels: vec![LinePanel {
-                x_label: "share of draws below the truth".to_owned(),
-                y_label: "share of simulations, less even".to_owned(),
+            [LinePanel {
                 x_range: Some((0.0, 1.0)),
-                series: series.chain(bands).collect(),
-                ..LinePanel::default()
+                ..LinePanel::new(
+                    "share of draws below the truth",
+                    "share of simulations, less even",
+                    series.chain(bands),
+                )
             }],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn doubts(&self) -> Vec<Message> {

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::question::{Asker, Files, Question, Rule, Source};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// What measurements say of the uncertain values of a case.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -46,10 +46,10 @@ impl Question for CalibrateQuestion {
         seed gives the same draws on any number of threads.\n\n\
         Exit status: 0 done, 1 the chains allow no conclusion (results are written all the same), 2 bad input, 130 stopped by \
         Ctrl-C (--restart goes on).";
-    const RULES: &'static [Rule] = &[Rule::Needs("traffic", &["with"]), Rule::OneOf(&["dry_run", "restart"])];
+    const RULES: &'static [Rule] = &[Rule::Needs(&["traffic"], &["with"]), Rule::OneOf(&["dry_run", "restart"])];
     const FILES: Files = Files::Asked;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
         Err(AnswerError::InFolder { question: Self::NAME })
     }
 }

@@ -62,18 +62,12 @@ impl Cause {
         let [low, high] = [slowest / wavelength, fastest / wavelength];
         let others = resonances.iter().filter(|other| Some(**other) != found && (low..=high).contains(&other.1));
         let others = others.map(|&(kind, frequency)| at(kind, frequency));
-        let others = others.reduce(|one, other| say!(both, one = one, other = other));
+        let others = others.reduce(|one, other| say!(both, one, other));
         let millimetres = significant(1e3 * wavelength, 2);
         let [low, high] = [low, high].map(|frequency| fixed(frequency, 0));
         match others {
-            Some(others) => evidence_against.push(say!(
-                others_in_reach,
-                wavelength = millimetres,
-                low = low,
-                high = high,
-                others = others
-            )),
-            None => evidence_for.push(say!(others_out_of_reach, wavelength = millimetres, low = low, high = high)),
+            Some(others) => evidence_against.push(say!(others_in_reach, wavelength = millimetres, low, high, others)),
+            None => evidence_for.push(say!(others_out_of_reach, wavelength = millimetres, low, high)),
         }
         if evidence_against.is_empty() {
             evidence_against.push(say!(nothing_against));
@@ -119,24 +113,18 @@ fn sentence(wavelength: f64, speed: f64, found: Option<(MechanismKind, f64)>) ->
         Some((kind, resonance))
             if (frequency / resonance - 1.0).abs() < 5e-3 || frequency.round() == resonance.round() =>
         {
-            say!(cause_at, wavelength = millimetres, speed = speed, frequency = hertz, mechanism = mechanism_name(kind))
+            say!(cause_at, wavelength = millimetres, speed, frequency = hertz, mechanism = mechanism_name(kind))
         }
         Some((kind, resonance)) => say!(
             cause_near,
             wavelength = millimetres,
-            speed = speed,
+            speed,
             frequency = hertz,
             distance = fixed(100.0 * (frequency / resonance - 1.0).abs(), 0),
             resonance = fixed(resonance, 0),
             mechanism = mechanism_name(kind)
         ),
-        None => say!(
-            cause_alone,
-            wavelength = millimetres,
-            speed = speed,
-            frequency = hertz,
-            within = fixed(100.0 * NEAR, 0)
-        ),
+        None => say!(cause_alone, wavelength = millimetres, speed, frequency = hertz, within = fixed(100.0 * NEAR, 0)),
     }
 }
 
@@ -163,14 +151,14 @@ fn frequency_kept(case: &Case, speeds: [f64; 2]) -> Option<(bool, Message)> {
         match kept {
             true => say!(
                 frequency_is_kept,
-                slow = slow,
-                fast = fast,
+                slow,
+                fast,
                 first = significant(1e3 * first.wavelength, 2),
                 last = significant(1e3 * last.wavelength, 2),
-                low = low,
-                high = high
+                low,
+                high
             ),
-            false => say!(frequency_is_not_kept, slow = slow, fast = fast, low = low, high = high),
+            false => say!(frequency_is_not_kept, slow, fast, low, high),
         },
     ))
 }

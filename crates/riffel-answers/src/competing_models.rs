@@ -5,7 +5,7 @@ use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
-use crate::{Answer, Column, Table};
+use crate::{Answer, Rows, Table};
 
 /// The models of a plan by what they predict.
 #[derive(Serialize)]
@@ -57,10 +57,8 @@ impl CompetingModels {
     /// Each model with its score.
     fn by_model(&self) -> Table {
         let models = &self.comparison.models;
-        let number =
-            |of: &dyn Fn(&ModelScore) -> Option<f64>| models.iter().map(of).collect::<Vec<Option<f64>>>().into_iter();
-        let share = |place: usize| {
-            number(&move |model| {
+        let share = |name: &str, head, place: usize| {
+            models.fixed(name, head, 0, |model| {
                 let counts = Comparison::coverage(model);
                 (counts[0] > 0).then(|| 100.0 * counts[place] as f64 / counts[0] as f64)
             })
@@ -68,42 +66,32 @@ impl CompetingModels {
         Table {
             name: "models",
             columns: vec![
-                Column::words("model", say!(model_column), models.iter().map(name).collect()),
-                Column::fixed("log_density", say!(log_density), number(&|model| Some(model.log_density)), 2),
-                Column::fixed("behind", say!(behind_the_best), number(&|it| Some(it.behind)), 2),
-                Column::fixed("standard_error", say!(error_of_behind), number(&|it| Some(it.error)), 2),
-                Column::words(
-                    "verdict",
-                    say!(verdict_on_model),
-                    models.iter().map(|model| self.verdict(model)).collect(),
-                ),
-                Column::fixed("inside_50_percent", say!(inside_50_percent), share(1), 0),
-                Column::fixed("inside_90_percent", say!(inside_90_percent), share(2), 0),
+                models.words("model", say!(model_column), name),
+                models.fixed("log_density", say!(log_density), 2, |model| model.log_density),
+                models.fixed("behind", say!(behind_the_best), 2, |it| it.behind),
+                models.fixed("standard_error", say!(error_of_behind), 2, |it| it.error),
+                models.words("verdict", say!(verdict_on_model), |model| self.verdict(model)),
+                share("inside_50_percent", say!(inside_50_percent), 1),
+                share("inside_90_percent", say!(inside_90_percent), 2),
             ],
         }
     }
 
     /// Each model with what was left out.
     fn by_group(&self) -> Table {
-        let rows = || {
-            let rows = self.comparison.models.iter();
-            rows.flat_map(|model| model.scores.iter().map(move |score| (model, score)))
-        };
-        let of_score = |of: &dyn Fn(&Score) -> Option<f64>| {
-            let values = rows().map(|(_, score)| of(score));
-            values.collect::<Vec<Option<f64>>>().into_iter()
-        };
+        let models = self.comparison.models.iter();
+        let rows: Vec<_> = models.flat_map(|model| model.scores.iter().map(move |score| (model, score))).collect();
         Table {
             name: "left_out",
             columns: vec![
-                Column::words("model", say!(model_column), rows().map(|(model, _)| name(model)).collect()),
-                Column::words("left_out", say!(left_out_column), rows().map(|(_, score)| left_out(score)).collect()),
-                Column::fixed("log_density", say!(log_density), of_score(&|it| Some(it.log_density)), 2),
-                Column::fixed("standard_error_of_draws", say!(error_of_behind), of_score(&|it| Some(it.error)), 2),
-                Column::fixed("k_hat", say!(shape_of_weights), of_score(&|it| it.shape), 2),
-                Column::fixed("data", say!(data_left_out), of_score(&|it| Some(it.count as f64)), 0),
-                Column::fixed("inside_50", say!(inside_50), of_score(&|it| Some(it.inside_50 as f64)), 0),
-                Column::fixed("inside_90", say!(inside_90), of_score(&|it| Some(it.inside_90 as f64)), 0),
+                rows.words("model", say!(model_column), |(model, _)| name(model)),
+                rows.words("left_out", say!(left_out_column), |(_, score)| left_out(score)),
+                rows.fixed("log_density", say!(log_density), 2, |(_, it)| it.log_density),
+                rows.fixed("standard_error_of_draws", say!(error_of_behind), 2, |(_, it)| it.error),
+                rows.fixed("k_hat", say!(shape_of_weights), 2, |(_, it)| it.shape),
+                rows.fixed("data", say!(data_left_out), 0, |(_, it)| it.count as f64),
+                rows.fixed("inside_50", say!(inside_50), 0, |(_, it)| it.inside_50 as f64),
+                rows.fixed("inside_90", say!(inside_90), 0, |(_, it)| it.inside_90 as f64),
             ],
         }
     }
@@ -147,8 +135,8 @@ fn left_out(score: &Score) -> Message {
 fn held_out(data: &str, held: Held) -> Message {
     match held {
         Held::All => Message::verbatim(data),
-        Held::Date(passages) => say!(left_out_date, data = data, passages = fixed(passages, 0)),
-        Held::Place(place) => say!(left_out_place, data = data, place = fixed(place, 3)),
+        Held::Date(passages) => say!(left_out_date, data, passages = fixed(passages, 0)),
+        Held::Place(place) => say!(left_out_place, data, place = fixed(place, 3)),
     }
 }
 
@@ -192,10 +180,10 @@ impl Answer for CompetingModels {
             let (behind, error) = (fixed(model.behind, 1), fixed(model.error, 1));
             match model.is_worse {
                 true => {
-                    say!(model_predicts_worse, model = name(model), best = name(best), behind = behind, error = error)
+                    say!(model_predicts_worse, model = name(model), best = name(best), behind, error)
                 }
                 false => {
-                    say!(model_not_told_apart, model = name(model), best = name(best), behind = behind, error = error)
+                    say!(model_not_told_apart, model = name(model), best = name(best), behind, error)
                 }
             }
         };
@@ -204,28 +192,25 @@ impl Answer for CompetingModels {
 
     fn figure(&self) -> LineFigure {
         let text = |message: Message| message.text(riffel_keys::Language::English);
-        let series = self.comparison.models.iter().map(|model| Series {
-            label: text(name(model)),
-            x: (1..=model.scores.len()).map(|number| number as f64).collect(),
-            y: model.scores.iter().map(|score| score.log_density).collect(),
-            style: LineStyle::Markers,
-            ..Series::default()
+        let series = self.comparison.models.iter().map(|model| {
+            Series::new(
+                text(name(model)),
+                (1..=model.scores.len()).map(|number| number as f64).collect(),
+                model.scores.iter().map(|score| score.log_density).collect(),
+            )
+            .styled(LineStyle::Markers)
         });
         let groups = self.comparison.models[0].scores.iter().enumerate();
         let groups = groups.map(|(place, score)| format!("{} {}", place + 1, text(left_out(score))));
         let groups: Vec<String> = groups.collect();
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| "Models".to_owned()),
-            caption: format!("ln of the density that each model gives to what was left out: {}.", groups.join("; ")),
-            panels: vec![LinePanel {
-                x_label: "left out, by its number".to_owned(),
-                y_label: "ln density".to_owned(),
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| "Models".to_owned()),
+            format!("ln of the density that each model gives to what was left out: {}.", groups.join("; ")),
+            [LinePanel {
                 x_range: Some((0.5, groups.len() as f64 + 0.5)),
-                series: series.collect(),
-                ..LinePanel::default()
+                ..LinePanel::new("left out, by its number", "ln density", series)
             }],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {

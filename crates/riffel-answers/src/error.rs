@@ -10,6 +10,9 @@ use riffel_plot::PlotError;
 use riffel_study::StudyError;
 use thiserror::Error;
 
+/// An answer or a part of it, or why there is none.
+pub type Result<T, E = AnswerError> = std::result::Result<T, E>;
+
 /// Why there is no answer, or no figure or table of it.
 #[derive(Debug, Error, Diagnostic)]
 #[non_exhaustive]
@@ -184,6 +187,11 @@ impl From<riffel_network::NetworkError> for AnswerError {
 }
 
 impl AnswerError {
+    /// That an argument of the program has a value out of the question, and what it must be.
+    pub(crate) fn argument(argument: &'static str, value: impl ToString, rule: impl Into<String>) -> Self {
+        Self::Argument { argument, value: value.to_string(), rule: rule.into() }
+    }
+
     /// What is wrong; what no case is at fault for is English.
     pub fn message(&self) -> Message {
         match self {

@@ -6,7 +6,7 @@ use riffel_case::{Case, Variant};
 use riffel_keys::Message;
 
 use crate::forecast::{per_million, rates_without_time};
-use crate::{AnswerError, Banded, PosteriorDraws, wear_spread};
+use crate::{AnswerError, Banded, PosteriorDraws, Result, wear_spread};
 
 /// Growth of the level that a traffic is expected to make.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,17 +22,13 @@ impl ExpectedRates {
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
-    pub fn over(
-        draws: &PosteriorDraws,
-        bands: &[[f64; 2]],
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, AnswerError> {
+    pub fn over(draws: &PosteriorDraws, bands: &[[f64; 2]], progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let growth = draws.drawn.par_iter().map(|drawn| {
             let growth = Self::new(&drawn.case, drawn.traffic.as_ref(), bands);
             progress(1);
             growth
         });
-        let growth = growth.collect::<Result<Vec<_>, AnswerError>>()?;
+        let growth = growth.collect::<Result<Vec<_>>>()?;
         let of_band = |band: usize| {
             let samples = growth.iter().filter_map(|growth| Some(growth.of_bands[band]?.median));
             Banded::of_samples(samples.collect())
@@ -52,7 +48,7 @@ impl ExpectedRates {
     /// # Errors
     /// [`AnswerError::Case`] as of [`Traffic::on`]; [`AnswerError::NoPassagesPerDay`] for a traffic that does not say how much of it
     /// there is.
-    pub fn new(case: &Case, traffic: Option<&Traffic>, bands: &[[f64; 2]]) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, traffic: Option<&Traffic>, bands: &[[f64; 2]]) -> Result<Self> {
         let traffic = match traffic {
             Some(traffic) => traffic,
             None => &UsualTraffic::of(case).traffic()?,

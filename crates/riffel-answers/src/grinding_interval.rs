@@ -59,7 +59,7 @@ impl GrindingInterval {
         match (self.months, band) {
             (_, Some([early, late])) if late > USUAL_HORIZON && early <= USUAL_HORIZON => {
                 let early = time_in_words([early, beside], [None, banded]);
-                say!(time_or_longer, early = early, years = years())
+                say!(time_or_longer, early, years = years())
             }
             (Some(months), _) => time_in_words([months, beside], [self.months_banded, banded]),
             (None, _) => say!(longer_than_years, years = years()),

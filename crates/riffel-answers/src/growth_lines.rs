@@ -39,42 +39,29 @@ pub(crate) fn panels<'a>(
         let rates = line.rates.iter();
         let largest = rates.fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
         for (series, label, scale) in [(&mut absolute, line.label, 1e6), (&mut relative, "", largest.recip())] {
-            series.push(Series {
-                label: label.to_owned(),
-                x: millimetres.clone(),
-                y: line.rates.iter().map(|rate| scale * rate).collect(),
-                style: line.style,
-                color: Some(line.color),
-            });
+            series.push(
+                Series::new(label, millimetres.clone(), line.rates.iter().map(|rate| scale * rate).collect())
+                    .styled(line.style)
+                    .colored(line.color),
+            );
             if let Some(highest) = line.highest {
-                series.push(Series {
-                    x: vec![1e3 * highest.wavelength],
-                    y: vec![scale * highest.rate],
-                    style: LineStyle::Markers,
-                    color: Some(line.color),
-                    ..Series::default()
-                });
+                series.push(
+                    Series::new("", vec![1e3 * highest.wavelength], vec![scale * highest.rate])
+                        .styled(LineStyle::Markers)
+                        .colored(line.color),
+                );
             }
         }
     }
     absolute.push(zero(&millimetres));
     relative.push(zero(&millimetres));
-    let x_label = "wavelength λ [mm]".to_owned();
+    let x_label = "wavelength λ [mm]";
     vec![
+        LinePanel::new(x_label, "growth rate [10⁻⁶ per passage]", absolute).titled("growth rate"),
         LinePanel {
-            subtitle: "growth rate".to_owned(),
-            x_label: x_label.clone(),
-            y_label: "growth rate [10⁻⁶ per passage]".to_owned(),
-            series: absolute,
-            ..LinePanel::default()
-        },
-        LinePanel {
-            subtitle: format!("over the largest of each {what}"),
-            x_label,
-            y_label: "growth rate / largest [-]".to_owned(),
             y_range: Some((-1.05, 1.05)),
-            series: relative,
-            ..LinePanel::default()
+            ..LinePanel::new(x_label, "growth rate / largest [-]", relative)
+                .titled(format!("over the largest of each {what}"))
         },
     ]
 }

@@ -131,12 +131,12 @@ impl LineGrowth {
         let millimetres = |wavelength: f64| significant(1e3 * wavelength, 2);
         let traffic = self.whose();
         if let Some(frequency) = self.unstable_frequency_hz {
-            return say!(oscillates_under, frequency = fixed(frequency, 0), traffic = traffic);
+            return say!(oscillates_under, frequency = fixed(frequency, 0), traffic);
         }
         let Some(fastest) = &self.fastest else {
             return say!(
                 nothing_grows_under,
-                traffic = traffic,
+                traffic,
                 shortest = millimetres(case.wavelength.min()),
                 longest = millimetres(case.wavelength.max())
             );
@@ -145,17 +145,17 @@ impl LineGrowth {
         let range = say!(one_wavelength, wavelength = number(ends));
         let wavelength = millimetres(fastest.wavelength_m);
         if fastest.faster_than_known {
-            return say!(grows_fastest_without_rate, traffic = traffic, range = range, wavelength = wavelength);
+            return say!(grows_fastest_without_rate, traffic, range, wavelength);
         }
         let time = fastest.time();
         match fastest.doubling_passages_banded {
             Some(_) => {
-                say!(grows_fastest_under_within, traffic = traffic, range = range, wavelength = wavelength, time = time)
+                say!(grows_fastest_under_within, traffic, range, wavelength, time)
             }
             None if case.has_other_damage() => {
-                say!(grows_fastest_by_damage, traffic = traffic, range = range, wavelength = wavelength, time = time)
+                say!(grows_fastest_by_damage, traffic, range, wavelength, time)
             }
-            None => say!(grows_fastest_under, traffic = traffic, range = range, wavelength = wavelength, time = time),
+            None => say!(grows_fastest_under, traffic, range, wavelength, time),
         }
     }
 }
@@ -230,7 +230,7 @@ impl FastestGrowth {
             return match self.doubling_passages_banded {
                 Some(Banded { band_80, .. }) => {
                     let [early, late] = band_80.map(million);
-                    say!(million_axles_between, early = early, late = late)
+                    say!(million_axles_between, early, late)
                 }
                 None => say!(million_axles, axles = million(self.doubling_passages)),
             };
@@ -288,15 +288,15 @@ fn between(months: [f64; 2], unit: Unit) -> Message {
     match unit {
         Unit::Days => {
             let [early, late] = in_unit(DAYS_PER_MONTH);
-            say!(days_between, early = early, late = late)
+            say!(days_between, early, late)
         }
         Unit::Months => {
             let [early, late] = in_unit(1.0);
-            say!(months_between, early = early, late = late)
+            say!(months_between, early, late)
         }
         Unit::Years => {
             let [early, late] = in_unit(1.0 / 12.0);
-            say!(years_between, early = early, late = late)
+            say!(years_between, early, late)
         }
     }
 }

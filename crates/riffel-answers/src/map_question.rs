@@ -12,7 +12,7 @@ use crate::map::observations::read;
 use crate::map::{BayGrowth, MapAnswer, growth_over};
 use crate::question::{AsWritten, Asker, CaseSource, PosteriorSource, Question, Rule, Source, covering, over};
 use crate::wheels::WheelsAnswer;
-use crate::{Answer, AnswerError, LineGrowth};
+use crate::{Answer, LineGrowth, Result};
 
 /// Growth over wavelength and speed: picture, page, tables.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -44,7 +44,7 @@ pub struct MapQuestion {
 }
 
 impl MapQuestion {
-    fn map(&self, case: &Case, asker: &dyn Asker) -> Result<MapAnswer, AnswerError> {
+    fn map(&self, case: &Case, asker: &dyn Asker) -> Result<MapAnswer> {
         case.check_window()?;
         let curve = match (&self.wavelength, &self.speed) {
             (Some(wavelength), Some(speed)) => {
@@ -84,13 +84,13 @@ impl Question for MapQuestion {
         Rule::OneOf(&["traffic", "posterior"]),
         Rule::OneOf(&["wheels", "bay"]),
         Rule::OneOf(&["wheels", "observations"]),
-        Rule::Needs("wavelength", &["bay"]),
-        Rule::Needs("wavelength", &["speed"]),
-        Rule::Needs("speed", &["bay"]),
-        Rule::Needs("speed", &["wavelength"]),
+        Rule::Needs(&["wavelength"], &["bay"]),
+        Rule::Needs(&["wavelength"], &["speed"]),
+        Rule::Needs(&["speed"], &["bay"]),
+        Rule::Needs(&["speed"], &["wavelength"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read_at(self.position, asker)?;
         if self.wheels {
             let step = asker.begin(say!(progress_wheels), WheelsAnswer::rows(&case));

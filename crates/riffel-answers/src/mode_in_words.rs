@@ -5,7 +5,7 @@ use riffel_keys::{Message, say};
 
 /// The name of a mode; its English is what the physics displays.
 pub fn mode_in_words(name: &ModeName) -> Message {
-    let ordinal = |order: usize| say!(ordinal, order = order);
+    let ordinal = |order: usize| say!(ordinal, order);
     match *name {
         ModeName::RigidBody(motion) => match motion {
             RigidMotion::Longitudinal => say!(rigid_body_longitudinal),

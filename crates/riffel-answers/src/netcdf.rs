@@ -4,7 +4,7 @@ use std::path::Path;
 
 use netcdf3::{DataSet, FileWriter, InvalidDataSet, Version, WriteError};
 
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// A quantity on some axes of a grid; one with the name of its axis is the coordinate of that.
 pub(crate) struct Variable<'a> {
@@ -16,6 +16,19 @@ pub(crate) struct Variable<'a> {
     pub(crate) long_name: &'a str,
     /// NaN where there is none. Asked for when its turn comes, so that only one is held.
     pub(crate) values: Box<dyn Fn() -> Vec<f64> + 'a>,
+}
+
+impl<'a> Variable<'a> {
+    /// A quantity with its values, asked for when their turn comes.
+    pub(crate) fn new(
+        name: &'static str,
+        axes: &'a [&'static str],
+        unit: &'a str,
+        long_name: &'a str,
+        values: impl Fn() -> Vec<f64> + 'a,
+    ) -> Self {
+        Self { name, axes, unit, long_name, values: Box::new(values) }
+    }
 }
 
 /// Quantities on a grid.
@@ -31,7 +44,7 @@ impl Grid<'_> {
     ///
     /// # Errors
     /// [`AnswerError::Grid`].
-    pub fn write(&self, path: &Path) -> Result<(), AnswerError> {
+    pub fn write(&self, path: &Path) -> Result<()> {
         let Self { title, axes, variables } = self;
         let wrong = |error: &dyn std::fmt::Debug| AnswerError::Grid(format!("{error:?}"));
         let define = || -> Result<DataSet, InvalidDataSet> {

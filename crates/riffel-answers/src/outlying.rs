@@ -8,8 +8,8 @@ pub(crate) fn in_words(outlying: &Outlying) -> Message {
     let (datum, data) = (datum(outlying), &outlying.data);
     let deviations = fixed(outlying.deviations.abs(), 1);
     match outlying.deviations > 0.0 {
-        true => say!(outlying_above, datum = datum, data = data, deviations = deviations),
-        false => say!(outlying_below, datum = datum, data = data, deviations = deviations),
+        true => say!(outlying_above, datum, data, deviations),
+        false => say!(outlying_below, datum, data, deviations),
     }
 }
 
@@ -19,7 +19,7 @@ fn datum(outlying: &Outlying) -> Message {
     let million = |passages: f64| significant(1e-6 * passages, 2);
     let passages = || million(of.unwrap_or(0.0));
     let at_position = |datum: Message| match of {
-        Some(position) => say!(at_position, datum = datum, position = significant(position, 3)),
+        Some(position) => say!(at_position, datum, position = significant(position, 3)),
         None => datum,
     };
     match outlying.measured {

@@ -10,7 +10,7 @@ use riffel_study::sensitivity::quantile;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
-use crate::{AnswerError, Banded, Column, Table, Values};
+use crate::{Banded, Column, Result, Table, Values};
 
 /// Draws that are taken: a quantile of 5 % is then known to a sixth of a standard deviation.
 const DRAWS: usize = 200;
@@ -42,7 +42,7 @@ impl PosteriorDraws {
         }
         let doubts = chains.summary(plan).doubts().len();
         if doubts > 0 {
-            remarks.push(say!(forecast_on_doubtful_chains, doubts = doubts));
+            remarks.push(say!(forecast_on_doubtful_chains, doubts));
         }
         Ok(Self { drawn: plan.drawn(chains, DRAWS)?, traffic: plan.traffic.clone(), remarks })
     }
@@ -59,8 +59,8 @@ impl PosteriorDraws {
     pub fn over<D: Serialize>(
         &self,
         progress: &(dyn Fn(usize) + Sync),
-        document: impl Fn(&Drawn) -> Result<D, AnswerError> + Sync,
-    ) -> Result<OverPosterior, AnswerError> {
+        document: impl Fn(&Drawn) -> Result<D> + Sync,
+    ) -> Result<OverPosterior> {
         let documents = self.drawn.par_iter().map(|drawn| {
             if let Some(frequency) = oscillates(drawn) {
                 progress(1);
@@ -77,7 +77,7 @@ impl PosteriorDraws {
             }
             Ok(Ok(numbers))
         });
-        let documents = documents.collect::<Result<Vec<_>, AnswerError>>()?;
+        let documents = documents.collect::<Result<Vec<_>>>()?;
         let mut samples: BTreeMap<String, Vec<f64>> = BTreeMap::new();
         let mut unstable = Vec::new();
         for document in documents {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::question::{Asker, Files, Question};
-use crate::{Answer, AnswerError, Column, Table, Told};
+use crate::{Answer, Column, Result, Rows, Table, Told};
 
 /// List the presets, or show one with the sources of its values.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -22,7 +22,7 @@ impl Question for PresetsQuestion {
     const EXAMPLE: &'static str = "Example: riffel presets BS113A";
     const FILES: Files = Files::None;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
         let preset = self.name.as_deref().map(preset).transpose()?;
         let document = match preset {
             Some(preset) => preset.document(),
@@ -44,7 +44,7 @@ struct PresetsAnswer {
 
 /// A column of words under an English head.
 fn column<T>(head: &str, rows: &[T], words: impl Fn(&T) -> Message) -> Column {
-    Column::shown(Message::verbatim(head), rows.iter().map(words).collect())
+    rows.shown(Message::verbatim(head), words)
 }
 
 impl Answer for PresetsAnswer {
@@ -88,9 +88,5 @@ impl Answer for PresetsAnswer {
         let lines = |lines: Vec<Message>| lines.into_iter().map(Told::Line);
         let tables = self.tables().into_iter().map(Told::Texts);
         lines(self.introduction()).chain(tables).chain(lines(self.sentences())).collect()
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
     }
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::forecast::{CrackedWave, ForecastHorizon, ForecastRequest, TrackForecast};
 use crate::shakedown::{ShakedownAnswer, ShakedownLimits};
-use crate::{AnswerError, level_limit};
+use crate::{AnswerError, Result, level_limit};
 
 /// The limit that the rail is ground to, by some decibels below.
 const LIMIT: &str = "iso-3095-2013";
@@ -35,7 +35,7 @@ impl RailDamage {
     ///
     /// # Errors
     /// [`AnswerError`] for a wave that the case does not know, and as of [`TrackForecast::new`].
-    pub fn new(case: &Case, traffic: Option<&Traffic>, wave: [f64; 2]) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, traffic: Option<&Traffic>, wave: [f64; 2]) -> Result<Self> {
         let question = ShakedownLimits { wave: Some(wave), ..ShakedownLimits::default() };
         let mut damage =
             Self { shakedown: question.answer(case)?, months: None, cracks: Vec::new(), findings: Vec::new() };
@@ -50,15 +50,14 @@ impl RailDamage {
 }
 
 /// The forecast of a rail that was just ground.
-fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<TrackForecast, AnswerError> {
+fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<TrackForecast> {
     let traffic = match traffic {
         Some(traffic) => traffic.clone(),
         None => UsualTraffic::of(case).traffic()?,
     };
     let (table, limit) = level_limit(LIMIT)?;
     let ground = GroundRail::below(&table.edition, &limit, BELOW_LIMIT);
-    let ground =
-        ground.map_err(|rule| AnswerError::Argument { argument: "--ground", value: BELOW_LIMIT.to_owned(), rule })?;
+    let ground = ground.map_err(|rule| AnswerError::argument("--ground", BELOW_LIMIT, rule))?;
     let request = ForecastRequest {
         traffic,
         survey: None,

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, CaseSource, Question};
 use crate::stress::contour;
-use crate::{Answer, AnswerError, Column, Table};
+use crate::{Answer, AnswerError, Column, Result, Rows, Table};
 
 /// Speeds over the range of the map.
 const SPEEDS: usize = 31;
@@ -36,7 +36,7 @@ impl Question for StabilityQuestion {
         Example: riffel stability case.toml --friction 0.1,0.2,0.3,0.4,0.5 --set 'map.speed={min=\"20 km/h\",max=\"80 km/h\"}'\n\n\
         Each friction has the mean state of its own; the speeds are those of map.speed.";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         let friction = match self.friction.is_empty() {
             true => StabilityMap::frictions(),
@@ -100,16 +100,16 @@ impl StabilityMap {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for fewer than two frictions; [`AnswerError::Case`] for one that the case refuses.
-    pub fn new(case: &Case, friction: &[f64], progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, friction: &[f64], progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let mut friction = friction.to_vec();
         friction.sort_by(f64::total_cmp);
         friction.dedup();
         if friction.len() < 2 {
-            return Err(AnswerError::Argument {
-                argument: "--friction",
-                value: friction.iter().map(f64::to_string).collect(),
-                rule: "two different values or more".to_owned(),
-            });
+            return Err(AnswerError::argument(
+                "--friction",
+                friction.iter().map(f64::to_string).collect::<String>(),
+                "two different values or more",
+            ));
         }
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
         let speeds: Vec<f64> =
@@ -142,7 +142,7 @@ impl StabilityMap {
             let unknown = unknown - without.len() * SPEEDS;
             remarks.extend((unknown > 0).then(|| say!(stability_unknown, points = unknown)));
             let without = (!without.is_empty()).then(|| without.join(", "));
-            remarks.extend(without.map(|friction| say!(no_mean_state, friction = friction)));
+            remarks.extend(without.map(|friction| say!(no_mean_state, friction)));
         }
         Ok(Self {
             title: case.file.title.clone(),
@@ -234,25 +234,22 @@ impl Answer for StabilityMap {
     }
 
     fn tables(&self) -> Vec<Table> {
-        let branches = || self.branches.iter();
-        let column = |name: &str, head: Message, of: fn(&StabilityBranch) -> Option<f64>, shown: usize| {
-            Column::fixed(name, head, branches().map(of), shown)
-        };
-        let points = || self.points.iter();
+        let branches = &self.branches;
+        let points = &self.points;
         let in_file = |name: &str, of: fn(&StabilityPoint) -> Option<f64>| Column {
             head: None,
-            ..Column::fixed(name, Message::verbatim(name), points().map(of), 0)
+            ..points.fixed(name, Message::verbatim(name), 0, of)
         };
         let mut tables = vec![
             Table {
                 name: "branches",
                 columns: vec![
-                    column("frequency_min_hz", say!(branch_from), |it| Some(it.frequency_min_hz), 0),
-                    column("frequency_max_hz", say!(branch_to), |it| Some(it.frequency_max_hz), 0),
-                    column("friction_min", say!(least_friction), |it| Some(it.friction_min), 3),
-                    column("growth_rate_per_s", say!(fastest_growth_in_time), |it| it.growth_rate_per_s, 1),
-                    column("speed_km_per_h", say!(at_speed_column), |it| Some(3.6 * it.speed_m_per_s), 0),
-                    column("at_friction", say!(at_friction_column), |it| Some(it.at_friction), 3),
+                    branches.fixed("frequency_min_hz", say!(branch_from), 0, |it| Some(it.frequency_min_hz)),
+                    branches.fixed("frequency_max_hz", say!(branch_to), 0, |it| Some(it.frequency_max_hz)),
+                    branches.fixed("friction_min", say!(least_friction), 3, |it| Some(it.friction_min)),
+                    branches.fixed("growth_rate_per_s", say!(fastest_growth_in_time), 1, |it| it.growth_rate_per_s),
+                    branches.fixed("speed_km_per_h", say!(at_speed_column), 0, |it| Some(3.6 * it.speed_m_per_s)),
+                    branches.fixed("at_friction", say!(at_friction_column), 3, |it| Some(it.at_friction)),
                 ],
             },
             Table {
@@ -280,17 +277,17 @@ impl Answer for StabilityMap {
         let [slowest, fastest] = [slowest, fastest].map(|speed| shown_speed(speed, 0));
         let highest = fixed(self.friction[self.friction.len() - 1], 3);
         vec![if least.is_infinite() {
-            say!(stable_everywhere, slowest = slowest, fastest = fastest, highest = highest)
+            say!(stable_everywhere, slowest, fastest, highest)
         } else if least <= lowest {
-            say!(unstable_from_the_least, least = fixed(least, 3), slowest = slowest, fastest = fastest)
+            say!(unstable_from_the_least, least = fixed(least, 3), slowest, fastest)
         } else {
             let stable = self.friction.iter().copied().filter(|it| *it < least);
             say!(
                 unstable_from,
                 stable = fixed(stable.fold(0.0, f64::max), 3),
                 least = fixed(least, 3),
-                slowest = slowest,
-                fastest = fastest
+                slowest,
+                fastest
             )
         }]
     }
@@ -299,7 +296,7 @@ impl Answer for StabilityMap {
         let x: Vec<f64> = self.speeds_m_per_s.iter().map(|speed| 3.6 * speed).collect();
         let line = |label: String, values: &[f64], level: f64, style: LineStyle, color: Rgb| {
             let (x, y) = contour(&x, &self.friction, values, level);
-            Series { label, x, y, style, color: Some(color) }
+            Series::new(label, x, y).styled(style).colored(color)
         };
         let mut series = Vec::new();
         for (branch, color) in self.branches.iter().zip(OKABE_ITO.iter().cycle().skip(1)) {
@@ -316,29 +313,25 @@ impl Answer for StabilityMap {
                 let drawn = line(format!("{level:.0}/s"), &growth, *level, *style, *color);
                 series.extend((!drawn.x.is_empty()).then_some(drawn));
             }
-            let at = Series {
-                label: format!("{:.1}/s", branch.growth_rate_per_s.unwrap_or(0.0)),
-                x: vec![3.6 * branch.speed_m_per_s],
-                y: vec![branch.at_friction],
-                style: LineStyle::Markers,
-                color: Some(*color),
-            };
+            let at = Series::new(
+                format!("{:.1}/s", branch.growth_rate_per_s.unwrap_or(0.0)),
+                vec![3.6 * branch.speed_m_per_s],
+                vec![branch.at_friction],
+            )
+            .styled(LineStyle::Markers)
+            .colored(*color);
             series.extend(branch.growth_rate_per_s.map(|_| at));
         }
         let ends = |values: &[f64]| Some((values[0], values[values.len() - 1]));
-        LineFigure {
-            title: say!(stability_title).to_string(),
-            caption: say!(stability_caption).to_string(),
-            panels: vec![LinePanel {
-                x_label: "speed [km/h]".to_owned(),
-                y_label: "friction coefficient [-]".to_owned(),
+        LineFigure::new(
+            say!(stability_title).to_string(),
+            say!(stability_caption).to_string(),
+            [LinePanel {
                 x_range: ends(&x),
                 y_range: ends(&self.friction),
-                series,
-                ..LinePanel::default()
+                ..LinePanel::new("speed [km/h]", "friction coefficient [-]", series)
             }],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {

@@ -1,5 +1,6 @@
 //! Tables of answers: what a file, a terminal, a page and an array show, once.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 
 use riffel::Complex64;
@@ -133,17 +134,6 @@ impl Column {
         Self::shown(head, cells.collect())
     }
 
-    /// Numbers for files alone, as they are; none where there is nothing.
-    pub fn optional(name: &str, values: Vec<Option<f64>>) -> Self {
-        Self { name: name.to_owned(), head: None, values: Values::Plain(values) }
-    }
-
-    /// Numbers to so many digits before a reader, to a millionth in a file; none where there is nothing.
-    pub fn fixed(name: &str, head: Message, values: impl Iterator<Item = Option<f64>>, shown: usize) -> Self {
-        let values = Values::Fixed { values: values.collect(), file: 6, shown, signed: false };
-        Self { name: name.to_owned(), head: Some(head), values }
-    }
-
     /// Decibels: to a tenth before a reader, to a thousandth in a file.
     pub fn decibels(name: String, head: Option<Message>, values: Vec<Option<f64>>) -> Self {
         let values = Values::Fixed { values, file: 3, shown: 1, signed: false };
@@ -151,13 +141,77 @@ impl Column {
     }
 }
 
+/// Columns of a table with a cell of each row.
+pub(crate) trait Rows<T> {
+    /// Words for files and readers.
+    fn words(&self, name: &str, head: Message, cell: impl Fn(&T) -> Message) -> Column;
+
+    /// Words for readers alone.
+    fn shown(&self, head: Message, cell: impl Fn(&T) -> Message) -> Column {
+        self.words("", head, cell)
+    }
+
+    /// Numbers for readers alone, as they are written.
+    fn numbers<N: Display>(&self, head: Message, cell: impl Fn(&T) -> N) -> Column {
+        self.shown(head, |row| number_alone(cell(row)))
+    }
+
+    /// Numbers for readers alone, to so many digits after the point; `None` where there is nothing.
+    fn digits<N: Into<Option<f64>>>(&self, head: Message, digits: usize, value: impl Fn(&T) -> N) -> Column;
+
+    /// Numbers to so many digits before a reader, to a millionth in a file; `None` where there is nothing.
+    fn fixed<N: Into<Option<f64>>>(&self, name: &str, head: Message, shown: usize, value: impl Fn(&T) -> N) -> Column;
+
+    /// Numbers for files alone, as documents have them; `None` where there is nothing.
+    fn exact<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column;
+
+    /// Numbers for files alone, as they are; `None` where there is nothing.
+    fn plain<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column;
+
+    /// Words for files alone.
+    fn names<'a, N: ToString>(&'a self, name: &str, cell: impl Fn(&'a T) -> N) -> Column
+    where
+        T: 'a;
+}
+
+impl<T> Rows<T> for [T] {
+    fn words(&self, name: &str, head: Message, cell: impl Fn(&T) -> Message) -> Column {
+        Column::words(name, head, self.iter().map(cell).collect())
+    }
+
+    fn digits<N: Into<Option<f64>>>(&self, head: Message, digits: usize, value: impl Fn(&T) -> N) -> Column {
+        Column::digits(head, digits, self.iter().map(value))
+    }
+
+    fn fixed<N: Into<Option<f64>>>(&self, name: &str, head: Message, shown: usize, value: impl Fn(&T) -> N) -> Column {
+        let values = self.iter().map(|row| value(row).into()).collect();
+        let values = Values::Fixed { values, file: 6, shown, signed: false };
+        Column { name: name.to_owned(), head: Some(head), values }
+    }
+
+    fn exact<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column {
+        Column::exact(name, self.iter().map(value))
+    }
+
+    fn plain<N: Into<Option<f64>>>(&self, name: &str, value: impl Fn(&T) -> N) -> Column {
+        let values = Values::Plain(self.iter().map(|row| value(row).into()).collect());
+        Column { name: name.to_owned(), head: None, values }
+    }
+
+    fn names<'a, N: ToString>(&'a self, name: &str, cell: impl Fn(&'a T) -> N) -> Column
+    where
+        T: 'a,
+    {
+        Column::names(name, self.iter().map(cell))
+    }
+}
+
 impl Table {
     /// Rows with a column for each of their keys, for files alone; without rows there are no columns.
     pub(crate) fn of_rows(name: &'static str, rows: &[impl Serialize]) -> Self {
-        let mut writer = csv::WriterBuilder::new().has_headers(true).from_writer(Vec::new());
+        let mut written = Vec::new();
         // Writing to memory does not fail.
-        let _ = rows.iter().try_for_each(|row| writer.serialize(row));
-        let written = writer.into_inner().unwrap_or_default();
+        let _ = write_csv(&mut written, None, rows.iter());
         let mut reader = csv::Reader::from_reader(&written[..]);
         let keys = reader.headers().cloned().unwrap_or_default();
         let rows: Vec<csv::StringRecord> = reader.records().filter_map(Result::ok).collect();
@@ -200,13 +254,20 @@ impl Table {
     /// # Errors
     /// Those of the file.
     pub fn csv(&self, file: impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
         let named = || self.columns.iter().filter(|column| !column.name.is_empty());
-        writer.write_record(named().map(|column| &column.name))?;
-        for row in 0..self.rows() {
-            let cells = named();
-            writer.write_record(cells.map(|column| column.values.in_file(row)))?;
-        }
-        writer.flush()
+        let row = |row| named().map(|column| column.values.in_file(row)).collect::<Vec<String>>();
+        write_csv(file, Some(named().map(|column| &*column.name).collect()), (0..self.rows()).map(row))
     }
+}
+
+/// Write rows as CSV, below heads or the keys of the first row.
+fn write_csv(file: impl Write, heads: Option<Vec<&str>>, rows: impl Iterator<Item = impl Serialize>) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    if let Some(heads) = heads {
+        writer.write_record(heads)?;
+    }
+    for row in rows {
+        writer.serialize(row)?;
+    }
+    writer.flush()
 }

@@ -55,24 +55,24 @@ pub(crate) fn track(case: &Case, language: Language) -> String {
         if track.model == TrackModel::MovingBeam { say!(under_moving_load).text(language) } else { String::new() };
     if let (TrackModel::Measured, Some(measurement)) = (track.model, &track.measurement) {
         let file = &measurement.file;
-        return say!(receptance_from_file, file = file).text(language);
+        return say!(receptance_from_file, file).text(language);
     }
     if case.track.support.is_none() {
-        return say!(free_beam, beam = beam, moving = moving).text(language);
+        return say!(free_beam, beam, moving).text(language);
     }
     let pad = layer(track.pad.as_ref());
-    let mut words = say!(rail_on_pads, beam = beam, moving = moving, pad = pad).text(language);
+    let mut words = say!(rail_on_pads, beam, moving, pad).text(language);
     if matches!(case.track.support, Some(riffel::receptance::Support::TwoLayer { .. })) {
         let mass = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
         let (mass, ballast) = (value(mass, 1.0, 0), layer(track.ballast.as_ref()));
-        words += &say!(sleepers_and_ballast, mass = mass, ballast = ballast).text(language);
+        words += &say!(sleepers_and_ballast, mass, ballast).text(language);
     }
     let spacing = value(track.support_spacing, 1.0, 2);
-    words += &say!(spacing, spacing = spacing).text(language);
+    words += &say!(spacing, spacing).text(language);
     words +=
         &if track.model.is_periodic() { say!(discrete).text(language) } else { say!(spread_evenly).text(language) };
     if let Some(name) = &track.preset {
-        words += &say!(from_preset, name = name).text(language);
+        words += &say!(from_preset, name).text(language);
     }
     words
 }

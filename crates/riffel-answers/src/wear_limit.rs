@@ -60,13 +60,7 @@ pub fn unlikely_wear(case: &Case, wear: MeanWear) -> Option<Message> {
         None if case.steady.creepages.lateral != 0.0 => say!(in_this_curve),
         None => say!(on_straight_track),
     };
-    Some(say!(
-        wear_unlike_rails,
-        place = place,
-        depth = significant(depth, 2),
-        low = *KNOWN.start(),
-        high = *KNOWN.end()
-    ))
+    Some(say!(wear_unlike_rails, place, depth = significant(depth, 2), low = *KNOWN.start(), high = *KNOWN.end()))
 }
 
 /// Whose growth a rate without traffic is: wheels of one kind alone, over the width that their wear comes off.

@@ -17,7 +17,7 @@ use crate::complex::as_matrices;
 use crate::parameters::parameters;
 use crate::question::{AsWritten, Asker, CaseSource, Question};
 use crate::receptance::ReceptanceCurves;
-use crate::{Answer, AnswerError, Column, ResultFile, Table, mode_in_words};
+use crate::{Answer, Column, Result, ResultFile, Rows, Table, mode_in_words};
 
 /// Up to which natural frequencies are listed \[Hz\].
 pub(crate) const HIGHEST: f64 = 2000.0;
@@ -46,7 +46,7 @@ impl Question for WheelsetQuestion {
     const NAME: &'static str = "wheelset";
     const EXAMPLE: &'static str = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         let frequencies = match &self.frequencies[..] {
             [] => {
@@ -115,15 +115,13 @@ impl WheelsetAnswer {
 
     /// One row for each natural frequency.
     fn natural_frequencies(&self) -> Table {
-        let modes = || self.modes.iter();
-        let mut columns = vec![
-            Column::exact("frequency_hz", modes().map(|mode| mode.frequency)),
-            Column::names("name", modes().map(|mode| &mode.name)),
-        ];
+        let modes = &self.modes;
+        let mut columns =
+            vec![modes.exact("frequency_hz", |mode| mode.frequency), modes.names("name", |mode| &mode.name)];
         if !self.modes.is_empty() {
             columns.extend([
-                Column::digits(say!(natural_frequency_column), 2, modes().map(|mode| mode.frequency)),
-                Column::shown(say!(mode_column), modes().map(|mode| mode_in_words(&mode.name)).collect()),
+                modes.digits(say!(natural_frequency_column), 2, |mode| mode.frequency),
+                modes.shown(say!(mode_column), |mode| mode_in_words(&mode.name)),
             ]);
         }
         Table { name: "modes", columns }
@@ -131,7 +129,7 @@ impl WheelsetAnswer {
 
     /// One row for each frequency, the entries on and above the diagonal.
     fn entries(&self) -> Table {
-        let mut columns = vec![Column::exact("frequency_hz", self.frequency_hz.iter().copied())];
+        let mut columns = vec![self.frequency_hz.exact("frequency_hz", |&value| value)];
         for (row, column) in (0..6).flat_map(|row| (row..6).map(move |column| (row, column))) {
             let name = format!("{}_{}_m_per_n", key(Port::ALL[row]), key(Port::ALL[column]));
             columns.extend(Column::complex(&name, self.receptances.iter().map(|matrix| matrix[row][column])));
@@ -159,37 +157,28 @@ impl WheelsetAnswer {
                 };
                 let values: Vec<f64> = places.iter().map(motion).collect();
                 let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-                Some(Series {
-                    label: format!("{:.1} Hz {}", mode.frequency, mode.name),
-                    x: places.clone(),
-                    y: values.iter().map(|value| value / largest).collect(),
-                    ..Series::default()
-                })
+                Some(Series::new(
+                    format!("{:.1} Hz {}", mode.frequency, mode.name),
+                    places.clone(),
+                    values.iter().map(|value| value / largest).collect(),
+                ))
             });
-            LinePanel {
-                subtitle: subtitle.to_owned(),
-                x_label: "place along the axle y [m]".to_owned(),
-                y_label: "over its largest value [-]".to_owned(),
-                x_scale: Scale::Linear,
-                y_scale: Scale::Linear,
-                series: series.collect(),
-                ..LinePanel::default()
-            }
+            LinePanel::new("place along the axle y [m]", "over its largest value [-]", series).titled(subtitle)
         };
         let bends = |name: &ModeName| {
             matches!(name, ModeName::Bending { plane: BendingPlane::Both | BendingPlane::Vertical, .. })
         };
-        Some(LineFigure {
-            title: "Mode shapes of the wheelset".to_owned(),
-            caption:
-                "Displacement of the axle in bending, its angle in torsion; without loss and damping, not rotating."
-                    .to_owned(),
-            panels: vec![
-                panel("bending", bends, false),
-                panel("torsion", |name| matches!(name, ModeName::Torsion { .. }), true),
-            ],
-            arrangement: Arrangement::Stacked,
-        })
+        Some(
+            LineFigure::new(
+                "Mode shapes of the wheelset",
+                "Displacement of the axle in bending, its angle in torsion; without loss and damping, not rotating.",
+                [
+                    panel("bending", bends, false),
+                    panel("torsion", |name| matches!(name, ModeName::Torsion { .. }), true),
+                ],
+            )
+            .arranged(Arrangement::Stacked),
+        )
     }
 }
 
@@ -219,29 +208,23 @@ impl Answer for WheelsetAnswer {
             ("downward, zz", 5, 5),
             ("across by downward, yz", 4, 5),
         ];
-        let series = entries.into_iter().map(|(label, row, column)| Series {
-            label: label.to_owned(),
-            x: self.frequency_hz.clone(),
-            y: self.receptances.iter().map(|matrix| matrix[row][column].norm()).collect(),
-            style: match row == column {
+        let series = entries.into_iter().map(|(label, row, column)| {
+            Series::new(
+                label,
+                self.frequency_hz.clone(),
+                self.receptances.iter().map(|matrix| matrix[row][column].norm()).collect(),
+            )
+            .styled(match row == column {
                 true => LineStyle::Solid,
                 false => LineStyle::Dashed,
-            },
-            color: None,
+            })
         });
-        LineFigure {
-            title: "Wheelset at its contacts".to_owned(),
-            caption: format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(&self.case)),
-            panels: vec![LinePanel {
-                x_label: "frequency f [Hz]".to_owned(),
-                y_label: "|H| [m/N]".to_owned(),
-                x_scale: Scale::Log,
-                y_scale: Scale::Log,
-                series: series.collect(),
-                ..LinePanel::default()
-            }],
-            arrangement: Arrangement::Stacked,
-        }
+        LineFigure::new(
+            "Wheelset at its contacts",
+            format!("Displacement per force at the right contact, exp(+iωt). {}", parameters(&self.case)),
+            [LinePanel::new("frequency f [Hz]", "|H| [m/N]", series).scaled(Scale::Log, Scale::Log)],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {

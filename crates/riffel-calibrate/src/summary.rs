@@ -141,7 +141,7 @@ impl Summary {
                     value = name,
                     rhat = fixed(marginal.rhat, 3),
                     most = MOST_RHAT,
-                    other = other
+                    other
                 ));
             }
             let least = marginal.ess_bulk.min(marginal.ess_tail);

@@ -149,7 +149,7 @@ impl Case {
         let here = steady.tractive_ratio();
         ((here - in_curve).abs() > WORTH_A_REMARK).then(|| {
             let law = keys.creep_law_name().name();
-            say!(creep_law_unlike_equilibrium, law = law, here = fixed(here, 2), in_curve = fixed(in_curve, 2))
+            say!(creep_law_unlike_equilibrium, law, here = fixed(here, 2), in_curve = fixed(in_curve, 2))
         })
     }
 

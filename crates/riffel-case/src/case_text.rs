@@ -112,7 +112,7 @@ impl CaseText {
             let text = self.keys.text_of(key)?;
             let example = match key {
                 "wear.measured" => {
-                    let rule = say!(is_no_measured_wear, text = text);
+                    let rule = say!(is_no_measured_wear, text);
                     return Some(self.keys.invalid(key, rule, ""));
                 }
                 "map.wavelength" => "20-80 mm",

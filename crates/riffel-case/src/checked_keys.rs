@@ -137,7 +137,7 @@ impl CheckedKeys {
     ) -> Result<Axis, CaseError> {
         let (low, high) = (min.si(), max.si());
         if low >= high {
-            return Err(self.text.keys.invalid(&format!("{key}.max"), say!(is_empty_window, max = max, min = min), ""));
+            return Err(self.text.keys.invalid(&format!("{key}.max"), say!(is_empty_window, max, min), ""));
         }
         if !(2..=MOST_AXIS_POINTS).contains(&points) {
             return Err(self.text.keys.invalid(
@@ -160,7 +160,7 @@ impl CheckedKeys {
         value.ok_or_else(|| {
             let model = self.file.track.model.name();
             let preset = if key == "track.measurement" { Value::from("") } else { say!(or_name_a_preset).into() };
-            let help = say!(track_model_needs_it, model = model, preset = preset);
+            let help = say!(track_model_needs_it, model, preset);
             self.text.keys.missing(key, help)
         })
     }

@@ -80,11 +80,11 @@ impl Case {
     /// The loop of one wheel along one axis on discrete supports, which alone has `what`.
     fn on_supports(&self, what: &str) -> Result<&Loop, CaseError> {
         if !self.feedback.is_along_one_axis() {
-            let message = say!(takes_one_wheel_of_wheel_with, what = what);
+            let message = say!(takes_one_wheel_of_wheel_with, what);
             return Err(self.refuse("contact.creepage", &message));
         }
         if self.track.support_spacing().is_none() {
-            let message = say!(track_model_is_but_is_of, model = self.file.track.model.name(), what = what);
+            let message = say!(track_model_is_but_is_of, model = self.file.track.model.name(), what);
             return Err(self.refuse("track.model", &message));
         }
         Ok(&self.feedback)

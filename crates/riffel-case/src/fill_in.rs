@@ -66,7 +66,7 @@ impl CaseText {
             .collect();
         self.keys.invalid(
             kind.key(),
-            say!(is_no_preset, name = name, kind = kind.in_words()),
+            say!(is_no_preset, name, kind = kind.in_words()),
             say!(allowed_names, allowed = known.join(", ")),
         )
     }

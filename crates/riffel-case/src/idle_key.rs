@@ -77,7 +77,7 @@ impl Case {
         let of_curve = key == "mass" && self.file.contact.from.is_some();
         (!takes.contains(&model) && !of_curve).then(|| {
             let takes: Vec<String> = takes.iter().map(|model| format!("\"{}\"", model.name())).collect();
-            let either = |one: Message, other| say!(one_or_other, one = one, other = other);
+            let either = |one: Message, other| say!(one_or_other, one, other);
             let takes = takes.into_iter().map(Message::verbatim).reduce(either);
             say!(idle_belongs_to_wheelset, models = takes.unwrap_or_else(|| Message::verbatim("")))
         })
@@ -105,16 +105,16 @@ impl Case {
         }
         let layer = key.split('.').next().unwrap_or_default();
         let model = track.model.name();
-        let without_support = || say!(idle_without_supports, model = model);
+        let without_support = || say!(idle_without_supports, model);
         match (track.model, layer) {
             (TrackModel::FreeBeam, _) => Some(without_support()),
             (TrackModel::MovingBeam, _) if track.pad.is_none() && track.ballast.is_none() => Some(without_support()),
-            (TrackModel::MovingBeam, "sleeper") if track.ballast.is_none() => Some(say!(idle_sleepers, model = model)),
+            (TrackModel::MovingBeam, "sleeper") if track.ballast.is_none() => Some(say!(idle_sleepers, model)),
             (TrackModel::OneLayer | TrackModel::OneLayerPeriodic, "sleeper" | "ballast") => {
-                Some(say!(idle_one_layer, model = model))
+                Some(say!(idle_one_layer, model))
             }
             (_, "position") if track.model.is_periodic() => Some(say!(idle_mean_over_bay)),
-            (_, "position") => Some(say!(idle_same_everywhere, model = model)),
+            (_, "position") => Some(say!(idle_same_everywhere, model)),
             _ => None,
         }
     }

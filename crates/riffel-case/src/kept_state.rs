@@ -87,13 +87,13 @@ impl KeptState {
             Hold::Ratio => say!(
                 at_the_tractive_ratio_of,
                 ratio = number(format_args!("{:.3}", self.steady.tractive_ratio())),
-                reason = reason
+                reason
             ),
             Hold::Creepage => {
                 say!(
                     at_the_creepage_of,
                     creepage = number(format_args!("{:.3}", 1e2 * self.steady.creepages.longitudinal)),
-                    reason = reason
+                    reason
                 )
             }
         };

@@ -19,7 +19,7 @@ impl CheckedKeys {
             if keys.has(other) {
                 return Err(keys.invalid(
                     "wear.measured",
-                    say!(and_exclude_each_other, other = other),
+                    say!(and_exclude_each_other, other),
                     say!(give_one_of_the_two),
                 ));
             }

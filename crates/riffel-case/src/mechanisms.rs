@@ -69,7 +69,7 @@ impl Case {
         };
         if !resonances.iter().any(|found| found.kind == ResonanceKind::P2) {
             let reason = say!(no_least_sum_of_receptances, origin = word.clone());
-            unknown.push(say!(p2_is_no_candidate, reason = reason));
+            unknown.push(say!(p2_is_no_candidate, reason));
         }
         if resonances.iter().all(|found| found.kind == ResonanceKind::P2) {
             unknown.push(say!(no_modes_of_receptance, origin = word));
@@ -111,7 +111,7 @@ impl Case {
                     None => say!(rail_has_no_support),
                     Some(_) => say!(no_resonance_of_unsprung_mass),
                 };
-                unknown.push(say!(p2_is_no_candidate, reason = reason));
+                unknown.push(say!(p2_is_no_candidate, reason));
             }
         }
         if let (Some(support), Some(rail_mass)) = (self.track.support, self.track.rail_mass) {

@@ -88,9 +88,9 @@ impl Case {
     pub fn without_decay(&self) -> Option<Message> {
         let model = self.file.track.model.name();
         let Some(track) = self.track.structure.as_deref() else {
-            return Some(say!(track_model_says_what_the_rail, model = model));
+            return Some(say!(track_model_says_what_the_rail, model));
         };
         let runs_on = FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre()));
-        runs_on.then(|| say!(the_rail_of_track_model_carries, model = model))
+        runs_on.then(|| say!(the_rail_of_track_model_carries, model))
     }
 }

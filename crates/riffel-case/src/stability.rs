@@ -54,7 +54,7 @@ impl Case {
 pub(crate) fn said(speeds: [f64; 2], found: &Result<Stability, Error>) -> Option<Message> {
     let speed = shown_speeds(speeds);
     let Ok(found) = found else {
-        return Some(say!(loop_not_judged, speed = speed));
+        return Some(say!(loop_not_judged, speed));
     };
     let frequency = fixed(found.frequency?, 0);
     let time = |root: &UnstableRoot| duration(root.growth_rate.recip());
@@ -62,13 +62,13 @@ pub(crate) fn said(speeds: [f64; 2], found: &Result<Stability, Error>) -> Option
     let growth = roots.split_first().map(|(highest, others)| {
         let others = others.iter().rev().fold(Value::from(""), |others, root| {
             let frequency = significant(root.frequency, 4);
-            let other = say!(loop_unstable_other, frequency = frequency, time = time(root), others = others);
+            let other = say!(loop_unstable_other, frequency, time = time(root), others);
             other.into()
         });
-        let highest = say!(loop_unstable_growth, time = time(highest), others = others);
+        let highest = say!(loop_unstable_growth, time = time(highest), others);
         Value::from(highest)
     });
-    Some(say!(loop_unstable, speed = speed, frequency = frequency, growth = growth.unwrap_or("".into())))
+    Some(say!(loop_unstable, speed, frequency, growth = growth.unwrap_or("".into())))
 }
 
 /// A time \[s\] to two digits.

@@ -32,14 +32,14 @@ impl WheelOfCurve {
     pub fn in_words(&self) -> Message {
         let number = number(self.state.wheelset);
         let wheel = match self.rail {
-            CurveRail::Low => say!(wheel_on_low_rail, number = number),
-            CurveRail::High => say!(wheel_on_high_rail, number = number),
-            CurveRail::Left => say!(wheel_on_left_rail, number = number),
-            CurveRail::Right => say!(wheel_on_right_rail, number = number),
+            CurveRail::Low => say!(wheel_on_low_rail, number),
+            CurveRail::High => say!(wheel_on_high_rail, number),
+            CurveRail::Left => say!(wheel_on_left_rail, number),
+            CurveRail::Right => say!(wheel_on_right_rail, number),
         };
         match self.contact {
             ContactOfWheel::Tread => wheel,
-            ContactOfWheel::Flange => say!(flange_of_wheel, wheel = wheel),
+            ContactOfWheel::Flange => say!(flange_of_wheel, wheel),
         }
     }
 

@@ -119,19 +119,19 @@ impl Count {
         let left = || duration((total - done) as f64 / rate);
         let what = &self.what;
         match (self.is_in_words, done) {
-            (true, 0) => riffel_keys::say!(nothing_done, total = number(total), what = what),
+            (true, 0) => riffel_keys::say!(nothing_done, total = number(total), what),
             (true, _) => riffel_keys::say!(
                 so_many_done,
                 done = number(done),
                 total = number(total),
-                what = what,
+                what,
                 rate = fixed(rate, 1),
                 left = left()
             ),
-            (false, 0) => riffel_keys::say!(share_done, what = what, percent = number(0)),
+            (false, 0) => riffel_keys::say!(share_done, what, percent = number(0)),
             (false, _) => riffel_keys::say!(
                 share_done_and_left,
-                what = what,
+                what,
                 percent = fixed(100.0 * done as f64 / total as f64, 0),
                 left = left()
             ),

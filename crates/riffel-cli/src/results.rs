@@ -37,7 +37,7 @@ impl Results {
             written = format!("{}: {}\n", folder.display(), staging.publish()?.join(" "));
         }
         if !self.json {
-            print(&(readable(answer) + &written))?;
+            print(&(in_words(answer) + &written))?;
         }
         print_remarks(answer.remarks());
         Ok(())
@@ -59,7 +59,7 @@ pub(crate) fn put(text: &OwnText<'_>) -> Result<(), CliError> {
 }
 
 /// An answer in words.
-pub(crate) fn readable(answer: &dyn Answer) -> String {
+pub(crate) fn in_words(answer: &dyn Answer) -> String {
     let told = answer.told().into_iter().map(|told| match told {
         Told::Line(line) => line.text(language()) + "\n",
         Told::Table(table) => format!("{}\n", table_of(&table)),

@@ -152,7 +152,7 @@ impl CaseError {
             Self::Read { what, path, reason } => {
                 say!(file_cannot_be_read, what = named(what), path = path.display(), reason = reason.to_string())
             }
-            Self::Syntax { message, .. } => say!(not_valid_toml, message = message),
+            Self::Syntax { message, .. } => say!(not_valid_toml, message),
             Self::Invalid { message, .. } | Self::Point { message } | Self::Changed { message, .. } => message.clone(),
             Self::NotConverged(error) => error.message(),
             Self::Physics { input, error } => {
@@ -168,7 +168,7 @@ impl CaseError {
                 say!(line_and_fault, path = shown(path), line = *line, fault = message.clone())
             }
             Self::UnknownPreset { name, nearest } => {
-                say!(no_such_preset, name = name, nearest = nearest)
+                say!(no_such_preset, name, nearest)
             }
         }
     }

@@ -17,7 +17,7 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
     if let Some(currency) = CURRENCIES.iter().find(before) {
         let (sum, _) = read(&text[currency.len()..])?;
         let plain = format!("{sum} {currency}");
-        return Err(say!(is_with_its_currency_before, value = text, plain = plain));
+        return Err(say!(is_with_its_currency_before, value = text, plain));
     }
     let (number, behind) = text.split_at(end_of_number(text));
     let value = || text.to_owned();
@@ -36,7 +36,7 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
             kept => format!("{before}.{kept}"),
         };
         let thousands = format!("{before}{after}");
-        let rule = say!(is_perhaps_in_thousands, value = value(), thousands = thousands, plain = plain);
+        let rule = say!(is_perhaps_in_thousands, value = value(), thousands, plain);
         return Err(rule);
     }
     if marks.contains(&',') {

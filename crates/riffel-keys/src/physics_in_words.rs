@@ -1,7 +1,7 @@
 //! What the physics refuses, as a message.
 
 use riffel::Error;
-use riffel::error::readable;
+use riffel::error::as_typed;
 
 use crate::quantity::named;
 use crate::{Message, Words, fixed, number, say};
@@ -12,7 +12,7 @@ pub fn physics_in_words(error: &Error) -> Message {
         Error::OutOfRange { quantity, value, unit, rule } => say!(
             out_of_range,
             quantity = named(quantity),
-            value = number(readable(value)),
+            value = number(as_typed(value)),
             unit = match unit {
                 "" => String::new(),
                 unit => format!(" {unit}"),
@@ -21,7 +21,7 @@ pub fn physics_in_words(error: &Error) -> Message {
         ),
         Error::OffTheRails { wheelset, lateral_shift, yaw } => say!(
             off_the_rails,
-            wheelset = wheelset,
+            wheelset,
             shift = fixed(1e3 * lateral_shift, 0),
             yaw = fixed(1e3 * yaw, 0),
             farthest_shift = fixed(1e3 * riffel::curving::FARTHEST_SHIFT, 0),
@@ -31,7 +31,7 @@ pub fn physics_in_words(error: &Error) -> Message {
             say!(no_equilibrium_beyond, percent = fixed(100.0 * reached, 0))
         }
         Error::TorqueBeyondFriction { torque, wheelset, largest } => {
-            say!(torque_beyond_friction, torque = fixed(torque, 0), wheelset = wheelset, largest = fixed(largest, 0))
+            say!(torque_beyond_friction, torque = fixed(torque, 0), wheelset, largest = fixed(largest, 0))
         }
         Error::FullSlip { creepage, saturation_creepage } => {
             say!(beyond_full_slip, creepage = fixed(100.0 * creepage, 4), limit = fixed(100.0 * saturation_creepage, 4))

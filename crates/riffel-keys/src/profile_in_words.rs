@@ -34,7 +34,7 @@ fn of_point(fault: &PointFault) -> Message {
     match *fault {
         PointFault::NotFinite => say!(coordinate_not_finite),
         PointFault::Twice => say!(point_stands_twice),
-        PointFault::TooMany { count, most } => say!(too_many_points, count = count, most = most),
+        PointFault::TooMany { count, most } => say!(too_many_points, count, most),
         PointFault::Crossing { place } => say!(outline_crosses, place = fixed(1e3 * place, 2)),
         PointFault::Closed => say!(outline_closes),
         PointFault::TurnsBack => say!(curve_turns_back),
@@ -44,7 +44,7 @@ fn of_point(fault: &PointFault) -> Message {
 
 fn of_shape(fault: &ShapeFault) -> Message {
     match *fault {
-        ShapeFault::Scatter(scatter) => say!(scatter_not_positive, scatter = scatter),
+        ShapeFault::Scatter(scatter) => say!(scatter_not_positive, scatter),
         ShapeFault::CrownAtEnd => say!(crown_at_end),
         ShapeFault::NoDatumCircle => say!(no_datum_circle),
         ShapeFault::NoFlank => say!(no_flank_of_flange),

@@ -108,7 +108,43 @@ pub struct LineFigure {
     pub arrangement: Arrangement,
 }
 
+impl Series {
+    /// An unbroken curve of some abscissae and as many ordinates, in the next colour.
+    pub fn new(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
+        Self { label: label.into(), x, y, ..Self::default() }
+    }
+
+    /// The same in a style.
+    pub fn styled(self, style: LineStyle) -> Self {
+        Self { style, ..self }
+    }
+
+    /// The same in a colour.
+    pub fn colored(self, color: Rgb) -> Self {
+        Self { color: Some(color), ..self }
+    }
+}
+
 impl LineFigure {
+    /// Panels side by side below a title and above a caption.
+    pub fn new(
+        title: impl Into<String>,
+        caption: impl Into<String>,
+        panels: impl IntoIterator<Item = LinePanel>,
+    ) -> Self {
+        Self {
+            title: title.into(),
+            caption: caption.into(),
+            panels: panels.into_iter().collect(),
+            arrangement: Arrangement::SideBySide,
+        }
+    }
+
+    /// The same with its panels arranged otherwise.
+    pub fn arranged(self, arrangement: Arrangement) -> Self {
+        Self { arrangement, ..self }
+    }
+
     pub(crate) fn check(&self) -> Result<(), PlotError> {
         if self.panels.is_empty() {
             return Err(PlotError::NoPanel);
@@ -118,6 +154,30 @@ impl LineFigure {
 }
 
 impl LinePanel {
+    /// Curves on linear axes, each named with its unit.
+    pub fn new(
+        x_label: impl Into<String>,
+        y_label: impl Into<String>,
+        series: impl IntoIterator<Item = Series>,
+    ) -> Self {
+        Self {
+            x_label: x_label.into(),
+            y_label: y_label.into(),
+            series: series.into_iter().collect(),
+            ..Self::default()
+        }
+    }
+
+    /// The same below some words.
+    pub fn titled(self, subtitle: impl Into<String>) -> Self {
+        Self { subtitle: subtitle.into(), ..self }
+    }
+
+    /// The same on axes of a spacing each.
+    pub fn scaled(self, x_scale: Scale, y_scale: Scale) -> Self {
+        Self { x_scale, y_scale, ..self }
+    }
+
     fn check(&self, panel: usize) -> Result<(), PlotError> {
         for series in &self.series {
             let (x_count, y_count) = (series.x.len(), series.y.len());

@@ -44,7 +44,7 @@ impl GivenSurface<'_> {
 }
 
 /// One array for each quantity of a course, or of several contacts by rows.
-fn arrays<'py>(py: Python<'py>, courses: &[&Course]) -> PyResult<Bound<'py, PyDict>> {
+fn arrays<'py>(py: Python<'py>, courses: &[Course]) -> PyResult<Bound<'py, PyDict>> {
     let arrays = PyDict::new(py);
     let several = courses.len() > 1;
     let Some(first) = courses.first() else {
@@ -106,11 +106,11 @@ pub(crate) fn simulate<'py>(
             if let Some(energy) = answer.energy_at_rail_j_per_m {
                 told.set_item("energy_at_rail", energy)?;
             }
-            told.set_item("contact_loss_fraction", answer.contact_loss_fraction)?;
-            told.set_item("minimum_normal_force", answer.minimum_normal_force_n)?;
-            told.set_item("maximum_normal_force", answer.maximum_normal_force_n)?;
-            told.set_item("remarks", words(&answer.own_remarks))?;
-            arrays(py, &answer.courses.iter().collect::<Vec<_>>())?
+            told.set_item("contact_loss_fraction", answer.extremes.contact_loss_fraction)?;
+            told.set_item("minimum_normal_force", answer.extremes.minimum_normal_force_n)?;
+            told.set_item("maximum_normal_force", answer.extremes.maximum_normal_force_n)?;
+            told.set_item("remarks", words(&answer.run.own_remarks))?;
+            arrays(py, &answer.run.courses)?
         }
         Rail::Profile(profile) => {
             let request = PassageRequest {
@@ -123,15 +123,14 @@ pub(crate) fn simulate<'py>(
             let answer = answer.map_err(of_answer)?;
             told.set_item("step", answer.step_m)?;
             told.set_item("run_in", answer.run_in_m)?;
-            told.set_item("contact_loss_fraction", answer.contact_loss_fraction)?;
-            told.set_item("minimum_normal_force", answer.minimum_normal_force_n)?;
-            told.set_item("maximum_normal_force", answer.maximum_normal_force_n)?;
-            told.set_item("remarks", words(&answer.own_remarks))?;
-            if answer.contacts.len() > 1 {
-                told.set_item("contacts", document(py, &answer.contacts)?)?;
+            told.set_item("contact_loss_fraction", answer.extremes.contact_loss_fraction)?;
+            told.set_item("minimum_normal_force", answer.extremes.minimum_normal_force_n)?;
+            told.set_item("maximum_normal_force", answer.extremes.maximum_normal_force_n)?;
+            told.set_item("remarks", words(&answer.run.own_remarks))?;
+            if answer.run.contacts.len() > 1 {
+                told.set_item("contacts", document(py, &answer.run.contacts)?)?;
             }
-            let others = answer.other_contacts.iter().map(|other| &other.course);
-            arrays(py, &[&answer.course].into_iter().chain(others).collect::<Vec<_>>())?
+            arrays(py, &answer.run.courses)?
         }
     };
     Ok((courses, told))
@@ -147,8 +146,8 @@ pub(crate) fn on_smooth_rail<'py>(
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyAny>, Vec<String>)> {
     let answer = case.compute(py, move |case| SmoothRailAnswer::new(case, speed, step))?;
     let answer = answer.map_err(of_answer)?;
-    let courses = arrays(py, &answer.courses().collect::<Vec<_>>())?;
-    Ok((courses, document(py, &answer)?, words(&answer.own_remarks)))
+    let courses = arrays(py, &answer.run.courses)?;
+    Ok((courses, document(py, &answer)?, words(&answer.run.own_remarks)))
 }
 
 /// What `riffel simulate --passages --json` prints; passages of the profiles that are kept, their heights \[m\] and spacing
@@ -196,5 +195,5 @@ pub(crate) fn evolve<'py>(
     let count = answer.profiles[0].heights_m.len();
     let heights: Vec<f64> = answer.profiles.into_iter().flat_map(|profile| profile.heights_m).collect();
     let heights = heights.into_pyarray(py).reshape([stages.len(), count])?;
-    Ok((document, stages, heights, answer.spacing, words(&answer.own_remarks)))
+    Ok((document, stages, heights, answer.spacing, words(&answer.run.own_remarks)))
 }

@@ -95,7 +95,7 @@ impl Chainage {
         let mut warnings = builder.warnings(spacing);
         if uneven {
             let off = fixed(1e3 * unevenness.deviation * median, 2);
-            let said = say!(uneven_positions, off = off, step = fixed(1e3 * spacing, 3));
+            let said = say!(uneven_positions, off, step = fixed(1e3 * spacing, 3));
             warnings.push((0, said));
         }
         Ok(Self {
@@ -313,8 +313,8 @@ impl Builder {
         [
             (&self.missing, say!(rows_without_position, count = rows(&self.missing))),
             (&self.repeated, say!(rows_repeat_position, count = rows(&self.repeated))),
-            (&self.filled, say!(rows_after_gap, count = rows(&self.filled), gap = gap)),
-            (&self.gaps, say!(rows_after_jump, count = rows(&self.gaps), length = length)),
+            (&self.filled, say!(rows_after_gap, count = rows(&self.filled), gap)),
+            (&self.gaps, say!(rows_after_jump, count = rows(&self.gaps), length)),
             (&self.back, say!(rows_go_back, count = rows(&self.back))),
             (&self.overtaken, say!(rows_behind, count = rows(&self.overtaken))),
         ]

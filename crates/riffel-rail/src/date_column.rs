@@ -132,7 +132,7 @@ pub(super) fn write_dates_alike(spectra: &mut [LabelledSpectrum]) -> Result<Opti
 /// What is said of a column whose dates are the days of a spreadsheet.
 pub(super) fn day_numbers<'a>(head: &str, mut cells: impl Iterator<Item = &'a str>) -> Option<Message> {
     let (cell, date) = cells.find_map(|cell| Some((cell, of_day_number(cell)?)))?;
-    Some(say!(dates_are_day_numbers, column = head, cell = cell, date = date.to_string()))
+    Some(say!(dates_are_day_numbers, column = head, cell, date = date.to_string()))
 }
 
 impl NoDate {

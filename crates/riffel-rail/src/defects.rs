@@ -24,15 +24,15 @@ pub fn defects_in_words(rail: &str, defects: &[RailDefect], are: DefectsAre) -> 
     let places = defects.iter().take(NAMED).map(|defect| {
         let middle = 0.5 * (defect.from + defect.to);
         let height = fixed(1e6 * defect.height, 0);
-        say!(defect_at, place = fixed(middle, 1), height = height)
+        say!(defect_at, place = fixed(middle, 1), height)
     });
     let places: Value = places.collect();
     let count = defects.len();
     let found = match count {
         0 => return None,
-        1 => say!(one_defect, rail = rail.to_owned(), places = places),
-        2..=NAMED => say!(some_defects, rail = rail.to_owned(), count = count, places = places),
-        _ => say!(many_defects, rail = rail.to_owned(), count = count, places = places, more = count - NAMED),
+        1 => say!(one_defect, rail = rail.to_owned(), places),
+        2..=NAMED => say!(some_defects, rail = rail.to_owned(), count, places),
+        _ => say!(many_defects, rail = rail.to_owned(), count, places, more = count - NAMED),
     };
     Some(match are {
         DefectsAre::LeftOut => say!(defects_left_out, sentence = found),

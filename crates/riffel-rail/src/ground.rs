@@ -23,7 +23,7 @@ impl GroundRail {
         let change = decibels_of(decibels)?;
         let wrong = |error: riffel::Error| error.to_string();
         let levels = limit.spectrum().map(|band| band.level + change);
-        Ok(Self { spectrum: levels.map_err(wrong)?, words: say!(below_limit, decibels = -change, edition = edition) })
+        Ok(Self { spectrum: levels.map_err(wrong)?, words: say!(below_limit, decibels = -change, edition) })
     }
 
     /// The levels of a limit table, such as those that grinding has to meet, by name or file.

@@ -96,7 +96,7 @@ pub(crate) fn why_no_rail(names: &[&str]) -> Vec<Option<Message>> {
 /// What a level of a column that is called `name` does not tell, where a filter has touched it; `column` are the words for it.
 pub(crate) fn filter_remark(name: &str, column: Value) -> Option<Message> {
     let is_filtered = Name::of(name).is_filtered();
-    is_filtered.then(|| say!(column_is_filtered, column = column))
+    is_filtered.then(|| say!(column_is_filtered, column))
 }
 
 /// Whether the words of a name are those of a scatter, a count or a limit.

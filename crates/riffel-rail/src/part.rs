@@ -42,7 +42,7 @@ impl RecordPart {
         let from = self.from.map_or(f64::NEG_INFINITY, |from| from.si());
         let to = self.to.map_or(f64::INFINITY, |to| to.si());
         if from >= to {
-            let message = say!(positions_do_not_rise, from = from, to = to);
+            let message = say!(positions_do_not_rise, from, to);
             return Err(CaseError::data(path, message));
         }
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
@@ -155,7 +155,7 @@ impl RecordPart {
         if let Some((name, position)) =
             [("--from", self.from), ("--to", self.to)].into_iter().find_map(|(name, position)| Some((name, position?)))
         {
-            let message = say!(spectra_have_no_positions, key = name, position = position);
+            let message = say!(spectra_have_no_positions, key = name, position);
             return Err(CaseError::data(path, message));
         }
         let Some(name) = &self.rail else {

@@ -74,7 +74,7 @@ impl Record {
                     mark = number(marked.mark),
                     count = marked.count
                 );
-                say!(first_at_line, sentence = said, line = line)
+                say!(first_at_line, sentence = said, line)
             }));
         }
         let records = Labelled::all(heads, rows.by_label(), &mut warnings)?;
@@ -117,7 +117,7 @@ impl Record {
         let date = dates.iter().copied().max().flatten();
         if let (Some(last), [_, ..]) = (date, &earlier[..]) {
             let before: Value = earlier.iter().map(|one| one.date.to_string()).collect();
-            warnings.push(say!(rails_of_last_date, last = last.to_string(), before = before));
+            warnings.push(say!(rails_of_last_date, last = last.to_string(), before));
         }
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
         let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
@@ -260,7 +260,7 @@ fn read_record(
     }
     warnings.extend(chainage.warnings.iter().map(|(row, defect)| {
         let line = number(rows.line(*row));
-        let said = say!(first_at_line, sentence = defect.clone(), line = line);
+        let said = say!(first_at_line, sentence = defect.clone(), line);
         match label {
             "" => said,
             label => said.about(Message::verbatim(label)),
@@ -387,9 +387,9 @@ impl RailReader<'_> {
         let mut missing = self.heights.iter().enumerate().filter(|(_, height)| height.is_nan());
         if let Some((first, _)) = missing.next() {
             let longest = number(longest_fill);
-            let said = say!(heights_missing, count = missing.count() + 1, longest = longest);
+            let said = say!(heights_missing, count = missing.count() + 1, longest);
             let line = number(self.rows.line(first));
-            remarks.push(self.about(say!(first_at_line, sentence = said, line = line)));
+            remarks.push(self.about(say!(first_at_line, sentence = said, line)));
         }
     }
 
@@ -435,14 +435,14 @@ impl RailReader<'_> {
         };
         let line = self.rows.line(first);
         let share = samples as f64 / self.heights.len() as f64;
-        let what = say!(heights_clipped, samples = number(samples), low = low, high = high, run = number(CLIPPED_RUN));
+        let what = say!(heights_clipped, samples = number(samples), low, high, run = number(CLIPPED_RUN));
         if share > MOST_CLIPPED {
             let share = 100.0 * share;
             let message = format!("rail {}: {what} over {share:.1} % of the record, here first", self.name);
             return Err(Refusal::new(Some(line), message));
         }
         let line = number(line);
-        remarks.push(self.about(say!(first_at_line, sentence = what, line = line)));
+        remarks.push(self.about(say!(first_at_line, sentence = what, line)));
         Ok(())
     }
 

@@ -7,7 +7,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum Error {
     /// A single quantity outside its physical range.
-    #[error("{quantity} is {}{space}{unit}, but {rule}", readable(*value), space = if unit.is_empty() { "" } else { " " })]
+    #[error("{quantity} is {}{space}{unit}, but {rule}", as_typed(*value), space = if unit.is_empty() { "" } else { " " })]
     OutOfRange {
         /// The quantity, in the field's words.
         quantity: &'static str,
@@ -37,7 +37,7 @@ pub enum Error {
     #[error(
         "{quantity} is {}, but must stay below the maximum of adhesion of the creep law at {maximum:.6}, \
          beyond which the force falls",
-        readable(*value)
+        as_typed(*value)
     )]
     BeyondAdhesion {
         /// Tractive ratio or creepage.
@@ -82,8 +82,8 @@ pub enum Error {
     /// A patch that the grid of the contact does not hold.
     #[error(
         "the patch reaches the rim of the grid of {} m along and {} m across the rail; make the grid larger",
-        readable(*length),
-        readable(*width)
+        as_typed(*length),
+        as_typed(*width)
     )]
     GridTooSmall {
         /// Length of the grid along the rail \[m\].
@@ -199,8 +199,8 @@ pub enum Error {
     #[error(
         "a load of wavelength {} m outruns its bending waves at {} m/s; \
          a moving load must stay below the critical speed of {critical_speed:.1} m/s",
-        readable(*wavelength),
-        readable(*speed)
+        as_typed(*wavelength),
+        as_typed(*speed)
     )]
     Supercritical {
         /// Speed of the load \[m/s\].
@@ -231,7 +231,7 @@ impl Error {
 }
 
 /// A value as it was typed, or to six digits where it was computed: what has more digits than anybody types.
-pub fn readable(value: f64) -> String {
+pub fn as_typed(value: f64) -> String {
     const TYPED: usize = 9;
     let exact = value.to_string();
     let digits = exact.trim_start_matches(['-', '0', '.']).trim_end_matches('0');
@@ -260,7 +260,7 @@ mod tests {
             (f64::NAN, "NaN"),
             (f64::NEG_INFINITY, "-inf"),
         ] {
-            assert_eq!(readable(value), told);
+            assert_eq!(as_typed(value), told);
         }
     }
 }

@@ -11,16 +11,16 @@ pub(super) fn figure(answer: &AxleBoxAnswer) -> LineFigure {
     let ends = answer.ends();
     let along = answer.rails.iter();
     panels.extend(along.map(|rail| moving_rms(&rail.rail, ends, Language::English)));
-    LineFigure {
-        title: "Roughness felt by axle boxes".to_owned(),
-        caption: format!(
-            "One-third-octave levels, grey with pads of half to twice the stiffness; highest moving RMS in blocks along the \
-             rail, its limit dashed. {}",
+    LineFigure::new(
+        "Roughness felt by axle boxes",
+        format!(
+            "One-third-octave levels, grey with pads of half to twice the stiffness; highest moving RMS \
+             in blocks along the rail, its limit dashed. {}",
             answer.parameters
         ),
         panels,
-        arrangement: Arrangement::Stacked,
-    }
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 /// Levels with their limit, and what unknown pads leave open of the first.

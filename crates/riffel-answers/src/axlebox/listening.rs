@@ -10,7 +10,7 @@ use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable, RunEnd};
 
 use super::AxleBoxRequest;
 use super::wheels::taken_off;
-use crate::AnswerError;
+use crate::Result;
 use crate::roughness::{limit_levels, rms_limit};
 
 /// What is known of one channel so far.
@@ -157,7 +157,7 @@ pub(super) fn listen(
     progress: &dyn Fn(usize),
     before: Option<RunEnd>,
     heard: &mut Vec<Heard>,
-) -> Result<(Vec<Message>, Longest, RunEnd), AnswerError> {
+) -> Result<(Vec<Message>, Longest, RunEnd)> {
     let analysis = AnalysisSettings {
         longest_wavelength: request.longest,
         block: request.block,

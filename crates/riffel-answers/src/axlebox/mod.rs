@@ -21,9 +21,8 @@ use serde::{Serialize, Serializer};
 pub use question::AxleBoxQuestion;
 pub use wheels::{WheelMark, WheelMarkKind};
 
-use crate::number_alone;
 use crate::roughness::{GroundSection, Judged, RailAnswer, Verdict, tables, worst_first};
-use crate::{Answer, AnswerError, Column, Table, parameters};
+use crate::{Answer, Result, Rows, Table, parameters};
 use listening::{Heard, Longest, listen, lower};
 
 /// What is asked of axle boxes.
@@ -159,8 +158,8 @@ impl AxleBoxAnswer {
     /// a row for each block.
     ///
     /// # Errors
-    /// [`AnswerError::Case`] for a file that is refused, with its line, or a train that never runs fast enough;
-    /// [`AnswerError::Argument`] for two tables of RMS limits; [`AnswerError::Physics`] for wavelengths less than an octave
+    /// [`AnswerError::Case`](crate::AnswerError::Case) for a file that is refused, with its line, or a train that never runs fast enough;
+    /// [`AnswerError::Argument`](crate::AnswerError::Argument) for two tables of RMS limits; [`AnswerError::Physics`](crate::AnswerError::Physics) for wavelengths less than an octave
     /// apart.
     pub fn new(
         case: &Case,
@@ -168,7 +167,7 @@ impl AxleBoxAnswer {
         limits: &[LimitTable],
         request: &AxleBoxRequest,
         progress: &dyn Fn(usize),
-    ) -> Result<Self, AnswerError> {
+    ) -> Result<Self> {
         let mut heard: Vec<Heard> = Vec::new();
         let mut remarks = Vec::new();
         let mut ends: Vec<(&[String], RunEnd)> = Vec::new();
@@ -202,7 +201,7 @@ impl AxleBoxAnswer {
         request: &AxleBoxRequest,
         heard: Vec<Heard>,
         mut remarks: Vec<Message>,
-    ) -> Result<Self, AnswerError> {
+    ) -> Result<Self> {
         let heard: Vec<Heard> = heard.into_iter().filter(|one| !one.is_empty()).collect();
         let several = heard.len() > 1;
         let (mut rails, mut wheels) = (Vec::new(), Vec::new());
@@ -274,23 +273,18 @@ impl AxleBoxAnswer {
     fn pads(&self) -> Table {
         let rows: Vec<(&RailAnswer, &LevelRange)> =
             self.rails.iter().flat_map(|rail| rail.levels.iter().map(|level| (&rail.rail, level))).collect();
-        let exact =
-            |name: &str, of: fn(&LevelRange) -> f64| Column::exact(name, rows.iter().map(|(_, level)| of(level)));
-        let shown = |head: Message, of: fn(&LevelRange) -> Message| {
-            Column::shown(head, rows.iter().map(|(_, level)| of(level)).collect())
-        };
         Table {
             name: "pads",
             columns: vec![
-                Column::names("rail", rows.iter().map(|(rail, _)| &rail.name)),
-                exact("wavelength_m", |level| level.band.wavelength()),
-                exact("level_db", |level| level.level),
-                exact("lowest_db", |level| level.range[0]),
-                exact("highest_db", |level| level.range[1]),
-                Column::shown(say!(rail_word), rows.iter().map(|(rail, _)| name_in_words(&rail.name)).collect()),
-                shown(say!(wavelength_of_band), |level| number_alone(level.band.nominal_millimetres())),
-                shown(say!(felt_level_column), |level| number_alone(format!("{:.1}", level.level))),
-                shown(say!(with_pads_column), |level| {
+                rows.names("rail", |(rail, _)| &rail.name),
+                rows.exact("wavelength_m", |(_, level)| level.band.wavelength()),
+                rows.exact("level_db", |(_, level)| level.level),
+                rows.exact("lowest_db", |(_, level)| level.range[0]),
+                rows.exact("highest_db", |(_, level)| level.range[1]),
+                rows.shown(say!(rail_word), |(rail, _)| name_in_words(&rail.name)),
+                rows.numbers(say!(wavelength_of_band), |(_, level)| level.band.nominal_millimetres()),
+                rows.digits(say!(felt_level_column), 1, |(_, level)| level.level),
+                rows.shown(say!(with_pads_column), |(_, level)| {
                     let [low, high] = level.range.map(|end| number(format!("{end:.1}")));
                     say!(from_to, from = low, to = high)
                 }),
@@ -311,8 +305,8 @@ impl Answer for AxleBoxAnswer {
                 rail_is_heard,
                 rail = rail.rail.name.as_str(),
                 length = fixed(rail.rail.length_m, 1),
-                slowest = slowest,
-                fastest = fastest,
+                slowest,
+                fastest,
                 shortest = fixed(1e3 * rail.known.from(), 1),
                 longest = fixed(1e3 * rail.known.to(), 0)
             )
@@ -367,23 +361,10 @@ fn too_short(longest: &Longest, run: &RunSettings, warnings: Vec<Message>) -> Me
     let (length, speed) = (fixed(longest.length, 1), fixed(3.6 * longest.speed, 1));
     let said = Message::one_after_other(warnings).unwrap_or_else(|| Message::verbatim(""));
     if longest.speed < run.slowest {
-        return say!(
-            stretch_is_too_slow,
-            length = length,
-            speed = speed,
-            slowest = fixed(3.6 * run.slowest, 1),
-            said = said
-        );
+        return say!(stretch_is_too_slow, length, speed, slowest = fixed(3.6 * run.slowest, 1), said);
     }
     let least = 2.0 * run.lost_at_ends(longest.speed) + 4.0 * run.longest;
-    say!(
-        stretch_is_too_short,
-        length = length,
-        least = fixed(least, 1),
-        speed = speed,
-        longest = number(run.longest),
-        said = said
-    )
+    say!(stretch_is_too_short, length, least = fixed(least, 1), speed, longest = number(run.longest), said)
 }
 
 /// What the model leaves out.

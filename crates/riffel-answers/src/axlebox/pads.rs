@@ -7,7 +7,7 @@ use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_case::Case;
 
 use super::LevelRange;
-use crate::AnswerError;
+use crate::Result;
 use crate::pads::with_pads_of;
 
 /// By how much pads may be softer or stiffer than those of the case.
@@ -17,7 +17,7 @@ const LINES: u32 = 16;
 
 /// The levels of a spectrum with those that pads of half and of twice the stiffness make of the same accelerations, at the mean
 /// speed, where the energy of a band is spread evenly over it.
-pub(super) fn ranges(case: &Case, spectrum: &Spectrum, speed: f64) -> Result<Vec<LevelRange>, AnswerError> {
+pub(super) fn ranges(case: &Case, spectrum: &Spectrum, speed: f64) -> Result<Vec<LevelRange>> {
     let transfer = |case: &Case| AxleBoxTransfer::new(case.places(), case.known_frequencies());
     let own = transfer(case);
     let pad = case.file.track.pad.as_ref().and_then(|pad| pad.stiffness);

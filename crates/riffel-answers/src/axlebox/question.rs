@@ -11,7 +11,7 @@ use serde::Deserialize;
 
 use super::{AxleBoxAnswer, AxleBoxRequest};
 use crate::question::{AsWritten, Asker, CaseSource, Question, Source, positive};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -59,7 +59,7 @@ pub struct AxleBoxQuestion {
 
 impl AxleBoxQuestion {
     /// What is said of the files.
-    fn layout(&self, asker: &dyn Asker) -> Result<AxleBoxLayout, AnswerError> {
+    fn layout(&self, asker: &dyn Asker) -> Result<AxleBoxLayout> {
         Ok(AxleBoxLayout {
             rate: self.rate.map(|rate| positive("--rate", rate)).transpose()?,
             speed: self.speed.as_ref().map(|speed| speed.within("--speed", asker)).transpose()?,
@@ -68,7 +68,7 @@ impl AxleBoxQuestion {
     }
 
     /// What is computed of them.
-    fn request(&self) -> Result<AxleBoxRequest, AnswerError> {
+    fn request(&self) -> Result<AxleBoxRequest> {
         let request = AxleBoxRequest {
             shortest: positive("--shortest", self.shortest)?,
             longest: positive("--longest", self.longest)?,
@@ -82,7 +82,7 @@ impl AxleBoxQuestion {
             return Ok(request);
         }
         let rule = "at least twice --shortest".to_owned();
-        Err(AnswerError::Argument { argument: "--longest", value: self.longest.to_string(), rule })
+        Err(AnswerError::argument("--longest", self.longest, rule))
     }
 }
 
@@ -95,12 +95,12 @@ impl Question for AxleBoxQuestion {
         A WAV file whose full scale is 50 g on two channels and 250 km/h on the third: riffel axlebox run.wav --case case.toml \
         --channels acceleration_left_g=50,acceleration_right_g=50,speed_km_per_h=250";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let (layout, request) = (self.layout(asker)?, self.request()?);
         let limits = LimitTable::named(&self.limit)?;
         let case = CaseSource::new(self.case.clone(), self.set.clone()).read(asker)?;
         let open = |path: &PathBuf| Ok((path.clone(), AxleBoxFile::open(path, &layout)?));
-        let files = self.file.iter().map(open).collect::<Result<Vec<_>, AnswerError>>()?;
+        let files = self.file.iter().map(open).collect::<Result<Vec<_>>>()?;
         let sizes = self.file.iter().filter_map(|path| std::fs::metadata(path).ok());
         let size: u64 = sizes.map(|file| file.len()).sum();
         let step = asker.begin(say!(progress_listening), size as usize);

@@ -144,12 +144,10 @@ pub(super) fn marks(name: &str, pieces: &[(f64, WheelPattern)]) -> (Vec<WheelMar
     let (waves, amplitude) = (order.to_string(), fixed(1e6 * most.sqrt(), 1));
     let wavelength = significant(1e3 * circumference / order as f64, 3);
     if !is_wheel {
-        let said =
-            say!(wheel_or_rail, channel = channel(), order = waves, amplitude = amplitude, wavelength = wavelength);
+        let said = say!(wheel_or_rail, channel = channel(), order = waves, amplitude, wavelength);
         return (Vec::new(), Some(said));
     }
-    let said =
-        say!(wheel_is_not_round, channel = channel(), order = waves, amplitude = amplitude, wavelength = wavelength);
+    let said = say!(wheel_is_not_round, channel = channel(), order = waves, amplitude, wavelength);
     let told = orders.iter().filter(|(_, power)| *power >= TOLD * most);
     let marks = told.map(|(order, power)| WheelMark {
         name: channel(),

@@ -123,17 +123,15 @@ impl Effect {
         let title = &variant.title;
         let reasons = reasons.into_iter().map(|(keys, reason)| {
             let (count, keys) = (keys.len(), keys.into_iter().collect::<Value>());
-            say!(keys_have_no_effect, keys = keys, count = count, reason = reason.clone())
+            say!(keys_have_no_effect, keys, count, reason = reason.clone())
         });
         let reasons = reasons.reduce(Message::followed_by);
         let same = before.vehicles().len() == after.vehicles().len()
             && before.vehicles().iter().zip(after.vehicles()).all(|(before, after)| before.growth == after.growth);
         match (same, all, reasons) {
-            (true, true, Some(reasons)) => Self::CannotAct(say!(variant_cannot_act, title = title, reasons = reasons)),
-            (true, ..) => Self::ChangesNothing(say!(variant_changes_nothing, title = title)),
-            (false, _, reasons) => {
-                Self::Acts(reasons.map(|reasons| say!(variant_acts_in_part, title = title, reasons = reasons)))
-            }
+            (true, true, Some(reasons)) => Self::CannotAct(say!(variant_cannot_act, title, reasons)),
+            (true, ..) => Self::ChangesNothing(say!(variant_changes_nothing, title)),
+            (false, _, reasons) => Self::Acts(reasons.map(|reasons| say!(variant_acts_in_part, title, reasons))),
         }
     }
 

@@ -15,12 +15,13 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
     let wavelengths: Vec<f64> = base.growth.wavelengths().iter().map(|w| 1e3 * w).collect();
     let outcomes = || answer.comparison.outcomes.iter().enumerate();
     let mut rates: Vec<Series> = outcomes()
-        .map(|(index, outcome)| Series {
-            label: title_of(outcome).text(language),
-            x: wavelengths.clone(),
-            y: outcome.growth.rates().iter().map(|rate| per_million(*rate)).collect(),
-            style: LineStyle::Solid,
-            color: Some(color(index)),
+        .map(|(index, outcome)| {
+            Series::new(
+                title_of(outcome).text(language),
+                wavelengths.clone(),
+                outcome.growth.rates().iter().map(|rate| per_million(*rate)).collect(),
+            )
+            .colored(color(index))
         })
         .collect();
     rates.push(zero(&wavelengths));
@@ -40,7 +41,7 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
             None => say!(now),
         };
         let now = match answer.rail(leading) {
-            Some(rail) => say!(rail_when, rail = rail, time = now),
+            Some(rail) => say!(rail_when, rail, time = now),
             None => now,
         };
         let mut ended = Vec::new();
@@ -57,32 +58,33 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
             }
             let bands = forecast.bands().iter();
             // Where the wheel leaves the rail now, there is nothing but the spectrum now.
-            (until > 0.0).then(|| Series {
-                label: title_of(outcome).text(language),
-                x: bands.clone().map(|band| 1e3 * band.now.band.wavelength()).collect(),
-                y: bands.map(|band| band.level(until)).collect(),
-                style: LineStyle::Solid,
-                color: Some(color(index)),
+            (until > 0.0).then(|| {
+                Series::new(
+                    title_of(outcome).text(language),
+                    bands.clone().map(|band| 1e3 * band.now.band.wavelength()).collect(),
+                    bands.map(|band| band.level(until)).collect(),
+                )
+                .colored(color(index))
             })
         }));
         levels.push(curve(&answer.table.edition, answer.limit.spectrum(), LineStyle::Dashed, Rgb::BLACK));
         panels.push(level_panel(levels, language));
         caption.push(say!(levels_after, passages = when(Some(passages)), tonnes = number(base.growth.mgt(passages))));
         if let Some(rail) = answer.rail(leading) {
-            caption.push(say!(levels_of_rail_as_it_is, rail = rail));
+            caption.push(say!(levels_of_rail_as_it_is, rail));
         }
         if !ended.is_empty() {
             let titles: Value = ended.into_iter().collect();
-            caption.push(say!(forecast_ends_before, titles = titles));
+            caption.push(say!(forecast_ends_before, titles));
         }
     }
     let caption: Vec<String> = caption.iter().map(|one| sentence(one, language)).collect();
-    LineFigure {
-        title: case.file.title.clone().unwrap_or_else(|| say!(comparison).text(language)),
-        caption: caption.join(" "),
+    LineFigure::new(
+        case.file.title.clone().unwrap_or_else(|| say!(comparison).text(language)),
+        caption.join(" "),
         panels,
-        arrangement: Arrangement::Stacked,
-    }
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 /// Black for the case as it is.

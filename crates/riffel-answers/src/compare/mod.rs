@@ -24,7 +24,7 @@ pub(crate) use tables::outcomes;
 use crate::answer::inputs;
 use crate::forecast::{RailForecast, RailStart, not_forecast};
 use crate::roughness::{Level, levels};
-use crate::{Answer, AnswerError, OverPosterior, Table, unlikely_wear, wear_spread};
+use crate::{Answer, AnswerError, OverPosterior, Result, Table, unlikely_wear, wear_spread};
 
 /// What is asked of variants.
 #[derive(Clone)]
@@ -107,7 +107,7 @@ impl CompareAnswer {
     /// # Errors
     /// [`AnswerError::Case`] with the key at fault, [`AnswerError::OutsideWindow`] where no rail has a band in the
     /// window of the case.
-    pub fn new(case: &Case, request: CompareRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: CompareRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let CompareRequest { variants, traffic, speeds, hold, survey, ground, limit: (table, limit), over_posterior } =
             request;
         let mut warnings = Vec::new();
@@ -262,7 +262,7 @@ impl Answer for CompareAnswer {
         let ground = self.ground.iter();
         let ground = ground
             .map(|ground| say!(from_ground_to_limit, ground = ground.words.clone(), edition = &self.table.edition));
-        [say!(under_title, title = title, passing = self.speeds.clone())]
+        [say!(under_title, title, passing = self.speeds.clone())]
             .into_iter()
             .chain(ground)
             .chain(self.first_said())

@@ -4,7 +4,7 @@ use riffel_case::traffic::Traffic;
 use riffel_keys::{Message, fixed, say};
 
 use super::{CompareAnswer, CompareRequest};
-use crate::{AnswerError, OverPosterior, PosteriorDraws};
+use crate::{OverPosterior, PosteriorDraws, Result};
 
 /// Every variant in every draw, under the traffic of the calibration, or else that of the request.
 ///
@@ -14,7 +14,7 @@ pub fn compare_over(
     draws: &PosteriorDraws,
     request: &CompareRequest,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<OverPosterior, AnswerError> {
+) -> Result<OverPosterior> {
     draws.over(progress, |drawn| {
         let request = CompareRequest {
             traffic: drawn.traffic.as_ref().map_or_else(|| request.traffic.clone(), Traffic::clone),

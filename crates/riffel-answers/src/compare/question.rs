@@ -22,7 +22,7 @@ use crate::question::{
     Source, of_keys, over,
 };
 use crate::remedies::RemediesAnswer;
-use crate::{Answer, AnswerError, level_limit};
+use crate::{Answer, Result, level_limit};
 
 /// What would help: growth on a case and on variants of it, side by side.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -132,7 +132,7 @@ impl CompareQuestion {
     ///
     /// # Errors
     /// None but those of a default that does not fit its key.
-    pub fn of_variants(case: CaseSource, limit: &str) -> Result<Self, AnswerError> {
+    pub fn of_variants(case: CaseSource, limit: &str) -> Result<Self> {
         let question: Self = of_keys(json!({ "case": "", "with": [""], "limit": limit }))?;
         Ok(Self { case, variants: Vec::new(), ..question })
     }
@@ -140,8 +140,8 @@ impl CompareQuestion {
     /// The comparison of variants on a case that was read; `asker` is told how far it is and what is unusual.
     ///
     /// # Errors
-    /// [`AnswerError::Argument`] with the key at fault, [`AnswerError::Case`] with the key or the file.
-    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<CompareAnswer, AnswerError> {
+    /// [`AnswerError::Argument`](crate::AnswerError::Argument) with the key at fault, [`AnswerError::Case`](crate::AnswerError::Case) with the key or the file.
+    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<CompareAnswer> {
         let read = |path: &Path| self.layout.survey(path, asker);
         let survey = self.spectrum.as_ref().map(|source| source.value(read)).transpose()?;
         let variant = |source: &Source<Variant>| {
@@ -173,7 +173,7 @@ impl CompareQuestion {
 
     /// The traffic with its speeds in words: that of the file, the wheel of the case at the speed that is asked for, or the usual one
     /// of its line.
-    fn traffic(&self, case: &Case, asker: &dyn Asker) -> Result<(Traffic, Message), AnswerError> {
+    fn traffic(&self, case: &Case, asker: &dyn Asker) -> Result<(Traffic, Message)> {
         if let Some(traffic) = &self.traffic {
             return Ok(titled(Traffic::clone(&*traffic.value(Traffic::read)?)));
         }
@@ -187,13 +187,13 @@ impl CompareQuestion {
             .map_err(|error| CaseError::Physics { input: "--speed-deviation".to_owned(), error })?;
         let speed = shown_speed(speeds.mean(), 1);
         let words = match speeds.deviation() {
-            0.0 => say!(at_speed, speed = speed),
-            deviation => say!(at_spread_speed, speed = speed, deviation = shown_speed(deviation, 1)),
+            0.0 => say!(at_speed, speed),
+            deviation => say!(at_spread_speed, speed, deviation = shown_speed(deviation, 1)),
         };
         Ok((Traffic::of_case(speeds), words))
     }
 
-    fn by_models(&self, models: &[&'static FieldModel], asker: &dyn Asker) -> Result<ModelsAnswer, AnswerError> {
+    fn by_models(&self, models: &[&'static FieldModel], asker: &dyn Asker) -> Result<ModelsAnswer> {
         let speed = self.speed.as_ref().map(|speed| speed.within("--speed", asker)).transpose()?;
         let case = self.case.read(asker)?;
         let steps = match models.len() {
@@ -204,7 +204,7 @@ impl CompareQuestion {
         ModelsAnswer::new(&case, &request, &asker.begin(say!(progress_models), steps))
     }
 
-    fn remedies(&self, asker: &dyn Asker) -> Result<RemediesAnswer, AnswerError> {
+    fn remedies(&self, asker: &dyn Asker) -> Result<RemediesAnswer> {
         let case = self.case.read(asker)?;
         let traffic = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
         let step = asker.begin(say!(progress_remedies), RemediesAnswer::steps(&case));
@@ -254,16 +254,16 @@ impl Question for CompareQuestion {
         Rule::Excludes("models", &OF_RECORDS),
         Rule::Excludes("models", &["speed_deviation", "traffic"]),
         Rule::AnyOf(&["with", "models", "remedies"]),
-        Rule::Needs("cost", &["remedies"]),
+        Rule::Needs(&["cost"], &["remedies"]),
         Rule::OneOf(&["speed", "traffic", "posterior"]),
-        Rule::Needs("speed_deviation", &["speed"]),
-        Rule::Needs("earlier", &["spectrum"]),
-        Rule::Needs("dates", &["earlier"]),
+        Rule::Needs(&["speed_deviation"], &["speed"]),
+        Rule::Needs(&["earlier"], &["spectrum"]),
+        Rule::Needs(&["dates"], &["earlier"]),
         Rule::OneOf(&["ground", "from_limit"]),
-        Rule::Needs("where", &["spectrum"]),
+        Rule::Needs(&["where"], &["spectrum"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         if let Some(Models(models)) = &self.models {
             return Ok(Box::new(self.by_models(models, asker)?));
         }

@@ -1,11 +1,12 @@
 //! A comparison as tables.
 
+use riffel::roughness::ThirdOctave;
 use riffel_keys::{Message, say};
 use riffel_rail::name_in_words;
 
 use super::{CompareAnswer, Effect, Outcome, held_in_words, title_of};
 use crate::forecast::{RailForecast, number_alone, per_million, reached, three_digits};
-use crate::{Column, Table, column};
+use crate::{Column, Rows, Table, column};
 
 /// Growth of the bands.
 pub(super) const BANDS: &str = "bands";
@@ -14,21 +15,20 @@ pub(super) const BANDS: &str = "bands";
 pub(crate) fn outcomes(answer: &CompareAnswer) -> Table {
     let nothing = || Message::verbatim("");
     let cell = |cell: Option<Message>| cell.unwrap_or_else(nothing);
-    let outcomes = || answer.comparison.outcomes.iter();
+    let outcomes = &answer.comparison.outcomes;
     let told = |head: Message, of: &dyn Fn(&Outcome) -> Message| {
-        let cells = outcomes().map(|outcome| if outcome.untold { nothing() } else { of(outcome) });
-        Column::shown(head, cells.collect())
+        outcomes.shown(head, |outcome| if outcome.untold { nothing() } else { of(outcome) })
     };
     let number = |text: String| number_alone(text);
     let mut columns = vec![
-        Column::shown(nothing(), outcomes().map(title_of).collect()),
+        outcomes.shown(nothing(), title_of),
         told(say!(fastest_in_millimetres), &fastest),
         told(say!(decibels_per_million_passages), &|outcome| {
             number(format!("{:+.3}", per_million(outcome.fastest.rate)))
         }),
-        Column::shown(say!(change_head), outcomes().map(|outcome| change(outcome, answer)).collect()),
+        outcomes.shown(say!(change_head), |outcome| change(outcome, answer)),
     ];
-    if outcomes().any(|outcome| !outcome.held.is_empty()) {
+    if outcomes.iter().any(|outcome| !outcome.held.is_empty()) {
         columns.push(told(say!(held_head), &|outcome| match outcome.held[..] {
             [] => nothing(),
             [hold] => held_in_words(hold),
@@ -62,7 +62,7 @@ pub(crate) fn outcomes(answer: &CompareAnswer) -> Table {
 fn fastest(outcome: &Outcome) -> Message {
     let wavelength = number_alone(format_args!("{:.1}", 1e3 * outcome.fastest.wavelength));
     match outcome.fastest.at_edge {
-        true => say!(at_edge_of_lines, wavelength = wavelength),
+        true => say!(at_edge_of_lines, wavelength),
         false => wavelength,
     }
 }
@@ -80,14 +80,11 @@ fn change(outcome: &Outcome, answer: &CompareAnswer) -> Message {
 
 /// What a reader sees of the bands, the longest first.
 pub(super) fn shown_bands(answer: &CompareAnswer) -> Table {
-    let bands = || answer.comparison.bands.iter().enumerate().rev();
-    let wavelengths = bands().map(|(_, band)| number_alone(band.nominal_millimetres()));
+    let bands: Vec<(usize, &ThirdOctave)> = answer.comparison.bands.iter().enumerate().rev().collect();
     let rates = answer.comparison.outcomes.iter().map(|outcome| {
-        let rates = bands().map(|(place, _)| per_million(outcome.growth.band_rate(place)));
-        let rates = rates.map(|rate| number_alone(format_args!("{rate:+.3}")));
-        Column::shown(title_of(outcome), rates.collect())
+        bands.numbers(title_of(outcome), |(place, _)| format!("{:+.3}", per_million(outcome.growth.band_rate(*place))))
     });
-    let wavelengths = Column::shown(say!(wavelength_of_band), wavelengths.collect());
+    let wavelengths = bands.numbers(say!(wavelength_of_band), |(_, band)| band.nominal_millimetres());
     Table { name: BANDS, columns: [wavelengths].into_iter().chain(rates).collect() }
 }
 
@@ -116,6 +113,6 @@ fn rates(
         .iter()
         .zip(outcomes)
         .map(|(name, outcome)| Column::exact(name, (0..wavelengths.len()).map(|place| rate(outcome, place))));
-    let wavelengths = Column::exact("wavelength_m", wavelengths.iter().copied());
+    let wavelengths = wavelengths.exact("wavelength_m", |&value| value);
     Table { name, columns: [wavelengths].into_iter().chain(rates).collect() }
 }

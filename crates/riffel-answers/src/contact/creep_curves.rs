@@ -8,8 +8,7 @@ use serde::{Serialize, Serializer};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
-use crate::number_alone;
-use crate::{Column, Table};
+use crate::{Column, Rows, Table};
 
 /// Tractive ratio against creepage by one law.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,7 +111,7 @@ fn look(law: &CreepCurve, place: usize) -> (LineStyle, Rgb) {
 pub(super) fn table(curves: &CreepCurves) -> Table {
     let laws = curves.laws.iter();
     let laws = laws.map(|law| Column::exact(&law.key.replace('-', "_"), law.tractive_ratios.iter().copied()));
-    let creepages = Column::exact("creepage", curves.creepages.iter().copied());
+    let creepages = curves.creepages.exact("creepage", |&value| value);
     Table { name: "creep-curve", columns: [creepages].into_iter().chain(laws).collect() }
 }
 
@@ -122,9 +121,7 @@ pub(super) fn shown(curves: &CreepCurves) -> Table {
     let count = curves.creepages.len();
     let shown = count.min(ROWS);
     let places: Vec<usize> = (1..=shown).map(|place| place * count / shown - 1).collect();
-    let column = |head: Message, cell: &dyn Fn(usize) -> String| {
-        Column::shown(head, places.iter().map(|&place| number_alone(cell(place))).collect())
-    };
+    let column = |head: Message, cell: &dyn Fn(usize) -> String| places.numbers(head, |&place| cell(place));
     let creepages =
         column(say!(creepage_column), &|place| format!("{} %", decimal(100.0 * curves.creepages[place], 4)));
     let laws = curves.laws.iter();
@@ -144,23 +141,23 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
         let (style, color) = look(law, place);
         Series { style, color: Some(color), ..line(law.label, &percent, &from_origin(&law.tractive_ratios, 1.0)) }
     });
-    let mean_state = patch.along_rail().then(|| Series {
-        label: "mean state".to_owned(),
-        x: vec![TO_PERCENT * patch.state.creepage()],
-        y: vec![patch.tractive_ratio(patch.state.tangential_force())],
-        style: LineStyle::Markers,
-        color: Some(OKABE_ITO[0]),
+    let mean_state = patch.along_rail().then(|| {
+        Series::new(
+            "mean state",
+            vec![TO_PERCENT * patch.state.creepage()],
+            vec![patch.tractive_ratio(patch.state.tangential_force())],
+        )
+        .styled(LineStyle::Markers)
+        .colored(OKABE_ITO[0])
     });
     LinePanel {
-        subtitle: match patch.along_rail() {
-            true => "steady rolling".to_owned(),
-            false => "steady rolling, longitudinal creepage alone".to_owned(),
-        },
-        x_label: "creepage ξ [%]".to_owned(),
-        y_label: "tractive ratio Q/μP [-]".to_owned(),
         y_range: Some((0.0, 1.08)),
-        series: laws.chain(mean_state).collect(),
-        ..LinePanel::default()
+        ..LinePanel::new("creepage ξ [%]", "tractive ratio Q/μP [-]", laws.chain(mean_state)).titled(
+            match patch.along_rail() {
+                true => "steady rolling".to_owned(),
+                false => "steady rolling, longitudinal creepage alone".to_owned(),
+            },
+        )
     }
 }
 

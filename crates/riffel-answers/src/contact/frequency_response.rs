@@ -11,7 +11,7 @@ use super::line;
 use super::theories::{RollingTheories, refused};
 use super::wave_response::WaveResponse;
 use crate::complex::pairs;
-use crate::{Column, Table};
+use crate::{Column, Rows, Table};
 
 /// What one output answers to one input.
 #[derive(Debug, Clone, PartialEq)]
@@ -187,7 +187,7 @@ impl Serialize for FrequencyResponse {
 
 /// One row for each sample.
 pub(super) fn table(response: &FrequencyResponse) -> Table {
-    let mut columns = vec![Column::exact("wavelength_over_semi_axis", response.ratios.iter().copied())];
+    let mut columns = vec![response.ratios.exact("wavelength_over_semi_axis", |&value| value)];
     for input in &response.inputs {
         for output in &input.outputs {
             columns.extend(Column::complex(&format!("{}_{}", input.key, output.key), output.values.iter().copied()));
@@ -240,13 +240,10 @@ fn input_panel(ratios: &[f64], input: &InputResponse) -> LinePanel {
     /// Room for the names above the curves, which end at 1.
     const HIGHEST: f64 = 1.6;
     LinePanel {
-        subtitle: format!("response to {} over quasi-static response", input.name),
-        x_label: "wavelength λ/a [-]".to_owned(),
-        x_scale: Scale::Log,
-        y_label: "modulus [-]".to_owned(),
         y_range: Some((0.0, HIGHEST.max(1.25 * largest))),
-        series,
-        ..LinePanel::default()
+        ..LinePanel::new("wavelength λ/a [-]", "modulus [-]", series)
+            .titled(format!("response to {} over quasi-static response", input.name))
+            .scaled(Scale::Log, Scale::Linear)
     }
 }
 

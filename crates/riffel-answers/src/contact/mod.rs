@@ -97,16 +97,16 @@ impl Answer for ContactAnswer {
         let Self { theories, curves, response, .. } = self;
         let mut panels = vec![creep_curves::panel(curves, theories)];
         panels.extend(response.iter().flat_map(frequency_response::panels));
-        LineFigure {
-            title: "Rolling contact: creep curves and frequency response".to_owned(),
-            caption: format!(
+        LineFigure::new(
+            "Rolling contact: creep curves and frequency response",
+            format!(
                 "Responses of the half-space about its mean state, exp(+iωt); the energy left on the rail is that of \
                  the whole passage, relative to the instant at which the wheel centre passes. {}",
                 parameters(theories)
             ),
             panels,
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {
@@ -154,5 +154,5 @@ fn line(label: &str, x: &[f64], y: &[f64]) -> Series {
     let mut samples: Vec<(f64, f64)> = x.iter().copied().zip(y.iter().copied()).collect();
     samples.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (x, y) = samples.into_iter().unzip();
-    Series { label: label.to_owned(), x, y, ..Series::default() }
+    Series::new(label, x, y)
 }

@@ -4,7 +4,7 @@ use riffel::contact::ContactElement;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
 
 use super::{RollingTheories, line, parameters};
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 const TO_MILLIMETRES: f64 = 1e3;
 const TO_MEGAPASCALS: f64 = 1e-6;
@@ -19,31 +19,25 @@ pub(super) fn figure(patch: &RollingTheories) -> LineFigure {
     let half_height = half_width * HEIGHT_OVER_WIDTH;
     let x_label = "x along the rail, in the direction of rolling [mm]".to_owned();
     let highest = TO_MEGAPASCALS * patch.friction * patch.hertz.peak_pressure();
-    LineFigure {
-        title: "Contact patch in steady rolling".to_owned(),
-        caption: format!("Half-space theory; material enters on the right, at x = +a. {}", parameters(patch)),
-        panels: vec![
+    LineFigure::new(
+        "Contact patch in steady rolling",
+        format!("Half-space theory; material enters on the right, at x = +a. {}", parameters(patch)),
+        [
             LinePanel {
-                subtitle: "tractions on the centre line".to_owned(),
-                x_label: x_label.clone(),
-                y_label: "traction [MPa]".to_owned(),
                 x_range,
                 y_range: Some((0.0, 1.25 * highest)),
-                series: tractions(patch),
-                ..LinePanel::default()
+                ..LinePanel::new(x_label.clone(), "traction [MPa]", tractions(patch))
+                    .titled("tractions on the centre line")
             },
             LinePanel {
-                subtitle: "where the surfaces stick and slip".to_owned(),
-                x_label,
-                y_label: "y across the rail [mm]".to_owned(),
                 x_range,
                 y_range: Some((-half_height, half_height)),
-                series: stick_and_slip(patch),
-                ..LinePanel::default()
+                ..LinePanel::new(x_label, "y across the rail [mm]", stick_and_slip(patch))
+                    .titled("where the surfaces stick and slip")
             },
         ],
-        arrangement: Arrangement::Stacked,
-    }
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 /// Semi-axes along and across the rail \[mm\].
@@ -101,13 +95,9 @@ fn stick_and_slip(patch: &RollingTheories) -> Vec<Series> {
             .filter(|&(x, y)| shown(&columns, x) && shown(&rows, y))
             .map(|(x, y)| (TO_MILLIMETRES * x, TO_MILLIMETRES * y))
             .unzip();
-        Series { label: label.to_owned(), x, y, style: LineStyle::Markers, color: Some(OKABE_ITO[color]) }
+        Series::new(label, x, y).styled(LineStyle::Markers).colored(OKABE_ITO[color])
     };
-    vec![
-        marks("stick", false, 1),
-        marks("slip", true, 2),
-        Series { x: outline.0, y: outline.1, color: Some(OKABE_ITO[0]), ..Series::default() },
-    ]
+    vec![marks("stick", false, 1), marks("slip", true, 2), Series::new("", outline.0, outline.1).colored(OKABE_ITO[0])]
 }
 
 /// Values in ascending order, each once.
@@ -120,16 +110,16 @@ pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
 
 /// The elements of the patch, one row for each.
 pub(super) fn table(patch: &RollingTheories) -> Table {
-    let column = |name: &str, value: fn(ContactElement) -> f64| Column::exact(name, patch.elements().map(value));
+    let elements: Vec<ContactElement> = patch.elements().collect();
     Table {
         name: "patch",
         columns: vec![
-            column("x_m", |element| element.centre.0),
-            column("y_m", |element| element.centre.1),
-            column("traction_longitudinal_pa", |element| element.traction.0),
-            column("traction_lateral_pa", |element| element.traction.1),
-            column("bound_pa", |element| element.bound),
-            Column::names("slips", patch.elements().map(|element| element.slips)),
+            elements.exact("x_m", |element| element.centre.0),
+            elements.exact("y_m", |element| element.centre.1),
+            elements.exact("traction_longitudinal_pa", |element| element.traction.0),
+            elements.exact("traction_lateral_pa", |element| element.traction.1),
+            elements.exact("bound_pa", |element| element.bound),
+            elements.names("slips", |element| element.slips),
         ],
     }
 }

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use super::{ContactAnswer, ContactRequest, FrequencyResponse, RollingTheories};
 use crate::question::{Asker, CaseSource, Question, Rule, positive};
 use crate::stress::{PointInRail, StressAnswer};
-use crate::{Answer, AnswerError};
+use crate::{Answer, Result};
 
 /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -33,7 +33,7 @@ pub struct ContactQuestion {
 
 impl ContactQuestion {
     /// Creepages \[-\] and wavelengths \[semi-axes\], by default those that are usual.
-    fn samples(&self, theories: &RollingTheories) -> Result<[Vec<f64>; 2], AnswerError> {
+    fn samples(&self, theories: &RollingTheories) -> Result<[Vec<f64>; 2]> {
         let listed = |argument, list: &[Quantity<Ratio>], usual: Vec<f64>| match list {
             [] => Ok(usual),
             list => list.iter().map(|&value| positive(argument, value)).collect(),
@@ -49,9 +49,9 @@ impl Question for ContactQuestion {
     const NAME: &'static str = "contact";
     const EXAMPLE: &'static str = "Example: riffel contact case.toml --ratio 4,8,16 --set contact.hertz=exact";
     const RULES: &'static [Rule] =
-        &[Rule::Excludes("stress", &["creepage", "ratio"]), Rule::Needs("stress_at", &["stress"])];
+        &[Rule::Excludes("stress", &["creepage", "ratio"]), Rule::Needs(&["stress_at"], &["stress"])];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let contact = self.case.read(asker)?;
         if self.stress {
             let points: Vec<[f64; 3]> = self.stress_at.iter().map(|point| point.0).collect();

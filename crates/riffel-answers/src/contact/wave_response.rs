@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::line;
 use super::theories::{RollingTheories, refused};
-use crate::Column;
+use crate::{Column, Rows};
 
 /// Responses per κ = R k² Δ under a constant load and slip speed, one for each wavelength.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -57,7 +57,7 @@ impl WaveResponse {
     pub(super) fn columns(&self) -> impl Iterator<Item = Column> {
         let energy = Column::complex("wave_energy", self.energy.iter().copied());
         let force = Column::complex("wave_force", self.force.iter().copied());
-        energy.into_iter().chain(force).chain([Column::exact("phi", self.phi.iter().copied())])
+        energy.into_iter().chain(force).chain([self.phi.exact("phi", |&value| value)])
     }
 
     pub(super) fn panel(&self, ratios: &[f64]) -> LinePanel {
@@ -70,13 +70,8 @@ impl WaveResponse {
         ];
         let series =
             curves.map(|(name, values, color)| Series { color: Some(OKABE_ITO[color]), ..line(name, ratios, &values) });
-        LinePanel {
-            subtitle: "geometry of a wave, under constant load and slip speed".to_owned(),
-            x_label: "wavelength λ/a [-]".to_owned(),
-            x_scale: Scale::Log,
-            y_label: "e₁/e₀ over R k²Δ [-]".to_owned(),
-            series: series.into(),
-            ..LinePanel::default()
-        }
+        LinePanel::new("wavelength λ/a [-]", "e₁/e₀ over R k²Δ [-]", series)
+            .titled("geometry of a wave, under constant load and slip speed")
+            .scaled(Scale::Log, Scale::Linear)
     }
 }

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::answer::titled;
 use crate::question::{AsWritten, Asker, CaseSource, Question};
 use crate::side::side;
-use crate::{Answer, AnswerError, Table};
+use crate::{Answer, AnswerError, Result, Table};
 use equilibrium::Equilibrium;
 use over_radius::OverRadius;
 
@@ -35,8 +35,8 @@ pub struct CurveQuestion {
 
 impl CurveQuestion {
     /// The radii that are listed \[m\]; none where none are.
-    fn radii(&self, case: &CurvingCase) -> Result<Option<Vec<f64>>, AnswerError> {
-        let wrong = |value: String, rule: String| AnswerError::Argument { argument: "--radius", value, rule };
+    fn radii(&self, case: &CurvingCase) -> Result<Option<Vec<f64>>> {
+        let wrong = |value: String, rule: String| AnswerError::argument("--radius", value, rule);
         let listed: Vec<f64> = self.radius.iter().map(AsWritten::si).collect();
         let bare = self.radius.iter().find(|radius| radius.is_bare());
         let with_unit = self.radius.iter().find(|radius| !radius.is_bare());
@@ -57,7 +57,7 @@ impl Question for CurveQuestion {
     const EXAMPLE: &'static str = "\
         Examples:\n  riffel curve case.toml --set \"curve.radius=300 m\"\n  riffel curve case.toml --radius \"300 m,600 m,1200 m\" --json";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         Ok(Box::new(CurveAnswer::new(&case, self.radii(&case)?.as_deref())?))
     }
@@ -164,8 +164,8 @@ impl CurveAnswer {
     fn residual(&self) -> Message {
         let residual = number(format_args!("{:.0e}", self.equilibrium.residual));
         match self.continuation.len() {
-            0 => say!(residual_without_straight_track, residual = residual),
-            steps => say!(residual_from_straight_track, residual = residual, steps = number(steps)),
+            0 => say!(residual_without_straight_track, residual),
+            steps => say!(residual_from_straight_track, residual, steps = number(steps)),
         }
     }
 
@@ -187,8 +187,8 @@ impl CurveAnswer {
     fn others(&self) -> Message {
         let others = self.other_equilibria.iter().filter_map(|other| {
             let shifts = other.lateral_shift_m.iter().map(|shift| fixed(1e3 * shift, 3));
-            let shifts = shifts.reduce(|one, other| say!(both, one = one, other = other).into())?;
-            Some(say!(shifts_in_millimetres, shifts = shifts))
+            let shifts = shifts.reduce(|one, other| say!(both, one, other).into())?;
+            Some(say!(shifts_in_millimetres, shifts))
         });
         let shifts = Message::one_after_other(others);
         shifts.map_or_else(|| say!(no_other_equilibrium), |shifts| say!(other_equilibria, shifts = Value::from(shifts)))

@@ -5,7 +5,7 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Se
 use serde::Serialize;
 
 use super::equilibrium::{Contact, Creep, Equilibrium, Forces, Wheel, Wheelset};
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// Radii that are computed.
 const RADII: usize = 81;
@@ -74,8 +74,8 @@ impl OverRadius {
         Self { radius: radius.abs(), running_gear: vehicle.running_gear, listed, points: points.collect() }
     }
 
-    fn rows(&self) -> impl Iterator<Item = Row<'_>> {
-        self.points.iter().flat_map(|at| {
+    fn rows(&self) -> Vec<Row<'_>> {
+        let rows = self.points.iter().flat_map(|at| {
             let found = at.equilibrium.iter();
             found.flat_map(move |found| {
                 found.wheels.iter().flat_map(move |wheel| {
@@ -90,34 +90,35 @@ impl OverRadius {
                     })
                 })
             })
-        })
+        });
+        rows.collect()
     }
 
     /// One row for each radius and contact; a wheel on two points has two. Rows without an equilibrium are left out.
     pub(super) fn table(&self) -> Table {
-        let column = |name: &str, of: fn(Row) -> f64| Column::exact(name, self.rows().map(of));
+        let rows = self.rows();
         Table {
             name: "curve",
             columns: vec![
-                column("radius_m", |row| row.at.radius_m),
-                column("speed_m_per_s", |row| row.at.speed_m_per_s),
-                Column::names("wheelset", self.rows().map(|row| row.wheel.wheelset)),
-                Column::names("rail", self.rows().map(|row| row.wheel.rail)),
-                Column::names("contact", self.rows().map(|row| row.contact)),
-                column("lateral_shift_m", |row| row.wheelset.lateral_shift_m),
-                column("yaw_rad", |row| row.wheelset.yaw_rad),
-                column("angle_of_attack_rad", |row| row.wheelset.angle_of_attack_rad),
-                column("longitudinal_creepage", |row| row.creep.longitudinal_creepage),
-                column("lateral_creepage", |row| row.creep.lateral_creepage),
-                column("spin_1_per_m", |row| row.creep.spin_1_per_m),
-                column("contact_angle_rad", |row| row.creep.contact_angle_rad),
-                column("rolling_radius_m", |row| row.creep.rolling_radius_m),
-                column("normal_force_n", |row| row.forces.normal_force_n),
-                column("longitudinal_force_n", |row| row.forces.longitudinal_force_n),
-                column("lateral_force_n", |row| row.forces.lateral_force_n),
-                column("track_lateral_force_n", |row| row.forces.track_lateral_force_n),
-                column("tractive_ratio", |row| row.forces.tractive_ratio),
-                column("t_gamma_n", |row| row.forces.t_gamma_n),
+                rows.exact("radius_m", |row| row.at.radius_m),
+                rows.exact("speed_m_per_s", |row| row.at.speed_m_per_s),
+                rows.names("wheelset", |row| row.wheel.wheelset),
+                rows.names("rail", |row| row.wheel.rail),
+                rows.names("contact", |row| row.contact),
+                rows.exact("lateral_shift_m", |row| row.wheelset.lateral_shift_m),
+                rows.exact("yaw_rad", |row| row.wheelset.yaw_rad),
+                rows.exact("angle_of_attack_rad", |row| row.wheelset.angle_of_attack_rad),
+                rows.exact("longitudinal_creepage", |row| row.creep.longitudinal_creepage),
+                rows.exact("lateral_creepage", |row| row.creep.lateral_creepage),
+                rows.exact("spin_1_per_m", |row| row.creep.spin_1_per_m),
+                rows.exact("contact_angle_rad", |row| row.creep.contact_angle_rad),
+                rows.exact("rolling_radius_m", |row| row.creep.rolling_radius_m),
+                rows.exact("normal_force_n", |row| row.forces.normal_force_n),
+                rows.exact("longitudinal_force_n", |row| row.forces.longitudinal_force_n),
+                rows.exact("lateral_force_n", |row| row.forces.lateral_force_n),
+                rows.exact("track_lateral_force_n", |row| row.forces.track_lateral_force_n),
+                rows.exact("tractive_ratio", |row| row.forces.tractive_ratio),
+                rows.exact("t_gamma_n", |row| row.forces.t_gamma_n),
             ],
         }
     }
@@ -132,25 +133,25 @@ impl OverRadius {
             1 => "",
             _ => "Wheelset 1 leads. ",
         };
-        LineFigure {
-            title: match self.running_gear {
+        LineFigure::new(
+            match self.running_gear {
                 RunningGear::Wheelset(_) => "Wheelset in curves",
                 RunningGear::Bogie(_) => "Bogie in curves",
                 RunningGear::Vehicle { .. } => "Vehicle in curves",
             }
             .to_owned(),
-            caption: format!(
+            format!(
                 "{leads}Each radius at the lateral acceleration of the case, the speed in proportion to \
                  √R{of_case}."
             ),
-            panels: vec![
+            [
                 self.of_wheelsets("lateral shift y [mm]", |wheelset| 1e3 * wheelset.lateral_shift_m),
                 self.of_wheelsets("angle of attack [mrad]", |wheelset| 1e3 * wheelset.angle_of_attack_rad),
                 self.of_wheels("|Q|/μP [-]", share_of_friction),
                 self.of_wheels("wear number Tγ [N]", Wheel::whole_t_gamma),
             ],
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn of_wheelsets(&self, label: &str, value: impl Fn(&Wheelset) -> f64) -> LinePanel {
@@ -181,21 +182,16 @@ impl OverRadius {
             true => LineStyle::Markers,
             false => style,
         };
-        Series { label: label.to_owned(), x, y, style, color: None }
+        Series::new(label, x, y).styled(style)
     }
 
     fn panel(&self, label: &str, series: Vec<Series>) -> LinePanel {
         LinePanel {
-            x_label: "curve radius |R| [m]".to_owned(),
-            y_label: label.to_owned(),
-            x_scale: Scale::Log,
-            y_scale: Scale::Linear,
-            series,
             marks: match self.listed {
                 true => Vec::new(),
                 false => vec![Mark { x: self.radius, label: String::new() }],
             },
-            ..LinePanel::default()
+            ..LinePanel::new("curve radius |R| [m]", label, series).scaled(Scale::Log, Scale::Linear)
         }
     }
 }

@@ -95,12 +95,6 @@ fn flange_under_yaw(case: &CurvingCase, state: &VehicleState) -> Option<Message>
     (straight - yawed > EARLIER).then(|| {
         let (number, yaw) = (index + 1, 1e3 * wheelset.yaw.abs());
         let (straight, yawed) = (1e3 * straight, 1e3 * yawed);
-        say!(
-            yaw_takes_play,
-            yaw = fixed(yaw, 0),
-            number = number,
-            yawed = fixed(yawed, 1),
-            straight = fixed(straight, 1)
-        )
+        say!(yaw_takes_play, yaw = fixed(yaw, 0), number, yawed = fixed(yawed, 1), straight = fixed(straight, 1))
     })
 }

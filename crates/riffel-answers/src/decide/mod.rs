@@ -2,14 +2,14 @@
 
 mod question;
 
-use riffel_calibrate::{Breaks, CalibrationError, Chains, Decision, Plan, Worth};
+use riffel_calibrate::{ActionOutcome, Breaks, CalibrationError, Chains, Decision, Plan, Worth};
 use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, Mark, Series};
 use serde::Serialize;
 
 pub use question::DecideQuestion;
 
-use crate::{Answer, Column, Table};
+use crate::{Answer, Column, Rows, Table};
 
 /// The ranking of actions, with what it says of measurements.
 #[derive(Serialize)]
@@ -32,7 +32,7 @@ impl DecideAnswer {
         let cost = plan.file.cost.as_ref();
         let mut remarks = Vec::new();
         if doubts > 0 {
-            remarks.push(say!(decision_on_doubtful_chains, doubts = doubts));
+            remarks.push(say!(decision_on_doubtful_chains, doubts));
         }
         if cost.is_some_and(|cost| cost.from_limit.is_none()) {
             remarks.push(say!(rise_after_grinding_assumed));
@@ -54,17 +54,13 @@ impl DecideAnswer {
     /// A table of what it is worth to know things.
     fn worth(&self, name: &'static str, what: Message, worth: &[Worth]) -> Table {
         let currency = &*self.decision.currency;
-        let titles = worth.iter().map(|it| Message::verbatim(&it.title));
-        let per_year = worth.iter().map(|it| Some(it.per_year));
         let mut columns = vec![
-            Column::words("title", what, titles.collect()),
-            Column::fixed("worth_per_year", say!(worth_per_year, currency = currency), per_year, 0),
+            worth.words("title", what, |it| Message::verbatim(&it.title)),
+            worth.fixed("worth_per_year", say!(worth_per_year, currency), 0, |it| it.per_year),
         ];
         if worth.iter().any(|it| it.price.is_some()) {
-            let price = worth.iter().map(|it| it.price);
-            let net = worth.iter().map(|it| it.net);
-            columns.push(Column::fixed("price", say!(price_in, currency = currency), price, 0));
-            columns.push(Column::fixed("net", say!(net_worth_in, currency = currency), net, 0));
+            columns.push(worth.fixed("price", say!(price_in, currency), 0, |it| it.price));
+            columns.push(worth.fixed("net", say!(net_worth_in, currency), 0, |it| it.net));
         }
         Table { name, columns }
     }
@@ -73,7 +69,7 @@ impl DecideAnswer {
 /// Names of the actions.
 fn names(decision: &Decision) -> Vec<Message> {
     let actions = decision.actions.iter().enumerate();
-    let name = |(index, action): (usize, &riffel_calibrate::ActionOutcome)| match index {
+    let name = |(index, action): (usize, &ActionOutcome)| match index {
         0 => say!(action_none),
         _ => Message::verbatim(&action.title),
     };
@@ -91,7 +87,7 @@ fn sentences(decision: &Decision) -> Vec<Message> {
             cheapest_in_the_mean,
             action = name,
             cost = fixed(action.mean_cost_per_year, 0),
-            currency = currency,
+            currency,
             share = fixed(100.0 * action.probability_cheapest, 0)
         ));
     }
@@ -101,7 +97,7 @@ fn sentences(decision: &Decision) -> Vec<Message> {
     } else if breaking > 0 {
         sentences.push(say!(actions_break, count = breaking));
     }
-    sentences.push(say!(worth_of_knowing_all, worth = fixed(decision.evpi_per_year, 0), currency = currency));
+    sentences.push(say!(worth_of_knowing_all, worth = fixed(decision.evpi_per_year, 0), currency));
     let pays = decision.measurements.iter().filter(|it| it.net.is_some_and(|net| net > 0.0));
     match (pays.collect::<Vec<&Worth>>().first(), decision.measurements.is_empty()) {
         (Some(first), _) => sentences.push(say!(measure_first, measurement = &first.title)),
@@ -109,11 +105,6 @@ fn sentences(decision: &Decision) -> Vec<Message> {
         (None, true) => {}
     }
     sentences
-}
-
-/// A share in per cent.
-fn percent(share: f64) -> Option<f64> {
-    Some(100.0 * share)
 }
 
 impl Answer for DecideAnswer {
@@ -141,22 +132,19 @@ impl Answer for DecideAnswer {
         let decision = &self.decision;
         let currency = &*decision.currency;
         let actions = &decision.actions;
-        let numbers = |name: &str, head: Message, shown: usize, value: &dyn Fn(usize) -> Option<f64>| {
-            Column::fixed(name, head, (0..actions.len()).map(value), shown)
-        };
         let mut columns = vec![Column::words("action", say!(action_column), names(&self.decision))];
         for (place, name, head) in [
             (2, "months_q50", say!(months_to_limit_median)),
             (0, "months_q05", say!(five_per_cent)),
             (4, "months_q95", say!(ninety_five_per_cent)),
         ] {
-            columns.push(numbers(name, head, 1, &|row| actions[row].months_to_limit.quantiles[place]));
+            columns.push(actions.fixed(name, head, 1, |it| it.months_to_limit.quantiles[place]));
         }
-        columns.push(numbers("never_percent", say!(never_percent), 1, &|row| {
-            percent(actions[row].months_to_limit.probability_never)
-        }));
-        let head = say!(mean_cost_per_year, currency = currency);
-        columns.push(numbers("mean_cost_per_year", head, 0, &|row| Some(actions[row].mean_cost_per_year)));
+        columns.push(
+            actions.fixed("never_percent", say!(never_percent), 1, |it| 100.0 * it.months_to_limit.probability_never),
+        );
+        let head = say!(mean_cost_per_year, currency);
+        columns.push(actions.fixed("mean_cost_per_year", head, 0, |it| it.mean_cost_per_year));
         for (place, name, head) in [
             (0, "saving_q05", Some(say!(saving_from))),
             (1, "saving_q25", None),
@@ -164,29 +152,27 @@ impl Answer for DecideAnswer {
             (3, "saving_q75", None),
             (4, "saving_q95", Some(say!(saving_to))),
         ] {
-            let values = actions.iter().map(|it| it.saving_per_year[place]);
+            let value = |it: &ActionOutcome| it.saving_per_year[place];
             columns.push(match head {
-                Some(head) => Column::fixed(name, head, values.map(Some), 0),
-                None => Column::in_file(name, values),
+                Some(head) => actions.fixed(name, head, 0, value),
+                None => actions.plain(name, value),
             });
         }
+        columns.push(actions.fixed("longer_percent", say!(longer_percent), 0, |it| 100.0 * it.probability_longer));
         columns
-            .push(numbers("longer_percent", say!(longer_percent), 0, &|row| percent(actions[row].probability_longer)));
-        columns.push(numbers("cheapest_percent", say!(cheapest_percent), 0, &|row| {
-            percent(actions[row].probability_cheapest)
-        }));
+            .push(actions.fixed("cheapest_percent", say!(cheapest_percent), 0, |it| 100.0 * it.probability_cheapest));
         for (name, head, of) in [
             ("over_budget_percent", say!(over_budget_percent), (|it| it.budget) as fn(&Breaks) -> Option<f64>),
             ("too_loud_percent", say!(too_loud_percent), |it| it.noise_limit),
             ("without_possession_percent", say!(without_possession_percent), |it| it.possession_hours),
         ] {
             if actions.iter().any(|action| of(&action.breaks).is_some()) {
-                columns.push(numbers(name, head, 0, &|row| of(&actions[row].breaks).and_then(percent)));
+                columns.push(actions.fixed(name, head, 0, |it| Some(100.0 * of(&it.breaks)?)));
             }
         }
-        columns.push(numbers("rank", say!(rank_of_action), 0, &|row| Some(actions[row].rank as f64)));
-        let head = say!(regret_per_year, currency = currency);
-        columns.push(numbers("expected_regret_per_year", head, 0, &|row| Some(actions[row].expected_regret_per_year)));
+        columns.push(actions.fixed("rank", say!(rank_of_action), 0, |it| it.rank as f64));
+        let head = say!(regret_per_year, currency);
+        columns.push(actions.fixed("expected_regret_per_year", head, 0, |it| it.expected_regret_per_year));
         let mut tables = vec![
             Table { name: "actions", columns },
             self.worth("worth_of_values", say!(value_known), &decision.evppi_per_year),
@@ -203,22 +189,19 @@ impl Answer for DecideAnswer {
 
     fn figure(&self) -> LineFigure {
         let decision = &self.decision;
-        let line = |name: &Message, values: &[f64]| Series {
-            label: name.text(riffel_keys::Language::English),
-            x: values.to_vec(),
-            y: (1..20).map(|part| 5.0 * f64::from(part)).collect(),
-            ..Series::default()
+        let line = |name: &Message, values: &[f64]| {
+            Series::new(
+                name.text(riffel_keys::Language::English),
+                values.to_vec(),
+                (1..20).map(|part| 5.0 * f64::from(part)).collect(),
+            )
         };
         let names = names(&self.decision);
         let actions = || decision.actions.iter().zip(&names);
         let panel = |subtitle: &str, x_label: String, series: Vec<Series>, marks: Vec<Mark>| LinePanel {
-            subtitle: subtitle.to_owned(),
-            x_label,
-            y_label: "share of the draws below [%]".to_owned(),
             y_range: Some((0.0, 100.0)),
-            series,
             marks,
-            ..LinePanel::default()
+            ..LinePanel::new(x_label, "share of the draws below [%]", series).titled(subtitle)
         };
         let months = actions().map(|(action, name)| line(name, &action.curves[0]));
         let costs = actions().map(|(action, name)| line(name, &action.curves[1]));
@@ -227,14 +210,15 @@ impl Answer for DecideAnswer {
             x: action.mean_cost_per_year,
             label: name.text(riffel_keys::Language::English),
         });
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| "Decision".to_owned()),
-            caption: format!(
-                "{} draws of the posterior, 5 to 95 %. Months from grinding until the first band has risen by {} dB; costs of a year. The line marks the \
-                 least mean cost. Knowing everything is worth {:.0} {} a year.",
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| "Decision".to_owned()),
+            format!(
+                "{} draws of the posterior, 5 to 95 %. Months from grinding until the first band has \
+                 risen by {} dB; costs of a year. The line marks the least mean cost. Knowing \
+                  everything is worth {:.0} {} a year.",
                 decision.draws, decision.rise_db, decision.evpi_per_year, decision.currency
             ),
-            panels: vec![
+            [
                 panel("interval", "months to the limit".to_owned(), months.collect(), Vec::new()),
                 panel(
                     "cost",
@@ -243,8 +227,7 @@ impl Answer for DecideAnswer {
                     mark.into_iter().collect(),
                 ),
             ],
-            ..LineFigure::default()
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {

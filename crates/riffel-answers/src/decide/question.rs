@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::DecideAnswer;
 use crate::question::{Asker, Files, Question, Source};
-use crate::{Answer, AnswerError};
+use crate::{Answer, Result};
 
 /// Which action pays, over the posterior of a calibration, and what to measure first.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -28,7 +28,7 @@ impl Question for DecideQuestion {
         are drawn.";
     const FILES: Files = Files::There;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
         let (plan, chains) = finished(&self.dir, self.plan.as_deref())?;
         Ok(Box::new(DecideAnswer::new(&plan, &chains)?))
     }

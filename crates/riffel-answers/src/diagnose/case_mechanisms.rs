@@ -1,10 +1,11 @@
 //! What a case knows of the causes of a wavelength: its wheels and its wheelset.
 
 use riffel::diagnosis::{GrowthDensity, Mechanism, MechanismKind, TrafficSpeeds};
-use riffel::wheelset::ModeName;
 use riffel_case::file::CurveRail;
 use riffel_case::{Case, WheelsOfCurve};
 use riffel_keys::{Message, fixed, say, shown_speeds};
+
+use crate::ridge::modes_of_axle;
 
 /// The wheels whose growth is held against a wavelength, with the rail of a curve that each runs on: those of the vehicle in its
 /// curve, or the one of the case, which has no name.
@@ -69,7 +70,7 @@ impl Wheels {
                         None => mechanism,
                     });
                 }
-                Err(reason) => unknown.push(say!(growth_ridge_is_no_candidate, reason = reason)),
+                Err(reason) => unknown.push(say!(growth_ridge_is_no_candidate, reason)),
             }
         }
         unknown.dedup();
@@ -92,20 +93,7 @@ fn rail_in_words(name: &str) -> Option<CurveRail> {
 pub(super) fn wheelset_modes(case: &Case) -> Vec<(MechanismKind, f64)> {
     /// Up to where axles are seen to make corrugation \[Hz\]: above, wheels are no rigid discs.
     const HIGHEST: f64 = 2000.0;
-    let Some(wheelset) = case.wheelset.as_deref() else {
-        return Vec::new();
-    };
-    // Where modes cannot be told apart so high there are none.
-    let modes = case.wheelset_modes(wheelset, HIGHEST).unwrap_or_default();
-    let named = modes.iter().filter_map(|mode| {
-        let kind = match mode.name {
-            ModeName::Torsion { .. } => MechanismKind::WheelsetTorsion,
-            ModeName::Bending { .. } => MechanismKind::WheelsetBending,
-            _ => return None,
-        };
-        Some((kind, mode.frequency))
-    });
-    let mut named: Vec<(MechanismKind, f64)> = named.collect();
+    let mut named = modes_of_axle(case, HIGHEST);
     // Bending in both planes of an axle without much of a suspension is one candidate.
     named.dedup_by(|later, earlier| later.0 == earlier.0 && later.1 < 1.02 * earlier.1);
     named

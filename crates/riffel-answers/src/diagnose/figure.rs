@@ -16,7 +16,7 @@ pub(super) fn of(diagnosis: &Diagnosis, language: Language) -> LineFigure {
                 let bands = spectrum.bands().iter();
                 let points = bands.map(|band| (1e3 * band.wavelength, level(band)));
                 let (x, y) = points.unzip();
-                Series { x, y, ..Series::default() }
+                Series::new("", x, y)
             };
             let colors = [5, 1, 2, 3, 6, 7].map(|index| OKABE_ITO[index % OKABE_ITO.len()]);
             let mut series: Vec<Series> = spectra
@@ -37,12 +37,13 @@ pub(super) fn of(diagnosis: &Diagnosis, language: Language) -> LineFigure {
             (series, say!(fine_level_axis), say!(how_fine_bands_are))
         }
         Curves::Levels(groups) => {
-            let series = groups.iter().enumerate().map(|(index, (name, mean))| Series {
-                label: name.text(language),
-                x: mean.levels().iter().map(|level| 1e3 * level.band.wavelength()).collect(),
-                y: mean.levels().iter().map(|level| level.level).collect(),
-                color: Some(OKABE_ITO[index % OKABE_ITO.len()]),
-                ..Series::default()
+            let series = groups.iter().enumerate().map(|(index, (name, mean))| {
+                Series::new(
+                    name.text(language),
+                    mean.levels().iter().map(|level| 1e3 * level.band.wavelength()).collect(),
+                    mean.levels().iter().map(|level| level.level).collect(),
+                )
+                .colored(OKABE_ITO[index % OKABE_ITO.len()])
             });
             (series.collect(), say!(level_axis), say!(means_of_levels))
         }
@@ -57,23 +58,19 @@ pub(super) fn of(diagnosis: &Diagnosis, language: Language) -> LineFigure {
         let label = say!(perhaps_made_by, wavelength = fixed(wavelength, 1), mechanism = leads);
         Mark { x: wavelength, label: label.text(language) }
     });
-    LineFigure {
-        title: say!(dominant_wavelengths).text(language),
-        caption: say!(
+    LineFigure::new(
+        say!(dominant_wavelengths).text(language),
+        say!(
             caption_of_diagnosis,
             file = file_name(std::path::Path::new(&diagnosis.file)),
             record = diagnosis.words.clone(),
             bands = what
         )
         .text(language),
-        panels: vec![LinePanel {
-            x_label: say!(wavelength_axis).text(language),
-            y_label: label.text(language),
-            x_scale: Scale::Log,
-            series,
+        [LinePanel {
             marks: marks.collect(),
-            ..LinePanel::default()
+            ..LinePanel::new(say!(wavelength_axis).text(language), label.text(language), series)
+                .scaled(Scale::Log, Scale::Linear)
         }],
-        ..LineFigure::default()
-    }
+    )
 }

@@ -4,9 +4,12 @@ use riffel::diagnosis::{Candidate, Course, Measurement, MechanismKind, Reason, T
 use riffel_keys::{Language, Message, Value, fixed, number, range, say};
 use riffel_rail::history::Measured;
 use riffel_rail::{name_in_words, rail_in_words};
+use serde::{Serialize, Serializer};
 
 use super::Sideband;
+use super::mechanism_words::{settled_by, source, validity};
 use super::reason::{self, course_in_words};
+use crate::capital::as_sentence;
 use crate::ridge::mechanism_name;
 
 /// Probability below which a level is not said to rise, or to fall.
@@ -40,16 +43,9 @@ impl Finding {
         let frequency = number(range(frequencies, |hertz| format!("{hertz:.0}")));
         let speeds = speeds.words();
         match self.place() {
-            Some(place) => say!(
-                dominant_wavelength_at,
-                wavelength = wavelength,
-                band = band,
-                place = place,
-                frequency = frequency,
-                speeds = speeds
-            ),
+            Some(place) => say!(dominant_wavelength_at, wavelength, band, place, frequency, speeds),
             None => {
-                say!(dominant_wavelength, wavelength = wavelength, band = band, frequency = frequency, speeds = speeds)
+                say!(dominant_wavelength, wavelength, band, frequency, speeds)
             }
         }
     }
@@ -61,14 +57,14 @@ impl Finding {
         let place = match (places.first(), all_along) {
             // A table of levels has no places.
             (None, _) => rail,
-            (Some(_), true) => say!(rail_all_along, rail = rail),
+            (Some(_), true) => say!(rail_all_along, rail),
             (Some(first), false) => {
-                say!(rail_from_to, rail = rail, from = fixed(first.from, 1), to = fixed(first.to, 1))
+                say!(rail_from_to, rail, from = fixed(first.from, 1), to = fixed(first.to, 1))
             }
         };
         Some(match places.len() {
             0 | 1 => place,
-            count => say!(more_places, place = place, count = count - 1),
+            count => say!(more_places, place, count = count - 1),
         })
     }
 
@@ -81,8 +77,8 @@ impl Finding {
             None => say!(scatter_unknown),
         };
         let level = match record {
-            Some(record) => say!(level_of_record, level = level, record = record),
-            None => say!(level_of_peak, level = level),
+            Some(record) => say!(level_of_record, level, record),
+            None => say!(level_of_peak, level),
         };
         let level = match rails.is_empty() {
             true => level,
@@ -91,10 +87,10 @@ impl Finding {
                     .iter()
                     .map(|(name, level)| say!(level_of_rail, name = name_in_words(name), level = fixed(*level, 1)))
                     .collect();
-                say!(with_levels_of_rails, level = level, rails = rails)
+                say!(with_levels_of_rails, level, rails)
             }
         };
-        let mut words = say!(stands_over_its_trend, level = level, prominence = prominence, scatter = scatter);
+        let mut words = say!(stands_over_its_trend, level, prominence, scatter);
         let chance = peak.false_peaks.map(|peaks| match peaks < 1e-6 {
             true => say!(by_chance_in_a_million),
             false => say!(by_chance, spectra = fixed(1.0 / peaks, 0)),
@@ -115,7 +111,7 @@ impl Finding {
         Some(match &self.measured.energy_levels {
             Some(levels) => {
                 let levels: Value = levels.iter().map(|level| fixed(*level, 1)).collect();
-                let energies = say!(means_of_energies, levels = levels);
+                let energies = say!(means_of_energies, levels);
                 say!(one_after_other, one = course, other = energies)
             }
             None => course,
@@ -175,7 +171,7 @@ impl Finding {
     pub fn name(&self, candidate: &Candidate) -> Message {
         let mechanism = mechanism_name(candidate.kind);
         match self.wheel(candidate) {
-            Some(wheel) => say!(mechanism_of, mechanism = mechanism, wheel = wheel.clone()),
+            Some(wheel) => say!(mechanism_of, mechanism, wheel = wheel.clone()),
             None => mechanism,
         }
     }
@@ -204,5 +200,151 @@ fn percent(probability: f64) -> Message {
     match probability > 0.9995 {
         true => say!(more_than_999_per_mille),
         false => say!(percent_of, percent = fixed(100.0 * probability, 1)),
+    }
+}
+
+#[derive(Serialize)]
+struct Dominant<'a> {
+    /// None for a table of levels that does not name its rails.
+    rail: Option<&'a str>,
+    wavelength_m: f64,
+    from_m: f64,
+    to_m: f64,
+    frequency_min_hz: f64,
+    frequency_max_hz: f64,
+    /// Where it stands along the rail, the highest level first.
+    places: Vec<RailPlace>,
+    all_along: bool,
+    /// At the first place.
+    level_db: f64,
+    prominence_db: f64,
+    scatter_db: Option<f64>,
+    /// Peaks as high in a spectrum of pure noise, in the mean.
+    false_peaks: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    harmonic_of_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sideband_of_m: Option<f64>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    rails: Vec<RailLevel>,
+    course: Option<LevelCourse>,
+    summary: Message,
+    candidates: Vec<RankedCandidate>,
+    measurements: Vec<Message>,
+}
+
+#[derive(Serialize)]
+struct RailPlace {
+    from_m: f64,
+    to_m: f64,
+    level_db: f64,
+}
+
+#[derive(Serialize)]
+struct RailLevel {
+    name: String,
+    level_db: f64,
+}
+
+#[derive(Serialize)]
+struct LevelCourse {
+    records: Vec<String>,
+    levels_db: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    energy_mean_levels_db: Option<Vec<f64>>,
+    /// The first record since the rail was ground, as it seems.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground_before: Option<String>,
+    slope_db: Option<f64>,
+    slope_scatter_db: Option<f64>,
+    per: &'static str,
+    probability_of_rise: Option<f64>,
+    sentence: Message,
+}
+
+#[derive(Serialize)]
+struct RankedCandidate {
+    mechanism: Message,
+    /// Which of several: the wheel under which it grows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    of: Option<Message>,
+    share: f64,
+    frequency_hz: Option<f64>,
+    wavelength_min_m: Option<f64>,
+    wavelength_max_m: Option<f64>,
+    reasons_for: Vec<Message>,
+    reasons_against: Vec<Message>,
+    source: Message,
+    validity: Message,
+    /// What would settle it.
+    measurement: Message,
+}
+
+/// What is told of a finding.
+impl Serialize for Finding {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let measured = &self.measured;
+        let (peak, speeds) = (&measured.peak, &self.speeds);
+        let places = measured.places.iter();
+        let places = places.map(|place| RailPlace { from_m: place.from, to_m: place.to, level_db: place.level });
+        let rails = measured.rails.iter().map(|(name, level)| RailLevel { name: name.clone(), level_db: *level });
+        let energies = measured.energy_levels.as_deref();
+        let candidates = self.candidates.iter();
+        let dominant = Dominant {
+            rail: measured.rail.as_deref(),
+            places: places.collect(),
+            all_along: measured.all_along,
+            wavelength_m: peak.wavelength,
+            from_m: peak.from,
+            to_m: peak.to,
+            frequency_min_hz: speeds.slowest() / peak.wavelength,
+            frequency_max_hz: speeds.fastest() / peak.wavelength,
+            level_db: peak.level,
+            prominence_db: peak.prominence,
+            scatter_db: peak.scatter,
+            false_peaks: peak.false_peaks,
+            harmonic_of_m: peak.harmonic_of.map(|harmonic| harmonic.1),
+            sideband_of_m: self.sideband.map(|sideband| sideband.of),
+            rails: rails.collect(),
+            course: measured.course.as_ref().map(|course| LevelCourse::new(course, energies)),
+            summary: self.summary(),
+            candidates: candidates.map(|candidate| RankedCandidate::new(self, candidate)).collect(),
+            measurements: self.measurements().map(|one| as_sentence(&one)).collect(),
+        };
+        dominant.serialize(serializer)
+    }
+}
+
+impl LevelCourse {
+    fn new(course: &Course, energies: Option<&[f64]>) -> Self {
+        Self {
+            records: course.points.iter().map(|point| point.label.clone()).collect(),
+            levels_db: course.points.iter().map(|point| point.level).collect(),
+            energy_mean_levels_db: energies.map(<[f64]>::to_vec),
+            ground_before: (course.since > 0).then(|| course.points[course.since].label.clone()),
+            slope_db: course.slope.map(|slope| slope.mean),
+            slope_scatter_db: course.slope.map(|slope| slope.scatter),
+            per: course.unit.name(),
+            probability_of_rise: course.probability_of_rise(),
+            sentence: course_in_words(course),
+        }
+    }
+}
+
+impl RankedCandidate {
+    fn new(finding: &Finding, candidate: &Candidate) -> Self {
+        Self {
+            mechanism: mechanism_name(candidate.kind),
+            of: (finding.wheel(candidate).cloned()).or_else(|| candidate.of.clone().map(Message::verbatim)),
+            share: candidate.share,
+            frequency_hz: candidate.frequency,
+            wavelength_min_m: candidate.wavelengths.map(|range| range.0),
+            wavelength_max_m: candidate.wavelengths.map(|range| range.1),
+            reasons_for: finding.reasons(&candidate.reasons_for).collect(),
+            reasons_against: finding.reasons(&candidate.reasons_against).collect(),
+            source: source(candidate.kind),
+            validity: validity(candidate.kind),
+            measurement: as_sentence(&settled_by(candidate.kind)),
+        }
     }
 }

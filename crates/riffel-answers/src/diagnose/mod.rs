@@ -3,7 +3,6 @@
 mod case_mechanisms;
 mod figure;
 mod finding;
-mod finding_document;
 pub(crate) mod mechanism_words;
 mod question;
 mod reason;
@@ -30,7 +29,7 @@ use riffel_rail::RailRecord;
 use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
 use serde::{Serialize, Serializer};
 
-use crate::defect_document::DefectDocument;
+use crate::defect::Defect;
 use crate::{Answer, Table, Told};
 
 /// What a diagnosis goes by besides case and records.
@@ -81,7 +80,7 @@ pub struct Diagnosis {
 }
 
 fn as_documents<S: Serializer>(defects: &[(String, RailDefect)], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(defects.iter().map(|(rail, defect)| DefectDocument::new(rail, defect)))
+    serializer.collect_seq(defects.iter().map(|(rail, defect)| Defect::new(rail, defect)))
 }
 
 impl Diagnosis {
@@ -204,7 +203,7 @@ impl Answer for Diagnosis {
 
     fn introduction(&self) -> Vec<Message> {
         let title = self.title.as_deref().map_or_else(|| say!(the_case), Message::verbatim);
-        let held = say!(held_against, title = title, speeds = number(self.speeds.words()));
+        let held = say!(held_against, title, speeds = number(self.speeds.words()));
         let nothing = self.findings.is_empty().then(|| say!(nothing_stands_out));
         [self.words.clone().about(self.file.as_str()), held].into_iter().chain(nothing).collect()
     }

@@ -17,7 +17,7 @@ use super::{Diagnosis, DiagnosisSettings};
 use crate::question::{
     AsWritten, Asker, CaseSource, EarlierRecords, Question, RecordLayout, Rule, Source, choose_nothing, positive,
 };
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// Dominant wavelengths of a measured rail, and what may have made them.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -68,12 +68,7 @@ impl DiagnosedRail {
     ///
     /// # Errors
     /// Those of [`diagnosis`](Self::diagnosis).
-    pub fn of_file(
-        &self,
-        case: &Case,
-        file: &Source<RoughnessFile>,
-        asker: &dyn Asker,
-    ) -> Result<Diagnosis, AnswerError> {
+    pub fn of_file(&self, case: &Case, file: &Source<RoughnessFile>, asker: &dyn Asker) -> Result<Diagnosis> {
         let read = file.value(|path| self.layout.read(path, asker))?;
         self.diagnosis(case, file.name(), &read, asker)
     }
@@ -82,16 +77,10 @@ impl DiagnosedRail {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] and [`AnswerError::Range`] with the rule, [`AnswerError::Case`] with the file at fault.
-    pub fn diagnosis(
-        &self,
-        case: &Case,
-        path: &Path,
-        file: &RoughnessFile,
-        asker: &dyn Asker,
-    ) -> Result<Diagnosis, AnswerError> {
+    pub fn diagnosis(&self, case: &Case, path: &Path, file: &RoughnessFile, asker: &dyn Asker) -> Result<Diagnosis> {
         let modes = |argument, frequencies: &[Quantity<Frequency>]| {
             let modes = frequencies.iter().map(|frequency| positive(argument, *frequency));
-            modes.collect::<Result<Vec<f64>, AnswerError>>()
+            modes.collect::<Result<Vec<f64>>>()
         };
         let (speeds, remark) = self.speeds(case, asker)?;
         let settings = DiagnosisSettings {
@@ -107,7 +96,7 @@ impl DiagnosedRail {
         };
         self.earlier.check()?;
         let files = self.earlier.earlier.iter().map(|source| source.value(|path| self.layout.read(path, asker)));
-        let files = files.collect::<Result<Vec<Arc<RoughnessFile>>, AnswerError>>()?;
+        let files = files.collect::<Result<Vec<Arc<RoughnessFile>>>>()?;
         if matches!(file, RoughnessFile::Profile(_)) {
             choose_nothing(path, &self.choose, self.by.as_deref())?;
         }
@@ -127,7 +116,7 @@ impl DiagnosedRail {
     }
 
     /// The speeds asked for, or those of the usual traffic with a remark that says so.
-    fn speeds(&self, case: &Case, asker: &dyn Asker) -> Result<(TrafficSpeeds, Option<Message>), AnswerError> {
+    fn speeds(&self, case: &Case, asker: &dyn Asker) -> Result<(TrafficSpeeds, Option<Message>)> {
         let wrong = |argument, value: String, rule: String| AnswerError::Argument { argument, value, rule };
         let wrong_speeds = |value: &str, error: riffel::Error| wrong("--speed", value.to_owned(), error.to_string());
         match (&self.traffic, &self.speed[..]) {
@@ -153,7 +142,7 @@ impl DiagnosedRail {
 }
 
 /// A range of speeds as it is written, or one speed \[m/s\].
-fn range(written: &str, asker: &dyn Asker) -> Result<(f64, f64), AnswerError> {
+fn range(written: &str, asker: &dyn Asker) -> Result<(f64, f64)> {
     let within = |text: &str| {
         let wrong = |error| AnswerError::Range { argument: "--speed", message: format!(": {error}") };
         text.parse::<AsWritten<Speed>>().map_err(wrong)?.within("--speed", asker)
@@ -178,9 +167,9 @@ impl Question for DiagnoseQuestion {
         Example: riffel diagnose case.toml --roughness profile.csv --speed \"60 km/h..80 km/h\" --earlier last-year.csv\n\n\
         Shares compare the candidates of one list, each taken to be equally likely beforehand; they are no \
         probability that a finding is right.";
-    const RULES: &'static [Rule] = &[Rule::Needs("dates", &["earlier"])];
+    const RULES: &'static [Rule] = &[Rule::Needs(&["dates"], &["earlier"])];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         Ok(Box::new(self.rail.of_file(&*self.case.read(asker)?, &self.roughness, asker)?))
     }
 }

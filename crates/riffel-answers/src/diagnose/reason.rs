@@ -22,14 +22,14 @@ pub(super) fn in_words(reason: &Reason, speeds: &TrafficSpeeds, course: Option<&
             let known = match damping_ratio {
                 Some(ratio) => {
                     let ratio = fixed(100.0 * ratio, 1);
-                    say!(known_with_damping, ratio = ratio, spread = spread)
+                    say!(known_with_damping, ratio, spread)
                 }
-                None => say!(known_to, spread = spread),
+                None => say!(known_to, spread),
             };
             say!(
                 frequency_makes,
                 frequency = fixed(frequency, 0),
-                known = known,
+                known,
                 range = span(1e3 * from, 1e3 * to, "mm"),
                 speeds = speeds.words(),
                 measured = millimetres(measured),
@@ -59,8 +59,8 @@ pub(super) fn in_words(reason: &Reason, speeds: &TrafficSpeeds, course: Option<&
         Reason::Course(expectation) => {
             let course = course.map_or_else(|| Message::verbatim(""), course_in_words);
             match expectation {
-                Expectation::Fades => say!(marks_fade_under_traffic, course = course),
-                _ => say!(corrugation_grows_under_traffic, course = course),
+                Expectation::Fades => say!(marks_fade_under_traffic, course),
+                _ => say!(corrugation_grows_under_traffic, course),
             }
         }
     }
@@ -74,21 +74,14 @@ fn growth_in_words(at: f64, highest: f64, measured: f64, rate: f64, speeds: &Tra
     match rate > 0.0 {
         true => say!(
             case_grows_at_measured,
-            speeds = speeds,
+            speeds,
             wavelength = at,
             rate = shown,
-            measured = measured,
-            own = own,
+            measured,
+            own,
             percent = fixed(100.0 * rate / highest, 0)
         ),
-        false => say!(
-            case_decays_at_measured,
-            speeds = speeds,
-            wavelength = at,
-            rate = shown,
-            measured = measured,
-            own = own
-        ),
+        false => say!(case_decays_at_measured, speeds, wavelength = at, rate = shown, measured, own),
     }
 }
 
@@ -113,7 +106,7 @@ pub(super) fn measurement(measurement: Measurement, wavelength: f64, speeds: &Tr
         }
         Measurement::Again(None) => say!(after_three_months),
     };
-    say!(measure_again, when = when)
+    say!(measure_again, when)
 }
 
 /// A course: levels of the records, what they do, and how fast.
@@ -127,10 +120,10 @@ pub(crate) fn course_in_words(course: &Course) -> Message {
             course_since_ground,
             levels = all,
             fall = fixed(fall, 1),
-            record = record,
+            record,
             since = line_in_words(course, slope, levels(course.on_line()))
         ),
-        None => say!(course_ends_ground, levels = all, fall = fixed(fall, 1), record = record),
+        None => say!(course_ends_ground, levels = all, fall = fixed(fall, 1), record),
     }
 }
 
@@ -145,7 +138,7 @@ fn line_in_words(course: &Course, slope: Slope, levels: Value) -> Message {
     let rises = course.probability_of_rise().unwrap_or(0.5);
     macro_rules! told {
         ($id:ident) => {
-            say!($id, levels = levels, slope = slope, scatter = scatter, unit = unit)
+            say!($id, levels, slope, scatter, unit)
         };
     }
     // Two records rise or fall once, whether by chance or not.

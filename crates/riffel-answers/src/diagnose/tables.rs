@@ -4,11 +4,11 @@ use riffel_keys::{Message, range, say};
 
 use super::{Diagnosis, Finding};
 use crate::number_alone;
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// What a reader sees of the candidates of a finding: name, share, frequency and wavelengths.
 pub(crate) fn of_finding(finding: &Finding) -> Table {
-    let candidates = || finding.candidates.iter();
+    let candidates = &finding.candidates;
     let millimetres = |ends: (f64, f64)| {
         range(ends.into(), |value: f64| match 1e3 * value {
             value if value < 100.0 => format!("{value:.1}"),
@@ -16,18 +16,13 @@ pub(crate) fn of_finding(finding: &Finding) -> Table {
         })
     };
     let number = |number: Option<String>| number.map_or_else(|| Message::verbatim(""), number_alone);
-    let shares = candidates().map(|candidate| number_alone(format!("{:.3}", candidate.share)));
-    let frequencies = candidates().map(|candidate| number(candidate.frequency.map(|hertz| format!("{hertz:.0}"))));
     Table {
         name: "candidates",
         columns: vec![
-            Column::shown(say!(candidate_head), candidates().map(|candidate| finding.name(candidate)).collect()),
-            Column::shown(say!(share_head), shares.collect()),
-            Column::shown(Message::verbatim("Hz"), frequencies.collect()),
-            Column::shown(
-                say!(predicts_column),
-                candidates().map(|candidate| number(candidate.wavelengths.map(millimetres))).collect(),
-            ),
+            candidates.shown(say!(candidate_head), |candidate| finding.name(candidate)),
+            candidates.digits(say!(share_head), 3, |candidate| candidate.share),
+            candidates.digits(Message::verbatim("Hz"), 0, |candidate| candidate.frequency),
+            candidates.shown(say!(predicts_column), |candidate| number(candidate.wavelengths.map(millimetres))),
         ],
     }
 }
@@ -38,18 +33,17 @@ pub(super) fn candidates(diagnosis: &Diagnosis) -> Table {
     let rows: Vec<_> = findings
         .flat_map(|finding| finding.candidates.iter().map(|candidate| (&finding.measured, candidate)))
         .collect();
-    let rows = || rows.iter();
     Table {
         name: "candidates",
         columns: vec![
-            Column::names("rail", rows().map(|(measured, _)| measured.rail.as_deref().unwrap_or_default())),
-            Column::exact("wavelength_m", rows().map(|(measured, _)| measured.peak.wavelength)),
-            Column::names("mechanism", rows().map(|(_, candidate)| candidate.kind.name())),
-            Column::names("of", rows().map(|(_, candidate)| candidate.of.as_deref().unwrap_or_default())),
-            Column::exact("share", rows().map(|(_, candidate)| candidate.share)),
-            Column::exact("frequency_hz", rows().map(|(_, candidate)| candidate.frequency)),
-            Column::exact("shortest_wavelength_m", rows().map(|(_, candidate)| Some(candidate.wavelengths?.0))),
-            Column::exact("longest_wavelength_m", rows().map(|(_, candidate)| Some(candidate.wavelengths?.1))),
+            rows.names("rail", |(measured, _)| measured.rail.as_deref().unwrap_or_default()),
+            rows.exact("wavelength_m", |(measured, _)| measured.peak.wavelength),
+            rows.names("mechanism", |(_, candidate)| candidate.kind.name()),
+            rows.names("of", |(_, candidate)| candidate.of.as_deref().unwrap_or_default()),
+            rows.exact("share", |(_, candidate)| candidate.share),
+            rows.exact("frequency_hz", |(_, candidate)| candidate.frequency),
+            rows.exact("shortest_wavelength_m", |(_, candidate)| Some(candidate.wavelengths?.0)),
+            rows.exact("longest_wavelength_m", |(_, candidate)| Some(candidate.wavelengths?.1)),
         ],
     }
 }
@@ -59,15 +53,14 @@ pub(super) fn places(diagnosis: &Diagnosis) -> Table {
     let findings = diagnosis.findings.iter();
     let rows: Vec<_> =
         findings.flat_map(|finding| finding.measured.places.iter().map(|place| (&finding.measured, place))).collect();
-    let rows = || rows.iter();
     Table {
         name: "places",
         columns: vec![
-            Column::names("rail", rows().map(|(measured, _)| measured.rail.as_deref().unwrap_or_default())),
-            Column::exact("wavelength_m", rows().map(|(measured, _)| measured.peak.wavelength)),
-            Column::exact("from_m", rows().map(|(_, place)| place.from)),
-            Column::exact("to_m", rows().map(|(_, place)| place.to)),
-            Column::exact("level_db", rows().map(|(_, place)| place.level)),
+            rows.names("rail", |(measured, _)| measured.rail.as_deref().unwrap_or_default()),
+            rows.exact("wavelength_m", |(measured, _)| measured.peak.wavelength),
+            rows.exact("from_m", |(_, place)| place.from),
+            rows.exact("to_m", |(_, place)| place.to),
+            rows.exact("level_db", |(_, place)| place.level),
         ],
     }
 }

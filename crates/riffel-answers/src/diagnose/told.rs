@@ -11,7 +11,7 @@ const SHOWN: (f64, usize) = (0.02, 3);
 
 /// What a reader sees of a finding.
 pub(super) fn finding(finding: &Finding) -> Vec<Told> {
-    let course = finding.course().map(|course| say!(course_line, course = course));
+    let course = finding.course().map(|course| say!(course_line, course));
     let sureness = say!(indented_line, line = finding.sureness());
     let before = [Message::verbatim(""), finding.headline(), sureness].into_iter().chain(course);
     let summary = capitalised(&finding.summary());
@@ -22,8 +22,8 @@ pub(super) fn finding(finding: &Finding) -> Vec<Told> {
     let shown = shown.filter(|(place, candidate)| *place < SHOWN.1 || candidate.share >= SHOWN.0);
     let reasons = shown.flat_map(|(_, candidate)| {
         let name = finding.name(candidate);
-        let supporting = finding.reasons(&candidate.reasons_for).map(|reason| say!(reason_for, reason = reason));
-        let opposing = finding.reasons(&candidate.reasons_against).map(|reason| say!(reason_against, reason = reason));
+        let supporting = finding.reasons(&candidate.reasons_for).map(|reason| say!(reason_for, reason));
+        let opposing = finding.reasons(&candidate.reasons_against).map(|reason| say!(reason_against, reason));
         [name].into_iter().chain(supporting).chain(opposing)
     });
     let measurements = finding.measurements().map(|one| say!(indented_line, line = as_sentence(&one)));

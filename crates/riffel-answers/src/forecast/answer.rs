@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::{CrackedWave, HardenedWave, RailForecast, ReachDocument, TrackForecast, WearReport, per_million};
 use crate::answer::inputs;
 use crate::roughness::Level;
-use crate::{Answer, Banded, Column, Table, WearLimitDocument, column};
+use crate::{Answer, Banded, Column, Rows, Table, WearLimitDocument, column};
 
 /// The future of the rails of a track, told.
 #[derive(Serialize)]
@@ -408,7 +408,7 @@ fn bands(answer: &TrackForecast, rail: &RailForecast) -> Vec<Band> {
 fn lines(traffic: &TrafficGrowth) -> Table {
     let names = column::names(traffic.vehicles().iter().map(|vehicle| &*vehicle.name), "growth_rate_per_passage");
     let vehicles = names.iter().zip(traffic.vehicles());
-    let vehicles = vehicles.map(|(name, vehicle)| Column::exact(name, vehicle.growth.rates.iter().copied()));
+    let vehicles = vehicles.map(|(name, vehicle)| vehicle.growth.rates.exact(name, |&value| value));
     let mix = [
         Column::exact("wavelength_m", traffic.wavelengths().iter().copied()),
         Column::exact("growth_rate_per_passage", traffic.rates().iter().copied()),
@@ -426,7 +426,7 @@ impl Answer for ForecastAnswer {
         let title = titled(&self.inputs.case.file.title, say!(growth_forecast));
         let traffic = titled(&self.inputs.traffic.title, say!(the_traffic));
         let amount = self.forecast.amount(self.forecast.passages);
-        vec![say!(under_title, title = title, passing = traffic), say!(after_amount, amount = amount)]
+        vec![say!(under_title, title, passing = traffic), say!(after_amount, amount)]
     }
 
     /// One row for each band of every rail, the rail that leads first; then lines, cracks and the fit.

@@ -65,11 +65,11 @@ impl HardenedWave {
         let (band, end) = ends.max_by(|a, b| a.1.runaway_number.total_cmp(&b.1.runaway_number))?;
         let (wavelength, runaway) = (numeral(nominal(band)), number(end.runaway_number));
         Some(match end.wave_ratio {
-            None => say!(hardening_runs_away, wavelength = wavelength, runaway = runaway),
+            None => say!(hardening_runs_away, wavelength, runaway),
             Some(ratio) => say!(
                 hardening_ends_wave,
-                wavelength = wavelength,
-                runaway = runaway,
+                wavelength,
+                runaway,
                 ratio = significant(ratio, 4),
                 when = match (band.rests_after(), on.passages_per_month()) {
                     (None, _) => Value::from(""),
@@ -123,22 +123,16 @@ impl CrackedWave {
         Some(match on.passages_per_month() {
             Some(per_month) => say!(
                 cracks_grow_in_months,
-                at = at,
-                wavelength = wavelength,
+                at,
+                wavelength,
                 months = number(passages / per_month),
-                length = length,
-                opposite = opposite,
+                length,
+                opposite,
                 other = other_length
             ),
-            None => say!(
-                cracks_grow,
-                at = at,
-                wavelength = wavelength,
-                passages = millions(passages),
-                length = length,
-                opposite = opposite,
-                other = other_length
-            ),
+            None => {
+                say!(cracks_grow, at, wavelength, passages = millions(passages), length, opposite, other = other_length)
+            }
         })
     }
 }

@@ -12,7 +12,7 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
     let traffic = answer.growth();
     let rail = answer.leading();
     let of_rail = |words: Message| match answer.rail(rail) {
-        Some(rail) => say!(rail_when, rail = rail, time = words).text(language),
+        Some(rail) => say!(rail_when, rail, time = words).text(language),
         None => words.text(language),
     };
     let now = of_rail(match &answer.ground {
@@ -24,25 +24,21 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
     let until = answer.passages.min(valid_to);
     let tonnes = number(traffic.mgt(until));
     let after = match answer.passages <= valid_to {
-        true => say!(after_tonnes, tonnes = tonnes),
-        false => say!(after_tonnes_at_end, tonnes = tonnes),
+        true => say!(after_tonnes, tonnes),
+        false => say!(after_tonnes_at_end, tonnes),
     };
     let bands = || rail.forecast.bands().iter();
-    let then = Series {
-        label: of_rail(after),
-        x: bands().map(|band| 1e3 * band.now.band.wavelength()).collect(),
-        y: bands().map(|band| band.level(until)).collect(),
-        style: LineStyle::Solid,
-        color: Some(OKABE_ITO[2]),
-    };
+    let then = Series::new(
+        of_rail(after),
+        bands().map(|band| 1e3 * band.now.band.wavelength()).collect(),
+        bands().map(|band| band.level(until)).collect(),
+    )
+    .colored(OKABE_ITO[2]);
     let limit = levels(&answer.table.edition, answer.limit.spectrum(), LineStyle::Dashed, Rgb::BLACK);
     let wavelengths: Vec<f64> = traffic.wavelengths().iter().map(|w| 1e3 * w).collect();
-    let rate = |label: String, rates: &[f64], color| Series {
-        label,
-        x: wavelengths.clone(),
-        y: rates.iter().map(|rate| super::per_million(*rate)).collect(),
-        style: LineStyle::Solid,
-        color: Some(color),
+    let rate = |label: String, rates: &[f64], color| {
+        Series::new(label, wavelengths.clone(), rates.iter().map(|rate| super::per_million(*rate)).collect())
+            .colored(color)
     };
     let mut rates: Vec<Series> = traffic
         .vehicles()
@@ -51,7 +47,7 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
         .map(|(index, vehicle)| {
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
             let percent = fixed(100.0 * vehicle.share, 0);
-            let label = say!(by_vehicle, vehicle = vehicle_in_words(&vehicle.name), percent = percent).text(language);
+            let label = say!(by_vehicle, vehicle = vehicle_in_words(&vehicle.name), percent).text(language);
             let own = vehicle.growth.rates.iter();
             let parts: Vec<f64> = own.map(|rate| vehicle.share * rate).collect();
             rate(label, &parts, color)
@@ -61,7 +57,7 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
     rates.push(zero(&wavelengths));
     let caption = say!(caption_of_forecast, amount = answer.amount(until)).text(language);
     let caption = match answer.rail(rail) {
-        Some(rail) => caption + " " + &say!(levels_of_leading_rail, rail = rail).text(language),
+        Some(rail) => caption + " " + &say!(levels_of_leading_rail, rail).text(language),
         None => caption,
     };
     let mut panels = vec![
@@ -76,12 +72,8 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
     ];
     panels.extend(crack_panel(answer, until, language));
     let title = case.file.title.clone();
-    LineFigure {
-        title: title.unwrap_or_else(|| say!(growth_forecast).text(language)),
-        caption,
-        panels,
-        arrangement: Arrangement::Stacked,
-    }
+    LineFigure::new(title.unwrap_or_else(|| say!(growth_forecast).text(language)), caption, panels)
+        .arranged(Arrangement::Stacked)
 }
 
 /// Length of cracks over the passages at the phases of the wave where they become longest; none where none
@@ -102,43 +94,29 @@ fn crack_panel(answer: &TrackForecast, until: f64, language: Language) -> Option
         None => (say!(million_passages_axis), passages.iter().map(|p| 1e-6 * p).collect()),
     };
     let names = [say!(crest), say!(falling_flank), say!(trough), say!(rising_flank)];
-    let series = names.iter().enumerate().map(|(phase, name)| Series {
-        label: name.text(language),
-        x: x.clone(),
-        y: courses.iter().map(|course| 1e3 * course[phase].length).collect(),
-        style: match phase % 2 {
-            0 => LineStyle::Solid,
-            _ => LineStyle::Dashed,
-        },
-        color: Some(OKABE_ITO[1 + phase]),
+    let series = names.iter().enumerate().map(|(phase, name)| {
+        Series::new(name.text(language), x.clone(), courses.iter().map(|course| 1e3 * course[phase].length).collect())
+            .styled(match phase % 2 {
+                0 => LineStyle::Solid,
+                _ => LineStyle::Dashed,
+            })
+            .colored(OKABE_ITO[1 + phase])
     });
-    Some(LinePanel {
-        subtitle: say!(cracks_at, wavelength = band.now.band.nominal_millimetres()).text(language),
-        x_label: x_label.text(language),
-        y_label: say!(crack_axis).text(language),
-        series: series.collect(),
-        ..LinePanel::default()
-    })
+    Some(
+        LinePanel::new(x_label.text(language), say!(crack_axis).text(language), series)
+            .titled(say!(cracks_at, wavelength = band.now.band.nominal_millimetres()).text(language)),
+    )
 }
 
 /// Growth over wavelength.
 pub(crate) fn rate_panel(series: Vec<Series>, language: Language) -> LinePanel {
-    LinePanel {
-        x_label: say!(wavelength_axis).text(language),
-        y_label: say!(growth_axis).text(language),
-        x_scale: Scale::Log,
-        series,
-        ..LinePanel::default()
-    }
+    LinePanel::new(say!(wavelength_axis).text(language), say!(growth_axis).text(language), series)
+        .scaled(Scale::Log, Scale::Linear)
 }
 
 /// Neither growth nor decay.
 pub(crate) fn zero(wavelengths: &[f64]) -> Series {
-    Series {
-        label: String::new(),
-        x: wavelengths.first().into_iter().chain(wavelengths.last()).copied().collect(),
-        y: vec![0.0; 2],
-        style: LineStyle::Dotted,
-        color: Some(Rgb::BLACK),
-    }
+    Series::new("", wavelengths.first().into_iter().chain(wavelengths.last()).copied().collect(), vec![0.0; 2])
+        .styled(LineStyle::Dotted)
+        .colored(Rgb::BLACK)
 }

@@ -20,14 +20,14 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
         "load" => say!(spread_of_load),
         "friction" => say!(spread_of_friction),
         "lateral_position" => say!(spread_of_position),
-        key => say!(spread_of_key, key = key),
+        key => say!(spread_of_key, key),
     };
     let factor = match reduction < 10.0 {
         true => fixed(reduction, 1),
         false => fixed(reduction, 0),
     };
     let vehicle = vehicle_in_words(&spread.vehicle);
-    Some(say!(spread_takes_down, vehicle = vehicle, what = what, factor = factor))
+    Some(say!(spread_takes_down, vehicle, what, factor))
 }
 
 impl TrackForecast {
@@ -48,9 +48,9 @@ impl TrackForecast {
         let [early, late] = self.months_80()?;
         let early = number(early);
         Some(match (is_measured, late.is_finite()) {
-            (true, true) => say!(measured_months_within, early = early, late = number(late)),
-            (true, false) => say!(measured_months_from, early = early),
-            (false, _) => say!(months_within, early = early, late = number(late)),
+            (true, true) => say!(measured_months_within, early, late = number(late)),
+            (true, false) => say!(measured_months_from, early),
+            (false, _) => say!(months_within, early, late = number(late)),
         })
     }
 
@@ -113,19 +113,11 @@ impl TrackForecast {
         let per_month = self.on.passages_per_month();
         let per_month = per_month.filter(|_| rail.without_time(&self.on).is_none());
         let said = match per_month {
-            None => say!(grows_within, wavelength = wavelength, low = low, high = high, by = by),
+            None => say!(grows_within, wavelength, low, high, by),
             Some(passages) => {
                 let a_month = within.times(1e-6 * passages).band_80;
                 let [low_a_month, high_a_month] = a_month.map(number);
-                say!(
-                    grows_within_a_month,
-                    wavelength = wavelength,
-                    low = low,
-                    high = high,
-                    low_a_month = low_a_month,
-                    high_a_month = high_a_month,
-                    by = by
-                )
+                say!(grows_within_a_month, wavelength, low, high, low_a_month, high_a_month, by)
             }
         };
         Some(said)
@@ -210,27 +202,22 @@ impl TrackForecast {
         match (self.crossings(rail).first(), rail.reach) {
             (Some(first), _) if first.passages == 0.0 => say!(
                 over_the_limit_now,
-                edition = edition,
+                edition,
                 wavelength = first.band.now.band.nominal_millimetres(),
                 decibels = fixed(first.band.now.level - first.limit, 1)
             ),
             (Some(first), _) => {
                 let wavelength = first.band.now.band.nominal_millimetres();
                 match rail.without_time(&self.on) {
-                    None => say!(
-                        limit_reached_after,
-                        edition = edition,
-                        wavelength = wavelength,
-                        amount = self.amount(first.passages)
-                    ),
+                    None => say!(limit_reached_after, edition, wavelength, amount = self.amount(first.passages)),
                     Some(reason) => {
-                        say!(limit_reached_without_time, edition = edition, wavelength = wavelength, reason = reason)
+                        say!(limit_reached_without_time, edition, wavelength, reason)
                     }
                 }
                 .about(interval)
             }
-            (None, Some(Reach::Never)) => say!(no_band_reaches, edition = edition),
-            (None, _) => say!(limit_not_reached_before, edition = edition).about(interval),
+            (None, Some(Reach::Never)) => say!(no_band_reaches, edition),
+            (None, _) => say!(limit_not_reached_before, edition).about(interval),
         }
     }
 
@@ -240,11 +227,11 @@ impl TrackForecast {
         let vehicle = vehicle_in_words(&self.growth().vehicles()[linear.vehicle].name);
         let ratio = fixed(linear.force_ratio, 2);
         match linear.passages {
-            Some(0.0) => say!(beyond_linear_range_now, ratio = ratio, vehicle = vehicle),
+            Some(0.0) => say!(beyond_linear_range_now, ratio, vehicle),
             Some(passages) => {
-                say!(linear_range_ends, ratio = ratio, vehicle = vehicle, amount = self.amount_of(rail, passages))
+                say!(linear_range_ends, ratio, vehicle, amount = self.amount_of(rail, passages))
             }
-            None => say!(linear_range_never_ends, ratio = ratio, vehicle = vehicle),
+            None => say!(linear_range_never_ends, ratio, vehicle),
         }
     }
 }

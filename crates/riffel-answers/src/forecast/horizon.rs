@@ -2,7 +2,7 @@
 
 use riffel_case::traffic::TrafficOnCase;
 
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// How far to look ahead.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,7 +20,7 @@ impl ForecastHorizon {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for any other.
-    pub fn check(self) -> Result<(), AnswerError> {
+    pub fn check(self) -> Result<()> {
         let (argument, value, most) = match self {
             Self::Passages(passages) => ("--passages", passages, 1e12),
             Self::MillionGrossTonnes(mgt) => ("--mgt", mgt, 1e6),
@@ -29,15 +29,11 @@ impl ForecastHorizon {
         if value > 0.0 && value <= most {
             return Ok(());
         }
-        Err(AnswerError::Argument {
-            argument,
-            value: value.to_string(),
-            rule: format!("above zero and at most {most}"),
-        })
+        Err(AnswerError::argument(argument, value, format!("above zero and at most {most}")))
     }
 
     /// In axle passages.
-    pub(super) fn passages(self, on: &TrafficOnCase) -> Result<f64, AnswerError> {
+    pub(super) fn passages(self, on: &TrafficOnCase) -> Result<f64> {
         match self {
             Self::Passages(passages) => Ok(passages),
             Self::MillionGrossTonnes(mgt) => Ok(on.growth.passages(mgt)),

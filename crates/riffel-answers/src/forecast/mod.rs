@@ -24,7 +24,7 @@ use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
 
-use crate::{AnswerError, Column, Table, unlikely_wear, wear_spread};
+use crate::{AnswerError, Result, Rows, Table, unlikely_wear, wear_spread};
 use words::beyond;
 
 pub use crate::number_alone;
@@ -114,7 +114,7 @@ impl TrackForecast {
     /// traffic at fault, [`AnswerError::NoSpectrum`] without a spectrum,
     /// [`AnswerError::OutsideWindow`] where no rail has a band in the window of the case, and
     /// [`AnswerError::NoPassagesPerDay`] for months where the traffic does not say how much of it there is.
-    pub fn new(case: &Case, request: ForecastRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: ForecastRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let ForecastRequest { traffic, survey, ground, horizon, limit: (table, limit), date } = request;
         horizon.check()?;
         let wear_spread = wear_spread(case);
@@ -142,7 +142,7 @@ impl TrackForecast {
                 CurveRail::Left => say!(of_left),
                 CurveRail::Right => say!(of_right),
             };
-            warnings.push(say!(all_rails_grow_alike, of_rail = of_rail));
+            warnings.push(say!(all_rails_grow_alike, of_rail));
         }
         let unlikely_wear = unlikely_wear(case, on.growth.mean_wear());
         Ok(Self {
@@ -266,10 +266,10 @@ impl TrackForecast {
         let passages = words::millions(passages);
         match (months, date) {
             (Some(months), Some(date)) => {
-                say!(amount_with_date, passages = passages, tonnes = tonnes, months = months, date = date)
+                say!(amount_with_date, passages, tonnes, months, date)
             }
-            (Some(months), None) => say!(amount_with_months, passages = passages, tonnes = tonnes, months = months),
-            (None, _) => say!(amount_of_traffic, passages = passages, tonnes = tonnes),
+            (Some(months), None) => say!(amount_with_months, passages, tonnes, months),
+            (None, _) => say!(amount_of_traffic, passages, tonnes),
         }
     }
 
@@ -278,8 +278,7 @@ impl TrackForecast {
     pub(crate) fn table(&self) -> Table {
         let rows: Vec<Vec<Message>> = self.rails.iter().flat_map(|rail| self.rows_of(rail)).collect();
         let columns = self.heads().into_iter().enumerate();
-        let columns =
-            columns.map(|(place, head)| Column::shown(head, rows.iter().map(|row| row[place].clone()).collect()));
+        let columns = columns.map(|(place, head)| rows.shown(head, |row| row[place].clone()));
         Table { name: "bands", columns: columns.collect() }
     }
 

@@ -7,7 +7,7 @@ use riffel_plot::{Area, LineFigure, LinePanel, LineStyle, Scale, Series};
 use riffel_rail::LimitTable;
 use serde::Serialize;
 
-use crate::{Answer, Column, Table};
+use crate::{Answer, Column, Rows, Table};
 
 /// When the rail of a calibration reaches its limit, with bands of 50 and 90 %.
 #[derive(Serialize)]
@@ -34,7 +34,7 @@ impl PosteriorForecast {
         let mut remarks = vec![say!(posterior_forecast_is_linear)];
         let doubts = chains.summary(plan).doubts().len();
         if doubts > 0 {
-            remarks.push(say!(forecast_on_doubtful_chains, doubts = doubts));
+            remarks.push(say!(forecast_on_doubtful_chains, doubts));
         }
         Ok(Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
@@ -82,43 +82,37 @@ impl Answer for PosteriorForecast {
     fn tables(&self) -> Vec<Table> {
         let bands = &self.forecast.bands;
         let horizon = self.forecast.horizon_months;
-        let millimetres = bands.iter().map(|band| Some(1e3 * band.wavelength_m));
-        let mut columns = vec![Column::fixed("wavelength_mm", say!(wavelength_of_band), millimetres, 0)];
+        let mut columns =
+            vec![bands.fixed("wavelength_mm", say!(wavelength_of_band), 0, |band| 1e3 * band.wavelength_m)];
         type Of = fn(&BandForecast) -> &[f64; 5];
         let levels: [(&str, Of); 2] =
             [("level_now_db", |band| &band.level_now_db), ("level_then_db", |band| &band.level_then_db)];
         for (name, of) in levels {
-            let words = bands.iter().map(|band| {
+            let words = |band: &BandForecast| {
                 let [low, _, middle, _, high] = of(band).map(|level| fixed_text(level, 1));
                 Message::verbatim(format!("{middle} ({low} … {high})"))
-            });
+            };
             let head = match name {
                 "level_now_db" => say!(level_now_banded),
                 _ => say!(level_then_banded),
             };
             // A reader sees the words, a file the numbers.
-            columns.push(Column::shown(head, words.collect()));
+            columns.push(bands.shown(head, words));
             for (place, share) in SHARES.iter().enumerate() {
-                let values = bands.iter().map(|band| of(band)[place]);
-                columns.push(Column::in_file(&format!("{name}_{share}"), values));
+                columns.push(bands.plain(&format!("{name}_{share}"), |band| of(band)[place]));
             }
         }
         let limits = bands.iter().map(|band| band.limit_db);
         columns.push(Column::decibels("limit_db".to_owned(), Some(say!(limit_of_band)), limits.collect()));
-        let words = bands.iter().map(|band| {
+        columns.push(bands.shown(say!(months_banded), |band| {
             let months = band.months_to_limit.as_ref();
             Message::verbatim(months.map_or_else(String::new, |it| in_words(it, horizon)))
-        });
-        columns.push(Column::shown(say!(months_banded), words.collect()));
-        let months = |place: usize| {
-            let months = bands.iter().map(move |band| band.months_to_limit.as_ref()?.quantiles[place]);
-            months.collect::<Vec<Option<f64>>>()
-        };
+        }));
         for (place, share) in SHARES.iter().enumerate() {
-            columns.push(Column::optional(&format!("months_to_limit_{share}"), months(place)));
+            let months = |band: &BandForecast| band.months_to_limit.as_ref()?.quantiles[place];
+            columns.push(bands.plain(&format!("months_to_limit_{share}"), months));
         }
-        let never = bands.iter().map(|band| band.months_to_limit.as_ref().map(|it| it.probability_never));
-        columns.push(Column::optional("probability_never", never.collect()));
+        columns.push(bands.plain("probability_never", |band| Some(band.months_to_limit.as_ref()?.probability_never)));
         vec![Table { name: "forecast", columns }]
     }
 
@@ -171,38 +165,37 @@ impl PosteriorForecast {
                 color: riffel_plot::Rgb(shade, shade, 255),
             };
             LinePanel {
-                subtitle: subtitle.text(language),
-                x_label: say!(wavelength_in_millimetres).text(language),
-                y_label: say!(level_axis).text(language),
-                x_scale: Scale::Log,
                 areas: vec![area("90 %", 0, 4, 225), area("50 %", 1, 3, 190)],
-                series: vec![
-                    Series { label: say!(median).text(language), x: x.clone(), y: of(levels, 2), ..Series::default() },
-                    Series {
-                        label: self.limit.clone(),
-                        x: x.clone(),
-                        y: bands.iter().map(|band| band.limit_db.unwrap_or(f64::NAN)).collect(),
-                        style: LineStyle::Dashed,
-                        ..Series::default()
-                    },
-                ],
-                ..LinePanel::default()
+                ..LinePanel::new(
+                    say!(wavelength_in_millimetres).text(language),
+                    say!(level_axis).text(language),
+                    [
+                        Series::new(say!(median).text(language), x.clone(), of(levels, 2)),
+                        Series::new(
+                            self.limit.clone(),
+                            x.clone(),
+                            bands.iter().map(|band| band.limit_db.unwrap_or(f64::NAN)).collect(),
+                        )
+                        .styled(LineStyle::Dashed),
+                    ],
+                )
+                .titled(subtitle.text(language))
+                .scaled(Scale::Log, Scale::Linear)
             }
         };
         let months = self.forecast.horizon_months;
-        LineFigure {
-            title: self.title.clone().unwrap_or_else(|| say!(forecast).text(language)),
-            caption: say!(
+        LineFigure::new(
+            self.title.clone().unwrap_or_else(|| say!(forecast).text(language)),
+            say!(
                 caption_of_posterior_forecast,
                 draws = numeral(self.forecast.draws),
                 months = numeral(in_words(&self.forecast.months_to_limit, months))
             )
             .text(language),
-            panels: vec![
+            [
                 panel(say!(at_the_last_date), |band| &band.level_now_db),
                 panel(say!(months_later, months = fixed(months, 0)), |band| &band.level_then_db),
             ],
-            ..LineFigure::default()
-        }
+        )
     }
 }

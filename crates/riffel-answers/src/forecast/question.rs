@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer};
 use super::measured_spectra::{Dated, MeasuredSpectra};
 use super::{ForecastAnswer, ForecastHorizon, ForecastRequest, PosteriorForecast, TrackForecast, WearReport};
 use crate::question::{Asker, CaseSource, GroundSource, Question, Rule, Source, date_of, finished_of};
-use crate::{Answer, AnswerError, level_limit};
+use crate::{Answer, AnswerError, Result, level_limit};
 
 /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -62,7 +62,7 @@ impl ForecastQuestion {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
-    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast, AnswerError> {
+    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
         let survey = self.spectra.read(asker)?;
         let traffic = self.traffic.as_ref().ok_or_else(|| left_out("--traffic", "given"))?;
         let traffic = Arc::unwrap_or_clone(traffic.value(Traffic::read)?);
@@ -91,7 +91,7 @@ impl ForecastQuestion {
     ///
     /// # Errors
     /// Those of [`answer_on`](Self::answer_on).
-    pub(crate) fn told(&self, asker: &dyn Asker) -> Result<ForecastAnswer, AnswerError> {
+    pub(crate) fn told(&self, asker: &dyn Asker) -> Result<ForecastAnswer> {
         let case = self.case.read(asker)?;
         let spectrum = self.spectra.spectrum.as_ref().map(|spectrum| spectrum.name().display().to_string());
         Ok(ForecastAnswer::new(&case, self.answer_on(&case, asker)?, spectrum))
@@ -110,29 +110,27 @@ impl ForecastQuestion {
     fn of_arguments(&self, case: &Case, survey: Option<&Survey>, error: AnswerError) -> AnswerError {
         match error {
             AnswerError::NoSpectrum => left_out("--spectrum", "given, or else --ground or --from-limit"),
-            AnswerError::NoPassagesPerDay => AnswerError::Argument {
-                argument: "--months",
-                value: self.months.map_or("left out".to_owned(), |months| months.to_string()),
-                rule: "replaced by --passages or --mgt, for the traffic file says under [line] neither \
-                       passages_per_day nor mgt_per_year"
-                    .to_owned(),
-            },
+            AnswerError::NoPassagesPerDay => AnswerError::argument(
+                "--months",
+                self.months.map_or("left out".to_owned(), |months| months.to_string()),
+                "replaced by --passages or --mgt, for the traffic file says under [line] neither \
+                       passages_per_day nor mgt_per_year",
+            ),
             error => self.ground.outside(survey, case, error),
         }
     }
 
     /// The wear coefficient of two dated measurements, where there is an earlier one.
-    fn wear(&self, dated: &Dated, case: &Case, answer: &TrackForecast) -> Result<Option<WearReport>, AnswerError> {
+    fn wear(&self, dated: &Dated, case: &Case, answer: &TrackForecast) -> Result<Option<WearReport>> {
         let between = self.spectra.passages_between;
         let Some(earlier) = &dated.earlier else {
             return match between {
-                Some(_) => Err(AnswerError::Argument {
-                    argument: "--passages-between",
-                    value: "given".to_owned(),
-                    rule: "left out, for there is no earlier measurement; give --earlier, --earlier-where or \
-                           --date-column"
-                        .to_owned(),
-                }),
+                Some(_) => Err(AnswerError::argument(
+                    "--passages-between",
+                    "given",
+                    "left out, for there is no earlier measurement; give --earlier, --earlier-where or \
+                           --date-column",
+                )),
                 None => Ok(None),
             };
         };
@@ -152,7 +150,7 @@ impl ForecastQuestion {
     }
 
     /// The forecast of the rail of a calibration.
-    fn over_posterior(&self, folder: &Path) -> Result<PosteriorForecast, AnswerError> {
+    fn over_posterior(&self, folder: &Path) -> Result<PosteriorForecast> {
         let (plan, chains) = finished_of(&|path| self.case.is_just(path), folder)?;
         let months = self.months.unwrap_or(12.0);
         ForecastHorizon::Months(months).check()?;
@@ -161,7 +159,7 @@ impl ForecastQuestion {
 }
 
 fn left_out(argument: &'static str, rule: &str) -> AnswerError {
-    AnswerError::Argument { argument, value: "left out".to_owned(), rule: rule.to_owned() }
+    AnswerError::argument(argument, "left out", rule)
 }
 
 impl Question for ForecastQuestion {
@@ -170,12 +168,9 @@ impl Question for ForecastQuestion {
         Example: riffel forecast case.toml --spectrum spectra.csv --traffic traffic.toml --months 24\n\n\
         The interval of a rail that will be ground: riffel forecast case.toml --traffic traffic.toml --from-limit \"-6 dB\"";
     const RULES: &'static [Rule] = &[
-        Rule::Needs("where", &["spectrum"]),
-        Rule::Needs("date_column", &["spectrum"]),
-        Rule::Needs("earlier", &["spectrum"]),
-        Rule::Needs("dates", &["earlier"]),
-        Rule::Needs("earlier_where", &["spectrum"]),
-        Rule::Needs("passages_between", &["spectrum"]),
+        Rule::Needs(&["where", "date_column", "earlier"], &["spectrum"]),
+        Rule::Needs(&["dates"], &["earlier"]),
+        Rule::Needs(&["earlier_where", "passages_between"], &["spectrum"]),
         Rule::OneOf(&["ground", "from_limit"]),
         Rule::OneOf(&["passages", "mgt", "months"]),
         Rule::AnyOf(&["traffic", "posterior"]),
@@ -199,7 +194,7 @@ impl Question for ForecastQuestion {
         ),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         Ok(match &self.posterior {
             Some(folder) => Box::new(self.over_posterior(folder)?),
             None => Box::new(self.told(asker)?),

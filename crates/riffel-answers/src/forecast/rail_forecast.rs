@@ -267,27 +267,15 @@ impl RailForecast {
             None => say!(so_many_passages, passages = words::millions(own.span())),
         };
         let Some((_, ratio)) = self.model_beside(model) else {
-            return Some(say!(grew_by_its_own, wavelength = wavelength, decibels = decibels, amount = amount));
+            return Some(say!(grew_by_its_own, wavelength, decibels, amount));
         };
         let ratio_in_words = significant(ratio, 2);
         Some(if ratio <= 0.0 {
-            say!(grew_where_model_decays, wavelength = wavelength, decibels = decibels, amount = amount)
+            say!(grew_where_model_decays, wavelength, decibels, amount)
         } else if EXPLAINS.contains(&ratio) {
-            say!(
-                grew_as_model_explains,
-                wavelength = wavelength,
-                decibels = decibels,
-                amount = amount,
-                ratio = ratio_in_words
-            )
+            say!(grew_as_model_explains, wavelength, decibels, amount, ratio = ratio_in_words)
         } else {
-            say!(
-                grew_unlike_model,
-                wavelength = wavelength,
-                decibels = decibels,
-                amount = amount,
-                ratio = ratio_in_words
-            )
+            say!(grew_unlike_model, wavelength, decibels, amount, ratio = ratio_in_words)
         })
     }
 

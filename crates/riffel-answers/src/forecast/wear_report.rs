@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 
 use super::words::millions;
 use super::{RailForecast, RailStart, number_alone};
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// Days of a year.
 const YEAR: f64 = 365.25;
@@ -124,7 +124,7 @@ impl WearReport {
             let found = survey.clone().of_rail(rail);
             found.ok_or_else(|| {
                 let rail = rail_in_words(rail.unwrap_or_default());
-                CaseError::data(survey.path(), say!(rail_is_not_measured, rail = rail))
+                CaseError::data(survey.path(), say!(rail_is_not_measured, rail))
             })
         };
         let (earlier, later) = (&chosen(earlier)?, &chosen(later)?);
@@ -181,7 +181,7 @@ impl WearReport {
     /// Bounds of a factor as words on the coefficient.
     fn interval(&self, (low, high): (f64, f64)) -> Message {
         let [low, high] = [low, high].map(|factor| scientific(factor * self.coefficient));
-        say!(interval_of_coefficient, low = low, high = high)
+        say!(interval_of_coefficient, low, high)
     }
 
     /// Whether a band that should grow has changed by as much as levels are printed to.
@@ -216,25 +216,17 @@ impl WearReport {
             let value = |change: f64| fixed(rate * change, 1);
             let measured = value(band.measured);
             match (yearly.is_some(), band.interval) {
-                (true, Some((low, high))) => say!(
-                    grew_in_a_year_within,
-                    wavelength = wavelength,
-                    rate = measured,
-                    low = value(low),
-                    high = value(high)
-                ),
-                (true, None) => {
-                    say!(grew_in_a_year, wavelength = wavelength, rate = measured)
+                (true, Some((low, high))) => {
+                    say!(grew_in_a_year_within, wavelength, rate = measured, low = value(low), high = value(high))
                 }
-                (false, Some((low, high))) => say!(
-                    grew_in_a_million_within,
-                    wavelength = wavelength,
-                    rate = measured,
-                    low = value(low),
-                    high = value(high)
-                ),
+                (true, None) => {
+                    say!(grew_in_a_year, wavelength, rate = measured)
+                }
+                (false, Some((low, high))) => {
+                    say!(grew_in_a_million_within, wavelength, rate = measured, low = value(low), high = value(high))
+                }
                 (false, None) => {
-                    say!(grew_in_a_million, wavelength = wavelength, rate = measured)
+                    say!(grew_in_a_million, wavelength, rate = measured)
                 }
             }
         })
@@ -266,33 +258,13 @@ impl WearReport {
             let wavelength = band.band.nominal_millimetres();
             let (measured, predicted) = (signed(band.measured), signed(band.predicted));
             if band.grows && band.has_fallen() {
-                sentences.push(say!(
-                    band_fades_against_model,
-                    wavelength = wavelength,
-                    measured = measured,
-                    predicted = predicted
-                ));
+                sentences.push(say!(band_fades_against_model, wavelength, measured, predicted));
             } else if !band.grows && band.predicted < 0.0 && band.has_grown() {
-                sentences.push(say!(
-                    band_grows_against_model,
-                    wavelength = wavelength,
-                    measured = measured,
-                    predicted = predicted
-                ));
+                sentences.push(say!(band_grows_against_model, wavelength, measured, predicted));
             } else if !band.grows && band.predicted < 0.0 && band.measured < -LARGE_CHANGE && band.has_fallen() {
-                sentences.push(say!(
-                    band_fades_as_in_model,
-                    wavelength = wavelength,
-                    measured = measured,
-                    predicted = predicted
-                ));
+                sentences.push(say!(band_fades_as_in_model, wavelength, measured, predicted));
             } else if band.grows && fit.verdict.is_fit() && band.residual().abs() > LARGE_CHANGE {
-                sentences.push(say!(
-                    band_grows_unlike_fit,
-                    wavelength = wavelength,
-                    measured = measured,
-                    fitted = signed(band.fitted)
-                ));
+                sentences.push(say!(band_grows_unlike_fit, wavelength, measured, fitted = signed(band.fitted)));
             }
         }
         sentences
@@ -312,16 +284,14 @@ impl WearReport {
         let [earlier, later] = self.records;
         let passages = scientific(self.passages);
         match self.fit.paired {
-            true => say!(change_between_paired_records, passages = passages, earlier = earlier, later = later),
-            false => say!(change_between_records, passages = passages, earlier = earlier, later = later),
+            true => say!(change_between_paired_records, passages, earlier, later),
+            false => say!(change_between_records, passages, earlier, later),
         }
     }
 
     /// What a reader sees by band, the longest first.
     pub(super) fn table(&self) -> Table {
-        let shown = |head: Message, of: &dyn Fn(&FittedBand) -> Message| {
-            Column::shown(head, self.fit.bands.iter().rev().map(of).collect())
-        };
+        let bands: Vec<&FittedBand> = self.fit.bands.iter().rev().collect();
         let decibels = |value: f64| number_alone(format_args!("{value:+.1}"));
         let fitted = |value: f64| match self.fit.verdict.is_fit() {
             true => decibels(value),
@@ -330,12 +300,12 @@ impl WearReport {
         Table {
             name: Self::TABLE,
             columns: vec![
-                shown(say!(wavelength_of_band), &|band| number_alone(band.band.nominal_millimetres())),
-                shown(say!(measured_in_decibels), &|band| decibels(band.measured)),
-                shown(say!(model_in_decibels), &|band| decibels(band.predicted)),
-                shown(say!(fitted_in_decibels), &|band| fitted(band.fitted)),
-                shown(say!(residual_in_decibels), &|band| fitted(band.residual())),
-                shown(Message::verbatim(""), &|band| match (band.grows, band.predicted > 0.0) {
+                bands.numbers(say!(wavelength_of_band), |band| band.band.nominal_millimetres()),
+                bands.shown(say!(measured_in_decibels), |band| decibels(band.measured)),
+                bands.shown(say!(model_in_decibels), |band| decibels(band.predicted)),
+                bands.shown(say!(fitted_in_decibels), |band| fitted(band.fitted)),
+                bands.shown(say!(residual_in_decibels), |band| fitted(band.residual())),
+                bands.shown(Message::verbatim(""), |band| match (band.grows, band.predicted > 0.0) {
                     (true, _) => Message::verbatim(""),
                     (false, false) => say!(decays_in_the_model),
                     (false, true) => say!(decays_at_first_in_the_model),

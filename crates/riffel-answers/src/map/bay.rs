@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::{Shown, panel, table};
 use crate::parameters::parameters;
 use crate::ridge::{BranchDocument, best_fit_frequency, branches_table, ridge_of, ridge_table};
-use crate::{AnswerError, Column, ResultFile, Table};
+use crate::{AnswerError, Result, ResultFile, Rows, Table};
 
 /// Points of the curve from one support to the next.
 const POINTS: usize = 121;
@@ -53,7 +53,7 @@ impl BayGrowth {
     ///
     /// # Errors
     /// [`AnswerError::NoBay`] for a case without discrete supports.
-    pub fn new(case: &Case, curve: Option<(f64, f64)>, progress: impl Fn(usize) + Sync) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, curve: Option<(f64, f64)>, progress: impl Fn(usize) + Sync) -> Result<Self> {
         let structure = case.track.structure.clone();
         let bay = structure
             .and_then(|track| Bay::new(&case.feedback, track))
@@ -146,81 +146,80 @@ impl BayGrowth {
 
     /// Growth over the places of the bay, and over wavelength.
     fn curve_figure(&self, case: &Case) -> LineFigure {
-        let series =
-            |label: &str, style, x: Vec<f64>, y: Vec<f64>| Series { label: label.to_owned(), x, y, style, color: None };
+        let series = |label: &str, style, x: Vec<f64>, y: Vec<f64>| Series::new(label, x, y).styled(style);
         let positions: Vec<f64> = self.states.iter().map(|(position, _)| *position).collect();
         let ends = vec![0.0, self.spacing];
         let along = LinePanel {
-            subtitle: format!("at {:.1} mm", 1e3 * self.wavelength_m),
-            x_label: "distance from a support [m]".to_owned(),
-            y_label: "growth rate per passage [-]".to_owned(),
-            series: vec![
-                series(
-                    "wheel at this place",
-                    LineStyle::Solid,
-                    positions,
-                    self.states.iter().map(|(_, state)| state.growth_rate).collect(),
-                ),
-                series("mean over the bay", LineStyle::Dashed, ends, vec![self.growth_rate_mean; 2]),
-            ],
             marks: vec![Mark { x: 0.5 * self.spacing, label: "mid-span".to_owned() }],
-            ..LinePanel::default()
+            ..LinePanel::new(
+                "distance from a support [m]",
+                "growth rate per passage [-]",
+                [
+                    series(
+                        "wheel at this place",
+                        LineStyle::Solid,
+                        positions,
+                        self.states.iter().map(|(_, state)| state.growth_rate).collect(),
+                    ),
+                    series("mean over the bay", LineStyle::Dashed, ends, vec![self.growth_rate_mean; 2]),
+                ],
+            )
+            .titled(format!("at {:.1} mm", 1e3 * self.wavelength_m))
         };
         let wavelengths: Vec<f64> = self.spectrum.iter().map(|(wavelength, _)| 1e3 * wavelength).collect();
         let rates = |place: usize| self.spectrum.iter().map(|(_, rates)| rates[place]).collect();
         let over = LinePanel {
-            subtitle: format!("over wavelength at {:.0} km/h", 3.6 * self.speed_m_per_s),
-            x_label: "wavelength λ [mm]".to_owned(),
-            y_label: "growth rate per passage [-]".to_owned(),
-            series: vec![
-                series("over a support", LineStyle::Solid, wavelengths.clone(), rates(0)),
-                series("in mid-span", LineStyle::Dotted, wavelengths.clone(), rates(1)),
-                series("mean over the bay", LineStyle::Dashed, wavelengths, rates(2)),
-            ],
             marks: vec![Mark { x: 1e3 * self.wavelength_m, label: String::new() }],
-            ..LinePanel::default()
+            ..LinePanel::new(
+                "wavelength λ [mm]",
+                "growth rate per passage [-]",
+                [
+                    series("over a support", LineStyle::Solid, wavelengths.clone(), rates(0)),
+                    series("in mid-span", LineStyle::Dotted, wavelengths.clone(), rates(1)),
+                    series("mean over the bay", LineStyle::Dashed, wavelengths, rates(2)),
+                ],
+            )
+            .titled(format!("over wavelength at {:.0} km/h", 3.6 * self.speed_m_per_s))
         };
-        LineFigure {
-            title: "Growth over a sleeper bay".to_owned(),
-            caption: format!(
+        LineFigure::new(
+            "Growth over a sleeper bay",
+            format!(
                 "Quasi-static in position: at each place as if the wheel stayed there. Positive where \
                  corrugation grows. {}",
                 parameters(case)
             ),
-            panels: vec![along, over],
-            arrangement: Arrangement::Stacked,
-        }
+            [along, over],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     /// One row for each place of the bay.
     fn over_places(&self) -> Table {
-        let column =
-            |name: &str, of: fn(&LoopState) -> f64| Column::exact(name, self.states.iter().map(|(_, state)| of(state)));
-        let same = |name: &str, value: f64| Column::exact(name, self.states.iter().map(|_| value));
+        let states = &self.states;
         Table {
             name: "bay",
             columns: vec![
-                Column::exact("position_m", self.states.iter().map(|(position, _)| *position)),
-                same("wavelength_m", self.wavelength_m),
-                same("speed_m_per_s", self.speed_m_per_s),
-                column("normalized_dissipation_re", |state| state.normalized_dissipation.re),
-                column("normalized_dissipation_im", |state| state.normalized_dissipation.im),
-                column("growth_rate_per_passage", |state| state.growth_rate),
+                states.exact("position_m", |(position, _)| *position),
+                states.exact("wavelength_m", |_| self.wavelength_m),
+                states.exact("speed_m_per_s", |_| self.speed_m_per_s),
+                states.exact("normalized_dissipation_re", |(_, state)| state.normalized_dissipation.re),
+                states.exact("normalized_dissipation_im", |(_, state)| state.normalized_dissipation.im),
+                states.exact("growth_rate_per_passage", |(_, state)| state.growth_rate),
             ],
         }
     }
 
     /// One row for each wavelength at the speed of the curve.
     fn over_wavelengths(&self) -> Table {
-        let column = |name: &str, of: &dyn Fn(&Rates) -> f64| Column::exact(name, self.spectrum.iter().map(of));
+        let spectrum = &self.spectrum;
         Table {
             name: "bay-wavelength",
             columns: vec![
-                column("wavelength_m", &|(wavelength, _)| *wavelength),
-                column("speed_m_per_s", &|_| self.speed_m_per_s),
-                column("growth_rate_over_support", &|(_, rates)| rates[0]),
-                column("growth_rate_mid_span", &|(_, rates)| rates[1]),
-                column("growth_rate_mean", &|(_, rates)| rates[2]),
+                spectrum.exact("wavelength_m", |(wavelength, _)| *wavelength),
+                spectrum.exact("speed_m_per_s", |_| self.speed_m_per_s),
+                spectrum.exact("growth_rate_over_support", |(_, rates)| rates[0]),
+                spectrum.exact("growth_rate_mid_span", |(_, rates)| rates[1]),
+                spectrum.exact("growth_rate_mean", |(_, rates)| rates[2]),
             ],
         }
     }

@@ -84,7 +84,7 @@ impl ObservationCount {
         let all = say!(so_many_observations, count = self.count);
         match self.outside_window {
             0 => all,
-            outside => say!(observations_outside, all = all, outside = number(outside)),
+            outside => say!(observations_outside, all, outside = number(outside)),
         }
     }
 }

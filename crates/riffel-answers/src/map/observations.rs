@@ -8,7 +8,7 @@ use riffel_keys::text_file::{LARGEST_KEYS, decode, read_bounded};
 use riffel_keys::{CaseError, PhysicalRange};
 use riffel_plot::Observation;
 
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 const WAVELENGTH: &str = "wavelength|lambda|wellenlänge|wellenlaenge";
 const SPEED: &str = "speed|velocity|geschwindigkeit";
@@ -17,7 +17,7 @@ const LABEL: &str = "label|name|bezeichnung|ort";
 /// Read a table with the columns wavelength, speed and (optional) label, in any order, divided by commas, semicolons or
 /// tabulators. A cell has its unit with it, or its column in the head, as in `wavelength_mm` or `speed [km/h]`; bare
 /// numbers are SI. Where commas do not divide cells, they may be decimal marks.
-pub(crate) fn read(path: &Path) -> Result<Vec<Observation>, AnswerError> {
+pub(crate) fn read(path: &Path) -> Result<Vec<Observation>> {
     let bytes = read_bounded(path, "file of observations", LARGEST_KEYS)?;
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(CaseError::data(path, "the file is empty").into());
@@ -31,7 +31,7 @@ pub(crate) fn read(path: &Path) -> Result<Vec<Observation>, AnswerError> {
     parse(path, &text)
 }
 
-fn parse(path: &Path, text: &str) -> Result<Vec<Observation>, AnswerError> {
+fn parse(path: &Path, text: &str) -> Result<Vec<Observation>> {
     let wrong = |line: usize, message: String| AnswerError::Observation { path: path.to_owned(), line, message };
     let find = |names: &[String]| {
         let column = |known: &str| names.iter().position(|name| is_one_of(&word(name).0, known));
@@ -67,7 +67,7 @@ fn parse(path: &Path, text: &str) -> Result<Vec<Observation>, AnswerError> {
             label: label.map_or_else(|| "measured".to_owned(), |label| row.text(label)),
         })
     });
-    let observations: Vec<Observation> = observations.collect::<Result<_, AnswerError>>()?;
+    let observations: Vec<Observation> = observations.collect::<Result<_>>()?;
     match observations.is_empty() {
         true => Err(nothing()),
         false => Ok(observations),

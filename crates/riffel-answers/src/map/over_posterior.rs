@@ -4,7 +4,7 @@ use riffel_keys::{Message, fixed, say, significant};
 use serde::Serialize;
 
 use crate::line_growth::time_between;
-use crate::{AnswerError, LineGrowth, OverPosterior, PosteriorDraws};
+use crate::{LineGrowth, OverPosterior, PosteriorDraws, Result};
 
 #[derive(Serialize)]
 struct Document {
@@ -14,8 +14,8 @@ struct Document {
 /// What grows fastest in each draw, under the traffic of the calibration, or else the usual one of the line.
 ///
 /// # Errors
-/// [`AnswerError::Case`] as of [`LineGrowth::new`].
-pub fn growth_over(draws: &PosteriorDraws, progress: &(dyn Fn(usize) + Sync)) -> Result<OverPosterior, AnswerError> {
+/// [`AnswerError::Case`](crate::AnswerError::Case) as of [`LineGrowth::new`].
+pub fn growth_over(draws: &PosteriorDraws, progress: &(dyn Fn(usize) + Sync)) -> Result<OverPosterior> {
     draws.over(progress, |drawn| {
         let under_traffic = LineGrowth::new(&drawn.case, drawn.traffic.as_ref())?;
         Ok(Document { under_traffic })
@@ -38,16 +38,16 @@ pub fn growth_in_words(growth: &OverPosterior) -> Vec<Message> {
             Some(months) => time_between(months.band_90),
             None => {
                 let [early, late] = passages.band_90.map(|it| significant(1e-6 * it, 2));
-                say!(million_axles_between, early = early, late = late)
+                say!(million_axles_between, early, late)
             }
         };
         sentences.push(say!(
             growth_over_posterior,
             draws = growth.draws,
             wavelength = millimetres(wavelength.median),
-            shortest = shortest,
-            longest = longest,
-            time = time
+            shortest,
+            longest,
+            time
         ));
     }
     if grows < 1.0 {

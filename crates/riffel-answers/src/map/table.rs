@@ -9,7 +9,7 @@ use riffel_keys::{Message, say};
 
 use crate::netcdf::{Grid, Variable};
 use crate::number_alone;
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// A quantity of every point of a map.
 struct MapOutput {
@@ -69,21 +69,17 @@ pub(super) fn grid(map: &GrowthMap, title: String) -> Grid<'_> {
     let rate = map.growth_rate_per_dissipation();
     let axis = |name, axes, unit, long_name, axis: riffel::Axis| {
         let values = axis.values();
-        Variable { name, axes, unit, long_name, values: Box::new(move || values.clone()) }
+        Variable::new(name, axes, unit, long_name, move || values.clone())
     };
     let mut variables = vec![
         axis("wavelength", &["wavelength"], "m", "wavelength of the corrugation", map.wavelength()),
         axis("speed", &["speed"], "m/s", "speed of the vehicle", map.speed()),
     ];
-    variables.extend(OUTPUTS.iter().map(|output| Variable {
-        name: output.variable,
-        axes: &["speed", "wavelength"],
-        unit: "1",
-        long_name: output.long_name,
-        values: Box::new(move || {
+    variables.extend(OUTPUTS.iter().map(|output| {
+        Variable::new(output.variable, &["speed", "wavelength"], "1", output.long_name, move || {
             let points = map.rows().flat_map(|(_, row)| row);
             points.map(|&value| (output.value)(value, rate)).collect()
-        }),
+        })
     }));
     let axes = vec![("speed", map.speed().points()), ("wavelength", map.wavelength().points())];
     Grid { title, axes, variables }
@@ -99,26 +95,19 @@ pub(super) fn shown(case: &Case, ridge: &Ridge) -> Table {
     let step = 3.6 * (case.speed.max() - case.speed.min()) / rows as f64;
     let digits = (1.0 - step.log10()).floor().clamp(0.0, 3.0) as usize;
     let points: Vec<&RidgePoint> = (0..rows).map(|row| &ridge.points[row * last / (rows - 1).max(1)]).collect();
-    let shown = |head, cell: &dyn Fn(&RidgePoint) -> Message| {
-        Column::shown(head, points.iter().map(|point| cell(point)).collect())
-    };
-    let number =
-        |head, digits, of: fn(&RidgePoint) -> f64| Column::digits(head, digits, points.iter().map(|point| of(point)));
     Table {
         name: "ridge",
         columns: vec![
-            number(say!(speed_column), digits, |point| 3.6 * point.speed),
-            number(say!(wavelength_of_band), 1, |point| 1e3 * point.wavelength),
-            number(say!(frequency_in_hertz), 0, |point| point.frequency),
-            number(Message::verbatim("Re Ŵ₁"), 4, |point| point.normalized_dissipation),
-            shown(say!(growth_rate_per_passage_column), &|point| {
-                number_alone(format_args!("{:.2e}", point.growth_rate))
-            }),
-            shown(say!(passages_to_double_column), &|point| match point.growth_rate > 0.0 {
+            points.digits(say!(speed_column), digits, |point| 3.6 * point.speed),
+            points.digits(say!(wavelength_of_band), 1, |point| 1e3 * point.wavelength),
+            points.digits(say!(frequency_in_hertz), 0, |point| point.frequency),
+            points.digits(Message::verbatim("Re Ŵ₁"), 4, |point| point.normalized_dissipation),
+            points.numbers(say!(growth_rate_per_passage_column), |point| format!("{:.2e}", point.growth_rate)),
+            points.shown(say!(passages_to_double_column), |point| match point.growth_rate > 0.0 {
                 true => number_alone(format_args!("{:.1e}", std::f64::consts::LN_2 / point.growth_rate)),
                 false => say!(decays_in_table),
             }),
-            shown(Message::verbatim(""), &|point| match point.at_edge {
+            points.shown(Message::verbatim(""), |point| match point.at_edge {
                 true => say!(edge_in_table),
                 false => Message::verbatim(""),
             }),

@@ -37,17 +37,17 @@ pub(super) fn growth(answer: &ModelsAnswer) -> LineFigure {
             style,
         },
     );
-    LineFigure {
-        title: title(answer),
-        caption: format!(
-            "Growth {} by the models of the field, positive where corrugation grows; marks: fastest wavelengths. \
-             The case: {}",
+    LineFigure::new(
+        title(answer),
+        format!(
+            "Growth {} by the models of the field, positive where corrugation grows; marks: fastest \
+             wavelengths. The case: {}",
             answer.passing,
             parameters(&answer.case)
         ),
-        panels: growth_lines::panels(&answer.wavelength_m, lines, "model"),
-        arrangement: Arrangement::Stacked,
-    }
+        growth_lines::panels(&answer.wavelength_m, lines, "model"),
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 pub(super) fn complex_plane(answer: &ModelsAnswer) -> Option<LineFigure> {
@@ -65,42 +65,44 @@ pub(super) fn complex_plane(answer: &ModelsAnswer) -> Option<LineFigure> {
     let (re, im) = (largest(0), largest(1));
     let mut series = Vec::new();
     for (label, values, color) in places {
-        let line = |values: &[[f64; 2]], label: &str, style| Series {
-            label: label.to_owned(),
-            x: values.iter().map(|value| mega * value[0]).collect(),
-            y: values.iter().map(|value| mega * value[1]).collect(),
-            style,
-            color: Some(color),
+        let line = |values: &[[f64; 2]], label: &str, style| {
+            Series::new(
+                label,
+                values.iter().map(|value| mega * value[0]).collect(),
+                values.iter().map(|value| mega * value[1]).collect(),
+            )
+            .styled(style)
+            .colored(color)
         };
         series.push(line(values, label, LineStyle::Solid));
         // Where the curve begins, at the lowest frequency.
         series.push(line(&values[..1], "", LineStyle::Markers));
     }
     let (lowest, highest) = (plane.frequency_hz.first()?, plane.frequency_hz.last()?);
-    Some(LineFigure {
-        title: title(answer),
-        caption: format!(
-            "Wear in the complex plane as {} draws it, at {:.1} km/h from {lowest:.0} Hz (marks) to {highest:.0} Hz: a wave \
-             grows in the left half-plane, shaded, and travels by the imaginary part. The case: {}",
-            model.title,
-            3.6 * answer.speed_m_per_s,
-            parameters(&answer.case)
-        ),
-        panels: vec![LinePanel {
-            x_label: "Re e₁/Δ [J/m per µm]".to_owned(),
-            y_label: "Im e₁/Δ [J/m per µm]".to_owned(),
-            x_range: Some((-re, re)),
-            y_range: Some((-im, im)),
-            series,
-            areas: vec![Area {
-                label: "growth".to_owned(),
-                x: vec![-re, 0.0],
-                low: vec![-im; 2],
-                high: vec![im; 2],
-                color: GROWTH,
+    Some(
+        LineFigure::new(
+            title(answer),
+            format!(
+                "Wear in the complex plane as {} draws it, at {:.1} km/h from {lowest:.0} Hz (marks) to \
+             {highest:.0} Hz: a wave grows in the left half-plane, shaded, and travels by the \
+              imaginary part. The case: {}",
+                model.title,
+                3.6 * answer.speed_m_per_s,
+                parameters(&answer.case)
+            ),
+            [LinePanel {
+                x_range: Some((-re, re)),
+                y_range: Some((-im, im)),
+                areas: vec![Area {
+                    label: "growth".to_owned(),
+                    x: vec![-re, 0.0],
+                    low: vec![-im; 2],
+                    high: vec![im; 2],
+                    color: GROWTH,
+                }],
+                ..LinePanel::new("Re e₁/Δ [J/m per µm]", "Im e₁/Δ [J/m per µm]", series)
             }],
-            ..LinePanel::default()
-        }],
-        arrangement: Arrangement::Stacked,
-    })
+        )
+        .arranged(Arrangement::Stacked),
+    )
 }

@@ -20,7 +20,7 @@ use passing::Passing;
 use crate::answer::{inputs, titled};
 use crate::highest::{Highest, wavelengths_of};
 use crate::number_alone;
-use crate::{Answer, AnswerError, Column, ResultFile, Table, WearLimitDocument, growth_lines};
+use crate::{Answer, AnswerError, Result, ResultFile, Rows, Table, WearLimitDocument, growth_lines};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -99,7 +99,7 @@ impl ModelsAnswer {
     /// # Errors
     /// [`AnswerError::Case`] for frequencies at which the case is not known, [`AnswerError::NotOnCase`] for a model that
     /// is named and cannot be read from the case.
-    pub fn new(case: &Case, request: &ModelsRequest, progress: &dyn Fn(usize)) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: &ModelsRequest, progress: &dyn Fn(usize)) -> Result<Self> {
         let named = !request.models.is_empty();
         let models = match named {
             true => request.models.clone(),
@@ -125,7 +125,7 @@ impl ModelsAnswer {
                 growth => Ok((model, growth)),
             }
         };
-        let models: Result<Vec<_>, AnswerError> = models.into_iter().map(growth).collect();
+        let models: Result<Vec<_>> = models.into_iter().map(growth).collect();
         let models = models?;
         let on_case = models.iter().filter_map(|(_, growth)| growth.as_ref().ok());
         let wavelengths = wavelengths_of(on_case.map(|(_, course, _)| course));
@@ -163,21 +163,18 @@ impl ModelsAnswer {
 
     /// What a reader sees.
     fn table(&self) -> Table {
-        let on_case = || self.on_case();
+        let on_case: Vec<&ModelGrowth> = self.on_case().collect();
         let shown = |head: Message, of: fn(&Highest) -> Message| {
-            let cell = |of_model: &ModelGrowth| of_model.highest.as_ref().map_or_else(|| Message::verbatim(""), of);
-            Column::shown(head, on_case().map(cell).collect())
+            on_case.shown(head, |of_model| of_model.highest.as_ref().map_or_else(|| Message::verbatim(""), of))
         };
-        let titles = on_case().map(|of| Message::verbatim(of.model.title));
-        let rates = on_case().map(|of| match of.highest {
-            Some(highest) => number_alone(format!("{:+.4}", 1e6 * highest.rate)),
-            None => say!(no_growth_in_table),
-        });
         Table {
             name: "models",
             columns: vec![
-                Column::shown(Message::verbatim(""), titles.collect()),
-                Column::shown(say!(highest_growth_column), rates.collect()),
+                on_case.shown(Message::verbatim(""), |of| Message::verbatim(of.model.title)),
+                on_case.shown(say!(highest_growth_column), |of| match of.highest {
+                    Some(highest) => number_alone(format!("{:+.4}", 1e6 * highest.rate)),
+                    None => say!(no_growth_in_table),
+                }),
                 shown(Message::verbatim("mm"), Highest::millimetres),
                 shown(Message::verbatim("Hz"), |highest| number_alone(decimal(highest.frequency, 0))),
                 shown(say!(passages_to_double_column), |highest| {
@@ -205,7 +202,7 @@ impl Answer for ModelsAnswer {
 
     fn introduction(&self) -> Vec<Message> {
         let title = titled(self.case.file.title.as_ref(), say!(models_of_the_field));
-        vec![say!(under_title, title = title, passing = self.passing.clone())]
+        vec![say!(under_title, title, passing = self.passing.clone())]
     }
 
     fn tables(&self) -> Vec<Table> {
@@ -221,7 +218,7 @@ impl Answer for ModelsAnswer {
         let heading = (!moves.is_empty()).then(|| say!(what_moves_models_most));
         let left_out = self.models.iter().filter_map(|of| {
             let reason = of.not_on_this_case.as_deref()?;
-            Some(say!(model_not_on_this_case, model = of.model.title, reason = reason))
+            Some(say!(model_not_on_this_case, model = of.model.title, reason))
         });
         heading.into_iter().chain(moves).chain(left_out).collect()
     }

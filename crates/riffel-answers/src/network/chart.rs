@@ -4,8 +4,8 @@ use riffel_keys::{Message, number, say};
 use riffel_network::{ChartedLine, ChartedSection, ChartedSurvey, StripChart};
 use serde::Serialize;
 
-use super::words::{hundredths, kilometres, nothing, shown};
-use crate::{Answer, Column, ResultFile, Table};
+use super::words::{hundredths, kilometres, nothing};
+use crate::{Answer, ResultFile, Rows, Table};
 
 /// Sections of every survey of lines.
 #[derive(Serialize)]
@@ -40,14 +40,14 @@ impl ChartAnswer {
         Table {
             name: "surveys",
             columns: vec![
-                shown(say!(line_column), &surveys, |(line, _)| Message::verbatim(&line.line)),
-                shown(say!(date_column), &surveys, |(_, survey)| Message::verbatim(&survey.date)),
-                shown(say!(kilometres_column), &surveys, |(_, survey)| length(survey, f64::NEG_INFINITY)),
-                shown(say!(kilometres_over_limit_column), &surveys, |(_, survey)| length(survey, 1.0)),
-                shown(say!(worst_column), &surveys, |(_, survey)| {
+                surveys.shown(say!(line_column), |(line, _)| Message::verbatim(&line.line)),
+                surveys.shown(say!(date_column), |(_, survey)| Message::verbatim(&survey.date)),
+                surveys.shown(say!(kilometres_column), |(_, survey)| length(survey, f64::NEG_INFINITY)),
+                surveys.shown(say!(kilometres_over_limit_column), |(_, survey)| length(survey, 1.0)),
+                surveys.shown(say!(worst_column), |(_, survey)| {
                     worst(survey, &|section| hundredths(section.rms_over_limit))
                 }),
-                shown(say!(at_kilometre_column), &surveys, |(_, survey)| {
+                surveys.shown(say!(at_kilometre_column), |(_, survey)| {
                     worst(survey, &|section| kilometres(section.from_m))
                 }),
             ],
@@ -60,21 +60,18 @@ impl ChartAnswer {
             .surveys()
             .flat_map(|(line, survey)| survey.sections.iter().map(move |section| (line, survey, section)))
             .collect();
-        let rows = || rows.iter();
-        let number =
-            |name: &str, of: fn(&ChartedSection) -> f64| Column::exact(name, rows().map(|(_, _, section)| of(section)));
         Table {
             name: self.name(),
             columns: vec![
-                Column::names("line", rows().map(|(line, ..)| &line.line)),
-                Column::names("date", rows().map(|(_, survey, _)| &survey.date)),
-                number("from_m", |section| section.from_m),
-                number("to_m", |section| section.to_m),
-                Column::names("rail", rows().map(|(_, _, section)| &section.rail)),
-                number("band_from_m", |section| section.band_m[0]),
-                number("band_to_m", |section| section.band_m[1]),
-                number("rms_m", |section| section.rms_m),
-                number("rms_over_limit", |section| section.rms_over_limit),
+                rows.names("line", |(line, ..)| &line.line),
+                rows.names("date", |(_, survey, _)| &survey.date),
+                rows.exact("from_m", |(_, _, section)| section.from_m),
+                rows.exact("to_m", |(_, _, section)| section.to_m),
+                rows.names("rail", |(_, _, section)| &section.rail),
+                rows.exact("band_from_m", |(_, _, section)| section.band_m[0]),
+                rows.exact("band_to_m", |(_, _, section)| section.band_m[1]),
+                rows.exact("rms_m", |(_, _, section)| section.rms_m),
+                rows.exact("rms_over_limit", |(_, _, section)| section.rms_over_limit),
             ],
         }
     }

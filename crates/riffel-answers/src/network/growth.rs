@@ -4,9 +4,9 @@ use riffel_keys::{Message, number, range, say};
 use riffel_network::{Judgement, SectionGrowth};
 use serde::Serialize;
 
-use super::words::{hundredths, kilometres, kind_in_words, millimetres, nothing, shown, tenths};
+use super::words::{hundredths, kilometres, kind_in_words, millimetres, nothing, tenths};
 use crate::number_alone;
-use crate::{Answer, Table};
+use crate::{Answer, Rows, Table};
 
 /// Sections over their surveys.
 #[derive(Serialize)]
@@ -61,24 +61,24 @@ impl Answer for GrowthAnswer {
     fn tables(&self) -> Vec<Table> {
         let sections = &self.sections;
         let mut columns = vec![
-            shown(say!(line_column), sections, |section| Message::verbatim(&section.line)),
-            shown(say!(rail_word), sections, |section| Message::verbatim(&section.rail)),
-            shown(say!(from_kilometre_column), sections, |section| kilometres(section.from_m)),
-            shown(say!(to_kilometre_column), sections, |section| kilometres(section.to_m)),
-            shown(say!(band_column), sections, |section| millimetres(section.band_m)),
-            shown(say!(between_column), sections, |section| Message::verbatim(section.dates.join(" "))),
-            shown(say!(rms_column), sections, |section| {
+            sections.shown(say!(line_column), |section| Message::verbatim(&section.line)),
+            sections.shown(say!(rail_word), |section| Message::verbatim(&section.rail)),
+            sections.shown(say!(from_kilometre_column), |section| kilometres(section.from_m)),
+            sections.shown(say!(to_kilometre_column), |section| kilometres(section.to_m)),
+            sections.shown(say!(band_column), |section| millimetres(section.band_m)),
+            sections.shown(say!(between_column), |section| Message::verbatim(section.dates.join(" "))),
+            sections.shown(say!(rms_column), |section| {
                 let [before, after] = section.rms_m.map(|rms| 1e6 * rms);
                 number_alone(format!("{before:.2} → {after:.2}"))
             }),
-            shown(say!(decibels_a_year_column), sections, growth),
-            shown(say!(surveys_column), sections, |section| number_alone(section.surveys)),
-            shown(say!(over_limit_column), sections, |section| hundredths(section.rms_over_limit)),
-            shown(say!(kind_column), sections, |section| kind_in_words(section.kind)),
-            shown(say!(months_to_limit_column), sections, months),
+            sections.shown(say!(decibels_a_year_column), growth),
+            sections.numbers(say!(surveys_column), |section| section.surveys),
+            sections.shown(say!(over_limit_column), |section| hundredths(section.rms_over_limit)),
+            sections.shown(say!(kind_column), |section| kind_in_words(section.kind)),
+            sections.shown(say!(months_to_limit_column), months),
         ];
         if sections.iter().any(|section| section.expected_growth_db_per_year.is_some()) {
-            columns.push(shown(say!(expected_growth_column), sections, |section| {
+            columns.push(sections.shown(say!(expected_growth_column), |section| {
                 section.expected_growth_db_per_year.map_or_else(nothing, |expected| {
                     let [low, high] = expected.band_80.map(|end| number(tenths(end)));
                     say!(middle_from_to, middle = number(tenths(expected.median)), from = low, to = high)

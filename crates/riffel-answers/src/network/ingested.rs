@@ -27,11 +27,11 @@ impl IngestedAnswer {
                 from = number(format!("{:.3}", goes_back.from_m))
             )
         });
-        let renamed = found.renamed.iter().map(|(old, new)| say!(rail_is_renamed, old = old, new = new));
+        let renamed = found.renamed.iter().map(|(old, new)| say!(rail_is_renamed, old, new));
         let is_new = !found.new_rails.is_empty();
         let new = is_new.then(|| say!(line_has_not_had_rail, rails = found.new_rails.join(", ")));
         let alike = found.alike.as_ref();
-        let alike = alike.map(|alike| say!(line_is_called_alike, alike = alike, line = found.line.as_str()));
+        let alike = alike.map(|alike| say!(line_is_called_alike, alike, line = found.line.as_str()));
         let remarks = twice.chain(renamed).chain(new).chain(alike).collect();
         Self { found, remarks }
     }
@@ -49,12 +49,12 @@ impl Answer for IngestedAnswer {
     fn sentences(&self) -> Vec<Message> {
         let Ingested { line, date, .. } = &self.found;
         if self.found.there_already {
-            return vec![say!(survey_is_there_already, line = line, date = date)];
+            return vec![say!(survey_is_there_already, line, date)];
         }
         let rails = self.found.measured.iter();
-        let rails: Value = rails.map(|(rail, cells)| say!(cells_of_rail, rail = rail, cells = number(cells))).collect();
+        let rails: Value = rails.map(|(rail, cells)| say!(cells_of_rail, rail, cells = number(cells))).collect();
         let length = number(self.found.resolution_m);
-        vec![say!(survey_is_taken_in, line = line, date = date, rails = rails, length = length)]
+        vec![say!(survey_is_taken_in, line, date, rails, length)]
     }
 
     fn remarks(&self) -> &[Message] {

@@ -4,9 +4,8 @@ use riffel_keys::{Message, Value, number, say};
 use riffel_network::GrindingPlan;
 use serde::Serialize;
 
-use super::words::{hundredths, kilometres, shown};
-use crate::number_alone;
-use crate::{Answer, Table};
+use super::words::{hundredths, kilometres};
+use crate::{Answer, Rows, Table};
 
 /// Sites that the table shows.
 const SITES: usize = 40;
@@ -42,13 +41,13 @@ impl Answer for PlanAnswer {
             return Vec::new();
         }
         let mut columns = vec![
-            shown(say!(line_column), sites, |site| Message::verbatim(&site.line)),
-            shown(say!(from_kilometre_column), sites, |site| kilometres(site.from_m)),
-            shown(say!(to_kilometre_column), sites, |site| kilometres(site.to_m)),
-            shown(say!(over_limit_column), sites, |site| hundredths(site.rms_over_limit)),
+            sites.shown(say!(line_column), |site| Message::verbatim(&site.line)),
+            sites.shown(say!(from_kilometre_column), |site| kilometres(site.from_m)),
+            sites.shown(say!(to_kilometre_column), |site| kilometres(site.to_m)),
+            sites.shown(say!(over_limit_column), |site| hundredths(site.rms_over_limit)),
         ];
         if self.money {
-            columns.push(shown(say!(cost_column), sites, |site| number_alone(format!("{:.0}", site.cost))));
+            columns.push(sites.numbers(say!(cost_column), |site| format!("{:.0}", site.cost)));
         }
         vec![Table { name: "sites", columns }]
     }
@@ -70,9 +69,9 @@ impl Answer for PlanAnswer {
             months = number(plan.months),
             over = kilometres(plan.over_limit_m),
             ground = kilometres(plan.length_m),
-            cost = cost,
+            cost,
             left = kilometres(plan.left_over_limit_m),
-            least = least
+            least
         );
         more.into_iter().chain([planned]).collect()
     }

@@ -17,7 +17,7 @@ use serde::Deserialize;
 
 use super::{ChartAnswer, GrowthAnswer, IngestedAnswer, PlanAnswer, StatusAnswer, WholeAnswer, WorstAnswer};
 use crate::question::{Asker, CaseSource, Files, Money, PosteriorSource, Question, Rule, Source, positive};
-use crate::{Answer, AnswerError, ExpectedRates};
+use crate::{Answer, AnswerError, ExpectedRates, Result};
 
 /// The folder of a store.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -59,14 +59,14 @@ struct Expected {
 }
 
 impl InStore {
-    fn open(&self) -> Result<Store, AnswerError> {
+    fn open(&self) -> Result<Store> {
         Ok(Store::open(&self.store)?)
     }
 }
 
 impl Judged {
     /// Store, limit and length of a section.
-    fn open(&self) -> Result<(Store, Judgement, f64), AnswerError> {
+    fn open(&self) -> Result<(Store, Judgement, f64)> {
         let store = self.store.open()?;
         let judgement = Judgement::new(&store, &LimitTable::find(&self.limit)?)?;
         Ok((store, judgement, positive("--section", self.section)?))
@@ -75,7 +75,7 @@ impl Judged {
 
 impl Expected {
     /// A judgement with the growth that the traffic of a line is expected to make.
-    fn of(&self, store: &Store, judgement: Judgement, asker: &dyn Asker) -> Result<Judgement, AnswerError> {
+    fn of(&self, store: &Store, judgement: Judgement, asker: &dyn Asker) -> Result<Judgement> {
         let Some(case) = &self.case else {
             return Ok(judgement);
         };
@@ -118,7 +118,7 @@ fn told(answer: impl Answer + 'static, store: &Store, asker: &dyn Asker) -> Box<
     Box::new(answer)
 }
 
-fn day(argument: &'static str, text: &str) -> Result<Date, AnswerError> {
+fn day(argument: &'static str, text: &str) -> Result<Date> {
     read_date(text).map_err(|sentence| AnswerError::Range { argument, message: format!(": {sentence}") })
 }
 
@@ -169,7 +169,7 @@ impl Question for IngestQuestion {
         The same survey again changes nothing, and one that was stopped is done anew: surveys are there whole or not at all.";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let resolution = self.resolution.map(|length| positive("--resolution", length)).transpose()?;
         let store = Store::create_or_open(&self.store.store, StoreSettings { resolution })?;
         let renamed = self.rename.iter().map(|Renamed([old, new])| (old.clone(), new.clone()));
@@ -191,7 +191,7 @@ impl Question for StatusQuestion {
     const EXAMPLE: &'static str = "Example: riffel network status railway";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let store = self.store.open()?;
         Ok(told(StatusAnswer(status(&store)?), &store, asker))
     }
@@ -215,7 +215,7 @@ impl Question for WorstQuestion {
     const EXAMPLE: &'static str = "Example: riffel network worst railway --section \"200 m\" --most 10";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
         let until = self.until.as_deref().map(|text| day("--until", text)).transpose()?;
         let found = worst(&store, &judgement, section, until, self.most as usize)?;
@@ -247,15 +247,13 @@ impl Question for GrowthQuestion {
         riffel network growth railway --line \"Main line\" --case case.toml --traffic traffic.toml";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["traffic", "posterior"]),
-        Rule::Needs("traffic", &["case"]),
-        Rule::Needs("posterior", &["case"]),
-        Rule::Needs("line", &["case"]),
-        Rule::Needs("from", &["to"]),
-        Rule::Needs("to", &["from"]),
+        Rule::Needs(&["traffic", "posterior", "line"], &["case"]),
+        Rule::Needs(&["from"], &["to"]),
+        Rule::Needs(&["to"], &["from"]),
     ];
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
         let judgement = self.expected.of(&store, judgement, asker)?;
         let between = match (&self.from, &self.to) {
@@ -300,18 +298,15 @@ impl Question for PlanQuestion {
         riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000 --most-track";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["traffic", "posterior"]),
-        Rule::Needs("traffic", &["case"]),
-        Rule::Needs("posterior", &["case"]),
-        Rule::Needs("line", &["case"]),
+        Rule::Needs(&["traffic", "posterior", "line"], &["case"]),
         Rule::AnyOf(&["length", "money"]),
         Rule::Excludes("length", &["money", "cost_per_metre", "cost_per_site"]),
-        Rule::Needs("money", &["cost_per_metre"]),
-        Rule::Needs("cost_per_metre", &["money"]),
-        Rule::Needs("cost_per_site", &["money"]),
+        Rule::Needs(&["money"], &["cost_per_metre"]),
+        Rule::Needs(&["cost_per_metre", "cost_per_site"], &["money"]),
     ];
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
         let judgement = self.expected.of(&store, judgement, asker)?;
         let budget = match self.length {
@@ -351,7 +346,7 @@ impl Question for ChartQuestion {
     const NAME: &'static str = "network chart";
     const EXAMPLE: &'static str = "Example: riffel network chart railway --line \"Main line\" -o main-line";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
         let chart = StripChart::new(&store, &judgement, section, self.line.as_deref(), self.rail.as_deref())?;
         Ok(told(ChartAnswer::new(chart), &store, asker))
@@ -370,7 +365,7 @@ impl Question for CheckQuestion {
     const EXAMPLE: &'static str = "Example: riffel network check railway";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let store = self.store.open()?;
         match tell_damaged(&store, asker) {
             0 => Ok(Box::new(WholeAnswer { surveys: store.surveys()?.len() })),

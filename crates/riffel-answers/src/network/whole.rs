@@ -24,8 +24,4 @@ impl Answer for WholeAnswer {
     fn sentences(&self) -> Vec<Message> {
         vec![say!(surveys_are_whole, count = number(self.surveys))]
     }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
-    }
 }

@@ -3,7 +3,6 @@
 use riffel_keys::{Message, range, say};
 use riffel_network::DefectKind;
 
-use crate::Column;
 use crate::number_alone;
 
 /// Kilometres of metres.
@@ -43,9 +42,4 @@ pub(super) fn kind_in_words(kind: Option<DefectKind>) -> Message {
         Some(DefectKind::Ground) => say!(kind_ground),
         Some(DefectKind::Unknown) => say!(kind_unknown),
     }
-}
-
-/// A column for a reader with a cell of each row.
-pub(super) fn shown<T>(head: Message, rows: &[T], cell: impl Fn(&T) -> Message) -> Column {
-    Column::shown(head, rows.iter().map(cell).collect())
 }

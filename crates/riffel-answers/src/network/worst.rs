@@ -4,9 +4,9 @@ use riffel_keys::{Message, say};
 use riffel_network::{Judgement, WorstPlace};
 use serde::Serialize;
 
-use super::words::{hundredths, kilometres, kind_in_words, millimetres, nothing, shown, tenths};
+use super::words::{hundredths, kilometres, kind_in_words, millimetres, nothing, tenths};
 use crate::number_alone;
-use crate::{Answer, Table};
+use crate::{Answer, Rows, Table};
 
 /// Sections that are rough, the worst first.
 #[derive(Serialize)]
@@ -35,16 +35,16 @@ impl Answer for WorstAnswer {
             return Vec::new();
         }
         let columns = vec![
-            shown(say!(line_column), places, |place| Message::verbatim(&place.line)),
-            shown(say!(date_column), places, |place| Message::verbatim(&place.date)),
-            shown(say!(rail_word), places, |place| Message::verbatim(&place.rail)),
-            shown(say!(from_kilometre_column), places, |place| kilometres(place.from_m)),
-            shown(say!(to_kilometre_column), places, |place| kilometres(place.to_m)),
-            shown(say!(band_column), places, |place| millimetres(place.band_m)),
-            shown(say!(rms_column), places, |place| hundredths(1e6 * place.rms_m)),
-            shown(say!(over_limit_column), places, |place| hundredths(place.rms_over_limit)),
-            shown(say!(kind_column), places, |place| kind_in_words(place.kind)),
-            shown(say!(decibels_a_year_column), places, |place| {
+            places.shown(say!(line_column), |place| Message::verbatim(&place.line)),
+            places.shown(say!(date_column), |place| Message::verbatim(&place.date)),
+            places.shown(say!(rail_word), |place| Message::verbatim(&place.rail)),
+            places.shown(say!(from_kilometre_column), |place| kilometres(place.from_m)),
+            places.shown(say!(to_kilometre_column), |place| kilometres(place.to_m)),
+            places.shown(say!(band_column), |place| millimetres(place.band_m)),
+            places.shown(say!(rms_column), |place| hundredths(1e6 * place.rms_m)),
+            places.shown(say!(over_limit_column), |place| hundredths(place.rms_over_limit)),
+            places.shown(say!(kind_column), |place| kind_in_words(place.kind)),
+            places.shown(say!(decibels_a_year_column), |place| {
                 place.growth_db_per_year.map_or_else(nothing, |growth| number_alone(tenths(growth)))
             }),
         ];

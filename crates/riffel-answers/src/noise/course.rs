@@ -10,8 +10,8 @@ use serde::Serialize;
 use super::at_least;
 use super::sources::Radiation;
 use super::train::Train;
-use crate::AnswerError;
 use crate::forecast::RailStart;
+use crate::{AnswerError, Result};
 
 /// Steps of the time looked ahead.
 const STEPS: u32 = 24;
@@ -40,7 +40,7 @@ impl Course {
         radiation: &Radiation<'_>,
         traffic: &Traffic,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<(Option<Self>, Vec<Message>), AnswerError> {
+    ) -> Result<(Option<Self>, Vec<Message>)> {
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
         let per_month = on.passages_per_month().ok_or(AnswerError::NoPassagesPerDay)?;
         let start = RailStart {
@@ -56,7 +56,7 @@ impl Course {
         let without_time = start.without_time(&forecast, &on);
         let mut remarks: Vec<Message> = on.remarks.into_iter().chain(without).collect();
         if let Some(reason) = without_time {
-            remarks.insert(0, say!(noise_without_course, reason = reason));
+            remarks.insert(0, say!(noise_without_course, reason));
             return Ok((None, remarks));
         }
         // The course ends at one month whatever time is asked for, and so does a limit that is reached before.
@@ -68,7 +68,7 @@ impl Course {
         } else {
             vec![0.0]
         };
-        let level = |month: f64| -> Result<f64, AnswerError> {
+        let level = |month: f64| -> Result<f64> {
             let passages = (month * per_month).min(forecast.valid_to());
             let roughness = then(&train.roughness, &forecast.spectrum(passages)?)?;
             let heard = train.levels(radiation, &roughness)?;
@@ -96,8 +96,8 @@ impl Course {
         let [from, to] = [0, last].map(|place| at_least(self.total_dba[place], up_to));
         let months = fixed(self.month[last], 1);
         let course = match self.beyond_linear_range {
-            false => say!(noise_becomes, from = from, to = to, months = months),
-            true => say!(noise_becomes_to_linear_end, from = from, to = to, months = months),
+            false => say!(noise_becomes, from, to, months),
+            true => say!(noise_becomes_to_linear_end, from, to, months),
         };
         let Some(limit) = self.limit_dba else {
             return course;
@@ -105,16 +105,16 @@ impl Course {
         let falls_below = self.total_dba[last] < limit;
         let limit = number(limit);
         match self.months_to_limit {
-            Some(0.0) if falls_below => say!(noise_falls_below, sentence = course, limit = limit),
-            Some(0.0) => say!(noise_limit_now, sentence = course, limit = limit),
+            Some(0.0) if falls_below => say!(noise_falls_below, sentence = course, limit),
+            Some(0.0) => say!(noise_limit_now, sentence = course, limit),
             Some(months) => {
                 let months = fixed(months, 1);
-                say!(noise_limit_in_months, sentence = course, limit = limit, months = months)
+                say!(noise_limit_in_months, sentence = course, limit, months)
             }
             None if up_to.is_some() => {
-                say!(noise_limit_not_known, sentence = course, limit = limit)
+                say!(noise_limit_not_known, sentence = course, limit)
             }
-            None => say!(noise_limit_not_reached, sentence = course, limit = limit),
+            None => say!(noise_limit_not_reached, sentence = course, limit),
         }
     }
 }

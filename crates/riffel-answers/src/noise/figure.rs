@@ -11,19 +11,19 @@ use super::{Course, NoiseAnswer, at_least};
 pub(super) fn figure(answer: &NoiseAnswer, parameters: &str, language: Language) -> LineFigure {
     let mut panels = vec![parts(answer, language), measures(answer, language)];
     panels.extend(answer.course.as_ref().map(|it| course(it, language)));
-    LineFigure {
-        title: say!(noise_beside_the_track).text(language),
-        caption: say!(
+    LineFigure::new(
+        say!(noise_beside_the_track).text(language),
+        say!(
             caption_of_noise,
             speed = shown_speed(answer.speed_m_per_s, 0),
             distance = number(answer.distance_m),
             height = number(answer.height_m),
-            parameters = parameters
+            parameters
         )
         .text(language),
         panels,
-        arrangement: Arrangement::Stacked,
-    }
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 /// Rail, sleepers, wheel and their sum; that by transfer functions beside it.
@@ -34,14 +34,14 @@ fn parts(answer: &NoiseAnswer, language: Language) -> LinePanel {
         .filter_map(|(part, color)| {
             let (levels, a_weighted) = answer.level.of(part);
             let level = at_least(a_weighted?, answer.lower_bound_up_to_hz);
-            let label = say!(part_and_level, part = name_of(part), level = level).text(language);
+            let label = say!(part_and_level, part = name_of(part), level).text(language);
             let style = LineStyle::Solid;
             Some(curve(&answer.frequency_hz, levels, label, style, color))
         })
         .collect();
     if let Some(since) = &answer.since {
         let level = at_least(since.before_dba, lower_bound_up_to(&since.frequency_hz));
-        let label = say!(part_and_level, part = say!(noise_before), level = level);
+        let label = say!(part_and_level, part = say!(noise_before), level);
         let (label, style) = (label.text(language), LineStyle::Dotted);
         let levels = &since.before_db;
         series.push(curve(&since.frequency_hz, levels, label, style, Rgb::BLACK));
@@ -85,48 +85,29 @@ fn measures(answer: &NoiseAnswer, language: Language) -> LinePanel {
 }
 
 fn course(course: &Course, language: Language) -> LinePanel {
-    let mut series = vec![Series {
-        label: say!(noise_of_all).text(language),
-        x: course.month.clone(),
-        y: course.total_dba.clone(),
-        color: Some(Rgb::BLACK),
-        ..Series::default()
-    }];
+    let mut series = vec![
+        Series::new(say!(noise_of_all).text(language), course.month.clone(), course.total_dba.clone())
+            .colored(Rgb::BLACK),
+    ];
     if let (Some(limit), Some(&last)) = (course.limit_dba, course.month.last()) {
-        series.push(Series {
-            label: say!(limit_word).text(language),
-            x: vec![0.0, last],
-            y: vec![limit; 2],
-            style: LineStyle::Dashed,
-            color: Some(OKABE_ITO[1]),
-        });
+        series.push(
+            Series::new(say!(limit_word).text(language), vec![0.0, last], vec![limit; 2])
+                .styled(LineStyle::Dashed)
+                .colored(OKABE_ITO[1]),
+        );
     }
-    LinePanel {
-        subtitle: say!(under_traffic).text(language),
-        x_label: say!(time_axis_in_months).text(language),
-        y_label: say!(level_axis_a_weighted).text(language),
-        series,
-        ..LinePanel::default()
-    }
+    LinePanel::new(say!(time_axis_in_months).text(language), say!(level_axis_a_weighted).text(language), series)
+        .titled(say!(under_traffic).text(language))
 }
 
 fn curve(frequencies: &[f64], levels: &[Option<f64>], label: String, style: LineStyle, color: Rgb) -> Series {
-    Series {
-        label,
-        x: frequencies.to_vec(),
-        y: levels.iter().map(|level| level.unwrap_or(f64::NAN)).collect(),
-        style,
-        color: Some(color),
-    }
+    Series::new(label, frequencies.to_vec(), levels.iter().map(|level| level.unwrap_or(f64::NAN)).collect())
+        .styled(style)
+        .colored(color)
 }
 
 fn panel(subtitle: Message, series: Vec<Series>, language: Language) -> LinePanel {
-    LinePanel {
-        subtitle: subtitle.text(language),
-        x_label: say!(frequency_axis).text(language),
-        y_label: say!(level_axis_in_decibels).text(language),
-        x_scale: Scale::Log,
-        series,
-        ..LinePanel::default()
-    }
+    LinePanel::new(say!(frequency_axis).text(language), say!(level_axis_in_decibels).text(language), series)
+        .titled(subtitle.text(language))
+        .scaled(Scale::Log, Scale::Linear)
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::sources::Radiation;
 use super::train::Train;
-use crate::AnswerError;
+use crate::Result;
 use crate::pads::with_pads_of;
 
 /// A measure with what it does.
@@ -33,12 +33,7 @@ const LACKING: f64 = 0.5;
 const DAMPED: f64 = 0.01;
 
 /// Grinding, speed, pads and dampers, each alone.
-pub(super) fn measures(
-    case: &Case,
-    train: &Train,
-    radiation: &Radiation<'_>,
-    now: &Energies,
-) -> Result<Vec<Measure>, AnswerError> {
+pub(super) fn measures(case: &Case, train: &Train, radiation: &Radiation<'_>, now: &Energies) -> Result<Vec<Measure>> {
     let (roughness, speed) = (&train.roughness, train.speed);
     let total = |levels: &Energies| levels.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY);
     let mut found = Vec::new();
@@ -83,7 +78,7 @@ pub(super) fn measures(
 }
 
 /// The rail with no band above the limit; bands without a limit stay.
-fn ground_to_limit(train: &Train) -> Result<Spectrum, AnswerError> {
+fn ground_to_limit(train: &Train) -> Result<Spectrum> {
     let (_, limit) = &train.limit;
     Ok(train.roughness.map(|level| {
         let limit = limit.spectrum().level(level.band);

@@ -14,7 +14,7 @@ use super::train::Train;
 use crate::question::{
     AsWritten, Asker, CaseSource, EarlierRecords, PosteriorSource, Question, RecordLayout, Rule, Source, of_keys, over,
 };
-use crate::{Answer, AnswerError, PosteriorDraws};
+use crate::{Answer, PosteriorDraws, Result};
 
 /// How loud a train is on a rough rail, and what would make it quieter.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -104,12 +104,7 @@ impl NoiseQuestion {
     ///
     /// # Errors
     /// None but those of a default that does not fit its key.
-    pub fn of_a_coach(
-        case: impl Into<CaseSource>,
-        survey: Survey,
-        speed: f64,
-        limit: &str,
-    ) -> Result<Self, AnswerError> {
+    pub fn of_a_coach(case: impl Into<CaseSource>, survey: Survey, speed: f64, limit: &str) -> Result<Self> {
         let question: Self = of_keys(json!({ "case": "", "roughness": "", "speed": speed, "limit": limit }))?;
         Ok(Self { case: case.into(), roughness: survey.into(), ..question })
     }
@@ -117,9 +112,9 @@ impl NoiseQuestion {
     /// The answer; `asker` is told how far it is and what is unusual.
     ///
     /// # Errors
-    /// [`AnswerError::Argument`] where a number is outside its range, no band is known, or the track has no decay;
-    /// [`AnswerError::Case`] with the key or the file at fault.
-    pub fn answer(&self, asker: &dyn Asker) -> Result<NoiseAnswer, AnswerError> {
+    /// [`AnswerError::Argument`](crate::AnswerError::Argument) where a number is outside its range, no band is known, or the track has no decay;
+    /// [`AnswerError::Case`](crate::AnswerError::Case) with the key or the file at fault.
+    pub fn answer(&self, asker: &dyn Asker) -> Result<NoiseAnswer> {
         let draws = self.posterior.draws(&self.case, asker)?;
         self.answer_over(draws.as_ref(), asker)
     }
@@ -128,7 +123,7 @@ impl NoiseQuestion {
     ///
     /// # Errors
     /// Those of [`answer`](Self::answer).
-    pub fn answer_over(&self, draws: Option<&PosteriorDraws>, asker: &dyn Asker) -> Result<NoiseAnswer, AnswerError> {
+    pub fn answer_over(&self, draws: Option<&PosteriorDraws>, asker: &dyn Asker) -> Result<NoiseAnswer> {
         let train = Train::new(self, asker)?;
         let case = self.case.read(asker)?;
         let own = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
@@ -150,15 +145,14 @@ impl Question for NoiseQuestion {
         Months until a level is reached: riffel noise case.toml --roughness spectra.csv --speed \"140 km/h\" --traffic \
         traffic.toml --months 24 --limit-dba 88";
     const RULES: &'static [Rule] = &[
-        Rule::Needs("dates", &["earlier"]),
-        Rule::Needs("track_transfer", &["vehicle_transfer"]),
-        Rule::Needs("vehicle_transfer", &["track_transfer"]),
+        Rule::Needs(&["dates"], &["earlier"]),
+        Rule::Needs(&["track_transfer"], &["vehicle_transfer"]),
+        Rule::Needs(&["vehicle_transfer"], &["track_transfer"]),
         Rule::OneOf(&["traffic", "posterior"]),
-        Rule::Needs("months", &["traffic", "posterior"]),
-        Rule::Needs("limit_dba", &["traffic", "posterior"]),
+        Rule::Needs(&["months", "limit_dba"], &["traffic", "posterior"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         Ok(Box::new(self.answer(asker)?))
     }
 }

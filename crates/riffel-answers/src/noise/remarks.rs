@@ -17,7 +17,7 @@ pub(super) fn remarks(case: &Case, train: &Train, powers: &[SoundPower], left_ou
     if let [_, _, ..] = &train.rails[..] {
         let rails = train.rails.iter();
         let rails: Value = rails.map(|rail| name_in_words(rail)).collect();
-        remarks.push(say!(noise_on_mean_of_rails, rails = rails));
+        remarks.push(say!(noise_on_mean_of_rails, rails));
     }
     match &train.modes {
         None => remarks.push(say!(rigid_wheel)),

@@ -54,7 +54,7 @@ impl Since {
         );
         match self.is_all {
             true => said,
-            false => say!(over_common_bands, count = self.frequency_hz.len(), said = said),
+            false => say!(over_common_bands, count = self.frequency_hz.len(), said),
         }
     }
 }
@@ -70,7 +70,7 @@ pub(crate) fn at_least(level: f64, up_to: Option<f64>) -> Message {
     let level = say!(level_a_weighted, level = fixed(level, 1));
     match up_to {
         None => level,
-        Some(hertz) => say!(level_at_least, level = level, hertz = number(hertz)),
+        Some(hertz) => say!(level_at_least, level, hertz = number(hertz)),
     }
 }
 

@@ -9,7 +9,7 @@ use riffel_case::Case;
 use riffel_rail::TransferTable;
 
 use super::train::Train;
-use crate::AnswerError;
+use crate::Result;
 
 /// Sound powers of the parts.
 pub(super) fn powers_of_parts(powers: &[SoundPower]) -> Energies {
@@ -43,16 +43,12 @@ impl Train {
     }
 
     /// Levels with some roughness of the rail.
-    pub(super) fn levels(&self, radiation: &Radiation<'_>, roughness: &Spectrum) -> Result<Energies, AnswerError> {
+    pub(super) fn levels(&self, radiation: &Radiation<'_>, roughness: &Spectrum) -> Result<Energies> {
         Ok(self.heard(&self.powers(radiation, roughness)?))
     }
 
     /// Sound powers of a wheel on one rail, in the bands that are known.
-    pub(super) fn powers(
-        &self,
-        radiation: &Radiation<'_>,
-        roughness: &Spectrum,
-    ) -> Result<Vec<SoundPower>, AnswerError> {
+    pub(super) fn powers(&self, radiation: &Radiation<'_>, roughness: &Spectrum) -> Result<Vec<SoundPower>> {
         let excitation = self.excitation(radiation.case, roughness, radiation.speed)?;
         let mut powers = Vec::new();
         for band in &radiation.bands {
@@ -67,7 +63,7 @@ impl Train {
         case: &'a Case,
         modes: Option<&WheelModes>,
         speed: f64,
-    ) -> Result<Radiation<'a>, AnswerError> {
+    ) -> Result<Radiation<'a>> {
         Ok(Radiation {
             case,
             speed,
@@ -76,11 +72,7 @@ impl Train {
     }
 
     /// Levels by transfer functions: those of the track are the rail's, those of the vehicle the wheel's.
-    pub(super) fn levels_by_transfer(
-        &self,
-        case: &Case,
-        [track, vehicle]: [&TransferTable; 2],
-    ) -> Result<Energies, AnswerError> {
+    pub(super) fn levels_by_transfer(&self, case: &Case, [track, vehicle]: [&TransferTable; 2]) -> Result<Energies> {
         let excitation = self.excitation(case, &self.roughness, self.speed)?;
         let air = Air::default();
         let mut bands = Vec::new();
@@ -100,7 +92,7 @@ impl Train {
         Ok(Energies { energy: Energy::Pressure, bands })
     }
 
-    fn excitation(&self, case: &Case, roughness: &Spectrum, speed: f64) -> Result<Excitation, AnswerError> {
+    fn excitation(&self, case: &Case, roughness: &Spectrum, speed: f64) -> Result<Excitation> {
         let wheel = self.wheel_roughness.as_ref().map(|(_, spectrum)| spectrum);
         let filter = ContactFilter::of(&case.hertz);
         Ok(Excitation::new(roughness, wheel, filter, speed)?)

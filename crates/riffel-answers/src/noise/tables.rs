@@ -4,7 +4,7 @@ use riffel::noise::Part;
 use riffel_keys::{Message, number, say, shown_speed};
 
 use super::NoiseAnswer;
-use crate::{Column, Table, Values};
+use crate::{Column, Rows, Table, Values};
 
 /// The name of a part.
 pub(crate) fn name_of(part: Part) -> Message {
@@ -20,7 +20,7 @@ pub(super) fn introduction(answer: &NoiseAnswer) -> Vec<Message> {
     let title = answer.title.clone();
     let title = title.map_or_else(|| say!(rolling_noise), Message::verbatim);
     vec![
-        say!(noise_at_speed, title = title, speed = shown_speed(answer.speed_m_per_s, 1)),
+        say!(noise_at_speed, title, speed = shown_speed(answer.speed_m_per_s, 1)),
         say!(noise_heard_at, distance = number(answer.distance_m), height = number(answer.height_m)),
     ]
 }
@@ -75,7 +75,7 @@ fn bands(answer: &NoiseAnswer) -> Table {
 fn level_head(answer: &NoiseAnswer) -> Message {
     let level = say!(decibels_a_weighted);
     match answer.lower_bound_up_to_hz {
-        Some(hertz) => say!(level_at_least, level = level, hertz = number(hertz)),
+        Some(hertz) => say!(level_at_least, level, hertz = number(hertz)),
         None => level,
     }
 }
@@ -99,7 +99,7 @@ fn parts(answer: &NoiseAnswer) -> Table {
     Table {
         name: "parts",
         columns: vec![
-            Column::words("part", say!(what_radiates), rows.iter().map(|(part, ..)| part.clone()).collect()),
+            rows.words("part", say!(what_radiates), |(part, ..)| part.clone()),
             column("level_dba", level_head(answer), rows.iter().map(|(_, heard, _)| *heard).collect()),
             column("power_dba", say!(sound_power_of_a_wheel), rows.iter().map(|(.., power)| *power).collect()),
         ],
@@ -107,15 +107,17 @@ fn parts(answer: &NoiseAnswer) -> Table {
 }
 
 pub(super) fn measures(answer: &NoiseAnswer) -> Table {
-    let measures = answer.measures.iter();
-    let titles = measures.clone().map(|measure| measure.title.clone());
-    let total = measures.clone().map(|measure| measure.total_dba);
-    let saved = measures.map(|measure| Some(measure.saved_db));
+    let measures = &answer.measures;
+    let saved = measures.iter().map(|measure| Some(measure.saved_db));
     Table {
         name: "measures",
         columns: vec![
-            Column::words("title", say!(each_alone), titles.collect()),
-            Column::decibels("total_dba".to_owned(), Some(level_head(answer)), total.collect()),
+            measures.words("title", say!(each_alone), |measure| measure.title.clone()),
+            Column::decibels(
+                "total_dba".to_owned(),
+                Some(level_head(answer)),
+                measures.iter().map(|measure| measure.total_dba).collect(),
+            ),
             Column {
                 name: "saved_db".to_owned(),
                 head: Some(match answer.lower_bound_up_to_hz {

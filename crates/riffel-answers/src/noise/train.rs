@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel::noise::{FrequencyBand, Part, PassBy, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::traffic::Traffic;
@@ -21,7 +21,7 @@ use super::sources::powers_of_parts;
 use super::{Course, Levels, NoiseAnswer, NoiseQuestion, Since, TransferLevels, nominal};
 use crate::forecast::ForecastHorizon;
 use crate::question::Asker;
-use crate::{AnswerError, parameters};
+use crate::{AnswerError, Result, parameters};
 
 /// Least length of train to a wheel on one rail \[m\]: wheels follow each other at more than their diameter.
 const LEAST_PER_WHEEL: f64 = 0.5;
@@ -59,7 +59,7 @@ pub(super) struct Train {
 
 impl Train {
     /// What a question names, read; `asker` is told what is unusual.
-    pub(super) fn new(question: &NoiseQuestion, asker: &dyn Asker) -> Result<Self, AnswerError> {
+    pub(super) fn new(question: &NoiseQuestion, asker: &dyn Asker) -> Result<Self> {
         let (layout, choose) = (&question.layout, &question.choose);
         let now = Arc::unwrap_or_clone(question.roughness.value(|path| layout.survey(path, asker))?);
         let survey = question.earlier.of_dates(now, question.roughness.path(), layout, choose, asker)?;
@@ -87,7 +87,7 @@ impl Train {
         check_length(length, wheels)?;
         if distance <= PassBy::NEAREST {
             let rule = "beyond the rail, 0.75 m".to_owned();
-            return Err(AnswerError::Argument { argument: "--distance", value: format!("{distance} m"), rule });
+            return Err(AnswerError::argument("--distance", format!("{distance} m"), rule));
         }
         if question.traffic.is_some() || question.posterior.posterior.is_some() {
             ForecastHorizon::Months(question.months).check()?;
@@ -133,13 +133,9 @@ impl Train {
         case: &Case,
         traffic: Option<&Traffic>,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<NoiseAnswer, AnswerError> {
+    ) -> Result<NoiseAnswer> {
         if let (None, Some(why)) = (&self.radiator.decay_rate, case.without_decay()) {
-            return Err(AnswerError::Argument {
-                argument: "--decay-rate",
-                value: "left out".to_owned(),
-                rule: format!("given: {why}"),
-            });
+            return Err(AnswerError::argument("--decay-rate", "left out", format!("given: {why}")));
         }
         let radiation = self.radiation(case, self.wheel_modes(), self.speed)?;
         let powers = self.powers(&radiation, &self.roughness)?;
@@ -226,20 +222,18 @@ impl Train {
         {
             let known = || rates.iter().map(|(band, _)| band.nominal());
             let [from, to] = [known().next(), known().next_back()].map(Option::unwrap_or_default);
-            return AnswerError::Argument {
-                argument: "--decay-rate",
-                value: format!("known from {} to {} Hz", readable(from), readable(to)),
-                rule: "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz"
-                    .to_owned(),
-            };
+            return AnswerError::argument(
+                "--decay-rate",
+                format!("known from {} to {} Hz", as_typed(from), as_typed(to)),
+                "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz",
+            );
         }
-        AnswerError::Argument {
-            argument: "--speed",
-            value: format!("{:.1} km/h", 3.6 * self.speed),
-            rule: "one at which the wavelengths of the roughness fill a one-third octave \
-                   between 100 Hz and 5 kHz"
-                .to_owned(),
-        }
+        AnswerError::argument(
+            "--speed",
+            format!("{:.1} km/h", 3.6 * self.speed),
+            "one at which the wavelengths of the roughness fill a one-third octave \
+                   between 100 Hz and 5 kHz",
+        )
     }
 
     pub(super) fn wheel_modes(&self) -> Option<&WheelModes> {
@@ -248,24 +242,26 @@ impl Train {
 }
 
 /// `Ok` if the wheels have room in a train.
-fn check_length(length: f64, wheels: u32) -> Result<(), AnswerError> {
+fn check_length(length: f64, wheels: u32) -> Result<()> {
     let shortest = LEAST_PER_WHEEL * f64::from(wheels);
     if length >= shortest {
         return Ok(());
     }
     let rule = format!("at least {shortest} m, half a metre to each of {wheels} wheels");
-    Err(AnswerError::Argument { argument: "--train-length", value: format!("{length} m"), rule })
+    Err(AnswerError::argument("--train-length", format!("{length} m"), rule))
 }
 
 /// The roughness of the wheels with its name.
-fn wheel_roughness(question: &NoiseQuestion) -> Result<Option<(String, Spectrum)>, AnswerError> {
+fn wheel_roughness(question: &NoiseQuestion) -> Result<Option<(String, Spectrum)>> {
     let Some(name) = &question.wheel_roughness else {
         return Ok(None);
     };
     let found = WheelRoughness::named_or_in(name, Path::new(name))?;
-    found.map(Some).ok_or_else(|| AnswerError::Argument {
-        argument: "--wheel-roughness",
-        value: format!("\"{name}\""),
-        rule: format!("a spectrum or one of {}", WheelRoughness::names()),
+    found.map(Some).ok_or_else(|| {
+        AnswerError::argument(
+            "--wheel-roughness",
+            format!("\"{name}\""),
+            format!("a spectrum or one of {}", WheelRoughness::names()),
+        )
     })
 }

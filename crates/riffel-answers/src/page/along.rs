@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, Question};
 use crate::roughness::{MeasuredAnswer, ProfileAnswer, RailAnswer, RoughnessQuestion};
-use crate::{Answer, AnswerError, Table};
+use crate::{Answer, AnswerError, Result, Table};
 
 /// A measured rail in blocks along the line.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -53,7 +53,7 @@ impl Question for AlongQuestion {
     const NAME: &'static str = "along";
     const EXAMPLE: &'static str = "";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let Some(MeasuredAnswer::Profile(roughness)) = self.roughness.measured(asker)? else {
             return Err(AnswerError::Question { question: Self::NAME, message: "<FILE> must be a profile".to_owned() });
         };

@@ -11,7 +11,7 @@ use crate::forecast::{ForecastAnswer, ForecastQuestion, MeasuredSpectra};
 use crate::page::Fault;
 use crate::question::{Asker, CaseSource, EarlierRecords, Question, Source, of_keys};
 use crate::roughness::{MeasuredAnswer, RoughnessQuestion};
-use crate::{Answer, AnswerError, Table};
+use crate::{Answer, AnswerError, Result, Table};
 
 /// A measured rail with its case and its traffic: roughness, diagnosis and forecast.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -52,8 +52,8 @@ enum Outcome<T> {
     Refused { fault: Fault },
 }
 
-impl<T> From<Result<T, AnswerError>> for Outcome<T> {
-    fn from(answer: Result<T, AnswerError>) -> Self {
+impl<T> From<Result<T>> for Outcome<T> {
+    fn from(answer: Result<T>) -> Self {
         match answer {
             Ok(answer) => Self::Told(Box::new(answer)),
             Err(error) => Self::Refused { fault: error.into() },
@@ -96,7 +96,7 @@ impl LevelLimit {
 
 impl MeasureQuestion {
     /// The forecast, with the wear coefficient of the earlier records where it can be fitted.
-    fn forecast(&self, asker: &dyn Asker) -> Result<Forecast, AnswerError> {
+    fn forecast(&self, asker: &dyn Asker) -> Result<Forecast> {
         let mut asked: ForecastQuestion = of_keys(json!({ "case": "", "traffic": "" }))?;
         asked.case = self.case.clone();
         asked.traffic = self.rail.traffic.clone();
@@ -125,7 +125,7 @@ impl Question for MeasureQuestion {
     const NAME: &'static str = "measure";
     const EXAMPLE: &'static str = "";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let mut asked = self.clone();
         asked.rail.layout.kept = Some(Default::default());
         let rail = &asked.rail;

@@ -57,7 +57,7 @@ impl crate::page::Question for Question {
         let profile = Sinusoid { wavelength, amplitude };
         let request = SinusoidRequest::new(speed, profile, None).map_err(refused)?;
         let mut answer = SinusoidAnswer::new(&case, request).map_err(refused)?;
-        let course = answer.courses.remove(0);
+        let course = answer.run.courses.remove(0);
         // Oscillations are those of the amplitude of the case, with the profile real at x = 0.
         let share = amplitude / case.feedback.amplitude();
         let linear = |mean: f64, oscillation: riffel::Complex64| {
@@ -73,9 +73,9 @@ impl crate::page::Question for Question {
                 normal_force_n: linear(static_normal_force, state.normal_force()),
                 dissipation_j_per_m: linear(state.mean_dissipation / speed, state.dissipation / speed),
             },
-            contact_loss_fraction: answer.contact_loss_fraction,
+            contact_loss_fraction: answer.extremes.contact_loss_fraction,
             static_normal_force_n: static_normal_force,
-            remarks: answer.own_remarks,
+            remarks: answer.run.own_remarks,
             course,
         })
     }

@@ -10,17 +10,17 @@ use riffel_plot::{MapFigure, MapPanel};
 use super::{Drawing, Model, PaperFigure};
 use crate::map::{Shown, panel};
 use crate::parameters::parameters_in;
-use crate::{AnswerError, Column, Table};
+use crate::{Result, Rows, Table};
 
 /// Tractive ratios of the left and the right panel.
 const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
 
-pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure> {
     let title = say!(figure_4).text(language);
     maps(language, model.title(&title, language), |ratio| model.nominal(|keys| in_window(keys, ratio)))
 }
 
-pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure> {
     let title = say!(figure_5).text(language);
     maps(language, model.title(&title, language), |ratio| model.bhaskar_track(|keys| in_window(keys, ratio)))
 }
@@ -33,11 +33,7 @@ fn in_window(keys: &mut CaseFile, tractive_ratio: f64) {
     keys.contact.tractive_ratio = Some(Quantity::new(tractive_ratio));
 }
 
-fn maps(
-    language: Language,
-    title: String,
-    case: impl Fn(f64) -> Result<Case, AnswerError>,
-) -> Result<PaperFigure, AnswerError> {
+fn maps(language: Language, title: String, case: impl Fn(f64) -> Result<Case>) -> Result<PaperFigure> {
     let mut panels = Vec::new();
     let mut caption = String::new();
     let mut points = Vec::new();
@@ -52,26 +48,19 @@ fn maps(
         if caption.is_empty() {
             let parameters = parameters_in(&case, language);
             caption = language.numbers(
-                &say!(
-                    parameters_of,
-                    letter = letter,
-                    parameters = parameters,
-                    sign = say!(sign_of_growth).text(language)
-                )
-                .text(language),
+                &say!(parameters_of, letter, parameters, sign = say!(sign_of_growth).text(language)).text(language),
             );
         }
         points.extend(points_of(&case, ratio, &map));
     }
-    let column = |name: &str, of: fn(&Point) -> f64| Column::exact(name, points.iter().map(of));
     let table = Table {
         name: "figure",
         columns: vec![
-            column("tractive_ratio", |point| point.tractive_ratio),
-            column("wavelength_m", |point| point.wavelength),
-            column("speed_m_per_s", |point| point.speed),
-            column("dissipation_re_w", |point| point.dissipation),
-            column("normalized_dissipation_re", |point| point.normalized_dissipation),
+            points.exact("tractive_ratio", |point| point.tractive_ratio),
+            points.exact("wavelength_m", |point| point.wavelength),
+            points.exact("speed_m_per_s", |point| point.speed),
+            points.exact("dissipation_re_w", |point| point.dissipation),
+            points.exact("normalized_dissipation_re", |point| point.normalized_dissipation),
         ],
     };
     Ok(PaperFigure { drawing: Drawing::Maps(MapFigure { title, caption, panels }), table })

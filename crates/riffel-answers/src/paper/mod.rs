@@ -12,7 +12,7 @@ use riffel_plot::{LineFigure, MapFigure};
 #[cfg(not(target_family = "wasm"))]
 use riffel_plot::{Picture, PlotError};
 
-use crate::{AnswerError, Column, Table};
+use crate::{Result, Rows, Table};
 
 /// A figure and its numbers.
 pub struct PaperFigure {
@@ -45,7 +45,7 @@ impl PaperFigure {
 }
 
 /// Number in the paper and how it is made, with its words in a language.
-pub type Entry = (u8, fn(Model, Language) -> Result<PaperFigure, AnswerError>);
+pub type Entry = (u8, fn(Model, Language) -> Result<PaperFigure>);
 
 /// All figures, in order.
 pub const FIGURES: [Entry; 7] = [
@@ -70,15 +70,15 @@ pub enum Model {
 }
 
 impl Model {
-    fn nominal(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+    fn nominal(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case> {
         self.case("cases/nominal.toml", NOMINAL_CASE, change)
     }
 
-    fn bhaskar_track(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+    fn bhaskar_track(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case> {
         self.case("cases/bhaskar-track.toml", BHASKAR_TRACK_CASE, change)
     }
 
-    fn case(self, name: &str, text: &str, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+    fn case(self, name: &str, text: &str, change: impl FnOnce(&mut CaseFile)) -> Result<Case> {
         let case = Case::parse(name, text, &[])?;
         Ok(case.edit(|keys| {
             change(keys);
@@ -121,23 +121,22 @@ fn lines(language: Language, mut figure: LineFigure) -> PaperFigure {
             series.label = language.numbers(&series.label);
         }
     }
-    let samples = || {
-        figure.panels.iter().flat_map(|panel| {
-            panel.series.iter().flat_map(move |series| {
-                let samples = series.x.iter().zip(&series.y);
-                samples.map(move |(x, y)| (panel, series, *x, *y))
-            })
+    let samples = figure.panels.iter().flat_map(|panel| {
+        panel.series.iter().flat_map(move |series| {
+            let samples = series.x.iter().zip(&series.y);
+            samples.map(move |(x, y)| (panel, series, *x, *y))
         })
-    };
+    });
+    let samples: Vec<_> = samples.collect();
     let table = Table {
         name: "figure",
         columns: vec![
-            Column::names("panel", samples().map(|(panel, ..)| &panel.subtitle)),
-            Column::names("series", samples().map(|(_, series, ..)| &series.label)),
-            Column::names("x_quantity", samples().map(|(panel, ..)| &panel.x_label)),
-            Column::exact("x", samples().map(|(.., x, _)| x)),
-            Column::names("y_quantity", samples().map(|(panel, ..)| &panel.y_label)),
-            Column::exact("y", samples().map(|(.., y)| y)),
+            samples.names("panel", |(panel, ..)| &panel.subtitle),
+            samples.names("series", |(_, series, ..)| &series.label),
+            samples.names("x_quantity", |(panel, ..)| &panel.x_label),
+            samples.exact("x", |(.., x, _)| *x),
+            samples.names("y_quantity", |(panel, ..)| &panel.y_label),
+            samples.exact("y", |(.., y)| *y),
         ],
     };
     PaperFigure { table, drawing: Drawing::Lines(figure) }

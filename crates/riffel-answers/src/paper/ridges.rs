@@ -6,11 +6,11 @@ use riffel::{Axis, Ridge};
 use riffel_case::Case;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{Language, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
+use riffel_plot::{LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
-use crate::AnswerError;
 use crate::parameters::parameters_in;
+use crate::{AnswerError, Result};
 
 /// Speed of Fig. 8 \[m/s\].
 const SPEED: f64 = 30.0;
@@ -38,12 +38,12 @@ const INERTIAS: [(&str, Turning, LineStyle); 5] = [
 ];
 
 /// The nominal case at a tractive ratio.
-fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case, AnswerError> {
+fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case> {
     model.nominal(|keys| keys.contact.tractive_ratio = Some(Quantity::new(ratio)))
 }
 
 /// The case with another rotation of the wheel; its contact stays as it is.
-fn turning(case: &Case, turning: Turning) -> Result<Case, AnswerError> {
+fn turning(case: &Case, turning: Turning) -> Result<Case> {
     let rotation = match turning {
         Turning::Inertia(inertia) => {
             let rigid = RigidInertia::new(inertia, case.hertz.rolling_radius());
@@ -58,42 +58,31 @@ fn turning(case: &Case, turning: Turning) -> Result<Case, AnswerError> {
 }
 
 /// The ridge of the nominal window over speeds of 5–40 m/s.
-fn ridge(case: &Case) -> Result<Vec<RidgePoint>, AnswerError> {
+fn ridge(case: &Case) -> Result<Vec<RidgePoint>> {
     Ok(search(case, 5.0, 40.0, 141)?.points)
 }
 
-fn search(case: &Case, from: f64, to: f64, points: usize) -> Result<Ridge, AnswerError> {
+fn search(case: &Case, from: f64, to: f64, points: usize) -> Result<Ridge> {
     let speed = Axis::new(from, to, points)?;
     Ok(Ridge::search(&case.feedback, case.wavelength, speed))
 }
 
 /// The smallest Re Ŵ₁ at the speed of Fig. 8.
-fn minimum(case: &Case) -> Result<f64, AnswerError> {
+fn minimum(case: &Case) -> Result<f64> {
     Ok(search(case, SPEED, SPEED + 1.0, 2)?.points[0].normalized_dissipation)
 }
 
 fn curve(label: &str, style: LineStyle, points: &[RidgePoint], value: impl Fn(&RidgePoint) -> f64) -> Series {
-    Series {
-        label: label.to_owned(),
-        x: points.iter().map(|point| point.speed).collect(),
-        y: points.iter().map(value).collect(),
-        style,
-        color: None,
-    }
+    Series::new(label, points.iter().map(|point| point.speed).collect(), points.iter().map(value).collect())
+        .styled(style)
 }
 
 fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
-    LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_label: say!(speed_axis).text(language),
-        y_label: y_label.to_owned(),
-        series,
-        ..LinePanel::default()
-    }
+    LinePanel::new(say!(speed_axis).text(language), y_label, series).titled(subtitle)
 }
 
 /// A value for each inertia over speed.
-fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Series>, AnswerError> {
+fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Series>> {
     INERTIAS
         .iter()
         .map(|&(label, inertia, style)| {
@@ -108,7 +97,7 @@ fn minima(language: Language) -> String {
     say!(minima_over_wavelengths).text(language)
 }
 
-pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure> {
     let nominal = model.nominal(|_| ())?;
     let by_ratio = [0.1, 0.3, 0.5, 0.7, 0.95]
         .iter()
@@ -117,7 +106,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
             let label = format!("τ = {ratio}");
             Ok(curve(&label, LineStyle::Solid, &points, |point| point.normalized_dissipation))
         })
-        .collect::<Result<Vec<Series>, AnswerError>>()?;
+        .collect::<Result<Vec<Series>>>()?;
     // A minimum at the edge of the window is no line of growth.
     let wavelengths = over_inertia(&nominal, |point| match point.at_edge {
         true => f64::NAN,
@@ -127,10 +116,10 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
     let minima = say!(minima_inside_window).text(language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: format!("{minima} {}", parameters_in(&nominal, language)),
-            panels: vec![
+        LineFigure::new(
+            model.title(&title, language),
+            format!("{minima} {}", parameters_in(&nominal, language)),
+            [
                 over_speed(language, &say!(panel_of_tractive_ratio).text(language), MINIMUM_LABEL, by_ratio),
                 over_speed(
                     language,
@@ -139,47 +128,40 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
                     wavelengths,
                 ),
             ],
-            arrangement: Arrangement::SideBySide,
-        },
+        ),
     ))
 }
 
-pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure> {
     let nominal = model.nominal(|_| ())?;
     let title = say!(figure_7).text(language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: format!("{} {}", minima(language), parameters_in(&nominal, language)),
-            panels: vec![over_speed(
+        LineFigure::new(
+            model.title(&title, language),
+            format!("{} {}", minima(language), parameters_in(&nominal, language)),
+            [over_speed(
                 language,
                 "τ = 0.1",
                 MINIMUM_LABEL,
                 over_inertia(&nominal, |point| point.normalized_dissipation)?,
             )],
-            arrangement: Arrangement::SideBySide,
-        },
+        ),
     ))
 }
 
-pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure> {
     let nominal = model.nominal(|_| ())?;
     // A mean state that takes a table of its own is worth a coarser sweep.
     let steps = if model.is_tabulated() { 20 } else { 100 };
     let ratios: Vec<f64> = (1..steps).map(|step| f64::from(step) / f64::from(steps)).collect();
     let inertias: Vec<f64> = (0..=80).map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0)).collect();
-    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> Result<Case, AnswerError>| {
+    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> Result<Case>| {
         let y = x.iter().map(|&value| minimum(&case(value)?));
-        Ok::<_, AnswerError>(Series { y: y.collect::<Result<_, AnswerError>>()?, x, ..Series::default() })
+        Ok::<_, AnswerError>(Series { y: y.collect::<Result<_>>()?, x, ..Series::default() })
     };
-    let panel = |subtitle: &str, x_label: &str, x_scale, series| LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_label: x_label.to_owned(),
-        y_label: MINIMUM_LABEL.to_owned(),
-        x_scale,
-        series: vec![series],
-        ..LinePanel::default()
+    let panel = |subtitle: &str, x_label: &str, x_scale, series| {
+        LinePanel::new(x_label, MINIMUM_LABEL, [series]).titled(subtitle).scaled(x_scale, Scale::Linear)
     };
     let title = say!(figure_8, speed = SPEED).text(language);
     let falls = match model.is_the_papers() {
@@ -189,10 +171,10 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
     let caption = format!("{} {falls}{}", minima(language), parameters_in(&nominal, language));
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
+        LineFigure::new(
+            model.title(&title, language),
             caption,
-            panels: vec![
+            [
                 panel(
                     "(a)",
                     &say!(tractive_ratio_axis).text(language),
@@ -206,7 +188,6 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
                     sweep(inertias, &|inertia| turning(&nominal, Turning::Inertia(inertia)))?,
                 ),
             ],
-            arrangement: Arrangement::SideBySide,
-        },
+        ),
     ))
 }

@@ -8,7 +8,7 @@ use riffel_keys::{Language, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
-use crate::AnswerError;
+use crate::Result;
 use crate::parameters::parameters_in;
 use crate::track_in_words::track;
 
@@ -27,28 +27,15 @@ fn frequencies() -> Vec<f64> {
 fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState) -> f64) -> Series {
     let x = frequencies();
     let state = |frequency: &f64| case.feedback.at(SPEED / frequency, SPEED);
-    Series {
-        label: label.to_owned(),
-        y: x.iter().map(|frequency| value(&state(frequency))).collect(),
-        x,
-        style,
-        color: None,
-    }
+    let y = x.iter().map(|frequency| value(&state(frequency))).collect();
+    Series::new(label, x, y).styled(style)
 }
 
 fn panel(language: Language, subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> LinePanel {
-    LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_label: say!(frequency_axis).text(language),
-        y_label: y_label.to_owned(),
-        x_scale: Scale::Log,
-        y_scale,
-        series,
-        ..LinePanel::default()
-    }
+    LinePanel::new(say!(frequency_axis).text(language), y_label, series).titled(subtitle).scaled(Scale::Log, y_scale)
 }
 
-pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure> {
     let moving = model.nominal(moving_beam)?;
     let bhaskar = model.bhaskar_track(|_| ())?;
     let curves = |value: fn(Complex64) -> f64| {
@@ -65,10 +52,10 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
     let title = say!(figure_2).text(language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: say!(caption_of_figure_2, speed = SPEED, solid = solid, dashed = dashed).text(language),
-            panels: vec![
+        LineFigure::new(
+            model.title(&title, language),
+            say!(caption_of_figure_2, speed = SPEED, solid, dashed).text(language),
+            [
                 panel(language, &say!(modulus).text(language), "|H| [m/N]", Scale::Log, curves(|h| h.norm())),
                 panel(
                     language,
@@ -78,12 +65,12 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
                     curves(|h| h.arg().to_degrees()),
                 ),
             ],
-            arrangement: Arrangement::Stacked,
-        },
+        )
+        .arranged(Arrangement::Stacked),
     ))
 }
 
-pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure> {
     let case = model.nominal(moving_beam)?;
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude() / mean;
@@ -92,10 +79,10 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
     let parameters = parameters_in(&case, language);
     Ok(lines(
         language,
-        LineFigure {
-            title: model.title(&title, language),
-            caption: say!(caption_of_figure_3, speed = SPEED, parameters = parameters).text(language),
-            panels: vec![
+        LineFigure::new(
+            model.title(&title, language),
+            say!(caption_of_figure_3, speed = SPEED, parameters).text(language),
+            [
                 LinePanel {
                     y_range: Some((1e-2, 1e1)),
                     ..panel(
@@ -125,7 +112,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                     vec![series(&case, "", LineStyle::Solid, |state| state.normal_force().arg().to_degrees())],
                 ),
             ],
-            arrangement: Arrangement::Stacked,
-        },
+        )
+        .arranged(Arrangement::Stacked),
     ))
 }

@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::{PointAnswer, PointRequest};
 use crate::question::{AsWritten, Asker, CaseSource, Files, Question, Rule, covering, positive};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// The whole loop at one wavelength and speed.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -42,11 +42,10 @@ pub struct PointQuestion {
 impl Question for PointQuestion {
     const NAME: &'static str = "point";
     const EXAMPLE: &'static str = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\"";
-    const RULES: &'static [Rule] =
-        &[Rule::Needs("supports", &["spacing_deviation"]), Rule::Needs("seed", &["spacing_deviation"])];
+    const RULES: &'static [Rule] = &[Rule::Needs(&["supports", "seed"], &["spacing_deviation"])];
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read_at(self.position, asker)?;
         let wavelength = self.wavelength.within("--wavelength", asker)?;
         let speed = self.speed.within("--speed", asker)?;

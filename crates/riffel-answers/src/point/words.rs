@@ -10,19 +10,13 @@ use riffel_keys::{Message, fixed, number, say};
 use super::{IrregularSupports, Neighbours, PointAnswer, Spread};
 use crate::number_alone;
 use crate::side::side;
-use crate::{Column, Table, for_whom};
+use crate::{Rows, Table, for_whom};
 
 const AMPLITUDES: &str = "amplitudes";
 const CONTACTS: &str = "contacts";
 const LAWS: &str = "laws";
 const NEIGHBOURS: &str = "neighbours";
 const SUPPORTS: &str = "supports";
-
-/// A table for readers alone.
-fn table(name: &'static str, columns: impl IntoIterator<Item = (Message, Vec<Message>)>) -> Table {
-    let columns = columns.into_iter().map(|(head, cells)| Column::shown(head, cells));
-    Table { name, columns: columns.collect() }
-}
 
 fn nothing() -> Message {
     Message::verbatim("")
@@ -116,8 +110,8 @@ pub(super) fn introduction(answer: &PointAnswer) -> Vec<Message> {
         say!(
             contact_at_point,
             ratio = fixed(case.steady.tractive_ratio(), 3),
-            creepage = creepage,
-            full_slip = full_slip,
+            creepage,
+            full_slip,
             length = fixed(2e3 * case.hertz.semi_axis_longitudinal(), 2),
             width = fixed(2e3 * case.hertz.semi_axis_lateral(), 2)
         ),
@@ -146,55 +140,49 @@ fn amplitudes(answer: &PointAnswer) -> Table {
         (say!(dissipation_at_rail), state.dissipation_at_rail, "W"),
         (say!(dissipation_normalised), state.normalized_dissipation, "-"),
     ];
-    let amplitude = |value: &Complex64| number_alone(format_args!("{:.4}", value.norm()));
-    let phase = |value: &Complex64| number_alone(format_args!("{:.1}°", value.arg().to_degrees()));
-    table(
-        AMPLITUDES,
-        [
-            (say!(oscillation_column), rows.iter().map(|row| row.0.clone()).collect()),
-            (say!(amplitude_column), rows.iter().map(|row| amplitude(&row.1)).collect()),
-            (say!(unit_column), rows.iter().map(|row| Message::verbatim(row.2)).collect()),
-            (say!(phase_column), rows.iter().map(|row| phase(&row.1)).collect()),
+    Table {
+        name: AMPLITUDES,
+        columns: vec![
+            rows.shown(say!(oscillation_column), |row| row.0.clone()),
+            rows.digits(say!(amplitude_column), 4, |row| row.1.norm()),
+            rows.shown(say!(unit_column), |row| Message::verbatim(row.2)),
+            rows.numbers(say!(phase_column), |row| format!("{:.1}°", row.1.arg().to_degrees())),
         ],
-    )
+    }
 }
 
 /// Every contact of a loop that has several.
 fn contacts(answer: &PointAnswer) -> Option<Table> {
     let points = &answer.quantities.all_axes.as_ref()?.contacts;
-    let states = answer.state.contacts.iter();
-    let force = |force: Complex64| number_alone(format_args!("{:.4}", 1e-3 * force.norm()));
-    (points.len() > 1).then(|| {
-        table(
-            CONTACTS,
-            [
-                (say!(wheel_column), points.iter().map(|point| number_alone(point.name.wheel)).collect()),
-                (say!(rail_column), points.iter().map(|point| side(point.name.rail)).collect()),
-                (say!(normal_force_in_kilonewton), states.clone().map(|at| force(at.force[2])).collect()),
-                (
-                    say!(growth_per_passage_column),
-                    states.map(|at| at.growth_rate.map_or_else(|| say!(smooth_rail), power)).collect(),
-                ),
-            ],
-        )
+    let rows: Vec<_> = points.iter().zip(&answer.state.contacts).collect();
+    (points.len() > 1).then(|| Table {
+        name: CONTACTS,
+        columns: vec![
+            rows.numbers(say!(wheel_column), |(point, _)| point.name.wheel),
+            rows.shown(say!(rail_column), |(point, _)| side(point.name.rail)),
+            rows.digits(say!(normal_force_in_kilonewton), 4, |(_, at)| 1e-3 * at.force[2].norm()),
+            rows.shown(say!(growth_per_passage_column), |(_, at)| {
+                at.growth_rate.map_or_else(|| say!(smooth_rail), power)
+            }),
+        ],
     })
 }
 
 /// What each law of damage does.
 fn laws(damage: &DamagePoint) -> Table {
-    let laws = damage.growth_by_law.0.iter();
+    let laws = &damage.growth_by_law.0;
     let depth = |law: &str| {
         let mut depths = damage.depth_by_law_m.0.iter();
         depths.find(|(name, _)| *name == law).map_or_else(nothing, |(_, depth)| power(1e9 * depth))
     };
-    table(
-        LAWS,
-        [
-            (say!(law_column), laws.clone().map(|(law, _)| Message::verbatim(*law)).collect()),
-            (say!(growth_per_passage_column), laws.clone().map(|(_, growth)| power(*growth)).collect()),
-            (say!(depth_per_passage_column), laws.map(|(law, _)| depth(law)).collect()),
+    Table {
+        name: LAWS,
+        columns: vec![
+            laws.shown(say!(law_column), |(law, _)| Message::verbatim(*law)),
+            laws.shown(say!(growth_per_passage_column), |(_, growth)| power(*growth)),
+            laws.shown(say!(depth_per_passage_column), |(law, _)| depth(law)),
         ],
-    )
+    }
 }
 
 fn demand(damage: &DamagePoint) -> Message {
@@ -214,29 +202,25 @@ fn verdict(answer: &PointAnswer) -> Message {
     if answer.oscillates() {
         say!(loop_oscillates_by_itself)
     } else if rate > 0.0 {
-        say!(doubles_in_passages, passages = passages)
+        say!(doubles_in_passages, passages)
     } else if rate == 0.0 {
         say!(neither_grows_nor_decays)
     } else {
-        say!(halves_in_passages, passages = passages)
+        say!(halves_in_passages, passages)
     }
 }
 
 /// Growth of the wave with its neighbours.
 fn neighbours(growth: &Neighbours) -> Table {
-    let pattern = growth.pattern.iter();
-    let share = |[re, im]: &[f64; 2]| number_alone(format_args!("{:.3}", re.hypot(*im)));
-    let phase = |[re, im]: &[f64; 2]| number_alone(format_args!("{:.0}°", im.atan2(*re).to_degrees()));
-    let wavelengths = growth.wavelengths_m.iter();
-    let wavelengths = wavelengths.map(|wavelength| number_alone(format_args!("{:.2}", 1e3 * wavelength)));
-    table(
-        NEIGHBOURS,
-        [
-            (say!(wavelength_of_band), wavelengths.collect()),
-            (say!(share_of_pattern), pattern.clone().map(share).collect()),
-            (say!(phase_column), pattern.map(phase).collect()),
+    let pattern = &growth.pattern;
+    Table {
+        name: NEIGHBOURS,
+        columns: vec![
+            growth.wavelengths_m.digits(say!(wavelength_of_band), 2, |wavelength| 1e3 * wavelength),
+            pattern.digits(say!(share_of_pattern), 3, |[re, im]| re.hypot(*im)),
+            pattern.numbers(say!(phase_column), |[re, im]| format!("{:.0}°", im.atan2(*re).to_degrees())),
         ],
-    )
+    }
 }
 
 /// Where the pattern is highest.
@@ -246,19 +230,19 @@ fn highest(growth: &Neighbours) -> Message {
 
 /// Growth along drawn supports beside equal ones.
 fn supports(growth: &IrregularSupports) -> Table {
-    let spreads = [&growth.even, &growth.along];
-    let column = |head: Message, of: fn(&Spread) -> f64| (head, spreads.map(|spread| power(of(spread))).to_vec());
-    table(
-        SUPPORTS,
-        [
-            (say!(growth_rate_per_passage_column), vec![say!(equal_distances), say!(drawn_distances)]),
+    let spreads = [(say!(equal_distances), &growth.even), (say!(drawn_distances), &growth.along)];
+    let column = |head, of: fn(&Spread) -> f64| spreads.shown(head, |(_, spread)| power(of(spread)));
+    Table {
+        name: SUPPORTS,
+        columns: vec![
+            spreads.shown(say!(growth_rate_per_passage_column), |(distances, _)| distances.clone()),
             column(say!(mean_column), |spread| spread.mean),
             column(say!(least_column), |spread| spread.least),
             column(say!(tenth_column), |spread| spread.tenth),
             column(say!(nine_tenths_column), |spread| spread.nine_tenths),
             column(say!(largest_column), |spread| spread.largest),
         ],
-    )
+    }
 }
 
 /// What the growth rate answers to, the strongest first.
@@ -271,16 +255,15 @@ fn sensitivities(all: &[Sensitivity]) -> Table {
         };
         kind.map_or((of.value, of.unit), |kind| kind.in_engineers_unit(of.value))
     };
-    let column = |head: Message, cell: &dyn Fn(&Sensitivity) -> Message| (head, all.iter().map(cell).collect());
-    table(
-        "sensitivity",
-        [
-            column(say!(parameter_column), &|of| Message::verbatim(of.key.clone())),
-            column(say!(value_column), &|of| number_alone(short(in_units(of).0))),
-            column(say!(unit_column), &|of| Message::verbatim(in_units(of).1)),
-            column(say!(growth_for_one_percent), &|of| number_alone(format_args!("{:+.3} %", of.elasticity))),
+    Table {
+        name: "sensitivity",
+        columns: vec![
+            all.shown(say!(parameter_column), |of| Message::verbatim(of.key.clone())),
+            all.numbers(say!(value_column), |of| short(in_units(of).0)),
+            all.shown(say!(unit_column), |of| Message::verbatim(in_units(of).1)),
+            all.numbers(say!(growth_for_one_percent), |of| format!("{:+.3} %", of.elasticity)),
         ],
-    )
+    }
 }
 
 /// A number to five digits, with an exponent where it is far from one.

@@ -3,12 +3,12 @@
 use riffel::profile::{EquivalentConicity, ProfileContact, WheelsetContact};
 use riffel_case::CurvingCase;
 use riffel_keys::{Message, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
-use serde::Serialize;
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use serde::{Serialize, Serializer};
 
 use crate::answer::titled;
 use crate::number_alone;
-use crate::{Answer, AnswerError, Column, Table};
+use crate::{Answer, AnswerError, Result, Rows, Table};
 
 /// Amplitudes of the equivalent conicity \[mm\].
 const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
@@ -23,15 +23,11 @@ pub struct OnTrackAnswer {
     yaw: Vec<f64>,
     roll: Vec<f64>,
     centre_z: Vec<f64>,
-    #[serde(flatten)]
-    right: Right,
-    #[serde(flatten)]
-    left: Left,
+    #[serde(flatten, serialize_with = "by_rail")]
+    contacts: Vec<WheelsetContact>,
     rolling_radius_difference: Vec<f64>,
     /// Without yaw, by amplitude.
     equivalent_conicity: Conicities,
-    #[serde(skip)]
-    contacts: Vec<WheelsetContact>,
     #[serde(skip)]
     conicities: Vec<ConicityAtAmplitude>,
     #[serde(skip)]
@@ -79,55 +75,35 @@ impl Rules {
     }
 }
 
-macro_rules! side {
-    ($name:ident, $index:literal: $($field:ident = $value:expr, $column:literal, $factor:literal;)+) => {
-        #[derive(Serialize)]
-        struct $name {
-            $($field: Vec<Option<f64>>),+
-        }
+/// A quantity of a contact: its name, its unit in a table with the factor from SI, and its value.
+type Quantity = (&'static str, &'static str, f64, fn(&ProfileContact) -> Option<f64>);
 
-        impl $name {
-            /// Names of the columns, with the factor from SI to their unit.
-            const COLUMNS: &[(&str, f64)] = &[$(($column, $factor)),+];
+/// What is told of the contact on each rail.
+const QUANTITIES: [Quantity; 10] = [
+    ("rolling_radius", "mm", 1e3, |on| Some(on.rolling_radius)),
+    ("contact_angle", "rad", 1.0, |on| Some(on.contact_angle)),
+    ("y_wheel", "mm", 1e3, |on| Some(on.x_wheel)),
+    ("y_track", "mm", 1e3, |on| Some(on.on_track[1])),
+    ("z_track", "mm", 1e3, |on| Some(on.on_track[2])),
+    ("x_track", "mm", 1e3, |on| Some(on.on_track[0])),
+    ("rail_curvature", "1_per_mm", 1e-3, |on| Some(on.rail_curvature)),
+    ("wheel_curvature", "1_per_mm", 1e-3, |on| Some(on.wheel_curvature)),
+    ("second_gap", "mm", 1e3, |on| on.second.map(|second| second.0)),
+    ("second_y_wheel", "mm", 1e3, |on| on.second.map(|second| second.1)),
+];
 
-            fn new(contacts: &[WheelsetContact]) -> Self {
-                let of = |value: fn(&ProfileContact) -> Option<f64>| {
-                    contacts.iter().map(|contact| value(&contact.contacts[$index])).collect()
-                };
-                Self { $($field: of($value)),+ }
-            }
-
-            fn columns(&self) -> Vec<&[Option<f64>]> {
-                vec![$(&self.$field),+]
-            }
-        }
-    };
+/// Quantities of both contacts over the lateral shift, the right one first: name with the rail, unit, factor, values.
+fn on_both_rails(contacts: &[WheelsetContact]) -> impl Iterator<Item = (String, &'static str, f64, Vec<Option<f64>>)> {
+    [("right", 1), ("left", 0)].into_iter().flat_map(move |(rail, index)| {
+        QUANTITIES.iter().map(move |(name, unit, factor, of)| {
+            let values = contacts.iter().map(|contact| of(&contact.contacts[index]));
+            (format!("{rail}_{name}"), *unit, *factor, values.collect())
+        })
+    })
 }
 
-side! { Right, 1:
-    right_rolling_radius = |on| Some(on.rolling_radius), "right_rolling_radius_mm", 1e3;
-    right_contact_angle = |on| Some(on.contact_angle), "right_contact_angle_rad", 1.0;
-    right_y_wheel = |on| Some(on.x_wheel), "right_y_wheel_mm", 1e3;
-    right_y_track = |on| Some(on.on_track[1]), "right_y_track_mm", 1e3;
-    right_z_track = |on| Some(on.on_track[2]), "right_z_track_mm", 1e3;
-    right_x_track = |on| Some(on.on_track[0]), "right_x_track_mm", 1e3;
-    right_rail_curvature = |on| Some(on.rail_curvature), "right_rail_curvature_1_per_mm", 1e-3;
-    right_wheel_curvature = |on| Some(on.wheel_curvature), "right_wheel_curvature_1_per_mm", 1e-3;
-    right_second_gap = |on| on.second.map(|second| second.0), "right_second_gap_mm", 1e3;
-    right_second_y_wheel = |on| on.second.map(|second| second.1), "right_second_y_wheel_mm", 1e3;
-}
-
-side! { Left, 0:
-    left_rolling_radius = |on| Some(on.rolling_radius), "left_rolling_radius_mm", 1e3;
-    left_contact_angle = |on| Some(on.contact_angle), "left_contact_angle_rad", 1.0;
-    left_y_wheel = |on| Some(on.x_wheel), "left_y_wheel_mm", 1e3;
-    left_y_track = |on| Some(on.on_track[1]), "left_y_track_mm", 1e3;
-    left_z_track = |on| Some(on.on_track[2]), "left_z_track_mm", 1e3;
-    left_x_track = |on| Some(on.on_track[0]), "left_x_track_mm", 1e3;
-    left_rail_curvature = |on| Some(on.rail_curvature), "left_rail_curvature_1_per_mm", 1e-3;
-    left_wheel_curvature = |on| Some(on.wheel_curvature), "left_wheel_curvature_1_per_mm", 1e-3;
-    left_second_gap = |on| on.second.map(|second| second.0), "left_second_gap_mm", 1e3;
-    left_second_y_wheel = |on| on.second.map(|second| second.1), "left_second_y_wheel_mm", 1e3;
+fn by_rail<S: Serializer>(contacts: &[WheelsetContact], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(on_both_rails(contacts).map(|(name, .., values)| (name, values)))
 }
 
 /// The results without errors around that in the middle; that one alone where it is an error.
@@ -149,7 +125,7 @@ impl OnTrackAnswer {
     ///
     /// # Errors
     /// [`AnswerError`] for profiles that cannot be read or do not fit, and where a wheel has left its rail.
-    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64) -> Result<Self, AnswerError> {
+    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64) -> Result<Self> {
         let wheelset = case.wheelset_on_track()?;
         let at = |shifts: &[f64]| {
             let places: Vec<(f64, f64)> = shifts.iter().map(|shift| (*shift, yaw)).collect();
@@ -182,8 +158,6 @@ impl OnTrackAnswer {
             yaw: of(|contact| contact.yaw),
             roll: of(|contact| contact.roll),
             centre_z: of(|contact| contact.centre_z),
-            right: Right::new(&contacts),
-            left: Left::new(&contacts),
             rolling_radius_difference: of(WheelsetContact::rolling_radius_difference),
             equivalent_conicity: Conicities {
                 amplitude_m: conicities.iter().map(|one| one.amplitude).collect(),
@@ -199,12 +173,10 @@ impl OnTrackAnswer {
 
     /// One row for each lateral shift, in mm and rad.
     fn over_shift(&self) -> Table {
-        let column =
-            |name: &str, values: &[f64], factor: f64| Column::exact(name, values.iter().map(|value| factor * value));
-        let sides = Right::COLUMNS.iter().zip(self.right.columns());
-        let sides = sides.chain(Left::COLUMNS.iter().zip(self.left.columns()));
-        let sides = sides
-            .map(|((name, factor), values)| Column::exact(name, values.iter().map(|value| Some(factor * (*value)?))));
+        let column = |name: &str, values: &[f64], factor: f64| values.exact(name, |value| factor * value);
+        let sides = on_both_rails(&self.contacts).map(|(name, unit, factor, values)| {
+            values.exact(&format!("{name}_{unit}"), |value| Some(factor * (*value)?))
+        });
         let before = [
             column("lateral_shift_mm", &self.lateral_shift, 1e3),
             column("yaw_rad", &self.yaw, 1.0),
@@ -217,9 +189,6 @@ impl OnTrackAnswer {
 
     /// By amplitude, for a reader.
     fn conicities(&self) -> Table {
-        let shown = |head, cell: &dyn Fn(&ConicityAtAmplitude) -> Message| {
-            Column::shown(head, self.conicities.iter().map(cell).collect())
-        };
         let of = |found: &Option<EquivalentConicity>, value: fn(&EquivalentConicity) -> f64| {
             let found = found.as_ref().map(value);
             found.map_or_else(|| say!(no_motion), |value| number_alone(format_args!("{value:.4}")))
@@ -229,17 +198,16 @@ impl OnTrackAnswer {
             Some(wavelength) if wavelength.is_finite() => number_alone(format_args!("{wavelength:.2}")),
             Some(_) => say!(endless_wavelength),
         };
+        let rows = &self.conicities;
         Table {
             name: "conicity",
             columns: vec![
-                shown(say!(amplitude_in_millimetres_column), &|row| {
-                    number_alone(format_args!("{:.0}", 1e3 * row.amplitude))
-                }),
-                shown(say!(equivalent_conicity_column), &|row| of(&row.standard, |found| found.klingel)),
-                shown(say!(conicity_with_roll_column), &|row| of(&row.rolling, |found| found.klingel)),
-                shown(say!(conicity_harmonic_column), &|row| of(&row.standard, |found| found.harmonic)),
-                shown(say!(conicity_regression_column), &|row| of(&row.standard, |found| found.regression)),
-                shown(say!(wavelength_in_metres_column), &|row| wavelength(&row.standard)),
+                rows.numbers(say!(amplitude_in_millimetres_column), |row| format!("{:.0}", 1e3 * row.amplitude)),
+                rows.shown(say!(equivalent_conicity_column), |row| of(&row.standard, |found| found.klingel)),
+                rows.shown(say!(conicity_with_roll_column), |row| of(&row.rolling, |found| found.klingel)),
+                rows.shown(say!(conicity_harmonic_column), |row| of(&row.standard, |found| found.harmonic)),
+                rows.shown(say!(conicity_regression_column), |row| of(&row.standard, |found| found.regression)),
+                rows.shown(say!(wavelength_in_metres_column), |row| wavelength(&row.standard)),
             ],
         }
     }
@@ -265,20 +233,11 @@ impl Answer for OnTrackAnswer {
     /// Rolling radius difference, place and angle of the contact over the lateral shift.
     fn figure(&self) -> LineFigure {
         let shifts: Vec<f64> = self.contacts.iter().map(|contact| 1e3 * contact.lateral_shift).collect();
-        let series = |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| Series {
-            label: label.to_owned(),
-            x: shifts.clone(),
-            y: self.contacts.iter().map(value).collect(),
-            style,
-            color: None,
+        let series = |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| {
+            Series::new(label, shifts.clone(), self.contacts.iter().map(value).collect()).styled(style)
         };
-        let panel = |label: &str, series: Vec<Series>| LinePanel {
-            x_label: "lateral shift y, to the right positive [mm]".to_owned(),
-            y_label: label.to_owned(),
-            x_scale: Scale::Linear,
-            y_scale: Scale::Linear,
-            series,
-            ..LinePanel::default()
+        let panel = |label: &str, series: Vec<Series>| {
+            LinePanel::new("lateral shift y, to the right positive [mm]", label, series)
         };
         let both = |value: fn(&ProfileContact) -> f64| {
             vec![
@@ -287,18 +246,17 @@ impl Answer for OnTrackAnswer {
             ]
         };
         let difference = series("", LineStyle::Solid, &|contact| 1e3 * contact.rolling_radius_difference());
-        LineFigure {
-            title: "Wheelset on its track".to_owned(),
-            caption: "Rigid contact at two points, one on each rail; places on the wheel from its datum circle, the flange at the \
-                      negative side."
-                .to_owned(),
-            panels: vec![
+        LineFigure::new(
+            "Wheelset on its track",
+            "Rigid contact at two points, one on each rail; places \
+                      on the wheel from its datum circle, the flange at the negative side.",
+            [
                 panel("Δr, right less left [mm]", vec![difference]),
                 panel("place on the wheel [mm]", both(|contact| 1e3 * contact.x_wheel)),
                 panel("contact angle [deg]", both(|contact| contact.contact_angle.to_degrees())),
             ],
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use riffel::profile::{Profile, ProfilePoint};
 use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Message, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, Series};
 use serde::Serialize;
 
 use super::or_dash;
 use crate::number_alone;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Rows, Table};
 
 /// Distance of the points that are drawn and listed \[m\].
 const STEP: f64 = 2.5e-4;
@@ -83,17 +83,16 @@ impl OutlineAnswer {
 
     /// One row for each point.
     fn points(&self) -> Table {
-        let points = || self.profiles.iter().flat_map(|outline| &outline.points);
-        let names = self.profiles.iter().flat_map(|outline| outline.points.iter().map(|_| &outline.name));
-        let column = |name: &str, of: fn(&ProfilePoint) -> f64| Column::exact(name, points().map(of));
+        let points = self.profiles.iter().flat_map(|outline| outline.points.iter().map(move |point| (outline, point)));
+        let points: Vec<(&Outline, &ProfilePoint)> = points.collect();
         Table {
             name: "profile",
             columns: vec![
-                Column::names("profile", names),
-                column("x_mm", |point| 1e3 * point.x),
-                column("y_mm", |point| 1e3 * point.height),
-                column("slope", |point| point.slope),
-                column("curvature_1_per_m", |point| point.curvature),
+                points.names("profile", |(outline, _)| &outline.name),
+                points.exact("x_mm", |(_, point)| 1e3 * point.x),
+                points.exact("y_mm", |(_, point)| 1e3 * point.height),
+                points.exact("slope", |(_, point)| point.slope),
+                points.exact("curvature_1_per_m", |(_, point)| point.curvature),
             ],
         }
     }
@@ -105,16 +104,15 @@ impl Answer for OutlineAnswer {
     }
 
     fn tables(&self) -> Vec<Table> {
-        let shown =
-            |head, cell: &dyn Fn(&Outline) -> Message| Column::shown(head, self.profiles.iter().map(cell).collect());
         let millimetres = |metres: f64| number_alone(format_args!("{:.2}", 1e3 * metres));
+        let profiles = &self.profiles;
         let ends = Table {
             name: "profiles",
             columns: vec![
-                shown(say!(profile_column), &|outline| Message::verbatim(&outline.name)),
-                shown(say!(from_millimetres_column), &|outline| millimetres(outline.profile.range()[0])),
-                shown(say!(to_millimetres_column), &|outline| millimetres(outline.profile.range()[1])),
-                shown(say!(radius_at_origin_column), &Outline::radius),
+                profiles.shown(say!(profile_column), |outline| Message::verbatim(&outline.name)),
+                profiles.shown(say!(from_millimetres_column), |outline| millimetres(outline.profile.range()[0])),
+                profiles.shown(say!(to_millimetres_column), |outline| millimetres(outline.profile.range()[1])),
+                profiles.shown(say!(radius_at_origin_column), Outline::radius),
             ],
         };
         vec![ends, self.points()]
@@ -126,28 +124,19 @@ impl Answer for OutlineAnswer {
             let series = self.profiles.iter().map(|outline| {
                 let drawn = outline.points.iter();
                 let (x, y) = drawn.filter_map(|point| Some((1e3 * point.x, value(point)?))).unzip();
-                Series { label: outline.name.clone(), x, y, ..Series::default() }
+                Series::new(outline.name.clone(), x, y)
             });
-            LinePanel {
-                x_label: "lateral x, field side positive [mm]".to_owned(),
-                y_label: label.to_owned(),
-                x_scale: Scale::Linear,
-                y_scale: Scale::Linear,
-                series: series.collect(),
-                ..LinePanel::default()
-            }
+            LinePanel::new("lateral x, field side positive [mm]", label, series)
         };
-        LineFigure {
-            title: "Profiles".to_owned(),
-            caption:
-                "Curvature is positive where a profile is hollow seen from above; beyond ±200 1/m it is not drawn."
-                    .to_owned(),
-            panels: vec![
+        LineFigure::new(
+            "Profiles",
+            "Curvature is positive where a profile is hollow seen from above; beyond ±200 1/m it is not drawn.",
+            [
                 panel("height [mm]", |point| Some(1e3 * point.height)),
                 panel("curvature [1/m]", |point| (point.curvature.abs() <= MOST_CURVATURE).then_some(point.curvature)),
             ],
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {

@@ -11,7 +11,7 @@ use serde::Deserialize;
 
 use super::{OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings};
 use crate::question::{Asker, Question, Rule, Source, positive};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// Largest yaw \[rad\], far beyond any curve.
 const LARGEST_YAW: f64 = 0.1;
@@ -114,10 +114,10 @@ impl From<Orientation> for ProfileOrientation {
 
 impl ProfileQuestion {
     /// Wear against a nominal profile.
-    fn wear(&self, nominal: &str, reading: ProfileReading) -> Result<WearAnswer, AnswerError> {
+    fn wear(&self, nominal: &str, reading: ProfileReading) -> Result<WearAnswer> {
         let default = WearSettings::default();
         let inclination = self.inclination.as_deref().map(|text| {
-            let wrong = |rule| AnswerError::Argument { argument: "--inclination", value: text.to_owned(), rule };
+            let wrong = |rule| AnswerError::argument("--inclination", text, rule);
             Inclination::read(text).map_err(wrong)
         });
         let gauge_height = self.gauge_height.map(|height| positive("--gauge-height", height));
@@ -132,8 +132,8 @@ impl ProfileQuestion {
     }
 
     /// A wheelset on its track, under load if one is given.
-    fn on_track(&self) -> Result<Box<dyn Answer>, AnswerError> {
-        let wrong = |argument, value, rule: String| Err(AnswerError::Argument { argument, value, rule });
+    fn on_track(&self) -> Result<Box<dyn Answer>> {
+        let wrong = |argument, value, rule: String| Err(AnswerError::argument(argument, value, rule));
         if let Some(second) = self.file.get(1) {
             let rule = "the only one with --wheelset, a case file".to_owned();
             return wrong("FILE", second.display().to_string(), rule);
@@ -166,18 +166,13 @@ impl Question for ProfileQuestion {
         riffel profile case.toml --wheelset --load \"60 kN\"";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["against", "wheelset"]),
-        Rule::Needs("align", &["against"]),
-        Rule::Needs("inclination", &["against"]),
-        Rule::Needs("gauge_height", &["against"]),
+        Rule::Needs(&["align", "inclination", "gauge_height"], &["against"]),
         Rule::OneOf(&["orientation", "wheelset"]),
         Rule::OneOf(&["scatter", "wheelset"]),
-        Rule::Needs("yaw", &["wheelset"]),
-        Rule::Needs("lateral_shift", &["wheelset"]),
-        Rule::Needs("load", &["wheelset"]),
-        Rule::Needs("set", &["wheelset"]),
+        Rule::Needs(&["yaw", "lateral_shift", "load", "set"], &["wheelset"]),
     ];
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
         if self.wheelset {
             return self.on_track();
         }

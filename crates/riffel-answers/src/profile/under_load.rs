@@ -4,12 +4,12 @@ use riffel::profile::{ContactSurface, LoadedContact, WheelsetContact};
 use riffel::{ElasticMaterial, Rail};
 use riffel_case::CurvingCase;
 use riffel_keys::{Message, fixed, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
 use super::or_dash;
 use crate::side::side;
-use crate::{Answer, AnswerError, Column, Table};
+use crate::{Answer, AnswerError, Result, Rows, Table};
 
 /// Both contacts of a wheelset under a normal force each, at lateral shifts: serialised, what
 /// `riffel profile CASE --wheelset --load P --json` prints.
@@ -91,7 +91,7 @@ impl UnderLoadAnswer {
     /// # Errors
     /// [`AnswerError`] for profiles that cannot be read or do not fit, where a wheel has left its rail, and where a contact lies at
     /// the end of a profile.
-    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64, normal_force: f64) -> Result<Self, AnswerError> {
+    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64, normal_force: f64) -> Result<Self> {
         let wheelset = case.wheelset_on_track()?;
         let steel: ElasticMaterial = case.steel()?;
         let refused = AnswerError::Profile;
@@ -130,15 +130,14 @@ impl UnderLoadAnswer {
     /// In mm and MPa, for a reader.
     fn patches(&self) -> Table {
         let column = |head, digits: usize, of: &dyn Fn(&ContactDocument) -> Option<f64>| {
-            Column::shown(head, self.contacts.iter().map(|row| or_dash(of(row), digits)).collect())
+            self.contacts.shown(head, |row| or_dash(of(row), digits))
         };
-        let rails = self.contacts.iter().map(|row| side(row.rail));
         let peak = |patch: &PatchDocument| 1e-6 * patch.peak_pressure_pa;
         Table {
             name: "patches",
             columns: vec![
                 column(say!(shift_column), 1, &|row| Some(1e3 * row.lateral_shift_m)),
-                Column::shown(say!(rail_column), rails.collect()),
+                self.contacts.shown(say!(rail_column), |row| side(row.rail)),
                 column(say!(length_in_millimetres_column), 1, &|row| Some(1e3 * row.length_m)),
                 column(say!(width_in_millimetres_column), 1, &|row| Some(1e3 * row.width_m)),
                 column(say!(peak_pressure_column), 0, &|row| Some(1e-6 * row.peak_pressure_pa)),
@@ -159,15 +158,14 @@ impl UnderLoadAnswer {
                 loaded.flat.under_pressure().map(move |(place, pressure)| (shift, rail, place, pressure))
             })
             .collect();
-        let column = |name: &str, of: fn(&Element) -> f64| Column::exact(name, elements.iter().map(of));
         Table {
             name: "contact",
             columns: vec![
-                column("lateral_shift_m", |element| element.0),
-                Column::names("rail", elements.iter().map(|element| element.1.name())),
-                column("x_m", |element| element.2.0),
-                column("y_m", |element| element.2.1),
-                column("pressure_pa", |element| element.3),
+                elements.exact("lateral_shift_m", |element| element.0),
+                elements.names("rail", |element| element.1.name()),
+                elements.exact("x_m", |element| element.2.0),
+                elements.exact("y_m", |element| element.2.1),
+                elements.exact("pressure_pa", |element| element.3),
             ],
         }
     }
@@ -177,13 +175,10 @@ impl UnderLoadAnswer {
             let rows = self.contacts.iter();
             let (x, y) =
                 rows.filter(|row| row.rail == rail.name()).map(|row| (1e3 * row.lateral_shift_m, value(row))).unzip();
-            Series { label: format!("{label}{}", rail.name()), x, y, style, color: None }
+            Series::new(format!("{label}{}", rail.name()), x, y).styled(style)
         };
-        let panel = |y_label: &str, series: Vec<Series>| LinePanel {
-            x_label: "lateral shift y, to the right positive [mm]".to_owned(),
-            y_label: y_label.to_owned(),
-            series,
-            ..LinePanel::default()
+        let panel = |y_label: &str, series: Vec<Series>| {
+            LinePanel::new("lateral shift y, to the right positive [mm]", y_label, series)
         };
         let both = |label: &str, style: LineStyle, value: &dyn Fn(&ContactDocument) -> f64| {
             RAILS.map(|rail| of(label, style, rail, value))
@@ -225,14 +220,13 @@ impl Answer for UnderLoadAnswer {
             }
             _ => self.over_shifts(),
         };
-        LineFigure {
-            title: self.title().to_string(),
-            caption: "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y along its arc), the fast patch \
-                      of Kik and Piotrowski, and Hertz with the curvatures where the profiles first touch; y across, to the right."
-                .to_owned(),
+        LineFigure::new(
+            self.title().to_string(),
+            "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y \
+                      along its arc), the fast patch of Kik and Piotrowski, and Hertz with the \
+                       curvatures where the profiles first touch; y across, to the right.",
             panels,
-            arrangement: Arrangement::SideBySide,
-        }
+        )
     }
 
     fn remarks(&self) -> &[Message] {
@@ -241,7 +235,7 @@ impl Answer for UnderLoadAnswer {
 }
 
 impl ContactDocument {
-    fn new(at: &WheelsetContact, rail: Rail, pressed: &Pressed) -> Result<Self, AnswerError> {
+    fn new(at: &WheelsetContact, rail: Rail, pressed: &Pressed) -> Result<Self> {
         let loaded = &pressed.flat;
         let [length, width] = loaded.size();
         let (state, fast) = (loaded.state(), loaded.fast());
@@ -285,7 +279,7 @@ impl ContactDocument {
 }
 
 impl ConformalDocument {
-    fn new(loaded: &LoadedContact) -> Result<Self, AnswerError> {
+    fn new(loaded: &LoadedContact) -> Result<Self> {
         let (state, [length, width]) = (loaded.state(), loaded.size());
         Ok(Self {
             patch: PatchDocument {
@@ -323,13 +317,7 @@ fn rows_of(loaded: &LoadedContact) -> Vec<(f64, f64, [f64; 2])> {
 fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
     let (loaded, rows) = (&pressed.flat, rows_of(&pressed.flat));
     let y: Vec<f64> = rows.iter().map(|row| 1e3 * row.0).collect();
-    let series = |label: &str, style: LineStyle, x: Vec<f64>, y: Vec<f64>| Series {
-        label: label.to_owned(),
-        x,
-        y,
-        style,
-        color: None,
-    };
+    let series = |label: &str, style: LineStyle, x: Vec<f64>, y: Vec<f64>| Series::new(label, x, y).styled(style);
     let fast: Vec<[f64; 2]> = loaded.fast().pressures().collect();
     let mut pressures = vec![
         series("exact", LineStyle::Solid, y.clone(), rows.iter().map(|row| 1e-6 * row.1).collect()),
@@ -378,12 +366,8 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
         let (y, peaks) = rows_of(conformal).into_iter().map(|row| (1e3 * row.0, 1e-6 * row.1)).unzip();
         pressures.push(series("conformal", LineStyle::Markers, y, peaks));
     }
-    let panel = |subtitle: String, label: &str, series: Vec<Series>| LinePanel {
-        subtitle,
-        x_label: "y across [mm]".to_owned(),
-        y_label: label.to_owned(),
-        series,
-        ..LinePanel::default()
+    let panel = |subtitle: String, label: &str, series: Vec<Series>| {
+        LinePanel::new("y across [mm]", label, series).titled(subtitle)
     };
     let name = |what: &str| format!("{} rail: {what}", rail.name());
     [panel(name("largest pressure"), "pressure [MPa]", pressures), panel(name("patch"), "x along [mm]", outlines)]

@@ -6,11 +6,11 @@ use riffel::profile::{Profile, ProfileAlignment, ProfileError, ProfileWear, Rail
 use riffel_case::file::{Inclination, ProfileKind};
 use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use serde::{Serialize, Serializer};
 
 use super::or_dash;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Rows, Table};
 
 /// How wear is found.
 #[derive(Debug, Clone, Copy)]
@@ -134,7 +134,7 @@ impl Measures {
         let count = silent.len();
         (count > 0).then(|| {
             let measures = Value::List(silent);
-            say!(measures_not_measured, name = name, measures = measures, count = count)
+            say!(measures_not_measured, name, measures, count)
         })
     }
 
@@ -248,15 +248,15 @@ impl WearAnswer {
     fn title(&self) -> Message {
         let nominal = &self.nominal_name;
         match self.alignment {
-            ProfileAlignment::AsWritten => say!(wear_as_written, nominal = nominal),
-            ProfileAlignment::Flange => say!(wear_laid_by_flange, nominal = nominal),
-            ProfileAlignment::FieldSide => say!(wear_laid_by_field_side, nominal = nominal),
+            ProfileAlignment::AsWritten => say!(wear_as_written, nominal),
+            ProfileAlignment::Flange => say!(wear_laid_by_flange, nominal),
+            ProfileAlignment::FieldSide => say!(wear_laid_by_field_side, nominal),
         }
     }
 
     /// In mm, for a reader.
     fn measures(&self) -> Table {
-        let worn = self.profiles.iter();
+        let worn = &self.profiles;
         let name = match self.kind {
             ProfileKind::Wheel => say!(wheel_column),
             ProfileKind::Rail => say!(rail_column),
@@ -271,31 +271,27 @@ impl WearAnswer {
             ProfileKind::Rail => vec![say!(w1_column), say!(w2_column), say!(w3_column)],
         };
         let millimetres = |length: Option<f64>| or_dash(length.map(|length| 1e3 * length), 2);
-        let measures = heads.into_iter().enumerate().map(|(index, head)| {
-            Column::shown(head, worn.clone().map(|worn| millimetres(worn.measures.shown()[index])).collect())
-        });
-        let names = Column::shown(name, worn.clone().map(|worn| Message::verbatim(&worn.name)).collect());
-        let deepest = worn.clone().map(|worn| millimetres(worn.greatest_depth_m));
-        let areas = worn.clone().map(|worn| or_dash(Some(1e6 * worn.area_m2), 1));
-        let after =
-            [Column::shown(say!(deepest_column), deepest.collect()), Column::shown(say!(area_column), areas.collect())];
+        let measures = heads.into_iter().enumerate();
+        let measures = measures.map(|(index, head)| worn.shown(head, |worn| millimetres(worn.measures.shown()[index])));
+        let after = [
+            worn.shown(say!(deepest_column), |worn| millimetres(worn.greatest_depth_m)),
+            worn.shown(say!(area_column), |worn| or_dash(Some(1e6 * worn.area_m2), 1)),
+        ];
+        let names = worn.shown(name, |worn| Message::verbatim(&worn.name));
         Table { name: "measures", columns: [names].into_iter().chain(measures).chain(after).collect() }
     }
 
     /// One row for each point of the nominal profile, in mm; depths that are not measured are empty.
     fn depths(&self) -> Table {
-        let worn = || self.profiles.iter();
-        let names = worn().flat_map(|worn| worn.x_m.iter().map(|_| &worn.name));
-        let millimetres =
-            |name: &str, of: fn(&Worn) -> &[f64]| Column::exact(name, worn().flat_map(of).map(|length| 1e3 * length));
-        let depths = worn().flat_map(|worn| &worn.depth_m).map(|depth| Some(1e3 * (*depth)?));
+        let points = self.profiles.iter().flat_map(|worn| (0..worn.x_m.len()).map(move |place| (worn, place)));
+        let points: Vec<(&Worn, usize)> = points.collect();
         Table {
             name: "wear",
             columns: vec![
-                Column::names("profile", names),
-                millimetres("nominal_x_mm", |worn| &worn.x_m),
-                millimetres("nominal_y_mm", |worn| &worn.height_m),
-                Column::exact("depth_mm", depths),
+                points.names("profile", |(worn, _)| &worn.name),
+                points.exact("nominal_x_mm", |(worn, place)| 1e3 * worn.x_m[*place]),
+                points.exact("nominal_y_mm", |(worn, place)| 1e3 * worn.height_m[*place]),
+                points.exact("depth_mm", |(worn, place)| Some(1e3 * worn.depth_m[*place]?)),
             ],
         }
     }
@@ -320,7 +316,7 @@ impl Answer for WearAnswer {
         const STEP: f64 = 2.5e-4;
         let outline = |label: &str, profile: &Profile, style: LineStyle| {
             let (x, y) = profile.along(STEP).iter().map(|point| (1e3 * point.x, 1e3 * point.height)).unzip();
-            Series { label: label.to_owned(), x, y, style, ..Series::default() }
+            Series::new(label, x, y).styled(style)
         };
         let mut outlines = vec![outline(&self.nominal_name, &self.nominal, LineStyle::Dashed)];
         let mut depths = Vec::new();
@@ -328,25 +324,18 @@ impl Answer for WearAnswer {
             outlines.push(outline(&worn.name, &worn.measured, LineStyle::Solid));
             let x = worn.x_m.iter().map(|x| 1e3 * x).collect();
             let y = worn.depth_m.iter().map(|depth| depth.map_or(f64::NAN, |depth| 1e3 * depth)).collect();
-            depths.push(Series { label: worn.name.clone(), x, y, ..Series::default() });
+            depths.push(Series::new(worn.name.clone(), x, y));
         }
         // The colours of the outlines, of which the nominal one has the first.
         depths.insert(0, Series::default());
-        let panel = |label: &str, series: Vec<Series>| LinePanel {
-            x_label: "lateral x, field side positive [mm]".to_owned(),
-            y_label: label.to_owned(),
-            x_scale: Scale::Linear,
-            y_scale: Scale::Linear,
-            series,
-            ..LinePanel::default()
-        };
-        LineFigure {
-            title: self.title().to_string(),
-            caption: "Depth is measured across the nominal profile into the metal; above zero metal is missing."
-                .to_owned(),
-            panels: vec![panel("height [mm]", outlines), panel("depth [mm]", depths)],
-            arrangement: Arrangement::Stacked,
-        }
+        let panel =
+            |label: &str, series: Vec<Series>| LinePanel::new("lateral x, field side positive [mm]", label, series);
+        LineFigure::new(
+            self.title().to_string(),
+            "Depth is measured across the nominal profile into the metal; above zero metal is missing.",
+            [panel("height [mm]", outlines), panel("depth [mm]", depths)],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {
@@ -360,5 +349,5 @@ fn of_misfit(name: &str, wear: &ProfileWear) -> Option<Message> {
     const WORTH_A_REMARK: f64 = 1e-4;
     let misfit = wear.misfit.filter(|misfit| *misfit > WORTH_A_REMARK)?;
     let millimetres = 1e3 * misfit;
-    Some(say!(rail_worn_on_field_side, name = name, millimetres = fixed(millimetres, 2)))
+    Some(say!(rail_worn_on_field_side, name, millimetres = fixed(millimetres, 2)))
 }

@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
 use super::Asker;
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// A text or a number as it was written.
 pub(super) fn written(value: Value) -> String {
@@ -39,7 +39,7 @@ impl<D: Dimension> AsWritten<D> {
     ///
     /// # Errors
     /// Those of [`within`](Self::within).
-    pub fn all_within(list: &[Self], argument: &'static str, asker: &dyn Asker) -> Result<Vec<f64>, AnswerError> {
+    pub fn all_within(list: &[Self], argument: &'static str, asker: &dyn Asker) -> Result<Vec<f64>> {
         list.iter().map(|quantity| quantity.within(argument, asker)).collect()
     }
 
@@ -53,7 +53,7 @@ impl<D: Dimension> AsWritten<D> {
     ///
     /// # Errors
     /// [`AnswerError::Range`] for a value outside the range.
-    pub fn within(&self, argument: &'static str, asker: &dyn Asker) -> Result<f64, AnswerError> {
+    pub fn within(&self, argument: &'static str, asker: &dyn Asker) -> Result<f64> {
         let wrong = |rule| AnswerError::Range { argument, message: format!(" {rule}") };
         let (si, remark) = PhysicalRange::read::<D>(argument, &self.text).map_err(wrong)?;
         asker.remark(remark.as_slice());

@@ -12,7 +12,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{Asker, Source};
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// A case file with overrides, of which a question takes the whole or a part.
 #[derive(Deserialize, JsonSchema)]
@@ -130,7 +130,7 @@ impl<T: OfCase> CaseSource<T> {
     ///
     /// # Errors
     /// [`AnswerError::Case`] with the key, the value and the rule.
-    pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>, AnswerError> {
+    pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>> {
         let case = match question::value(self.name()) {
             Some(case) => T::of(case, &self.set)?,
             None => self.case.value(|path| T::read(path, &self.set))?,
@@ -154,7 +154,7 @@ impl CaseSource {
     ///
     /// # Errors
     /// [`AnswerError::Option`] for a place that the bay does not have, and on a track that has no bay.
-    pub fn read_at(&self, position: Option<Quantity<Length>>, asker: &dyn Asker) -> Result<Arc<Case>, AnswerError> {
+    pub fn read_at(&self, position: Option<Quantity<Length>>, asker: &dyn Asker) -> Result<Arc<Case>> {
         let case = self.read(asker)?;
         let Some(position) = position else {
             return Ok(case);
@@ -164,7 +164,7 @@ impl CaseSource {
             Err(CaseError::Changed { message, .. }) => Err(AnswerError::Option { option, message }),
             Ok(case) if case.track.support_spacing().is_none() => {
                 let model = case.file.track.model.name();
-                Err(AnswerError::Option { option, message: say!(track_is_the_same_everywhere, model = model) })
+                Err(AnswerError::Option { option, message: say!(track_is_the_same_everywhere, model) })
             }
             case => Ok(Arc::new(case?)),
         }
@@ -187,7 +187,7 @@ impl<T> From<Arc<T>> for CaseSource<T> {
 ///
 /// # Errors
 /// [`AnswerError::Option`] where the contact does not answer there.
-pub fn covering(case: &Case, from: f64, to: f64) -> Result<Case, AnswerError> {
+pub fn covering(case: &Case, from: f64, to: f64) -> Result<Case> {
     // The window was not written by the user.
     case.covering(from, to)
         .map_err(|error| AnswerError::Option { option: "--wavelength", message: error.without_key() })

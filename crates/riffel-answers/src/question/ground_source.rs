@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use super::as_written::written;
 use super::{Asker, RecordLayout};
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// A rail that will be ground, in place of the rail as it was measured.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -36,12 +36,8 @@ impl GroundSource {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a rail that is not below the limit, [`AnswerError::Case`] with the file at fault.
-    pub fn read(
-        &self,
-        (table, limit): &(LimitTable, LevelLimit),
-        asker: &dyn Asker,
-    ) -> Result<Option<GroundRail>, AnswerError> {
-        let refuse = |argument, value: &str, rule| AnswerError::Argument { argument, value: value.to_owned(), rule };
+    pub fn read(&self, (table, limit): &(LimitTable, LevelLimit), asker: &dyn Asker) -> Result<Option<GroundRail>> {
+        let refuse = |argument, value: &str, rule| AnswerError::argument(argument, value, rule);
         if let Some(decibels) = &self.from_limit {
             let below = GroundRail::below(&table.edition, limit, decibels);
             return below.map(Some).map_err(|rule| refuse("--from-limit", decibels, rule));
@@ -82,6 +78,6 @@ impl GroundSource {
             1e3 * case.wavelength.min(),
             1e3 * case.wavelength.max()
         );
-        AnswerError::Argument { argument, value, rule }
+        AnswerError::argument(argument, value, rule)
     }
 }

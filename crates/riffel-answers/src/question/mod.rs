@@ -40,7 +40,7 @@ pub use rule::Rule;
 pub use source::Source;
 pub use threads::on_threads;
 
-use crate::{Answer, AnswerError, QUESTIONS, QUESTIONS_OF_THE_PAGE};
+use crate::{Answer, AnswerError, QUESTIONS, QUESTIONS_OF_THE_PAGE, Result};
 
 /// A question of its own type; its docs say what it asks.
 pub trait Question: DeserializeOwned + JsonSchema + 'static {
@@ -58,7 +58,7 @@ pub trait Question: DeserializeOwned + JsonSchema + 'static {
     ///
     /// # Errors
     /// [`AnswerError`] with the key or the file at fault.
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError>;
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>>;
 }
 
 /// A question of any type, by its keys.
@@ -81,7 +81,7 @@ pub trait AnyQuestion: Sync {
     ///
     /// # Errors
     /// [`AnswerError::Question`] for a key that is unknown, missing or of the wrong kind; those of [`Question::ask`].
-    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError>;
+    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>>;
 }
 
 /// The question of a name, of the program or of the page.
@@ -93,11 +93,11 @@ pub fn named(name: &str) -> Option<&'static dyn AnyQuestion> {
 ///
 /// # Errors
 /// [`AnswerError::Argument`] for a name that no question has.
-pub fn known(name: &str) -> Result<&'static dyn AnyQuestion, AnswerError> {
+pub fn known(name: &str) -> Result<&'static dyn AnyQuestion> {
     named(name).ok_or_else(|| {
         let known: Vec<&str> = QUESTIONS.iter().map(|question| question.name()).collect();
         let rule = format!("one of {}", known.join(", "));
-        AnswerError::Argument { argument: "NAME", value: name.to_owned(), rule }
+        AnswerError::argument("NAME", name, rule)
     })
 }
 
@@ -105,7 +105,7 @@ pub fn known(name: &str) -> Result<&'static dyn AnyQuestion, AnswerError> {
 ///
 /// # Errors
 /// [`AnswerError::Question`] for a key that is unknown, missing or of the wrong kind.
-pub fn of_keys<Q: Question>(keys: Value) -> Result<Q, AnswerError> {
+pub fn of_keys<Q: Question>(keys: Value) -> Result<Q> {
     match keys {
         Value::Object(keys) => key::question(&described::<Q>().keys, keys),
         other => {
@@ -185,7 +185,7 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         })
     }
 
-    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let question = key::question::<Q>(self.keys(), keys)?;
         question.ask(asker)
     }

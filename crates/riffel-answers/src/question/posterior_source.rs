@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{Asker, CaseSource};
-use crate::{AnswerError, OverPosterior, PosteriorDraws};
+use crate::{AnswerError, OverPosterior, PosteriorDraws, Result};
 
 /// The folder of a finished calibration.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -24,7 +24,7 @@ impl PosteriorSource {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a calibration of another case, [`AnswerError::Case`] for one that is not finished.
-    pub fn draws(&self, case: &CaseSource, asker: &dyn Asker) -> Result<Option<PosteriorDraws>, AnswerError> {
+    pub fn draws(&self, case: &CaseSource, asker: &dyn Asker) -> Result<Option<PosteriorDraws>> {
         let Some(folder) = &self.posterior else {
             return Ok(None);
         };
@@ -39,12 +39,12 @@ impl PosteriorSource {
 ///
 /// # Errors
 /// [`AnswerError::Argument`] for a calibration of another case, [`AnswerError::Case`] for one that is not finished.
-pub fn finished_of(is_case: &dyn Fn(&Path) -> bool, folder: &Path) -> Result<(Plan, Chains), AnswerError> {
+pub fn finished_of(is_case: &dyn Fn(&Path) -> bool, folder: &Path) -> Result<(Plan, Chains)> {
     let (plan, chains) = finished(folder, None)?;
     if !is_case(&plan.inputs[1]) {
         let rule =
             format!("a calibration of the case that is named, without --set; it is of {}", plan.inputs[1].display());
-        return Err(AnswerError::Argument { argument: "--posterior", value: folder.display().to_string(), rule });
+        return Err(AnswerError::argument("--posterior", folder.display(), rule));
     }
     Ok((plan, chains))
 }
@@ -56,8 +56,8 @@ pub fn finished_of(is_case: &dyn Fn(&Path) -> bool, folder: &Path) -> Result<(Pl
 pub fn over(
     draws: Option<&PosteriorDraws>,
     asker: &dyn Asker,
-    answer: impl FnOnce(&PosteriorDraws, &(dyn Fn(usize) + Sync)) -> Result<OverPosterior, AnswerError>,
-) -> Result<Option<OverPosterior>, AnswerError> {
+    answer: impl FnOnce(&PosteriorDraws, &(dyn Fn(usize) + Sync)) -> Result<OverPosterior>,
+) -> Result<Option<OverPosterior>> {
     let Some(draws) = draws else {
         return Ok(None);
     };

@@ -13,7 +13,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
 use super::{Asker, Source};
-use crate::AnswerError;
+use crate::{AnswerError, Result};
 
 /// How files of roughness are laid out, and what is taken of them.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -56,7 +56,7 @@ impl RecordLayout {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a step that is not above zero, [`AnswerError::Case`] with the file at fault.
-    pub fn read(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
+    pub fn read(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile> {
         let Some(kept) = &self.kept else {
             return self.read_anew(path, asker);
         };
@@ -69,7 +69,7 @@ impl RecordLayout {
         Ok(file)
     }
 
-    fn read_anew(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
+    fn read_anew(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile> {
         if let Some(spacing) = self.spacing {
             positive("--spacing", spacing)?;
         }
@@ -90,12 +90,12 @@ impl RecordLayout {
     ///
     /// # Errors
     /// Those of [`read`](Self::read), and [`AnswerError::Case`] where a profile has no spectrum.
-    pub fn survey(&self, path: &Path, asker: &dyn Asker) -> Result<Survey, AnswerError> {
+    pub fn survey(&self, path: &Path, asker: &dyn Asker) -> Result<Survey> {
         Ok(Survey::of(path, self.read_growing(path, asker)?)?)
     }
 
     /// What grows of a rail: a file without single defects, unless they are kept.
-    fn read_growing(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile, AnswerError> {
+    fn read_growing(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile> {
         Ok(self.growing(self.read(path, asker)?))
     }
 
@@ -109,12 +109,7 @@ impl RecordLayout {
 
     /// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
     /// standard input and is gone.
-    fn places_of_both(
-        &self,
-        earlier: &Path,
-        later: &Path,
-        asker: &dyn Asker,
-    ) -> Result<Option<[Survey; 2]>, AnswerError> {
+    fn places_of_both(&self, earlier: &Path, later: &Path, asker: &dyn Asker) -> Result<Option<[Survey; 2]>> {
         if is_standard_input(earlier) || is_standard_input(later) {
             return Ok(None);
         }
@@ -128,7 +123,7 @@ impl RecordLayout {
 }
 
 /// `Ok` without a choice among spectra, which means nothing for a profile.
-pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -> Result<(), AnswerError> {
+pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -> Result<()> {
     let choice = choose.first().map(|choice| ("--where", choice.as_str()));
     match choice.or(by.map(|by| ("--by", by))) {
         None => Ok(()),
@@ -144,7 +139,7 @@ pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -
 ///
 /// # Errors
 /// [`AnswerError::Argument`] with the rule.
-pub fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64, AnswerError> {
+pub fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64> {
     /// Nothing about a railway is smaller or larger in SI.
     const RANGE: [f64; 2] = [1e-12, 1e12];
     let si = value.si();
@@ -184,7 +179,7 @@ impl EarlierRecords {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the rule.
-    pub fn check(&self) -> Result<(), AnswerError> {
+    pub fn check(&self) -> Result<()> {
         let (dates, records) = (&self.dates, self.earlier.len() + 1);
         if dates.is_empty() || (dates.len() == records && dates.is_sorted_by(|one, next| one < next)) {
             return Ok(());
@@ -212,7 +207,7 @@ impl EarlierRecords {
         layout: &RecordLayout,
         choose: &[String],
         asker: &dyn Asker,
-    ) -> Result<History, AnswerError> {
+    ) -> Result<History> {
         self.check()?;
         let chosen = |source: &Source<RoughnessFile>| {
             let file = source.value(|path| layout.read(path, asker))?;
@@ -220,7 +215,7 @@ impl EarlierRecords {
             Ok(Survey::of(source.name(), file)?.choose(choose)?)
         };
         Ok(History {
-            surveys: self.earlier.iter().map(chosen).collect::<Result<_, AnswerError>>()?,
+            surveys: self.earlier.iter().map(chosen).collect::<Result<_>>()?,
             places: match (self.earlier.first().and_then(Source::path), now) {
                 (Some(before), Some(now)) => layout.places_of_both(before, now, asker)?,
                 _ => None,
@@ -240,7 +235,7 @@ impl EarlierRecords {
         layout: &RecordLayout,
         choose: &[String],
         asker: &dyn Asker,
-    ) -> Result<Survey, AnswerError> {
+    ) -> Result<Survey> {
         if !self.earlier.is_empty() && self.dates.is_empty() {
             return Err(AnswerError::Argument {
                 argument: "--dates",

@@ -5,8 +5,8 @@ use super::Key;
 /// A rule between keys.
 #[derive(Debug, Clone, Copy)]
 pub enum Rule {
-    /// The first key needs one of the others.
-    Needs(&'static str, &'static [&'static str]),
+    /// Each of the first keys needs one of the others.
+    Needs(&'static [&'static str], &'static [&'static str]),
     /// At least one of these keys is given.
     AnyOf(&'static [&'static str]),
     /// At most one of these keys is given.
@@ -27,8 +27,9 @@ impl Rule {
         let wrong = |name: &str, rule: String| Err(format!("{} {rule}", option(name)));
         let any = |names: &[&str]| names.iter().map(|name| option(name)).collect::<Vec<_>>().join(" or ");
         match self {
-            Self::Needs(name, others) if is_given(name) && !others.iter().any(|other| is_given(other)) => {
-                wrong(name, format!("needs {}", any(others)))
+            Self::Needs(names, others) if !others.iter().any(|other| is_given(other)) => {
+                let needy = names.iter().find(|name| is_given(name));
+                needy.map_or(Ok(()), |name| wrong(name, format!("needs {}", any(others))))
             }
             Self::OneOf(names) | Self::JustOneOf(names) if names.iter().filter(|name| is_given(name)).count() > 1 => {
                 let given: Vec<&str> = names.iter().copied().filter(|name| is_given(name)).collect();

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::complex::as_matrices;
 use crate::parameters::parameters;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Column, Rows, Table};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -60,7 +60,7 @@ impl Answer for MatrixAnswer {
 
     /// One row for each frequency, the entries of both bodies on and above the diagonal.
     fn tables(&self) -> Vec<Table> {
-        let mut columns = vec![Column::exact("frequency_hz", self.frequency_hz.iter().copied())];
+        let mut columns = vec![self.frequency_hz.exact("frequency_hz", |&value| value)];
         for (body, matrices) in [("track", &self.track), ("wheel", &self.wheel)] {
             for (row, column) in upper() {
                 let name = format!("{body}_{}{}_m_per_n", AXES[row], AXES[column]);
@@ -72,32 +72,32 @@ impl Answer for MatrixAnswer {
 
     /// Moduli of the entries that are not zero.
     fn figure(&self) -> LineFigure {
-        let panel = |subtitle: &str, matrices: &[[[Complex64; 3]; 3]]| LinePanel {
-            subtitle: subtitle.to_owned(),
-            x_label: "frequency f [Hz]".to_owned(),
-            y_label: "|H| [m/N]".to_owned(),
-            x_scale: Scale::Log,
-            y_scale: Scale::Log,
-            series: upper()
-                .map(|(row, column)| Series {
-                    label: format!("{}{}", AXES[row], AXES[column]),
-                    x: self.frequency_hz.clone(),
-                    y: matrices.iter().map(|matrix| matrix[row][column].norm()).collect(),
-                    ..Series::default()
-                })
-                .filter(|series| series.y.iter().any(|&modulus| modulus > 0.0))
-                .collect(),
-            ..LinePanel::default()
+        let panel = |subtitle: &str, matrices: &[[[Complex64; 3]; 3]]| {
+            LinePanel::new(
+                "frequency f [Hz]",
+                "|H| [m/N]",
+                upper()
+                    .map(|(row, column)| {
+                        Series::new(
+                            format!("{}{}", AXES[row], AXES[column]),
+                            self.frequency_hz.clone(),
+                            matrices.iter().map(|matrix| matrix[row][column].norm()).collect(),
+                        )
+                    })
+                    .filter(|series| series.y.iter().any(|&modulus| modulus > 0.0)),
+            )
+            .titled(subtitle)
+            .scaled(Scale::Log, Scale::Log)
         };
-        LineFigure {
-            title: "Receptances at the contact, all axes".to_owned(),
-            caption: format!(
+        LineFigure::new(
+            "Receptances at the contact, all axes",
+            format!(
                 "x along the rail, y to the right, z downward; displacement per force, exp(+iωt). {}",
                 parameters(&self.case)
             ),
-            panels: vec![panel("track", &self.track), panel("wheel", &self.wheel)],
-            arrangement: Arrangement::Stacked,
-        }
+            [panel("track", &self.track), panel("wheel", &self.wheel)],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn remarks(&self) -> &[Message] {

@@ -21,7 +21,7 @@ pub use question::ReceptanceQuestion;
 
 use crate::complex::pairs;
 use crate::parameters::parameters;
-use crate::{Answer, Column, ResultFile, Table};
+use crate::{Answer, Column, ResultFile, Rows, Table};
 
 /// What is asked of the receptances of a case.
 #[derive(Debug, Clone)]
@@ -179,7 +179,7 @@ impl ReceptanceAnswer {
 
     /// One row for each frequency.
     fn curves(&self) -> Table {
-        let frequency = Column::exact("frequency_hz", self.frequency_hz.iter().copied());
+        let frequency = self.frequency_hz.exact("frequency_hz", |&value| value);
         let curves = self.joints.iter().chain(&self.places);
         let curves = curves.flat_map(|curve| Column::complex(curve.key, curve.values.iter().copied()));
         Table { name: "receptance", columns: [frequency].into_iter().chain(curves).collect() }
@@ -187,23 +187,21 @@ impl ReceptanceAnswer {
 
     /// Decay rates over frequency.
     fn decay_figure(&self, rates: &[DecayRate]) -> LineFigure {
-        LineFigure {
-            title: "Track decay rate".to_owned(),
-            caption: format!("One-third octaves of EN 15461, force in mid-span. {}", parameters(&self.case)),
-            panels: vec![LinePanel {
-                x_label: "frequency f [Hz]".to_owned(),
-                y_label: "decay rate [dB/m]".to_owned(),
-                x_scale: Scale::Log,
-                y_scale: Scale::Log,
-                series: vec![Series {
-                    x: rates.iter().map(|rate| rate.nominal_frequency).collect(),
-                    y: rates.iter().map(|rate| rate.decay_rate).collect(),
-                    ..Series::default()
-                }],
-                ..LinePanel::default()
-            }],
-            arrangement: Arrangement::Stacked,
-        }
+        LineFigure::new(
+            "Track decay rate",
+            format!("One-third octaves of EN 15461, force in mid-span. {}", parameters(&self.case)),
+            [LinePanel::new(
+                "frequency f [Hz]",
+                "decay rate [dB/m]",
+                [Series::new(
+                    "",
+                    rates.iter().map(|rate| rate.nominal_frequency).collect(),
+                    rates.iter().map(|rate| rate.decay_rate).collect(),
+                )],
+            )
+            .scaled(Scale::Log, Scale::Log)],
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     /// Discrete supports show the rail at both of its typical places instead of at one.
@@ -239,37 +237,34 @@ impl Answer for ReceptanceAnswer {
     fn figure(&self) -> LineFigure {
         // Names stand in the first panel only.
         let panel = |named: bool, y_label: &str, y_scale, value: fn(Complex64) -> f64| LinePanel {
-            x_label: "frequency f [Hz]".to_owned(),
-            y_label: y_label.to_owned(),
-            x_scale: Scale::Log,
-            y_scale,
-            series: self
-                .drawn()
-                .into_iter()
-                .map(|curve| Series {
-                    label: if named { curve.label.to_owned() } else { String::new() },
-                    x: self.frequency_hz.clone(),
-                    y: curve.values.iter().map(|&receptance| value(receptance)).collect(),
-                    style: style(curve),
-                    color: None,
-                })
-                .collect(),
             marks: self.resonances.iter().map(|resonance| mark(resonance, named)).collect(),
-            ..LinePanel::default()
+            ..LinePanel::new(
+                "frequency f [Hz]",
+                y_label,
+                self.drawn().into_iter().map(|curve| {
+                    Series::new(
+                        if named { curve.label.to_owned() } else { String::new() },
+                        self.frequency_hz.clone(),
+                        curve.values.iter().map(|&receptance| value(receptance)).collect(),
+                    )
+                    .styled(style(curve))
+                }),
+            )
+            .scaled(Scale::Log, y_scale)
         };
         let (title, force) = match self.direction {
             Direction::Vertical => ("Receptances at the contact", "both downward"),
             Direction::Lateral => ("Lateral receptance of the rail", "both across the track"),
             Direction::Longitudinal => ("Receptance along the rail", "both along the rail"),
         };
-        LineFigure {
-            title: title.to_owned(),
-            caption: format!(
+        LineFigure::new(
+            title,
+            format!(
                 "Displacement per force, {force}, exp(+iωt), load at {:.1} m/s. {}",
                 self.speed,
                 parameters(&self.case)
             ),
-            panels: vec![
+            [
                 panel(true, "|H| [m/N]", Scale::Log, |h| h.norm()),
                 panel(false, "arg H [°]", Scale::Linear, |h| {
                     // −180 … 0°: a passive structure never leads; −0.0 turns a real negative H to −180°.
@@ -277,8 +272,8 @@ impl Answer for ReceptanceAnswer {
                     if degrees > 90.0 { degrees - 360.0 } else { degrees }
                 }),
             ],
-            arrangement: Arrangement::Stacked,
-        }
+        )
+        .arranged(Arrangement::Stacked)
     }
 
     fn files(&self) -> Vec<ResultFile<'_>> {

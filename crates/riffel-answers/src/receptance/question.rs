@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::{MatrixAnswer, ReceptanceAnswer, ReceptanceCurves, ReceptanceRequest};
 use crate::question::{AsWritten, Asker, CaseSource, Question, Rule};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// Receptance of track, wheel and contact over frequency.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -62,7 +62,7 @@ impl From<Along> for Direction {
 
 impl ReceptanceQuestion {
     /// Speed of the load \[m/s\].
-    fn speed(&self, case: &Case, asker: &dyn Asker) -> Result<f64, AnswerError> {
+    fn speed(&self, case: &Case, asker: &dyn Asker) -> Result<f64> {
         match &self.speed {
             Some(speed) => speed.within("--speed", asker),
             None => Ok(case.speed.max()),
@@ -70,7 +70,7 @@ impl ReceptanceQuestion {
     }
 
     /// The frequencies asked for \[Hz\]; where nothing is said, as many of the usual ones as a measurement has.
-    fn range(&self, track: &Track, asker: &dyn Asker) -> Result<Vec<f64>, AnswerError> {
+    fn range(&self, track: &Track, asker: &dyn Asker) -> Result<Vec<f64>> {
         let (usual_from, usual_to) = ReceptanceCurves::default_range(&*track.receptance);
         let end = |end: &Option<AsWritten<Frequency>>, argument, usual| match end {
             Some(end) => end.within(argument, asker),
@@ -81,7 +81,7 @@ impl ReceptanceQuestion {
             return Ok(ReceptanceCurves::frequencies(from, to, self.points));
         }
         let rule = format!("above --from, {from} Hz");
-        Err(AnswerError::Argument { argument: "--to", value: format!("{to} Hz"), rule })
+        Err(AnswerError::argument("--to", format!("{to} Hz"), rule))
     }
 }
 
@@ -90,11 +90,11 @@ impl Question for ReceptanceQuestion {
     const EXAMPLE: &'static str = "Example: riffel receptance case.toml --from \"50 Hz\" --to \"2 kHz\"";
     const RULES: &'static [Rule] = &[
         Rule::OneOf(&["matrix", "direction"]),
-        Rule::Needs("frequencies", &["matrix"]),
+        Rule::Needs(&["frequencies"], &["matrix"]),
         Rule::Excludes("frequencies", &["from", "to", "points"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read_at(self.position, asker)?;
         if self.matrix {
             let speed = self.speed(&case, asker)?;

@@ -6,7 +6,7 @@ use riffel_keys::{Message, decimal, fixed, number, say};
 
 use super::{NamedResonance, ReceptanceAnswer};
 use crate::answer::titled;
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 fn has_model(answer: &ReceptanceAnswer) -> bool {
     matches!(answer.track.origin, Origin::Model)
@@ -23,27 +23,24 @@ pub(super) fn introduction(answer: &ReceptanceAnswer) -> Vec<Message> {
 
 /// One row for each resonance.
 pub(super) fn resonances(answer: &ReceptanceAnswer) -> Table {
-    let rows = || answer.resonances.iter();
-    let optional = |name, of: fn(&NamedResonance) -> Option<f64>| Column::exact(name, rows().map(of));
-    let shown = |head, cell: &dyn Fn(&NamedResonance) -> Message| Column::shown(head, rows().map(cell).collect());
-    let to_tenths = |head, of: fn(&NamedResonance) -> Option<f64>| Column::digits(head, 1, rows().map(of));
+    let rows = &answer.resonances;
     let mut columns = vec![
-        Column::names("resonance", rows().map(|it| it.kind)),
-        Column::exact("frequency_hz", rows().map(|it| it.frequency_hz)),
-        Column::exact("receptance_modulus_m_per_n", rows().map(NamedResonance::modulus)),
-        optional("damping_ratio", |it| it.damping_ratio),
-        optional("resolution_hz", |it| it.resolution_hz),
+        rows.names("resonance", |it| it.kind),
+        rows.exact("frequency_hz", |it| it.frequency_hz),
+        rows.exact("receptance_modulus_m_per_n", NamedResonance::modulus),
+        rows.exact("damping_ratio", |it| it.damping_ratio),
+        rows.exact("resolution_hz", |it| it.resolution_hz),
     ];
     if !answer.resonances.is_empty() {
         columns.extend([
-            shown(say!(resonance_column), &|it| Message::verbatim(it.kind.to_string())),
-            to_tenths(say!(frequency_in_hertz), |it| Some(it.frequency_hz)),
-            Column::digits(Message::verbatim("|H| nm/N"), 3, rows().map(|it| 1e9 * it.modulus())),
-            shown(say!(resonance_of), &|it| of(answer, it.kind)),
+            rows.shown(say!(resonance_column), |it| Message::verbatim(it.kind.to_string())),
+            rows.digits(say!(frequency_in_hertz), 1, |it| Some(it.frequency_hz)),
+            rows.digits(Message::verbatim("|H| nm/N"), 3, |it| 1e9 * it.modulus()),
+            rows.shown(say!(resonance_of), |it| of(answer, it.kind)),
         ]);
         if !has_model(answer) {
-            columns.push(to_tenths(say!(damping_column), |it| Some(100.0 * it.damping_ratio?)));
-            columns.push(to_tenths(say!(lines_column), |it| it.resolution_hz));
+            columns.push(rows.digits(say!(damping_column), 1, |it| Some(100.0 * it.damping_ratio?)));
+            columns.push(rows.digits(say!(lines_column), 1, |it| it.resolution_hz));
         }
     }
     Table { name: "resonances", columns }
@@ -64,9 +61,9 @@ pub(super) fn decay(rates: &[DecayRate]) -> Table {
     Table {
         name: "decay-rate",
         columns: vec![
-            Column::exact("frequency_hz", rates.iter().map(|rate| rate.nominal_frequency)),
-            Column::exact("decay_rate_db_per_m", rates.iter().map(|rate| rate.decay_rate)),
-            Column::names("upper_bound", rates.iter().map(|rate| rate.upper_bound)),
+            rates.exact("frequency_hz", |rate| rate.nominal_frequency),
+            rates.exact("decay_rate_db_per_m", |rate| rate.decay_rate),
+            rates.names("upper_bound", |rate| rate.upper_bound),
         ],
     }
 }

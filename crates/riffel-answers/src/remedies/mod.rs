@@ -14,7 +14,7 @@ use serde::Serialize;
 pub use step::Change;
 
 use crate::forecast::{per_million, rate_panel, zero};
-use crate::{Answer, AnswerError, Column, FastestGrowth, GrindingInterval, LineGrowth, Table};
+use crate::{Answer, AnswerError, FastestGrowth, GrindingInterval, LineGrowth, Result, Rows, Table};
 use step::{Step, in_words, steps};
 
 /// The remedies of a case under a traffic, the one that helps most first.
@@ -108,7 +108,7 @@ impl RemediesAnswer {
             let after = |fastest: FastestGrowth| fastest.growth_rate_per_passage;
             let change = growth.fastest.map_or(0.0, after) / before.growth_rate_per_passage - 1.0;
             if change == 0.0 {
-                let reason = say!(remedy_has_no_effect, key = key);
+                let reason = say!(remedy_has_no_effect, key);
                 answer.left_out.push(LeftOut { title, reason });
                 continue;
             }
@@ -150,23 +150,19 @@ impl RemediesAnswer {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a cost that is not above zero, or of what no remedy is called.
-    pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self, AnswerError> {
+    pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self> {
         if let Some((id, cost)) = costs.iter().find(|(_, cost)| !(**cost > 0.0 && cost.is_finite())) {
-            return Err(AnswerError::Argument {
-                argument: "cost",
-                value: format!("{id} = {cost}"),
-                rule: "finite and above zero".to_owned(),
-            });
+            return Err(AnswerError::argument("cost", format!("{id} = {cost}"), "finite and above zero"));
         }
         let left_out = self.left_out.iter().map(|it| it.title.id());
         let known = self.remedies.iter().map(|it| it.id).chain(left_out);
         let known: Vec<&str> = known.collect();
         if let Some(id) = costs.keys().find(|id| !known.contains(&id.as_str())) {
-            return Err(AnswerError::Argument {
-                argument: "cost",
-                value: format!("that of \"{id}\""),
-                rule: format!("that of one of {}", known.join(", ")),
-            });
+            return Err(AnswerError::argument(
+                "cost",
+                format!("that of \"{id}\""),
+                format!("that of one of {}", known.join(", ")),
+            ));
         }
         for remedy in &mut self.remedies {
             remedy.cost = costs.get(remedy.id).copied();
@@ -194,10 +190,10 @@ impl RemediesAnswer {
         let percent = fixed(-100.0 * best.change_of_fastest_growth, 0);
         Some(match best.fastest {
             Some(fastest) if fastest.faster_than_known => {
-                say!(helps_most_in_order, title = title, percent = percent)
+                say!(helps_most_in_order, title, percent)
             }
-            Some(fastest) => say!(helps_most, title = title, percent = percent, time = fastest.time()),
-            None => say!(helps_most_of_all, title = title),
+            Some(fastest) => say!(helps_most, title, percent, time = fastest.time()),
+            None => say!(helps_most_of_all, title),
         })
     }
 }
@@ -230,40 +226,26 @@ impl Answer for RemediesAnswer {
     }
 
     fn tables(&self) -> Vec<Table> {
-        let of = |value: &dyn Fn(&Remedy) -> Message| self.remedies.iter().map(value).collect();
-        let numbers = |value: fn(&Remedy) -> Option<f64>| self.remedies.iter().map(value);
-        let change = numbers(|it| Some(100.0 * it.change_of_fastest_growth));
-        let months = numbers(|it| it.fastest?.doubling_months).collect();
-        let rates = numbers(|it| Some(it.fastest?.growth_rate_per_passage)).collect();
-        let grinding = numbers(|it| it.grinding_interval?.months).collect();
-        let unknown = || Message::verbatim("");
-        let ground_after = |it: &Remedy| it.ground_after.clone().unwrap_or_else(unknown);
-        let mut costs = Vec::new();
-        if self.remedies.iter().any(|it| it.cost.is_some()) {
-            let by_cost = numbers(Remedy::months_per_cost).collect();
-            costs.push(Column::optional("cost", numbers(|it| it.cost).collect()));
-            costs.push(Column::optional("months_per_cost", by_cost));
+        let remedies = &self.remedies;
+        let mut columns = vec![
+            remedies.words("remedy", say!(remedy_column), |it| it.title.clone()),
+            remedies.words("change", say!(remedy_changes_column), |it| Message::verbatim(in_words(&it.changes))),
+            remedies.fixed("growth_change_percent", say!(growth_change_column), 0, |it| {
+                100.0 * it.change_of_fastest_growth
+            }),
+            remedies.shown(say!(doubles_in_column), |it| it.doubles_in.clone()),
+            remedies.shown(say!(ground_after_column), |it| {
+                it.ground_after.clone().unwrap_or_else(|| Message::verbatim(""))
+            }),
+            remedies.plain("grinding_interval_months", |it| it.grinding_interval?.months),
+            remedies.plain("doubling_months", |it| it.fastest?.doubling_months),
+            remedies.plain("growth_rate_per_passage", |it| Some(it.fastest?.growth_rate_per_passage)),
+        ];
+        if remedies.iter().any(|it| it.cost.is_some()) {
+            columns.push(remedies.plain("cost", |it| it.cost));
+            columns.push(remedies.plain("months_per_cost", Remedy::months_per_cost));
         }
-        vec![Table {
-            name: "remedies",
-            columns: [
-                Column::words("remedy", say!(remedy_column), of(&|it| it.title.clone())),
-                Column::words(
-                    "change",
-                    say!(remedy_changes_column),
-                    of(&|it| Message::verbatim(in_words(&it.changes))),
-                ),
-                Column::fixed("growth_change_percent", say!(growth_change_column), change, 0),
-                Column::shown(say!(doubles_in_column), of(&|it| it.doubles_in.clone())),
-                Column::shown(say!(ground_after_column), of(&ground_after)),
-                Column::optional("grinding_interval_months", grinding),
-                Column::optional("doubling_months", months),
-                Column::optional("growth_rate_per_passage", rates),
-            ]
-            .into_iter()
-            .chain(costs)
-            .collect(),
-        }]
+        vec![Table { name: "remedies", columns }]
     }
 
     fn sentences(&self) -> Vec<Message> {
@@ -275,23 +257,23 @@ impl Answer for RemediesAnswer {
     }
 
     fn figure(&self) -> LineFigure {
-        let line = |label: String, curve: &[[f64; 2]]| Series {
-            label,
-            x: curve.iter().map(|[wavelength, _]| 1e3 * wavelength).collect(),
-            y: curve.iter().map(|[_, rate]| per_million(*rate)).collect(),
-            ..Series::default()
+        let line = |label: String, curve: &[[f64; 2]]| {
+            Series::new(
+                label,
+                curve.iter().map(|[wavelength, _]| 1e3 * wavelength).collect(),
+                curve.iter().map(|[_, rate]| per_million(*rate)).collect(),
+            )
         };
         let as_it_is = line("as it is".to_owned(), &self.under_traffic.curve);
         let floor = zero(&as_it_is.x);
         let remedies = self.remedies.iter();
         let remedies = remedies.map(|it| line(it.title.to_string(), &it.curve));
         let series = std::iter::once(as_it_is).chain(remedies).chain([floor]);
-        LineFigure {
-            title: "Remedies".to_owned(),
-            caption: "Growth of the level by wavelength, positive where corrugation grows.".to_owned(),
-            panels: vec![rate_panel(series.collect(), Language::English)],
-            ..LineFigure::default()
-        }
+        LineFigure::new(
+            "Remedies",
+            "Growth of the level by wavelength, positive where corrugation grows.",
+            [rate_panel(series.collect(), Language::English)],
+        )
     }
 
     fn remarks(&self) -> &[Message] {

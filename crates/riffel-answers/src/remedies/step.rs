@@ -37,7 +37,7 @@ impl Step {
     pub(super) fn taken(&self, case: &Case, traffic: &Traffic) -> Result<(Vec<Change>, LineGrowth), Message> {
         let (key, value) = (self.key, self.value.clone()?);
         if case.idle_because(key).is_some() {
-            return Err(say!(remedy_has_no_effect, key = key));
+            return Err(say!(remedy_has_no_effect, key));
         }
         let mut changes = vec![Change { key, value }];
         let variant = Variant::parse("remedy", &format!("{key} = {value:?}\n"));
@@ -90,7 +90,7 @@ pub(super) fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
     let file = &case.file;
     let common = |key: &'static str, of_case: Option<f64>| {
         let value = traffic.common_value(key, of_case)?;
-        value.ok_or_else(|| say!(remedy_lacks_key, key = key))
+        value.ok_or_else(|| say!(remedy_lacks_key, key))
     };
     let times = |title: Message, key: &'static str, of_case: Option<f64>, factor: f64| Step {
         title,

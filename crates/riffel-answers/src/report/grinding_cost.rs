@@ -52,14 +52,14 @@ impl GrindingCost {
         match months.filter(|months| *months > 0.0) {
             Some(months) => say!(
                 grinding_costs_a_year,
-                length = length,
-                shifts = shifts,
+                length,
+                shifts,
                 cost = shown,
-                currency = currency,
+                currency,
                 yearly = fixed(cost * 12.0 / months, 0),
                 months = fixed(months, 0)
             ),
-            None => say!(grinding_costs, length = length, shifts = shifts, cost = shown, currency = currency),
+            None => say!(grinding_costs, length, shifts, cost = shown, currency),
         }
     }
 }

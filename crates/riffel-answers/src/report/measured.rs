@@ -15,7 +15,7 @@ use crate::diagnose::Diagnosis;
 use crate::forecast::WearReport;
 use crate::question::choose_nothing;
 use crate::roughness::{ProfileAnswer, ProfileRequest, SpectraAnswer};
-use crate::{AnswerError, level_limit};
+use crate::{AnswerError, Result, level_limit};
 
 /// What was measured of the rail.
 pub(super) struct Measured {
@@ -65,7 +65,7 @@ impl Before {
 
 impl Working<'_> {
     /// What was measured, held to limits and diagnosed.
-    pub(super) fn measured(&self, case: Option<&Case>) -> Result<Option<Measured>, AnswerError> {
+    pub(super) fn measured(&self, case: Option<&Case>) -> Result<Option<Measured>> {
         let (asked, limits) = (&self.question.rail, &self.limits);
         let Some(file) = &self.question.roughness else {
             return Ok(None);
@@ -99,7 +99,7 @@ impl Working<'_> {
                 let before = Before::of_table(&survey);
                 let answer = SpectraAnswer::new(&survey, limits, by)?;
                 let understood = match (answer.count(), &asked.choose[..]) {
-                    (count, []) => say!(one_third_octave_spectra, count = count),
+                    (count, []) => say!(one_third_octave_spectra, count),
                     (count, choose) => say!(chosen_spectra, count = number(count), choices = choose.join(", ")),
                 };
                 let (survey, date) = survey.latest();
@@ -118,7 +118,7 @@ impl Working<'_> {
     }
 
     /// The oldest of the earlier records that are named, with all of which the rail of now has a history, or else the earliest of its table.
-    pub(super) fn before(&self, rail: Option<&Measured>, now: Option<&mut Now>) -> Result<Option<Before>, AnswerError> {
+    pub(super) fn before(&self, rail: Option<&Measured>, now: Option<&mut Now>) -> Result<Option<Before>> {
         let (question, asked) = (self.question, &self.question.rail);
         let path = question.roughness.as_ref().and_then(|file| file.path());
         let history = asked.earlier.read(path, &asked.layout, &asked.choose, self.asker)?;
@@ -134,11 +134,11 @@ impl Working<'_> {
             None => rail.and_then(|rail| rail.before.clone()),
         };
         match (question.passages_between, &before) {
-            (Some(passages), None) => Err(AnswerError::Argument {
-                argument: "--passages-between",
-                value: passages.to_string(),
-                rule: "left out, for there is no earlier record; give --earlier".to_owned(),
-            }),
+            (Some(passages), None) => Err(AnswerError::argument(
+                "--passages-between",
+                passages,
+                "left out, for there is no earlier record; give --earlier",
+            )),
             _ => Ok(before),
         }
     }
@@ -150,7 +150,7 @@ impl Working<'_> {
         traffic: &Traffic,
         before: &Before,
         now: &Now,
-    ) -> Result<Result<WearReport, Message>, AnswerError> {
+    ) -> Result<Result<WearReport, Message>> {
         let step = self.asker.begin(say!(progress_fit), traffic.file.vehicle.len());
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), &step)?;
         let by_date = || {

@@ -86,7 +86,7 @@ fn observations(case: &Case, diagnosis: &Diagnosis, marks: &mut Vec<Observation>
         let outside = outside.into_iter();
         let wavelengths: Value =
             outside.map(|wavelength| say!(one_wavelength, wavelength = millimetres(wavelength))).collect();
-        said.push(say!(outside_the_map, wavelengths = wavelengths));
+        said.push(say!(outside_the_map, wavelengths));
     }
     said
 }

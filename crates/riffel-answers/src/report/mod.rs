@@ -27,7 +27,7 @@ pub use question::ReportQuestion;
 use roughness::block_of_strip;
 pub use site::Site;
 
-use crate::AnswerError;
+use crate::Result;
 use crate::compare::CompareAnswer;
 use crate::diagnose::{Diagnosis, Finding, course_in_words};
 use crate::forecast::{PosteriorForecast, TrackForecast};
@@ -237,8 +237,8 @@ fn outlooks(
 /// The report as a page of HTML that loads nothing and prints on A4.
 ///
 /// # Errors
-/// [`AnswerError::Plot`].
-pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
+/// [`AnswerError::Plot`](crate::AnswerError::Plot).
+pub fn report(request: ReportRequest<'_>) -> Result<String> {
     let ReportRequest {
         language,
         title,
@@ -366,7 +366,7 @@ fn since(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
 
 fn wavelength_of(finding: &Finding) -> Message {
     let wavelength = fixed(1e3 * finding.measured.peak.wavelength, 1);
-    say!(one_wavelength, wavelength = wavelength)
+    say!(one_wavelength, wavelength)
 }
 
 /// The dominant wavelengths, a sentence each; sidebands are told with their wave.
@@ -388,16 +388,16 @@ fn dominant(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
             let level = fixed(finding.measured.peak.level, 1);
             let stands = match finding.place() {
                 Some(place) => {
-                    say!(wavelength_stands_out_at, wavelength = wavelength.clone(), place = place, level = level)
+                    say!(wavelength_stands_out_at, wavelength = wavelength.clone(), place, level)
                 }
-                None => say!(wavelength_stands_out, wavelength = wavelength.clone(), level = level),
+                None => say!(wavelength_stands_out, wavelength = wavelength.clone(), level),
             };
             let stands = bold(&sentence(&stands, language), &wavelength.text(language));
             let mut summary = finding.summary();
             if !beside.is_empty() {
                 let count = beside.len();
                 let wavelengths: Value = beside.into_iter().collect();
-                let told = say!(beside_stand, count = count, wavelengths = wavelengths);
+                let told = say!(beside_stand, count, wavelengths);
                 summary = say!(two_sentences, one = told, other = summary);
             }
             format!("{stands} {}", escape(&summary.capitalised(language)))

@@ -6,7 +6,7 @@ use riffel_keys::{Language, Message, Value, fixed, number, say, shown_speed};
 use riffel_plot::PlotError;
 
 use super::outlook::{Outlook, drawing};
-use super::page::{Section, bold, escape, sentence, table};
+use super::page::{Section, bold, sentence, table_of};
 use crate::noise::{NoiseAnswer, at_least, name_of};
 
 /// Least saving that is told in brief \[dB(A)\]: less is hard to hear.
@@ -33,11 +33,9 @@ pub(super) fn heard(case: &Case, answer: &NoiseAnswer, language: Language) -> Re
         say!(part_and_level, part = name_of(part), level = decibels(level))
     });
     let parts: Value = parts.into_iter().collect();
-    let parts = sentence(&say!(level_is_of, parts = parts), language);
+    let parts = sentence(&say!(level_is_of, parts), language);
     let mut html = format!("<p>{level} {parts}</p>\n");
-    let (heads, rows) = answer.measures_table().shown(language);
-    let rows: Vec<Vec<String>> = rows.into_iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
-    html += &table("", &heads, &rows);
+    html += &table_of(&answer.measures_table(), language);
     let course = answer.course.as_ref();
     let course = course.map(|course| sentence(&course.in_words(answer.lower_bound_up_to_hz), language));
     if let Some(course) = &course {
@@ -49,14 +47,14 @@ pub(super) fn heard(case: &Case, answer: &NoiseAnswer, language: Language) -> Re
         .filter(|measure| measure.saved_db >= WORTH_SAYING)
         .map(|measure| {
             let saved = fixed(measure.saved_db, 1);
-            say!(measure_saves, title = measure.title.clone(), saved = saved)
+            say!(measure_saves, title = measure.title.clone(), saved)
         })
         .collect();
     let savings = match savings.is_empty() {
         true => String::new(),
         false => {
             let savings: Value = savings.into_iter().collect();
-            format!(" {}", sentence(&say!(each_alone_would_save, savings = savings), language))
+            format!(" {}", sentence(&say!(each_alone_would_save, savings), language))
         }
     };
     let over = answer.over_posterior_in_words();

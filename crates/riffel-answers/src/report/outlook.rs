@@ -5,7 +5,7 @@ use riffel_case::Case;
 use riffel_keys::{Language, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, PlotError};
 
-use super::page::{Section, escape, figure, list, said, sentence, table};
+use super::page::{Section, cells, figure, list, said, sentence, table, table_of};
 use crate::Answer;
 use crate::compare::{CompareAnswer, Effect, Outcome, held_in_words, outcomes};
 use crate::forecast::{TrackForecast, WearReport, number};
@@ -36,10 +36,7 @@ pub(super) fn of_answer<A: Answer>(
         html += &format!("<p>{}</p>\n", sentence(message, language));
     }
     for shown in answer.tables() {
-        let (heads, rows) = shown.shown(language);
-        let rows = rows.iter();
-        let rows: Vec<Vec<String>> = rows.map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
-        html += &table("", &heads, &rows);
+        html += &table_of(&shown, language);
     }
     let sentences = answer.sentences();
     let brief: Vec<String> = (sentences.iter()).map(|message| sentence(message, language)).collect();
@@ -50,8 +47,6 @@ pub(super) fn of_answer<A: Answer>(
 
 /// What becomes of the spectrum under the traffic.
 pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) -> Result<Outlook, PlotError> {
-    let (heads, rows) = report.table().shown(language);
-    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
     let mut findings = report.findings();
     let wear = report.wear.as_ref();
     let of_wear = wear.into_iter();
@@ -60,13 +55,13 @@ pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) 
     let title = title.map_or_else(|| say!(the_traffic), Message::verbatim);
     let amount = report.amount(report.passages);
     let introduction = match &report.ground {
-        Some(ground) => say!(levels_after_grinding, traffic = title, ground = ground.words.clone(), amount = amount),
-        None => say!(levels_under_traffic, traffic = title, amount = amount),
+        Some(ground) => say!(levels_after_grinding, traffic = title, ground = ground.words.clone(), amount),
+        None => say!(levels_under_traffic, traffic = title, amount),
     };
     let mut html = format!("<p>{}</p>\n", sentence(&introduction, language));
     html += &list(findings.iter().map(|finding| said(finding, language)));
     html += &drawing(report.figure(case, language), language)?;
-    html += &table("", &heads, &rows);
+    html += &table_of(&report.table(), language);
     let mut warnings = report.warnings.clone();
     warnings.extend(report.on.remarks.iter().cloned());
     if wear.and_then(WearReport::fitted_coefficient).is_none() {
@@ -89,9 +84,8 @@ pub(super) fn forecast(case: &Case, report: &TrackForecast, language: Language) 
 
 /// What would help.
 pub(super) fn what_if(report: &CompareAnswer, language: Language) -> Result<Outlook, PlotError> {
-    let (mut heads, rows) = outcomes(report).shown(language);
+    let (mut heads, rows) = cells(&outcomes(report), language);
     heads[0] = say!(variant_head).text(language);
-    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect();
     let mut introduction = say!(case_and_variants, speeds = report.speeds.clone());
     if report.leading().is_some() {
         let limit = say!(limit_is, edition = &report.table.edition);
@@ -153,7 +147,7 @@ fn best(report: &CompareAnswer) -> Vec<Message> {
     let mut sentences = vec![lowers];
     if !idle.is_empty() {
         let titles: Value = idle.into_iter().collect();
-        sentences.push(say!(without_any_effect, titles = titles));
+        sentences.push(say!(without_any_effect, titles));
     }
     sentences
 }
@@ -165,8 +159,8 @@ fn months(report: &CompareAnswer) -> Option<Message> {
     if base.reach()? == Reach::After(0.0) {
         let rail = base.leading().and_then(|rail| report.rail(rail));
         return Some(match rail {
-            Some(rail) => say!(limit_is_passed_on, edition = edition, rail = rail),
-            None => say!(limit_is_passed, edition = edition),
+            Some(rail) => say!(limit_is_passed_on, edition, rail),
+            None => say!(limit_is_passed, edition),
         });
     }
     let when = |outcome: &Outcome| {
@@ -186,15 +180,15 @@ fn months(report: &CompareAnswer) -> Option<Message> {
         };
         let rail = outcome.leading().and_then(|rail| report.rail(rail));
         Some(match rail {
-            Some(rail) => say!(on_rail, sentence = time, rail = rail),
+            Some(rail) => say!(on_rail, sentence = time, rail),
             None => time,
         })
     };
     let times = report.comparison.outcomes.iter().filter_map(when);
     let times = times.reduce(Message::followed_by)?;
     Some(match &report.ground {
-        Some(ground) => say!(limit_is_reached_from, ground = ground.words.clone(), edition = edition, times = times),
-        None => say!(limit_is_reached, edition = edition, times = times),
+        Some(ground) => say!(limit_is_reached_from, ground = ground.words.clone(), edition, times),
+        None => say!(limit_is_reached, edition, times),
     })
 }
 

@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 use riffel_keys::{Language, Message, say};
 use riffel_plot::Picture;
 
+use crate::Table;
+
 const STYLE: &str = include_str!("page.css");
 
 /// No request may leave the page, and no script runs: the browser itself enforces it.
@@ -128,6 +130,18 @@ pub(super) fn table(class: &str, header: &[String], rows: &[Vec<String>]) -> Str
         html += "</tr>\n";
     }
     html + "</tbody>\n</table></div>\n"
+}
+
+/// Heads and cells of a table as a reader sees them, in HTML.
+pub(super) fn cells(table: &Table, language: Language) -> (Vec<String>, Vec<Vec<String>>) {
+    let (heads, rows) = table.shown(language);
+    (heads, rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect())
+}
+
+/// A table of an answer.
+pub(super) fn table_of(shown: &Table, language: Language) -> String {
+    let (heads, rows) = cells(shown, language);
+    table("", &heads, &rows)
 }
 
 /// A list of items in HTML.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{Message, say};
+use riffel_keys::say;
 use riffel_rail::RoughnessFile;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use super::working::Working;
 use super::{GENERATOR, Site};
 use crate::diagnose::DiagnosedRail;
 use crate::question::{Asker, Files, GroundSource, Question, Rule, Source};
-use crate::{Answer, AnswerError, Existing, OwnText, Table};
+use crate::{Answer, Existing, OwnText, Result, Table};
 
 /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -94,36 +94,24 @@ impl Question for ReportQuestion {
         With an earlier record and the traffic since then, the wear coefficient is fitted to the change, and where its 95 % \
         interval lies above zero the whole report goes by it in place of that of the case.";
     const RULES: &'static [Rule] = &[
-        Rule::Needs("set", &["case"]),
-        Rule::Needs("posterior", &["case"]),
-        Rule::Needs("format", &["roughness"]),
-        Rule::Needs("spacing", &["roughness"]),
-        Rule::Needs("height_unit", &["roughness"]),
-        Rule::Needs("position_unit", &["roughness"]),
-        Rule::Needs("rail", &["roughness"]),
-        Rule::Needs("from", &["roughness"]),
-        Rule::Needs("to", &["roughness"]),
-        Rule::Needs("keep_defects", &["roughness"]),
-        Rule::Needs("earlier", &["roughness"]),
-        Rule::Needs("dates", &["earlier"]),
-        Rule::Needs("where", &["roughness"]),
-        Rule::Needs("by", &["roughness"]),
-        Rule::Needs("speed", &["roughness"]),
-        Rule::Needs("torsion", &["roughness"]),
-        Rule::Needs("bending", &["roughness"]),
-        Rule::Needs("from_vehicle", &["roughness"]),
-        Rule::Needs("with", &["case"]),
-        Rule::Needs("hold", &["with"]),
+        Rule::Needs(&["set", "posterior"], &["case"]),
+        Rule::Needs(
+            &["format", "spacing", "height_unit", "position_unit", "rail", "from", "to", "keep_defects", "earlier"],
+            &["roughness"],
+        ),
+        Rule::Needs(&["dates"], &["earlier"]),
+        Rule::Needs(&["where", "by", "speed", "torsion", "bending", "from_vehicle"], &["roughness"]),
+        Rule::Needs(&["with"], &["case"]),
+        Rule::Needs(&["hold"], &["with"]),
         Rule::OneOf(&["ground", "from_limit"]),
-        Rule::Needs("months", &["traffic"]),
-        Rule::Needs("keep_coefficient", &["case"]),
-        Rule::Needs("passages_between", &["traffic"]),
-        Rule::Needs("limit_dba", &["traffic"]),
+        Rule::Needs(&["months"], &["traffic"]),
+        Rule::Needs(&["keep_coefficient"], &["case"]),
+        Rule::Needs(&["passages_between", "limit_dba"], &["traffic"]),
         Rule::AnyOf(&["roughness", "case"]),
     ];
     const FILES: Files = Files::Text;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let page = Working::new(self, asker)?.page()?;
         Ok(Box::new(ReportAnswer { page, path: self.output.clone(), force: self.force }))
     }
@@ -145,9 +133,5 @@ impl Answer for ReportAnswer {
             existing: if self.force { Existing::Replaced } else { Existing::ReplacedIfKnown(Some(GENERATOR)) },
             written: Some(say!(report_is_written, file = self.path.display().to_string())),
         })
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
     }
 }

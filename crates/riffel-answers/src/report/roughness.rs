@@ -5,8 +5,7 @@ use riffel_keys::{Language, Message, Value, fixed, number, say};
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, PlotError, Series};
 use riffel_rail::{Limit, LimitTable, Record, name_in_words};
 
-use super::page::{Section, escape, figure, list, said, sentence, table, texts};
-use crate::Table;
+use super::page::{Section, cells, figure, list, said, sentence, table, texts};
 use crate::roughness::figure::position_axis;
 use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, tables};
 
@@ -21,20 +20,12 @@ pub(super) fn strips(record: &Record, language: Language) -> Result<Section, Plo
     let panels = record.rails.iter().map(|rail| {
         let series = rail.stretches.iter().map(|stretch| {
             let (x, y) = extremes(stretch, record.to - record.from);
-            Series {
-                x: x.into_iter().map(|position| unit.of(position)).collect(),
-                y,
-                color: Some(OKABE_ITO[1]),
-                ..Series::default()
-            }
+            Series::new("", x.into_iter().map(|position| unit.of(position)).collect(), y).colored(OKABE_ITO[1])
         });
         LinePanel {
-            subtitle: name_in_words(&rail.name).text(language),
-            x_label: position_axis(unit).text(language),
-            y_label: say!(height_axis).text(language),
             x_range: Some((unit.of(record.from), unit.of(record.to))),
-            series: series.collect(),
-            ..LinePanel::default()
+            ..LinePanel::new(position_axis(unit).text(language), say!(height_axis).text(language), series)
+                .titled(name_in_words(&rail.name).text(language))
         }
     });
     let drawing = LineFigure { panels: panels.collect(), arrangement: Arrangement::Strips, ..LineFigure::default() };
@@ -111,10 +102,10 @@ pub(super) fn spectrum_of_means(
     let groups: Value = groups
         .map(|group| {
             let name = Message::verbatim(&group.name);
-            say!(group_of_spectra, name = name, count = number(group.count))
+            say!(group_of_spectra, name, count = number(group.count))
         })
         .collect();
-    let caption = say!(caption_of_group_means, groups = groups);
+    let caption = say!(caption_of_group_means, groups);
     let html = spectrum(drawing, caption, limits, language)?;
     let findings = means.findings.iter().map(|finding| said(finding, language));
     let html = html + &verdicts(means.verdicts.iter(), language) + &list(findings);
@@ -160,7 +151,7 @@ pub(super) fn marked(verdict: &Verdict, language: Language) -> String {
 
 /// Statistics of the bands.
 pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Language) -> Section {
-    let rows = cells(&tables::bands(report.rails.iter()), language);
+    let (_, rows) = cells(&tables::bands(report.rails.iter()), language);
     let heads = [
         say!(rail_word),
         say!(band_in_millimetres),
@@ -181,12 +172,6 @@ pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Lan
     Section::There(say!(wavelength_bands), table + &note)
 }
 
-/// The cells of a table as a reader sees them.
-fn cells(shown: &Table, language: Language) -> Vec<Vec<String>> {
-    let (_, rows) = shown.shown(language);
-    rows.iter().map(|row| row.iter().map(|cell| escape(cell)).collect()).collect()
-}
-
 /// What to grind.
 pub(super) fn grind(report: &ProfileAnswer, language: Language) -> Section {
     let heading = say!(what_to_grind);
@@ -198,7 +183,7 @@ pub(super) fn grind(report: &ProfileAnswer, language: Language) -> Section {
         let nothing = sentence(&report.nothing_to_grind(), language);
         return Section::There(heading, format!("<p>{nothing}</p>\n"));
     }
-    let rows = cells(&tables::shown_grind(report.rails.iter(), GRIND_ROWS), language);
+    let (_, rows) = cells(&tables::shown_grind(report.rails.iter(), GRIND_ROWS), language);
     let heads = [
         say!(section_head),
         say!(rail_word),

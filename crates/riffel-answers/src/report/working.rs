@@ -18,7 +18,7 @@ use crate::forecast::{ForecastQuestion, MeasuredSpectra, PosteriorForecast, Trac
 use crate::map::{MapAnswer, growth_over};
 use crate::noise::{NoiseAnswer, NoiseQuestion};
 use crate::question::{Asker, CaseSource, PosteriorSource, finished_of, over};
-use crate::{AnswerError, LineGrowth, PosteriorDraws, fingerprint, fingerprint_of, level_limit};
+use crate::{AnswerError, LineGrowth, PosteriorDraws, Result, fingerprint, fingerprint_of, level_limit};
 
 /// Months for which the level of a train is told ahead where no other time is asked for.
 const MONTHS_OF_NOISE: f64 = 12.0;
@@ -42,7 +42,7 @@ struct Given {
 }
 
 impl<'a> Working<'a> {
-    pub(super) fn new(question: &'a ReportQuestion, asker: &'a dyn Asker) -> Result<Self, AnswerError> {
+    pub(super) fn new(question: &'a ReportQuestion, asker: &'a dyn Asker) -> Result<Self> {
         let limits = LimitTable::named(&question.limit)?;
         let is_of_levels = |table: &LimitTable| matches!(table.limit, Limit::Levels(_));
         let first = limits.iter().position(is_of_levels);
@@ -52,7 +52,7 @@ impl<'a> Working<'a> {
     }
 
     /// The page.
-    pub(super) fn page(&self) -> Result<String, AnswerError> {
+    pub(super) fn page(&self) -> Result<String> {
         let (question, asker) = (self.question, self.asker);
         let site = question.site.as_ref().map(|site| site.value(Site::read)).transpose()?.unwrap_or_default();
         let mut given = self.given(question.set.clone())?;
@@ -122,7 +122,7 @@ impl<'a> Working<'a> {
     }
 
     /// The case with some overrides, if there is one.
-    fn given(&self, set: Vec<String>) -> Result<Option<Given>, AnswerError> {
+    fn given(&self, set: Vec<String>) -> Result<Option<Given>> {
         let Some(case) = &self.question.case else {
             return Ok(None);
         };
@@ -131,7 +131,7 @@ impl<'a> Working<'a> {
     }
 
     /// The growth map of a case.
-    fn growth_map(&self, case: &Case, draws: Option<&PosteriorDraws>) -> Result<MapAnswer, AnswerError> {
+    fn growth_map(&self, case: &Case, draws: Option<&PosteriorDraws>) -> Result<MapAnswer> {
         case.check_window()?;
         let traffic = self.question.rail.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
         let step = self.asker.begin(say!(progress_growth_map), case.speed.points());
@@ -145,11 +145,13 @@ impl<'a> Working<'a> {
     }
 
     /// What becomes of the rail over the draws of a calibration.
-    fn forecast_over(&self, plan: &Plan, chains: &Chains) -> Result<PosteriorForecast, AnswerError> {
-        let limit = self.level_limit.as_ref().ok_or_else(|| AnswerError::Argument {
-            argument: "--limit",
-            value: self.question.limit.join(", "),
-            rule: "a limit of levels where there is a --posterior".to_owned(),
+    fn forecast_over(&self, plan: &Plan, chains: &Chains) -> Result<PosteriorForecast> {
+        let limit = self.level_limit.as_ref().ok_or_else(|| {
+            AnswerError::argument(
+                "--limit",
+                self.question.limit.join(", "),
+                "a limit of levels where there is a --posterior",
+            )
         })?;
         let months = self.question.months.unwrap_or(MONTHS_OF_NOISE);
         Ok(PosteriorForecast::new(plan, chains, &level_limit(limit)?, months)?)
@@ -161,12 +163,7 @@ impl<'a> Working<'a> {
     }
 
     /// What becomes of the rail; `wear` is the fit that the case goes by, or why there is none.
-    fn outlook(
-        &self,
-        given: &Given,
-        now: &Now,
-        wear: Option<Section<WearReport>>,
-    ) -> Result<Section<TrackForecast>, AnswerError> {
+    fn outlook(&self, given: &Given, now: &Now, wear: Option<Section<WearReport>>) -> Result<Section<TrackForecast>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit.to_owned(),
             Err(why) => return Ok(Err(why)),
@@ -196,12 +193,7 @@ impl<'a> Working<'a> {
     }
 
     /// What a coach sounds like on the rail at the mean speed of the traffic.
-    fn heard(
-        &self,
-        given: &Given,
-        now: &Now,
-        draws: Option<&PosteriorDraws>,
-    ) -> Result<Section<NoiseAnswer>, AnswerError> {
+    fn heard(&self, given: &Given, now: &Now, draws: Option<&PosteriorDraws>) -> Result<Section<NoiseAnswer>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit,
             Err(why) => return Ok(Err(why)),
@@ -219,7 +211,7 @@ impl<'a> Working<'a> {
     }
 
     /// What would help, with what is measured now if anything is.
-    fn what_if(&self, given: &Given, now: Option<&Now>) -> Result<Section<CompareAnswer>, AnswerError> {
+    fn what_if(&self, given: &Given, now: Option<&Now>) -> Result<Section<CompareAnswer>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit,
             Err(why) => return Ok(Err(why)),
@@ -240,7 +232,7 @@ impl<'a> Working<'a> {
     }
 
     /// The files that the report is made of, with their fingerprints.
-    fn inputs(&self, given: Option<&Given>, rail: Option<&Measured>) -> Result<Inputs, AnswerError> {
+    fn inputs(&self, given: Option<&Given>, rail: Option<&Measured>) -> Result<Inputs> {
         let mut inputs = Inputs::default();
         let (question, asked) = (self.question, &self.question.rail);
         let mut add = |role: Message, path: &Path, origin: Message| {
@@ -267,7 +259,7 @@ impl<'a> Working<'a> {
             let title = case.file.title.as_deref().map_or_else(|| say!(a_case), Message::verbatim);
             let words = match source.overrides() {
                 [] => title,
-                overrides => say!(input_with, title = title, values = overrides.join(", ")),
+                overrides => say!(input_with, title, values = overrides.join(", ")),
             };
             add(say!(input_case), source.name(), words)?;
             if let Some(file) = source.measurement(case) {

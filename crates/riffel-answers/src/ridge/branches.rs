@@ -123,7 +123,7 @@ impl BranchDocument {
             frequency = fixed(self.frequency_hz, 0),
             mechanism = or_nothing(mechanism),
             speeds = shown_speeds(self.speed_m_per_s),
-            wavelengths = wavelengths,
+            wavelengths,
             edge = or_nothing(edge)
         )
     }
@@ -140,17 +140,17 @@ impl BranchDocument {
                 .map(|wavelength| format!("{:.0}", 1e3 * wavelength))
                 .collect();
             let ends = ends.into_iter().map(Value::from);
-            let ends = ends.reduce(|one, other| say!(both, one = one, other = other).into());
+            let ends = ends.reduce(|one, other| say!(both, one, other).into());
             return say!(no_crest, ends = ends.unwrap_or("".into()));
         }
         let words = strongest.in_words();
         if weaker.is_empty() {
-            return say!(one_branch, words = words);
+            return say!(one_branch, words);
         }
         let highest = strongest.highest_growth_rate_per_passage;
         let named = weaker.iter().take(NAMED).map(|branch| {
             let share = share(branch.highest_growth_rate_per_passage / highest);
-            say!(branch_with_share, words = branch.in_words(), share = share)
+            say!(branch_with_share, words = branch.in_words(), share)
         });
         let more = weaker.len().checked_sub(NAMED + 1);
         let more = more.map(|more| say!(more_branches, count = more + 1));
@@ -158,7 +158,7 @@ impl BranchDocument {
         let named = named.reduce(Message::followed_by);
         say!(
             strongest_branch,
-            words = words,
+            words,
             noun = say!(weaker_branches, count = weaker.len()),
             named = named.map_or("".into(), Value::from)
         )
@@ -201,11 +201,13 @@ pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
         .filter(|mechanism| vertical(mechanism.kind))
         .filter_map(|mechanism| Some((mechanism.kind, mechanism.frequency()?)));
     let highest = case.speed.max() / case.wavelength.min();
-    let modes = case.wheelset.as_deref().map_or_else(Vec::new, |wheelset| {
-        // Where modes cannot be told apart so high, a branch has no name.
-        case.wheelset_modes(wheelset, highest).unwrap_or_default()
-    });
-    let of_wheelset = modes.iter().filter_map(|mode| {
+    of_track.chain(modes_of_axle(case, highest)).collect()
+}
+
+/// Natural frequencies up to one \[Hz\] at which the axle of a wheelset twists or bends; none where modes cannot be told apart so high.
+pub(crate) fn modes_of_axle(case: &Case, highest: f64) -> Vec<(MechanismKind, f64)> {
+    let modes = case.wheelset.as_deref().and_then(|wheelset| case.wheelset_modes(wheelset, highest).ok());
+    let named = modes.iter().flatten().filter_map(|mode| {
         let kind = match mode.name {
             ModeName::Torsion { .. } => MechanismKind::WheelsetTorsion,
             ModeName::Bending { .. } => MechanismKind::WheelsetBending,
@@ -213,7 +215,7 @@ pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
         };
         Some((kind, mode.frequency))
     });
-    of_track.chain(of_wheelset).collect()
+    named.collect()
 }
 
 /// The name of a mechanism.

@@ -5,6 +5,6 @@ mod point;
 mod table;
 
 pub use branches::{BranchDocument, best_fit_frequency, ridge_in, ridge_of};
-pub(crate) use branches::{NEAR, mechanism_name, nearest, resonances};
+pub(crate) use branches::{NEAR, mechanism_name, modes_of_axle, nearest, resonances};
 pub use point::RidgePointDocument;
 pub(crate) use table::{branches_table, ridge_table};

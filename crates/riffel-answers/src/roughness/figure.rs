@@ -33,13 +33,12 @@ pub(crate) fn of_profile(profile: &ProfileAnswer, language: Language) -> LineFig
     panels.extend(strips.map(|rail| moving_rms(rail, ends, language)));
     let blocks = profile.rails.iter().flat_map(|rail| &rail.analysis.blocks);
     let block = blocks.map(|block| block.to - block.from).fold(0.0, f64::max);
-    LineFigure {
-        title: say!(rail_roughness).text(language),
-        caption: say!(caption_of_profile, file = file_name(Path::new(&profile.file)), block = fixed(block, 1))
-            .text(language),
+    LineFigure::new(
+        say!(rail_roughness).text(language),
+        say!(caption_of_profile, file = file_name(Path::new(&profile.file)), block = fixed(block, 1)).text(language),
         panels,
-        arrangement: Arrangement::Stacked,
-    }
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 /// The name of a file without its folder.
@@ -77,29 +76,20 @@ pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2], language: Lang
             // One entry of the legend for all stretches.
             let first = rail.analysis.stretches.first().is_some_and(|one| one.0 == *from);
             series.push(Series {
-                label: if first { format!("{} mm", name(band)) } else { String::new() },
-                x,
-                y,
-                style: LineStyle::Solid,
                 color,
+                ..Series::new(if first { format!("{} mm", name(band)) } else { String::new() }, x, y)
             });
         }
         series.extend(found.limit.map(|limit| Series {
-            label: String::new(),
-            x: vec![ends.0, ends.1],
-            y: vec![1e6 * limit; 2],
-            style: LineStyle::Dashed,
             color,
+            ..Series::new("", vec![ends.0, ends.1], vec![1e6 * limit; 2]).styled(LineStyle::Dashed)
         }));
     }
     LinePanel {
-        subtitle: name_in_words(&rail.name).text(language),
-        x_label: position_axis(unit).text(language),
-        y_label: say!(moving_rms_axis).text(language),
         x_range: Some(ends),
-        y_scale: Scale::Log,
-        series,
-        ..LinePanel::default()
+        ..LinePanel::new(position_axis(unit).text(language), say!(moving_rms_axis).text(language), series)
+            .titled(name_in_words(&rail.name).text(language))
+            .scaled(Scale::Linear, Scale::Log)
     }
 }
 
@@ -115,26 +105,21 @@ pub(crate) fn of_spectra(answer: &SpectraAnswer, language: Language) -> LineFigu
     };
     let panel =
         |subtitle: Message, series| LinePanel { subtitle: subtitle.text(language), ..level_panel(series, language) };
-    LineFigure {
-        title: say!(rail_roughness).text(language),
-        caption: say!(caption_of_means, file = file_name(Path::new(&answer.file))).text(language),
-        panels: vec![
+    LineFigure::new(
+        say!(rail_roughness).text(language),
+        say!(caption_of_means, file = file_name(Path::new(&answer.file))).text(language),
+        [
             panel(say!(mean_of_energies), curves(|group| &group.energy)),
             panel(say!(mean_of_levels), curves(|group| &group.arithmetic)),
         ],
-        arrangement: Arrangement::Stacked,
-    }
+    )
+    .arranged(Arrangement::Stacked)
 }
 
 /// Levels over wavelength.
 pub(crate) fn level_panel(series: Vec<Series>, language: Language) -> LinePanel {
-    LinePanel {
-        x_label: say!(wavelength_axis).text(language),
-        y_label: say!(level_axis).text(language),
-        x_scale: Scale::Log,
-        series,
-        ..LinePanel::default()
-    }
+    LinePanel::new(say!(wavelength_axis).text(language), say!(level_axis).text(language), series)
+        .scaled(Scale::Log, Scale::Linear)
 }
 
 pub(crate) fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series> {
@@ -147,11 +132,11 @@ pub(crate) fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series
 /// A spectrum as a curve.
 pub(crate) fn levels(label: &str, spectrum: &Spectrum, style: LineStyle, color: Rgb) -> Series {
     let levels = || spectrum.levels().iter();
-    Series {
-        label: label.to_owned(),
-        x: levels().map(|level| 1e3 * level.band.wavelength()).collect(),
-        y: levels().map(|level| level.level).collect(),
-        style,
-        color: Some(color),
-    }
+    Series::new(
+        label,
+        levels().map(|level| 1e3 * level.band.wavelength()).collect(),
+        levels().map(|level| level.level).collect(),
+    )
+    .styled(style)
+    .colored(color)
 }

@@ -76,12 +76,12 @@ impl Grind {
                 let rails = rails.iter().map(|rail| {
                     let length: f64 = rail.sections.iter().map(GrindSection::length).sum();
                     let name = name_in_words(&rail.name);
-                    say!(metres_of_rail, name = name, length = fixed(length, 1))
+                    say!(metres_of_rail, name, length = fixed(length, 1))
                 });
                 let rails: Value = rails.collect();
-                say!(line_of_rails_to_grind, length = line, rails = rails, share = share)
+                say!(line_of_rails_to_grind, length = line, rails, share)
             }
-            _ => say!(line_to_grind, length = line, share = share),
+            _ => say!(line_to_grind, length = line, share),
         }
     }
 }

@@ -21,7 +21,7 @@ use super::verdict::{Verdict, worst_first};
 use super::words::name;
 use super::{figure, tables};
 use crate::question::Asker;
-use crate::{Answer, AnswerError, Existing, OwnText, Table};
+use crate::{Answer, AnswerError, Existing, OwnText, Result, Table};
 
 /// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
 const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
@@ -84,18 +84,18 @@ pub struct ProfileAnswer {
 }
 
 /// The limit of the moving RMS: there is one at most.
-pub(crate) fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, AnswerError> {
+pub(crate) fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>> {
     let mut found = limits.iter().filter_map(|table| match &table.limit {
         Limit::Rms(limit) => Some((table, limit)),
         Limit::Levels(_) => None,
     });
     let first = found.next();
     match found.next() {
-        Some((second, _)) => Err(AnswerError::Argument {
-            argument: "--limit",
-            value: second.name.clone(),
-            rule: "the only table of RMS limits: what to grind follows from one".to_owned(),
-        }),
+        Some((second, _)) => Err(AnswerError::argument(
+            "--limit",
+            &second.name,
+            "the only table of RMS limits: what to grind follows from one",
+        )),
         None => Ok(first.map(|(_, limit)| limit.clone())),
     }
 }
@@ -118,7 +118,7 @@ impl ProfileAnswer {
         limits: &[LimitTable],
         request: &ProfileRequest,
         asker: &dyn Asker,
-    ) -> Result<Self, AnswerError> {
+    ) -> Result<Self> {
         check_longest(&record, request)?;
         let step = asker.begin(say!(progress_roughness), Self::steps(&record));
         let mut settings = AnalysisSettings {
@@ -210,8 +210,8 @@ impl ProfileAnswer {
         let over = worst.verdicts.iter().filter(|one| !one.within).count();
         let (count, all) = (number(over), number(worst.verdicts.len()));
         Some(match over {
-            0 => say!(worst_within, rail = rail),
-            _ => say!(worst_over, rail = rail, count = count, all = all),
+            0 => say!(worst_within, rail),
+            _ => say!(worst_over, rail, count, all),
         })
     }
 
@@ -315,7 +315,7 @@ impl Answer for ProfileAnswer {
 }
 
 /// `Ok` if the record is long enough for the longest wavelength that is asked for.
-fn check_longest(record: &Record, request: &ProfileRequest) -> Result<(), AnswerError> {
+fn check_longest(record: &Record, request: &ProfileRequest) -> Result<()> {
     let longest_stretch = record
         .rails
         .iter()
@@ -324,14 +324,14 @@ fn check_longest(record: &Record, request: &ProfileRequest) -> Result<(), Answer
     if let Some(asked) = request.longest
         && asked.si() > 0.25 * (longest_stretch + record.spacing)
     {
-        return Err(AnswerError::Argument {
-            argument: "--longest",
-            value: asked.to_string(),
-            rule: format!(
+        return Err(AnswerError::argument(
+            "--longest",
+            asked,
+            format!(
                 "at most {:.3} m, a quarter of the longest stretch without gaps",
                 0.25 * (longest_stretch + record.spacing)
             ),
-        });
+        ));
     }
     Ok(())
 }
@@ -345,12 +345,12 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
             let (length, step) = (number(4.0 * band.to()), fixed(1e3 * spacing, 3));
             let band = name(band);
             remarks.push(match resolves {
-                true => say!(stretches_too_short_for_band, band = band, length = length),
-                false => say!(samples_too_far_for_band, band = band, step = step),
+                true => say!(stretches_too_short_for_band, band, length),
+                false => say!(samples_too_far_for_band, band, step),
             });
         } else if let Some(window) = settings.window.filter(|window| *window < band.to()) {
             let (window, band) = (number(window), name(band));
-            remarks.push(say!(window_shorter_than_wave, window = window, band = band));
+            remarks.push(say!(window_shorter_than_wave, window, band));
         }
     }
     let unlike = |band: &&BandSummary| {
@@ -358,7 +358,7 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
     };
     if let Some(band) = bands.iter().find(unlike) {
         let rms = number(format_args!("{:.3e}", 1e6 * band.rms));
-        remarks.push(say!(rms_unlike_any_rail, rms = rms));
+        remarks.push(say!(rms_unlike_any_rail, rms));
     }
     remarks
 }

@@ -13,7 +13,7 @@ use serde_json::json;
 use super::synthesised::Synthesised;
 use super::{ProfileAnswer, ProfileRequest, SpectraAnswer};
 use crate::question::{Asker, Question, RecordLayout, Rule, Source, choose_nothing, of_keys, positive};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -68,7 +68,7 @@ pub struct RoughnessQuestion {
 
 impl RoughnessQuestion {
     /// What is computed of a profile.
-    fn request(&self) -> Result<ProfileRequest, AnswerError> {
+    fn request(&self) -> Result<ProfileRequest> {
         let or_zero = |argument, length: Quantity<Length>| match length.si() {
             below if below < 0.0 => {
                 let rule = "zero or greater".to_owned();
@@ -95,7 +95,7 @@ impl RoughnessQuestion {
         limits: &[LimitTable],
         request: &ProfileRequest,
         asker: &dyn Asker,
-    ) -> Result<ProfileAnswer, AnswerError> {
+    ) -> Result<ProfileAnswer> {
         choose_nothing(path, &self.choose, self.by.as_deref())?;
         // A table that is none is told of before the work.
         let along = self.along.as_ref().map(|along| along.value(LinePlace::read)).transpose()?;
@@ -104,7 +104,7 @@ impl RoughnessQuestion {
         Ok(answer.beside(along.map(Arc::unwrap_or_clone).unwrap_or_default()))
     }
 
-    fn spectra(&self, survey: Survey, limits: &[LimitTable]) -> Result<SpectraAnswer, AnswerError> {
+    fn spectra(&self, survey: Survey, limits: &[LimitTable]) -> Result<SpectraAnswer> {
         let of_profiles = [
             ("--longest", self.longest.map(|value| value.to_string())),
             ("--window", self.window.map(|value| value.to_string())),
@@ -123,7 +123,7 @@ impl RoughnessQuestion {
     ///
     /// # Errors
     /// None but those of a default that does not fit its key.
-    pub(crate) fn of_file(file: Source<RoughnessFile>, layout: RecordLayout) -> Result<Self, AnswerError> {
+    pub(crate) fn of_file(file: Source<RoughnessFile>, layout: RecordLayout) -> Result<Self> {
         let question: Self = of_keys(json!({ "file": "" }))?;
         Ok(Self { file: Some(file), layout, ..question })
     }
@@ -132,7 +132,7 @@ impl RoughnessQuestion {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
-    pub(crate) fn measured(&self, asker: &dyn Asker) -> Result<Option<MeasuredAnswer>, AnswerError> {
+    pub(crate) fn measured(&self, asker: &dyn Asker) -> Result<Option<MeasuredAnswer>> {
         let Some(file) = &self.file else {
             return Ok(None);
         };
@@ -167,10 +167,10 @@ impl Question for RoughnessQuestion {
     const RULES: &'static [Rule] = &[
         Rule::AnyOf(&["file", "synthesise"]),
         Rule::OneOf(&["file", "synthesise"]),
-        Rule::Needs("force", &["synthesise"]),
+        Rule::Needs(&["force"], &["synthesise"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         Ok(match self.measured(asker)? {
             Some(MeasuredAnswer::Profile(answer)) => answer,
             Some(MeasuredAnswer::Spectra(answer)) => answer,

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::band::{Band, bands};
 use super::level::{Level, levels};
 use super::verdict::{Judged, Verdict};
-use crate::defect_document::DefectDocument;
+use crate::defect::Defect;
 
 /// What was taken out of a profile before it was judged.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
@@ -28,7 +28,7 @@ pub struct RailAnswer {
     pub(crate) bands: Vec<Band>,
     removed: Removed,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(crate) defects: Vec<DefectDocument>,
+    pub(crate) defects: Vec<Defect>,
     /// By limit table; sentences name the rail where there are several.
     pub verdicts: Vec<Verdict>,
     grind_total_m: f64,
@@ -58,7 +58,7 @@ impl RailAnswer {
             spectrum: levels(&analysis.spectrum),
             bands: bands(&name, &analysis.bands),
             removed: Removed { spikes: analysis.spikes, pits: analysis.pits },
-            defects: DefectDocument::all(&name, &analysis.defects),
+            defects: Defect::all(&name, &analysis.defects),
             verdicts: verdicts.map(|verdict| verdict.on_rail(&name).of(words.as_ref())).collect(),
             grind_total_m: sections.iter().map(GrindSection::length).sum(),
             grind_share_of_length: line_length(analysis.measured_within(&sections)) / analysis.length(),

@@ -11,7 +11,7 @@ use super::level::as_levels;
 use super::rail::Removed;
 use super::verdict::{Judged, Verdict, worst_first};
 use crate::number_alone;
-use crate::{Answer, Column, Table};
+use crate::{Answer, Rows, Table};
 
 /// Decibels by which a band stands over both its neighbours to be called a peak.
 const PEAK: f64 = 3.0;
@@ -137,21 +137,25 @@ impl SpectraAnswer {
     /// One row for each band: before a reader the energy mean and, behind the stroke, the mean of levels of each group.
     fn table(&self) -> Table {
         let bands = bands(&self.groups);
-        let wavelengths = Column::exact("wavelength_m", bands.iter().map(|band| band.wavelength()));
-        let nominal = bands.iter().map(|band| number_alone(band.nominal_millimetres()));
-        let mut columns = vec![wavelengths, Column::shown(say!(wavelength_of_band), nominal.collect())];
+        let mut columns = vec![
+            bands.exact("wavelength_m", |band| band.wavelength()),
+            bands.numbers(say!(wavelength_of_band), |band| band.nominal_millimetres()),
+        ];
         for group in &self.groups {
             let means = [("energy_mean_db", &group.energy), ("arithmetic_mean_db", &group.arithmetic)];
-            columns.extend(means.map(|(mean, spectrum)| {
-                let levels = bands.iter().map(|band| spectrum.level(*band));
-                Column::exact(&format!("{} {mean}", group.name), levels)
-            }));
-            let words = bands.iter().map(|band| match group.energy.level(*band).zip(group.arithmetic.level(*band)) {
-                Some((energy, arithmetic)) => number_alone(format!("{energy:.1} | {arithmetic:.1}")),
-                None => Message::verbatim(""),
-            });
-            columns
-                .push(Column::shown(Message::verbatim(format!("{} ({})", group.name, group.count)), words.collect()));
+            columns.extend(
+                means.map(|(mean, spectrum)| {
+                    bands.exact(&format!("{} {mean}", group.name), |band| spectrum.level(*band))
+                }),
+            );
+            let head = Message::verbatim(format!("{} ({})", group.name, group.count));
+            columns.push(bands.shown(
+                head,
+                |band| match group.energy.level(*band).zip(group.arithmetic.level(*band)) {
+                    Some((energy, arithmetic)) => number_alone(format!("{energy:.1} | {arithmetic:.1}")),
+                    None => Message::verbatim(""),
+                },
+            ));
         }
         Table { name: "spectrum", columns }
     }
@@ -166,9 +170,9 @@ impl Answer for SpectraAnswer {
         let spectra = say!(one_third_octave_spectra, count = self.count());
         let read = match &self.dates {
             Some(column) => {
-                say!(read_as_spectra_of_dates, spectra = spectra, dates = number(self.groups.len()), column = column)
+                say!(read_as_spectra_of_dates, spectra, dates = number(self.groups.len()), column)
             }
-            None => say!(read_as_spectra, spectra = spectra),
+            None => say!(read_as_spectra, spectra),
         };
         vec![Message::verbatim(&self.file), read, say!(means_of_spectra)]
     }
@@ -225,7 +229,7 @@ fn verdicts(group: &str, survey: &Survey, limits: &[LimitTable]) -> Vec<Verdict>
             let subject = match (several, group) {
                 (false, group) => group.map(Message::verbatim),
                 (true, None) => Some(rail_in_words(&rail)),
-                (true, Some(group)) => Some(say!(group_and_rail, group = group, rail = rail_in_words(&rail))),
+                (true, Some(group)) => Some(say!(group_and_rail, group, rail = rail_in_words(&rail))),
             };
             let verdicts = Verdict::all(limits, &spectra.mean(), None).into_iter();
             let verdicts = verdicts.map(|verdict| verdict.of(subject.as_ref()));
@@ -268,11 +272,11 @@ fn findings(groups: &[MeanSpectra]) -> Vec<Message> {
             let wavelength = number(band.nominal_millimetres());
             (levels.len() == groups.len()).then(|| {
                 if all(|pair| pair[1] < pair[0]) {
-                    say!(peak_falls, wavelength = wavelength, levels = list)
+                    say!(peak_falls, wavelength, levels = list)
                 } else if all(|pair| pair[1] > pair[0]) {
-                    say!(peak_rises, wavelength = wavelength, levels = list)
+                    say!(peak_rises, wavelength, levels = list)
                 } else {
-                    say!(peak_stays, wavelength = wavelength, levels = list)
+                    say!(peak_stays, wavelength, levels = list)
                 }
             })
         })

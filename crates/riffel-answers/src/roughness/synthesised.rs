@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, say};
 use riffel_rail::{DEFAULT_RECIPE, RecipeFile};
 use serde::Serialize;
 
@@ -68,9 +68,5 @@ impl Answer for Synthesised {
             existing: if self.force { Existing::Replaced } else { Existing::ReplacedIfKnown(None) },
             written: path.map(|path| say!(profile_is_written, file = path.display().to_string())),
         })
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
     }
 }

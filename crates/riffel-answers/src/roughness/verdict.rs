@@ -165,8 +165,8 @@ impl Verdict {
             source: table.source.clone(),
             within,
             sentence: match within {
-                true => say!(verdict_within, edition = edition, rest = rest),
-                false => say!(verdict_over, edition = edition, rest = rest),
+                true => say!(verdict_within, edition, rest),
+                false => say!(verdict_over, edition, rest),
             },
         }
     }
@@ -203,26 +203,15 @@ impl Verdict {
                 let are_all = measured == all;
                 let rest = match (count, fixed(excess.abs(), 1)) {
                     (0, room) if are_all => {
-                        say!(all_bands_within, all = all, room = room, wavelength = wavelength)
+                        say!(all_bands_within, all, room, wavelength)
                     }
-                    (0, room) => say!(
-                        measured_bands_within,
-                        measured = measured,
-                        all = all,
-                        room = room,
-                        wavelength = wavelength
-                    ),
+                    (0, room) => say!(measured_bands_within, measured, all, room, wavelength),
                     (count, decibels) if are_all => {
-                        say!(bands_over, count = number(count), all = all, decibels = decibels, wavelength = wavelength)
+                        say!(bands_over, count = number(count), all, decibels, wavelength)
                     }
-                    (count, decibels) => say!(
-                        measured_bands_over,
-                        count = number(count),
-                        measured = measured,
-                        all = all,
-                        decibels = decibels,
-                        wavelength = wavelength
-                    ),
+                    (count, decibels) => {
+                        say!(measured_bands_over, count = number(count), measured, all, decibels, wavelength)
+                    }
                 };
                 let sections = analysis.map_or_else(Vec::new, |analysis| SectionOverLevels::all(limit, analysis));
                 let judged = analysis.map_or(0, |analysis| analysis.section_spectra.len());
@@ -250,20 +239,20 @@ impl Verdict {
         let shares: Value = (judged.iter())
             .map(|(band, share)| {
                 let share = fixed(100.0 * share, 1);
-                say!(share_of_band, band = name(&band.band), share = share)
+                say!(share_of_band, band = name(&band.band), share)
             })
             .collect();
         let (allowed, all) = (fixed(100.0 * limit.share(), 0), number(sections.len()));
         let length = fixed(JUDGED_LENGTH, 0);
         let rule = match (sections.len(), over.first()) {
-            (..=1, _) => say!(length_may_be_over, allowed = allowed),
-            (_, None) => say!(no_section_over, allowed = allowed, length = length, all = all),
+            (..=1, _) => say!(length_may_be_over, allowed),
+            (_, None) => say!(no_section_over, allowed, length, all),
             (_, Some(worst)) => say!(
                 sections_over,
-                allowed = allowed,
-                length = length,
+                allowed,
+                length,
                 over = number(over.len()),
-                all = all,
+                all,
                 place = place_in_words(worst.from, worst.to, analysis.stretch_to_name(worst.stretch)),
                 share = fixed(100.0 * worst.share, 0),
                 band = name(&worst.band),

@@ -20,8 +20,8 @@ impl ProfileAnswer {
             |column| {
                 let (unit, column) = (&column.unit, number(column.column));
                 match self.record.falling {
-                    true => say!(falling_position_in_column, column = column, unit = unit),
-                    false => say!(position_in_column, column = column, unit = unit),
+                    true => say!(falling_position_in_column, column, unit),
+                    false => say!(position_in_column, column, unit),
                 }
             },
         );
@@ -36,14 +36,7 @@ impl ProfileAnswer {
                 )
             })
             .collect();
-        say!(
-            read_as,
-            delimiter = format.delimiter.words(),
-            decimal = format.decimal.words(),
-            header = header,
-            position = position,
-            rails = rails
-        )
+        say!(read_as, delimiter = format.delimiter.words(), decimal = format.decimal.words(), header, position, rails)
     }
 }
 
@@ -51,8 +44,8 @@ impl ProfileAnswer {
 pub(super) fn place_in_words(from: f64, to: f64, stretch: Option<usize>) -> Message {
     let (from, to) = (fixed(from, 0), fixed(to, 0));
     match stretch {
-        Some(stretch) => say!(place_on_stretch, from = from, to = to, stretch = number(stretch)),
-        None => say!(place_from_to, from = from, to = to),
+        Some(stretch) => say!(place_on_stretch, from, to, stretch = number(stretch)),
+        None => say!(place_from_to, from, to),
     }
 }
 

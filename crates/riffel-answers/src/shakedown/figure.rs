@@ -9,25 +9,22 @@ const TOP: f64 = 7.0;
 
 pub(super) fn figure(answer: &ShakedownAnswer) -> LineFigure {
     let panels = std::iter::once(map(answer)).chain(along_wave(answer));
-    LineFigure {
-        title: "Shakedown of the rail".to_owned(),
-        caption: format!(
-            "Largest contact pressure over the shear yield of {:.0} MPa, and the limits of repeated loading over the friction that is \
-             used, a/b = {:.2}. Elastic: first yield by von Mises in full slip. Line: shakedown of line contact. Surface: 1/f. Below: \
-             of the ellipse without friction, an upper bound.{}",
-            1e-6 * answer.shear_yield_pa,
-            answer.a_over_b,
-            match answer.amplitude_m {
-                Some(amplitude) => format!(
-                    " The orbit is that of the operating point over a wave of the amplitude {:.1} µm, from the crest through the trough.",
-                    1e6 * amplitude
-                ),
-                None => String::new(),
-            }
-        ),
-        panels: panels.collect(),
-        arrangement: Arrangement::Stacked,
-    }
+    let caption = format!(
+        "Largest contact pressure over the shear yield of {:.0} MPa, and the limits of repeated \
+             loading over the friction that is used, a/b = {:.2}. Elastic: first yield by von Mises in full \
+             slip. Line: shakedown of line contact. Surface: 1/f. Below: of the ellipse without friction, an upper bound.{}",
+        1e-6 * answer.shear_yield_pa,
+        answer.a_over_b,
+        match answer.amplitude_m {
+            Some(amplitude) => format!(
+                " The orbit is that of the operating point over a wave of the amplitude {:.1} \
+                     µm, from the crest through the trough.",
+                1e6 * amplitude
+            ),
+            None => String::new(),
+        }
+    );
+    LineFigure::new("Shakedown of the rail", caption, panels).arranged(Arrangement::Stacked)
 }
 
 fn map(answer: &ShakedownAnswer) -> LinePanel {
@@ -36,7 +33,7 @@ fn map(answer: &ShakedownAnswer) -> LinePanel {
     let limit = |label: &str, color: Rgb, style: LineStyle, of: fn(&LimitRow) -> Option<f64>| {
         let places = rows.iter().filter_map(|row| Some((row.utilised_friction, of(row)?)));
         let (x, y) = places.filter(|(_, y)| *y <= TOP).unzip();
-        Series { label: label.to_owned(), x, y, style, color: Some(color) }
+        Series::new(label, x, y).styled(style).colored(color)
     };
     let mut series = vec![
         limit("elastic", OKABE_ITO[1], LineStyle::Dashed, |row| Some(row.elastic)),
@@ -47,35 +44,20 @@ fn map(answer: &ShakedownAnswer) -> LinePanel {
     if let Some(points) = &answer.along_wave {
         let around = points.iter().chain(points.first());
         let (x, y) = around.map(|point| (point.utilised_friction, point.p0_over_k)).unzip();
-        series.push(Series {
-            label: "along the wave".to_owned(),
-            x,
-            y,
-            style: LineStyle::Solid,
-            color: Some(Rgb::BLACK),
-        });
+        series.push(Series::new("along the wave", x, y).colored(Rgb::BLACK));
         for (label, degrees) in [("crest", 0.0), ("trough", 180.0)] {
             let at = points.iter().filter(|point| point.phase_deg == degrees);
             let (x, y) = at.map(|point| (point.utilised_friction, point.p0_over_k)).unzip();
             let color = if degrees == 0.0 { OKABE_ITO[5] } else { OKABE_ITO[6] };
-            series.push(Series { label: label.to_owned(), x, y, style: LineStyle::Markers, color: Some(color) });
+            series.push(Series::new(label, x, y).styled(LineStyle::Markers).colored(color));
         }
     }
-    series.push(Series {
-        label: "mean state".to_owned(),
-        x: vec![answer.mean.utilised_friction],
-        y: vec![answer.mean.p0_over_k],
-        style: LineStyle::Markers,
-        color: Some(Rgb::BLACK),
-    });
-    LinePanel {
-        subtitle: String::new(),
-        x_label: "utilised friction |Q|/P".to_owned(),
-        y_label: "p₀/k".to_owned(),
-        y_range: Some((0.0, TOP)),
-        series,
-        ..LinePanel::default()
-    }
+    series.push(
+        Series::new("mean state", vec![answer.mean.utilised_friction], vec![answer.mean.p0_over_k])
+            .styled(LineStyle::Markers)
+            .colored(Rgb::BLACK),
+    );
+    LinePanel { y_range: Some((0.0, TOP)), ..LinePanel::new("utilised friction |Q|/P", "p₀/k", series) }
 }
 
 /// Demand and profile over the phase.
@@ -92,18 +74,7 @@ fn along_wave(answer: &ShakedownAnswer) -> Option<LinePanel> {
             points.iter().map(|point| point.profile_m / amplitude).collect::<Vec<f64>>(),
         ),
     ];
-    let series = series.map(|(label, color, style, y)| Series {
-        label: label.to_owned(),
-        x: phase.clone(),
-        y,
-        style,
-        color: Some(color),
-    });
-    Some(LinePanel {
-        subtitle: "over the wave".to_owned(),
-        x_label: "phase of the profile / °".to_owned(),
-        y_label: "demand".to_owned(),
-        series: series.to_vec(),
-        ..LinePanel::default()
-    })
+    let series =
+        series.map(|(label, color, style, y)| Series::new(label, phase.clone(), y).styled(style).colored(color));
+    Some(LinePanel::new("phase of the profile / °", "demand", series.to_vec()).titled("over the wave"))
 }

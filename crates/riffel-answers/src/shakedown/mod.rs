@@ -14,7 +14,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::question::{AsWritten, Asker, CaseSource, Question, Rule};
-use crate::{Answer, AnswerError, Table};
+use crate::{Answer, AnswerError, Result, Table};
 
 /// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -36,13 +36,10 @@ impl Question for ShakedownQuestion {
     const NAME: &'static str = "shakedown";
     const EXAMPLE: &'static str =
         "Example: riffel shakedown case.toml --wavelength \"300 mm\" --speed \"50 km/h\" --amplitude \"50 um\"";
-    const RULES: &'static [Rule] = &[
-        Rule::Needs("wavelength", &["speed"]),
-        Rule::Needs("speed", &["wavelength"]),
-        Rule::Needs("amplitude", &["wavelength"]),
-    ];
+    const RULES: &'static [Rule] =
+        &[Rule::Needs(&["wavelength"], &["speed"]), Rule::Needs(&["speed", "amplitude"], &["wavelength"])];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let case = self.case.read(asker)?;
         let mut covering = None;
         let wave = match (&self.wavelength, &self.speed) {
@@ -153,14 +150,10 @@ impl ShakedownLimits {
     ///
     /// # Errors
     /// [`AnswerError`] for a friction below zero or above one, and for a point that the case does not know.
-    pub fn answer(&self, case: &Case) -> Result<ShakedownAnswer, AnswerError> {
+    pub fn answer(&self, case: &Case) -> Result<ShakedownAnswer> {
         for &friction in &self.utilised_friction {
             if !(0.0..=1.0).contains(&friction) {
-                return Err(AnswerError::Argument {
-                    argument: "--utilised-friction",
-                    value: friction.to_string(),
-                    rule: "between 0 and 1".to_owned(),
-                });
+                return Err(AnswerError::argument("--utilised-friction", friction, "between 0 and 1"));
             }
         }
         let shear_yield = case.shear_yield();
@@ -176,10 +169,12 @@ impl ShakedownLimits {
         let along_wave = self.wave.map(|[wavelength, speed]| {
             let state = case.point(wavelength, speed)?;
             let amplitude = self.amplitude.unwrap_or(case.feedback.amplitude());
-            let points = along(case, &state, amplitude).ok_or_else(|| AnswerError::Argument {
-                argument: "--amplitude",
-                value: format!("{} mm", 1e3 * amplitude),
-                rule: say!(below_r_at_the_wavelength_of, wavelength = wavelength).to_string(),
+            let points = along(case, &state, amplitude).ok_or_else(|| {
+                AnswerError::argument(
+                    "--amplitude",
+                    format!("{} mm", 1e3 * amplitude),
+                    say!(below_r_at_the_wavelength_of, wavelength).to_string(),
+                )
             })?;
             Ok::<_, AnswerError>((amplitude, points))
         });

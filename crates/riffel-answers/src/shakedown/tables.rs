@@ -2,8 +2,8 @@
 
 use riffel_keys::{Message, fixed, say};
 
-use super::{LimitRow, OperatingPoint, ShakedownAnswer};
-use crate::{Column, Table};
+use super::{OperatingPoint, ShakedownAnswer};
+use crate::{Rows, Table};
 
 pub(super) fn introduction(answer: &ShakedownAnswer) -> Vec<Message> {
     let title = answer.title.clone().map(Message::verbatim);
@@ -23,17 +23,15 @@ pub(super) fn of_mean(answer: &ShakedownAnswer) -> Message {
 }
 
 pub(super) fn tables(answer: &ShakedownAnswer) -> Vec<Table> {
-    let column = |name: &str, head: Message, of: fn(&LimitRow) -> Option<f64>| {
-        Column::fixed(name, head, answer.map.iter().map(of), 3)
-    };
+    let map = &answer.map;
     let limits = Table {
         name: "limits",
         columns: vec![
-            column("utilised_friction", say!(utilised_friction), |row| Some(row.utilised_friction)),
-            column("elastic", say!(limit_elastic), |row| Some(row.elastic)),
-            column("line", say!(limit_line), |row| Some(row.line)),
-            column("surface", say!(limit_surface), |row| row.surface),
-            column("subsurface", say!(limit_subsurface), |row| Some(row.subsurface)),
+            map.fixed("utilised_friction", say!(utilised_friction), 3, |row| row.utilised_friction),
+            map.fixed("elastic", say!(limit_elastic), 3, |row| row.elastic),
+            map.fixed("line", say!(limit_line), 3, |row| row.line),
+            map.fixed("surface", say!(limit_surface), 3, |row| row.surface),
+            map.fixed("subsurface", say!(limit_subsurface), 3, |row| row.subsurface),
         ],
     };
     let along = answer.along_wave.as_deref().map(operating_points);
@@ -41,22 +39,17 @@ pub(super) fn tables(answer: &ShakedownAnswer) -> Vec<Table> {
 }
 
 fn operating_points(points: &[OperatingPoint]) -> Table {
-    type Of = fn(&OperatingPoint) -> f64;
-    let column = |name: &str, head: Message, of: Of, shown: usize| {
-        Column::fixed(name, head, points.iter().map(|point| Some(of(point))), shown)
-    };
-    let in_file = |name: &str, of: Of| Column::in_file(name, points.iter().map(of));
     Table {
         name: "operating-points",
         columns: vec![
-            column("phase_deg", say!(phase_of_wave), |it| it.phase_deg, 0),
-            in_file("profile_m", |it| it.profile_m),
-            in_file("normal_force_n", |it| it.normal_force_n),
-            in_file("tangential_force_n", |it| it.tangential_force_n),
-            column("p0_over_k", say!(pressure_over_yield), |it| it.p0_over_k, 3),
-            column("utilised_friction", say!(utilised_friction), |it| it.utilised_friction, 3),
-            column("fi_surf", say!(surface_fatigue_index), |it| it.fi_surf, 3),
-            column("demand", say!(demand_of_flow), |it| it.demand, 3),
+            points.fixed("phase_deg", say!(phase_of_wave), 0, |it| it.phase_deg),
+            points.plain("profile_m", |it| it.profile_m),
+            points.plain("normal_force_n", |it| it.normal_force_n),
+            points.plain("tangential_force_n", |it| it.tangential_force_n),
+            points.fixed("p0_over_k", say!(pressure_over_yield), 3, |it| it.p0_over_k),
+            points.fixed("utilised_friction", say!(utilised_friction), 3, |it| it.utilised_friction),
+            points.fixed("fi_surf", say!(surface_fatigue_index), 3, |it| it.fi_surf),
+            points.fixed("demand", say!(demand_of_flow), 3, |it| it.demand),
         ],
     }
 }

@@ -1,17 +1,14 @@
 //! A wheel along a measured profile.
 
-use riffel::contact::ContactFilter;
 use riffel::passage::ContactInstant;
 use riffel::roughness::Profile;
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message, fixed, say};
-use riffel_plot::{Arrangement, LineFigure};
-use serde::Serialize;
+use riffel_keys::{Message, fixed, say};
+use serde::{Serialize, Serializer};
 
-use super::{Course, files, force_in_words, remarks};
-use crate::answer::titled;
-use crate::parameters::parameters_on_rail;
-use crate::{Answer, AnswerError, ResultFile, Table};
+use super::run::{March, model};
+use super::{Course, Extremes, Run, refused, remarks};
+use crate::{AnswerError, Result};
 
 /// A profile to roll over.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,88 +38,67 @@ pub struct PassageAnswer {
     pub run_in_m: f64,
     mean_dissipation_j_per_m: f64,
     mean_creepage: f64,
-    /// Share of the time without contact.
-    pub contact_loss_fraction: f64,
-    /// Least normal force at any step.
-    pub minimum_normal_force_n: f64,
-    /// Largest normal force at any step.
-    pub maximum_normal_force_n: f64,
+    /// Loss of contact and normal forces at any step.
+    #[serde(flatten)]
+    pub extremes: Extremes,
     /// Mean square of the relative error of the track in time.
     track_share_cut: f64,
-    /// The first contact, height by height.
-    #[serde(flatten)]
-    pub course: Course,
-    /// All others of a loop on all axes, each at its own places.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub other_contacts: Vec<ContactCourse>,
-    /// Names of all contacts of a loop on all axes; none of one wheel and one axis.
-    #[serde(skip)]
-    pub contacts: Vec<ContactName>,
-    /// What the reader should know of the passage.
-    #[serde(skip)]
-    pub own_remarks: Vec<Message>,
-    /// And of the case.
-    #[serde(skip)]
-    remarks: Vec<Message>,
+    /// With courses height by height, each contact at its own places.
+    #[serde(flatten, serialize_with = "courses")]
+    pub run: Run,
     #[serde(skip)]
     profile: Profile,
-    #[serde(skip)]
-    case: Case,
 }
 
-/// One of several contacts place by place.
-#[derive(Serialize)]
-pub struct ContactCourse {
-    #[serde(flatten)]
-    name: ContactName,
-    /// Place by place.
-    #[serde(flatten)]
-    pub course: Course,
+/// The first contact, height by height, and all others of a loop on all axes.
+fn courses<S: Serializer>(run: &Run, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Other<'a> {
+        #[serde(flatten)]
+        name: ContactName,
+        #[serde(flatten)]
+        course: &'a Course,
+    }
+    #[derive(Serialize)]
+    struct Courses<'a> {
+        #[serde(flatten)]
+        first: &'a Course,
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        other_contacts: Vec<Other<'a>>,
+    }
+    let other_contacts = run.others().map(|(name, course)| Other { name, course }).collect();
+    Courses { first: &run.courses[0], other_contacts }.serialize(serializer)
 }
 
 impl PassageAnswer {
     /// A case along a profile.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::in_time`], for a profile coarser than the patch is long, and for one shorter than the
+    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`], for a profile coarser than the patch is long, and for one shorter than the
     /// motion remembers.
-    pub fn new(case: &Case, request: PassageRequest) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: PassageRequest) -> Result<Self> {
         let profile = &request.profile;
         check_sampling(case, profile)?;
         check_step(request.largest_step)?;
-        let mut model = case.in_time(request.speed)?;
-        model.contact_filter = request.contact_filter.then(|| ContactFilter::of(&case.hertz));
-        let passage = model.pass(profile, request.largest_step).map_err(refused)?;
+        let model = model(case, request.speed, request.contact_filter)?;
+        let passage = model.pass(profile, request.largest_step).map_err(refused("--profile"))?;
         let contacts = case.contact_names();
-        let on_all_axes = !contacts.is_empty();
-        let own_remarks: Vec<Message> =
-            remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model)).collect();
-        let course = course(profile, &passage.contacts, 0.0, on_all_axes);
-        let along = case.feedback.contacts().iter().map(|contact| contact.along);
-        let others = contacts.iter().zip(along).skip(1).zip(&passage.others);
-        let others = others.map(|((name, along), contacts)| ContactCourse {
-            name: *name,
-            course: self::course(profile, contacts, along, on_all_axes),
-        });
+        let own_remarks = remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model));
+        let along = case.feedback.contacts().iter().map(|contact| contact.along).skip(1);
+        let courses = [(0.0, &passage.contacts)].into_iter().chain(along.zip(&passage.others));
+        let courses = courses.map(|(along, instants)| course(profile, instants, along, !contacts.is_empty()));
+        let courses: Vec<Course> = courses.collect();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        let [least, largest] = passage.normal_force;
         Ok(Self {
             speed_m_per_s: request.speed,
             step_m: passage.step,
             run_in_m: passage.run_in,
-            mean_dissipation_j_per_m: mean(&course.dissipation_j_per_m),
-            mean_creepage: mean(&course.creepage),
-            contact_loss_fraction: passage.contact_loss,
-            minimum_normal_force_n: least,
-            maximum_normal_force_n: largest,
+            mean_dissipation_j_per_m: mean(&courses[0].dissipation_j_per_m),
+            mean_creepage: mean(&courses[0].creepage),
+            extremes: Extremes::new(passage.normal_force, passage.contact_loss),
             track_share_cut: model.structures.share_cut(),
-            other_contacts: others.collect(),
-            course,
-            remarks: case.remarks_at(request.speed).iter().chain(&own_remarks).cloned().collect(),
-            own_remarks,
-            contacts,
+            run: Run { courses, contacts, ..Run::new(case, own_remarks, &case.remarks_at(request.speed)) },
             profile: request.profile,
-            case: case.clone(),
         })
     }
 }
@@ -143,18 +119,17 @@ fn course(profile: &Profile, contacts: &[ContactInstant], along: f64, on_all_axe
     )
 }
 
-impl Answer for PassageAnswer {
-    fn name(&self) -> &'static str {
-        "passage"
-    }
-    fn document_name(&self) -> &'static str {
-        "passage.json"
+impl March for PassageAnswer {
+    const NAME: &'static str = "passage";
+    const DOCUMENT: &'static str = "passage.json";
+
+    fn run(&self) -> &Run {
+        &self.run
     }
 
-    fn introduction(&self) -> Vec<Message> {
-        let force = [self.minimum_normal_force_n, self.maximum_normal_force_n];
+    fn about(&self) -> Vec<Message> {
         vec![
-            titled(self.case.file.title.as_ref(), say!(wheel_along_a_profile)),
+            self.run.titled(say!(wheel_along_a_profile)),
             say!(
                 length_of_passage,
                 length = fixed(self.profile.length(), 2),
@@ -163,7 +138,7 @@ impl Answer for PassageAnswer {
                 run_in = fixed(self.run_in_m, 2),
                 step = fixed(1e3 * self.step_m, 3)
             ),
-            force_in_words(force, self.contact_loss_fraction),
+            self.extremes.sentence(),
             say!(
                 means_of_passage,
                 creepage = fixed(100.0 * self.mean_creepage, 4),
@@ -172,57 +147,33 @@ impl Answer for PassageAnswer {
         ]
     }
 
-    fn tables(&self) -> Vec<Table> {
-        vec![self.course.table(self.name())]
-    }
-
-    /// The passage as strips.
-    fn figure(&self) -> LineFigure {
-        LineFigure {
-            title: format!("A passage at {:.1} km/h", 3.6 * self.speed_m_per_s),
-            caption: format!("Wheel centre at x. {}", parameters_on_rail(&self.case)),
-            panels: self.course.panels(),
-            arrangement: Arrangement::Strips,
-        }
-    }
-
-    fn files(&self) -> Vec<ResultFile<'_>> {
-        let others = self.other_contacts.iter().map(|other| (other.name, &other.course));
-        files(self, &self.course, others)
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &self.remarks
+    fn picture(&self) -> (String, String, usize) {
+        (format!("A passage at {:.1} km/h", 3.6 * self.speed_m_per_s), "Wheel centre at x.".to_owned(), 0)
     }
 }
 
 /// `Ok` if a step along a profile \[m\] is no shorter than a micrometre, a million to a metre.
-pub(super) fn check_step(step: f64) -> Result<(), AnswerError> {
+pub(super) fn check_step(step: f64) -> Result<()> {
     const LEAST: f64 = 1e-6;
     if step >= LEAST {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--step",
-        value: format!("{step:e} m"),
-        rule: format!("at least {LEAST:e} m, a million steps to a metre"),
-    })
+    Err(AnswerError::argument(
+        "--step",
+        format!("{step:e} m"),
+        format!("at least {LEAST:e} m, a million steps to a metre"),
+    ))
 }
 
 /// `Ok` if a profile is sampled at least once in a semi-axis of the contact.
-pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<(), AnswerError> {
+pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<()> {
     let largest = case.hertz.semi_axis_longitudinal();
     if profile.spacing() <= largest {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--profile",
-        value: format!("sampled every {:.3} mm", 1e3 * profile.spacing()),
-        rule: format!("sampled at least every {:.3} mm, the semi-axis of the contact along the rail", 1e3 * largest),
-    })
-}
-
-/// A refusal of the physics, of the profile.
-pub(super) fn refused(error: riffel::Error) -> CaseError {
-    CaseError::Physics { input: "--profile".to_owned(), error }
+    Err(AnswerError::argument(
+        "--profile",
+        format!("sampled every {:.3} mm", 1e3 * profile.spacing()),
+        format!("sampled at least every {:.3} mm, the semi-axis of the contact along the rail", 1e3 * largest),
+    ))
 }

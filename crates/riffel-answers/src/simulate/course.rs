@@ -5,7 +5,7 @@ use riffel_plot::{LinePanel, LineStyle, Series};
 use serde::Serialize;
 
 use crate::netcdf::{Grid, Variable};
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// What a wheel does along a rail, place by place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -54,7 +54,7 @@ impl Course {
     pub(super) fn grid(&self, title: String) -> Grid<'_> {
         let of = |name, unit, long_name, values: &'_ [f64]| {
             let values = values.to_vec();
-            Variable { name, axes: &["position"], unit, long_name, values: Box::new(move || values.clone()) }
+            Variable::new(name, &["position"], unit, long_name, move || values.clone())
         };
         let mut variables = vec![
             of("position", "m", "place of the wheel centre", &self.position_m),
@@ -77,7 +77,7 @@ impl Course {
 
     /// One row for each place.
     pub(super) fn table(&self, name: &'static str) -> Table {
-        let column = |name: &str, values: &[f64]| Column::exact(name, values.iter().copied());
+        let column = |name: &str, values: &[f64]| values.exact(name, |&value| value);
         let across = [("lateral_force_n", &self.lateral_force_n), ("lateral_creepage", &self.lateral_creepage)];
         let across = across.into_iter().filter_map(|(name, values)| Some(column(name, values.as_deref()?)));
         let columns = [
@@ -94,15 +94,12 @@ impl Course {
 
     /// Strips of all quantities; places without contact are marked at zero force.
     pub(super) fn panels(&self) -> Vec<LinePanel> {
-        let strip = |y_label: &str, values: &[f64], scale: f64| LinePanel {
-            x_label: "place along the rail x [m]".to_owned(),
-            y_label: y_label.to_owned(),
-            series: vec![Series {
-                x: self.position_m.clone(),
-                y: values.iter().map(|value| scale * value).collect(),
-                ..Series::default()
-            }],
-            ..LinePanel::default()
+        let strip = |y_label: &str, values: &[f64], scale: f64| {
+            LinePanel::new(
+                "place along the rail x [m]",
+                y_label,
+                [Series::new("", self.position_m.clone(), values.iter().map(|value| scale * value).collect())],
+            )
         };
         let mut force = strip("normal force P [kN]", &self.normal_force_n, 1e-3);
         if self.normal_force_n.contains(&0.0) {
@@ -110,13 +107,9 @@ impl Course {
                 0.0 => 0.0,
                 _ => f64::NAN,
             });
-            force.series.push(Series {
-                label: "no contact".to_owned(),
-                x: self.position_m.clone(),
-                y: lost.collect(),
-                style: LineStyle::Markers,
-                color: None,
-            });
+            force
+                .series
+                .push(Series::new("no contact", self.position_m.clone(), lost.collect()).styled(LineStyle::Markers));
         }
         let mut panels = vec![force];
         if self.height_m.iter().any(|height| *height != 0.0) {

@@ -8,16 +8,16 @@ use riffel::roughness::Weld;
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Length, Quantity, QuantityError, Speed};
-use riffel_keys::{CaseError, say};
+use riffel_keys::say;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{
     EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, SmoothRailAnswer,
-    Surface, rail,
+    Surface, rail, refused,
 };
 use crate::question::{AsWritten, Asker, CaseSource, Question, RecordLayout, Rule, Source, positive};
-use crate::{Answer, AnswerError};
+use crate::{Answer, AnswerError, Result};
 
 /// Length of a rail that is made, where none is asked for \[m\].
 const USUAL_LENGTH: f64 = 20.0;
@@ -90,7 +90,7 @@ impl TryFrom<String> for LengthPair {
 
 impl LengthPair {
     /// Amplitude and wavelength within their physical ranges; `asker` is told what is not usual.
-    fn sinusoid(&self, asker: &dyn Asker) -> Result<Sinusoid, AnswerError> {
+    fn sinusoid(&self, asker: &dyn Asker) -> Result<Sinusoid> {
         let read = |key, what, length: &AsWritten<Length>| {
             length.within(key, asker).map_err(|error| match error {
                 AnswerError::Range { message, .. } => {
@@ -106,7 +106,7 @@ impl LengthPair {
         })
     }
 
-    fn weld(&self) -> Result<Weld, AnswerError> {
+    fn weld(&self) -> Result<Weld> {
         let read = |length: &AsWritten<Length>| positive("--weld", Quantity::<Length>::new(length.si()));
         let [depth, length] = &self.0;
         Ok(Weld { depth: read(depth)?, length: read(length)? })
@@ -118,24 +118,23 @@ impl SimulateQuestion {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the key at fault, [`AnswerError::Case`] with the key of the case or the file.
-    pub fn evolution(&self, asker: &dyn Asker) -> Result<Option<(EvolutionRun, u64)>, AnswerError> {
+    pub fn evolution(&self, asker: &dyn Asker) -> Result<Option<(EvolutionRun, u64)>> {
         let Some(passages) = self.passages else {
             return Ok(None);
         };
         let (case, step) = (self.case.read(asker)?, self.step()?);
         if passages.fract() != 0.0 || !(1.0..=MOST_PASSAGES).contains(&passages) {
-            return Err(AnswerError::Argument {
-                argument: "--passages",
-                value: passages.to_string(),
-                rule: format!("a whole number from 1 to {MOST_PASSAGES:e}"),
-            });
+            return Err(AnswerError::argument(
+                "--passages",
+                passages,
+                format!("a whole number from 1 to {MOST_PASSAGES:e}"),
+            ));
         }
         let traffic = match &self.traffic {
             Some(traffic) => Traffic::clone(&*traffic.value(Traffic::read)?),
             None => {
                 let speed = SpeedDistribution::single(self.speed(asker)?);
-                let physics = |error| CaseError::Physics { input: "--speed".to_owned(), error };
-                Traffic::of_case(speed.map_err(physics)?)
+                Traffic::of_case(speed.map_err(refused("--speed"))?)
             }
         };
         asker.remark(traffic.remarks());
@@ -157,36 +156,36 @@ impl SimulateQuestion {
     }
 
     /// Speed of the wheel \[m/s\].
-    fn speed(&self, asker: &dyn Asker) -> Result<f64, AnswerError> {
+    fn speed(&self, asker: &dyn Asker) -> Result<f64> {
         // The rules ask for it where there is no traffic, which is for passages.
         self.speed.as_ref().map_or(Ok(f64::NAN), |speed| speed.within("--speed", asker))
     }
 
     /// Longest step that is asked for \[m\].
-    fn step(&self) -> Result<Option<f64>, AnswerError> {
+    fn step(&self) -> Result<Option<f64>> {
         let step = self.step.map(|step| positive("--step", step)).transpose()?;
         match step.filter(|step| self.sinusoid.is_none() && !(0.05e-3..=0.1).contains(step)) {
-            Some(step) => Err(AnswerError::Argument {
-                argument: "--step",
-                value: format!("{step:e} m"),
-                rule: "between 0.05 and 100 mm: the contact is some millimetres long".to_owned(),
-            }),
+            Some(step) => Err(AnswerError::argument(
+                "--step",
+                format!("{step:e} m"),
+                "between 0.05 and 100 mm: the contact is some millimetres long",
+            )),
             None => Ok(step),
         }
     }
 
     /// The rail, whose heights lie no farther apart than a step \[m\] where they are made.
-    fn surface(&self, case: &Case, step: f64, asker: &dyn Asker) -> Result<Surface, AnswerError> {
+    fn surface(&self, case: &Case, step: f64, asker: &dyn Asker) -> Result<Surface> {
         let length = self.length.map(|length| positive("--length", length)).transpose()?;
         if let Some(path) = &self.profile {
             return Ok(Surface::Record(rail::record(path, &self.layout, length, asker)?));
         }
         if let Some(length) = length.filter(|length| *length > MOST_LENGTH) {
-            return Err(AnswerError::Argument {
-                argument: "--length",
-                value: format!("{length} m"),
-                rule: format!("at most {MOST_LENGTH} m for a rail that is made"),
-            });
+            return Err(AnswerError::argument(
+                "--length",
+                format!("{length} m"),
+                format!("at most {MOST_LENGTH} m for a rail that is made"),
+            ));
         }
         let length = length.unwrap_or(USUAL_LENGTH);
         let length = match case.track.support_spacing() {
@@ -202,9 +201,6 @@ impl SimulateQuestion {
     }
 }
 
-/// The key that those of a record need.
-const OF_PROFILES: &[&str] = &["profile"];
-
 impl Question for SimulateQuestion {
     const NAME: &'static str = "simulate";
     const EXAMPLE: &'static str = "\
@@ -216,23 +212,19 @@ impl Question for SimulateQuestion {
         Rule::JustOneOf(&["sinusoid", "profile", "spectrum", "weld", "smooth"]),
         Rule::AnyOf(&["speed", "traffic"]),
         Rule::OneOf(&["speed", "traffic"]),
-        Rule::Needs("traffic", &["passages"]),
-        Rule::Needs("seed", &["spectrum"]),
-        Rule::Needs("length", &["profile", "spectrum", "weld"]),
+        Rule::Needs(&["traffic"], &["passages"]),
+        Rule::Needs(&["seed"], &["spectrum"]),
+        Rule::Needs(&["length"], &["profile", "spectrum", "weld"]),
         Rule::Excludes("smooth", &["passages", "traffic", "contact_filter"]),
-        Rule::Needs("transient", &["sinusoid"]),
+        Rule::Needs(&["transient"], &["sinusoid"]),
         Rule::Excludes("transient", &["passages", "traffic"]),
-        Rule::Needs("format", OF_PROFILES),
-        Rule::Needs("spacing", OF_PROFILES),
-        Rule::Needs("height_unit", OF_PROFILES),
-        Rule::Needs("position_unit", OF_PROFILES),
-        Rule::Needs("keep_defects", OF_PROFILES),
-        Rule::Needs("rail", OF_PROFILES),
-        Rule::Needs("from", OF_PROFILES),
-        Rule::Needs("to", OF_PROFILES),
+        Rule::Needs(
+            &["format", "spacing", "height_unit", "position_unit", "keep_defects", "rail", "from", "to"],
+            &["profile"],
+        ),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>, AnswerError> {
+    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         if let Some((mut run, passages)) = self.evolution(asker)? {
             let step = asker.begin(say!(progress_passages), passages as usize);
             loop {

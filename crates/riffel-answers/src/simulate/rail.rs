@@ -7,8 +7,9 @@ use riffel_case::Case;
 use riffel_keys::{CaseError, fixed, number, say};
 use riffel_rail::{GroundRail, LabelledSpectrum, RoughnessFile, Survey};
 
-use crate::AnswerError;
+use super::refused;
 use crate::question::{Asker, RecordLayout};
+use crate::{AnswerError, Result};
 
 /// A length of whole bays, the next longer one.
 pub(super) fn whole_bays(length: f64, bay: f64, asker: &dyn Asker) -> f64 {
@@ -25,7 +26,7 @@ pub(super) fn drawn(
     case: &Case,
     [length, step]: [f64; 2],
     asker: &dyn Asker,
-) -> Result<Profile, AnswerError> {
+) -> Result<Profile> {
     let spectrum = match GroundRail::is_table(name) {
         true => GroundRail::of_table(name)?.spectrum,
         false => at_the_end(RecordLayout::default().survey(Path::new(name), asker)?, asker)?.mean(),
@@ -43,19 +44,16 @@ pub(super) fn drawn(
     }
     let longest = kept.levels().last().map_or(0.0, |level| level.band.wavelength());
     kept.drawn(length, step, seed).map_err(|error| match error {
-        riffel::Error::OutOfRange {
-            quantity: "length of the profile",
-            ..
-        } => AnswerError::Argument {
-            argument: "--length",
-            value: format!("{length} m"),
-            rule: format!(
-                "at least {:.1} m, thirteen of the longest waves of the spectrum, {longest:.3} m, so that every band has \
-                 three waves",
+        riffel::Error::OutOfRange { quantity: "length of the profile", .. } => AnswerError::argument(
+            "--length",
+            format!("{length} m"),
+            format!(
+                "at least {:.1} m, thirteen of the longest waves of the spectrum, {longest:.3} m, so that every \
+                 band has three waves",
                 13.0 * longest
             ),
-        },
-        error => of("--spectrum", error),
+        ),
+        error => refused("--spectrum")(error).into(),
     })
 }
 
@@ -79,21 +77,12 @@ fn at_the_end(levels: Survey, asker: &dyn Asker) -> Result<Survey, CaseError> {
 }
 
 /// A rail with a weld in its middle.
-pub(super) fn dipped(weld: Weld, [length, step]: [f64; 2]) -> Result<Profile, AnswerError> {
-    weld.profile(length, step).map_err(|error| of("--weld", error))
-}
-
-fn of(argument: &str, error: riffel::Error) -> AnswerError {
-    CaseError::Physics { input: argument.to_owned(), error }.into()
+pub(super) fn dipped(weld: Weld, [length, step]: [f64; 2]) -> Result<Profile> {
+    Ok(weld.profile(length, step).map_err(refused("--weld"))?)
 }
 
 /// The profile of a file: one rail, its longest stretch without a gap.
-pub(super) fn record(
-    path: &Path,
-    layout: &RecordLayout,
-    length: Option<f64>,
-    asker: &dyn Asker,
-) -> Result<Profile, AnswerError> {
+pub(super) fn record(path: &Path, layout: &RecordLayout, length: Option<f64>, asker: &dyn Asker) -> Result<Profile> {
     let refuse = |message: String| CaseError::data(path, message);
     let RoughnessFile::Profile(record) = layout.read(path, asker)? else {
         Err(refuse("the file is a table of levels, but a wheel rolls along a profile".to_owned()))?

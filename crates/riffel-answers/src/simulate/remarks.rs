@@ -57,7 +57,7 @@ pub(super) fn of_supports(model: &PassageModel, profile: &Sinusoid) -> Option<Me
 
 /// That a run ended before it was done, since the wheel was in the air.
 pub(super) fn of_air(passages: u64) -> Message {
-    say!(airborne_run_ends, passages = passages)
+    say!(airborne_run_ends, passages)
 }
 
 /// That wheels on a smooth rail slide off.
@@ -82,6 +82,6 @@ pub(super) fn of_elements(contact: &TransientContact, settled: &Settled, profile
     let moves = contact.elements_of_edge(settled, profile);
     (moves < RESOLVED).then(|| {
         let across = contact.across;
-        say!(edge_of_patch_not_resolved, moves = fixed(moves, 2), across = across, resolved = RESOLVED)
+        say!(edge_of_patch_not_resolved, moves = fixed(moves, 2), across, resolved = RESOLVED)
     })
 }

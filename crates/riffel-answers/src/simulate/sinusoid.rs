@@ -3,19 +3,16 @@
 use std::f64::consts::TAU;
 
 use riffel::Complex64;
-use riffel::contact::ContactFilter;
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel::passage::{Harmonic, Settled, Sinusoid};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message, fixed, say};
-use riffel_plot::{Arrangement, LineFigure};
+use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 
-use super::{Course, files, force_in_words, remarks};
-use crate::answer::titled;
+use super::run::{March, model};
+use super::{Course, Extremes, Run, refused, remarks};
 use crate::number_alone;
-use crate::parameters::parameters_on_rail;
-use crate::{Answer, AnswerError, Column, ResultFile, Table};
+use crate::{AnswerError, Column, Result, Table};
 
 /// A sinusoid to roll over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,30 +43,19 @@ pub struct SinusoidAnswer {
     /// Those of the energy that a place of the rail receives, of a transient contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy_at_rail_j_per_m: Option<[[f64; 2]; 6]>,
-    /// Share of the time without contact.
-    pub contact_loss_fraction: f64,
-    /// Least normal force.
-    pub minimum_normal_force_n: f64,
-    /// Largest normal force.
-    pub maximum_normal_force_n: f64,
+    /// Loss of contact and normal forces of the first contact.
+    #[serde(flatten)]
+    pub extremes: Extremes,
     /// Mean square of the relative error of the track in time, with the wheels of a loop on all axes.
     track_share_cut: f64,
     /// Every contact of a loop on all axes, the one above first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<ContactOverSinusoid>,
-    /// Of all contacts in their order, each at the times at which the first wheel is at the places.
+    /// With courses at the times at which the first wheel is at the places.
     #[serde(skip)]
-    pub courses: Vec<Course>,
-    /// What the reader should know of the march.
-    #[serde(skip)]
-    pub own_remarks: Vec<Message>,
-    /// And of the case.
-    #[serde(skip)]
-    remarks: Vec<Message>,
+    pub run: Run,
     #[serde(skip)]
     on_supports: bool,
-    #[serde(skip)]
-    case: Case,
 }
 
 /// One of several contacts over a sinusoid.
@@ -78,9 +64,8 @@ pub struct ContactOverSinusoid {
     #[serde(flatten)]
     name: ContactName,
     harmonics: Vec<HarmonicDocument>,
-    contact_loss_fraction: f64,
-    minimum_normal_force_n: f64,
-    maximum_normal_force_n: f64,
+    #[serde(flatten)]
+    extremes: Extremes,
 }
 
 /// One harmonic: complex amplitudes for exp(+inωt) relative to the profile Δ cos ωt upward; of harmonic zero the means.
@@ -127,7 +112,7 @@ impl SinusoidRequest {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a step or a slow wave that gives a wave too few or too many steps.
-    pub fn new(speed: f64, profile: Sinusoid, step: Option<f64>) -> Result<Self, AnswerError> {
+    pub fn new(speed: f64, profile: Sinusoid, step: Option<f64>) -> Result<Self> {
         let wavelength = profile.wavelength;
         let (least, most) = (Sinusoid::LEAST_STEPS as f64, Sinusoid::MOST_STEPS as f64);
         let steps = match step {
@@ -138,23 +123,21 @@ impl SinusoidRequest {
             return Ok(Self { speed, profile, steps: steps as usize, contact_filter: false, transient: false });
         }
         Err(match step {
-            Some(step) => AnswerError::Argument {
-                argument: "--step",
-                value: format!("{step} m"),
-                rule: format!(
+            Some(step) => AnswerError::argument(
+                "--step",
+                format!("{step} m"),
+                format!(
                     "between {:.1e} and {:.1e} m, so that a wave has {least} to {most} steps",
                     wavelength / most,
                     wavelength / least,
                 ),
-            },
-            None => AnswerError::Argument {
-                argument: "--sinusoid",
-                value: format!("{} m, which passes in {:.2} s", readable(wavelength), wavelength / speed),
-                rule:
-                    "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
-                       wheel"
-                        .to_owned(),
-            },
+            ),
+            None => AnswerError::argument(
+                "--sinusoid",
+                format!("{} m, which passes in {:.2} s", as_typed(wavelength), wavelength / speed),
+                "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
+                       wheel",
+            ),
         })
     }
 
@@ -168,33 +151,32 @@ impl SinusoidAnswer {
     /// A case over a sinusoid.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
+    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
     /// does not settle.
-    pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self> {
         let SinusoidRequest { speed, profile, steps, contact_filter, transient } = request;
         case.check_points([profile.wavelength; 2], [speed; 2])?;
-        let mut model = case.in_time(speed)?;
-        model.contact_filter = contact_filter.then(|| ContactFilter::of(&case.hertz));
-        let of_sinusoid = |error| CaseError::Physics { input: "--sinusoid".to_owned(), error };
+        let model = model(case, speed, contact_filter)?;
+        let of_sinusoid = refused("--sinusoid");
         let even = model.structures.support_spacing().is_none();
         let one_wheel = even && case.feedback.is_along_one_axis();
         let (settled, others, energy_at_rail) = match (transient, one_wheel) {
             (false, _) => {
-                let mut all = model.settle(profile, steps).map_err(of_sinusoid)?;
+                let mut all = model.settle(profile, steps).map_err(&of_sinusoid)?;
                 (all.remove(0), all, None)
             }
             (true, true) => {
                 let contact = case.transient_contact();
                 let rolled = model.settle_transient(profile, steps, contact);
-                let rolled = rolled.map_err(of_sinusoid)?;
+                let rolled = rolled.map_err(&of_sinusoid)?;
                 (rolled.settled, Vec::new(), Some(rolled.energy_at_rail))
             }
             (true, false) => {
-                return Err(AnswerError::Argument {
-                    argument: "--transient",
-                    value: "given".to_owned(),
-                    rule: "for one wheel with longitudinal creepage on a track that is even along the rail".to_owned(),
-                });
+                return Err(AnswerError::argument(
+                    "--transient",
+                    "given",
+                    "for one wheel with longitudinal creepage on a track that is even along the rail",
+                ));
             }
         };
         let radius = case.hertz.rolling_radius();
@@ -202,16 +184,14 @@ impl SinusoidAnswer {
         let supports = remarks::of_supports(&model, &profile);
         let elements = transient.then(|| remarks::of_elements(&case.transient_contact(), &settled, profile)).flatten();
         let remarks = remarks::of_track(&model).into_iter().chain(troughs).chain(supports).chain(elements);
-        let own_remarks: Vec<Message> = remarks.collect();
+        let run = Run::new(case, remarks, &case.remarks_at(speed));
         let names = case.contact_names();
         let on_all_axes = !names.is_empty();
         let all = || std::iter::once(&settled).chain(&others);
         let contacts = names.into_iter().zip(all()).map(|(name, settled)| ContactOverSinusoid {
             name,
             harmonics: HarmonicDocument::all(settled, on_all_axes),
-            contact_loss_fraction: settled.contact_loss,
-            minimum_normal_force_n: settled.normal_force[0],
-            maximum_normal_force_n: settled.normal_force[1],
+            extremes: Extremes::new(settled.normal_force, settled.contact_loss),
         });
         Ok(Self {
             wavelength_m: profile.wavelength,
@@ -220,16 +200,11 @@ impl SinusoidAnswer {
             step_m: request.step(),
             harmonics: HarmonicDocument::all(&settled, on_all_axes),
             energy_at_rail_j_per_m: energy_at_rail.map(|harmonics| harmonics.map(|value| [value.re, value.im])),
-            contact_loss_fraction: settled.contact_loss,
-            minimum_normal_force_n: settled.normal_force[0],
-            maximum_normal_force_n: settled.normal_force[1],
+            extremes: Extremes::new(settled.normal_force, settled.contact_loss),
             track_share_cut: model.structures.share_cut(),
             contacts: contacts.collect(),
-            courses: all().map(|settled| course(profile, settled, on_all_axes)).collect(),
-            remarks: case.remarks_at(speed).iter().chain(&own_remarks).cloned().collect(),
-            own_remarks,
+            run: Run { courses: all().map(|settled| course(profile, settled, on_all_axes)).collect(), ..run },
             on_supports: !even,
-            case: case.clone(),
         })
     }
 
@@ -284,17 +259,17 @@ fn course(profile: Sinusoid, settled: &Settled, on_all_axes: bool) -> Course {
     )
 }
 
-impl Answer for SinusoidAnswer {
-    fn name(&self) -> &'static str {
-        "wave"
-    }
-    fn document_name(&self) -> &'static str {
-        "harmonics.json"
+impl March for SinusoidAnswer {
+    const NAME: &'static str = "wave";
+    const DOCUMENT: &'static str = "harmonics.json";
+
+    fn run(&self) -> &Run {
+        &self.run
     }
 
-    fn introduction(&self) -> Vec<Message> {
+    fn about(&self) -> Vec<Message> {
         vec![
-            titled(self.case.file.title.as_ref(), say!(wheel_over_a_sinusoid)),
+            self.run.titled(say!(wheel_over_a_sinusoid)),
             say!(
                 wave_and_speed,
                 wavelength = fixed(1e3 * self.wavelength_m, 1),
@@ -305,40 +280,26 @@ impl Answer for SinusoidAnswer {
         ]
     }
 
-    fn tables(&self) -> Vec<Table> {
-        vec![self.harmonics(), self.courses[0].table(self.name())]
+    fn shown(&self) -> Option<Table> {
+        Some(self.harmonics())
     }
 
-    fn sentences(&self) -> Vec<Message> {
-        let force = [self.minimum_normal_force_n, self.maximum_normal_force_n];
-        vec![force_in_words(force, self.contact_loss_fraction)]
+    fn below_tables(&self) -> Vec<Message> {
+        vec![self.extremes.sentence()]
     }
 
-    /// One wave as strips.
-    fn figure(&self) -> LineFigure {
+    fn picture(&self) -> (String, String, usize) {
         let state = match self.on_supports {
             _ if self.energy_at_rail_j_per_m.is_some() => "Settled state of the exact contact",
             true => "The last wave of many bays",
             false => "Settled state",
         };
-        LineFigure {
-            title: format!(
-                "A wave of {:.1} mm and {:.1} µm at {:.1} km/h",
-                1e3 * self.wavelength_m,
-                1e6 * self.amplitude_m,
-                3.6 * self.speed_m_per_s
-            ),
-            caption: format!("{state}, wheel centre at x. {}", parameters_on_rail(&self.case)),
-            panels: self.courses[0].panels(),
-            arrangement: Arrangement::Strips,
-        }
-    }
-
-    fn files(&self) -> Vec<ResultFile<'_>> {
-        files(self, &self.courses[0], std::iter::empty())
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &self.remarks
+        let title = format!(
+            "A wave of {:.1} mm and {:.1} µm at {:.1} km/h",
+            1e3 * self.wavelength_m,
+            1e6 * self.amplitude_m,
+            3.6 * self.speed_m_per_s
+        );
+        (title, format!("{state}, wheel centre at x."), 0)
     }
 }

@@ -1,17 +1,14 @@
 //! Wheels of a case on a smooth rail.
 
-use riffel::passage::{ContactSwing, Outcome, PassageModel};
+use riffel::passage::{ContactInstant, ContactSwing, Outcome, PassageModel};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Message, fixed, say};
-use riffel_plot::{Arrangement, LineFigure};
+use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
 
 use super::along_rail::check_step;
-use super::{Course, files, remarks};
-use crate::answer::titled;
-use crate::number_alone;
-use crate::parameters::parameters_on_rail;
-use crate::{Answer, AnswerError, Column, ResultFile, Table};
+use super::run::March;
+use super::{Course, Run, refused, remarks};
+use crate::{AnswerError, Result, Rows, Table};
 
 /// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile; serialised, what
 /// `riffel simulate --smooth --json` prints.
@@ -37,20 +34,13 @@ pub struct SmoothRailAnswer {
     contacts: Vec<ContactSwings>,
     /// Mean square of the relative error of track and wheels in time.
     track_share_cut: f64,
-    /// The first contact over a few periods at the end.
-    #[serde(flatten)]
-    course: Course,
-    /// The same of all others in their order.
-    #[serde(skip)]
-    others: Vec<Course>,
-    /// What the reader should know of the motion.
-    #[serde(skip)]
-    pub own_remarks: Vec<Message>,
-    /// And of the case.
-    #[serde(skip)]
-    remarks: Vec<Message>,
-    #[serde(skip)]
-    case: Case,
+    /// With the courses of a few periods at the end.
+    #[serde(flatten, serialize_with = "first_course")]
+    pub run: Run,
+}
+
+fn first_course<S: Serializer>(run: &Run, serializer: S) -> Result<S::Ok, S::Error> {
+    run.courses[0].serialize(serializer)
 }
 
 /// Least and largest of what a contact did over the last half second.
@@ -104,18 +94,18 @@ impl SmoothRailAnswer {
     /// A case at a speed \[m/s\], in steps of at most the length given \[m\].
     ///
     /// # Errors
-    /// [`CaseError`] for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
+    /// [`CaseError`](riffel_keys::CaseError) for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
     /// [`Case::in_time_without_profile`].
-    pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self> {
         let longest = PassageModel::LONGEST_TIME_STEP * speed;
         let step = step.unwrap_or(longest);
         check_step(step)?;
         if step > longest {
-            return Err(AnswerError::Argument {
-                argument: "--step",
-                value: format!("{step} m"),
-                rule: format!("at most {longest:.1e} m on a smooth rail, 10 µs at this speed"),
-            });
+            return Err(AnswerError::argument(
+                "--step",
+                format!("{step} m"),
+                format!("at most {longest:.1e} m on a smooth rail, 10 µs at this speed"),
+            ));
         }
         case.check_points([case.wavelength.min(); 2], [speed; 2])?;
         let model = case.in_time_without_profile(speed)?;
@@ -134,18 +124,15 @@ impl SmoothRailAnswer {
             .as_ref()
             .filter(|stability| stability.unstable_roots > 0)
             .map(|stability| stability.growth_rate.unwrap_or(1.0));
-        let motion = model
-            .on_smooth_rail(step, growth)
-            .map_err(|error| CaseError::Physics { input: "--smooth".to_owned(), error })?;
+        let motion = model.on_smooth_rail(step, growth).map_err(refused("--smooth"))?;
         let roots = stability.as_ref().map(|stability| stability.unstable_roots);
-        let own_remarks: Vec<Message> = remarks::of_track(&model)
+        let own_remarks = remarks::of_track(&model)
             .into_iter()
             .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
-            .chain(remarks::of_linear_loop(&motion, roots))
-            .collect();
+            .chain(remarks::of_linear_loop(&motion, roots));
+        let run = Run::new(case, own_remarks, &case.remarks_at(speed));
         let names = case.contact_names();
-        let course = |contact: usize| {
-            let course = &motion.course[contact];
+        let course = |course: &Vec<ContactInstant>| {
             let places = (0..course.len()).map(|index| index as f64 * motion.step);
             Course::new(places.collect(), vec![0.0; course.len()], course, true)
         };
@@ -158,27 +145,23 @@ impl SmoothRailAnswer {
             linear_unstable_roots: roots,
             linear_frequency_hz: stability.as_ref().and_then(|stability| stability.frequency),
             linear_growth_rate_per_s: stability.as_ref().and_then(|stability| stability.growth_rate),
-            course: course(0),
-            others: (1..names.len()).map(course).collect(),
-            contacts: names.into_iter().zip(&motion.contacts).map(|(name, it)| ContactSwings::new(name, it)).collect(),
+            contacts: names
+                .iter()
+                .copied()
+                .zip(&motion.contacts)
+                .map(|(name, it)| ContactSwings::new(name, it))
+                .collect(),
             track_share_cut: model.structures.share_cut(),
-            remarks: case.remarks_at(speed).iter().chain(&own_remarks).cloned().collect(),
-            own_remarks,
-            case: case.clone(),
+            run: Run { courses: motion.course.iter().map(course).collect(), contacts: names, ..run },
         })
-    }
-
-    /// A few periods of all contacts in their order.
-    pub fn courses(&self) -> impl Iterator<Item = &Course> {
-        [&self.course].into_iter().chain(&self.others)
     }
 
     /// What becomes of the push.
     fn outcome(&self) -> Message {
         let frequency = self.frequency_hz.map(|frequency| fixed(frequency, 1));
         match (self.outcome, frequency) {
-            (Outcome::LimitCycle, Some(frequency)) => say!(limit_cycle_of, frequency = frequency),
-            (_, Some(frequency)) => say!(no_settled_period, frequency = frequency),
+            (Outcome::LimitCycle, Some(frequency)) => say!(limit_cycle_of, frequency),
+            (_, Some(frequency)) => say!(no_settled_period, frequency),
             (Outcome::RunsAway, None) => say!(wheels_slide_off),
             (_, None) => say!(push_dies_out),
         }
@@ -191,9 +174,9 @@ impl SmoothRailAnswer {
             (Some(0), _) => say!(linear_loop_stable),
             (Some(_), Some(frequency)) => match self.linear_growth_rate_per_s {
                 Some(growth) => {
-                    say!(linear_loop_grows, frequency = frequency, seconds = fixed(growth.recip(), 3))
+                    say!(linear_loop_grows, frequency, seconds = fixed(growth.recip(), 3))
                 }
-                None => say!(linear_loop_unstable_near, frequency = frequency),
+                None => say!(linear_loop_unstable_near, frequency),
             },
             (Some(_), None) => say!(linear_loop_unstable),
             (None, _) => say!(linear_loop_not_judged),
@@ -202,20 +185,17 @@ impl SmoothRailAnswer {
 
     /// What each contact does, for a reader.
     fn swings(&self) -> Table {
-        let shown = |head, cell: &dyn Fn(&ContactSwings) -> Message| {
-            Column::shown(head, self.contacts.iter().map(cell).collect())
-        };
         let range = |head, scale: f64, digits: usize, of: fn(&ContactSwings) -> [f64; 2]| {
-            shown(head, &|contact| {
+            self.contacts.shown(head, |contact| {
                 let [least, most] = of(contact).map(|end| fixed(scale * end, digits));
-                say!(from_one_to_another, least = least, most = most)
+                say!(from_one_to_another, least, most)
             })
         };
         Table {
             name: "swings",
             columns: vec![
-                shown(say!(wheel_column), &|contact| number_alone(contact.name.wheel)),
-                shown(say!(rail_column), &|contact| match contact.name.rail {
+                self.contacts.numbers(say!(wheel_column), |contact| contact.name.wheel),
+                self.contacts.shown(say!(rail_column), |contact| match contact.name.rail {
                     "left" => say!(left),
                     _ => say!(right),
                 }),
@@ -224,28 +204,25 @@ impl SmoothRailAnswer {
                 range(say!(lateral_in_kilonewton_column), 1e-3, 2, |contact| contact.lateral_force_n),
                 range(say!(creepage_in_percent_column), 100.0, 3, |contact| contact.creepage),
                 range(say!(lateral_in_percent_column), 100.0, 3, |contact| contact.lateral_creepage),
-                shown(say!(stick_column), &|contact| {
-                    number_alone(format_args!("{:.0}", 100.0 * contact.stick_fraction))
-                }),
-                shown(say!(dissipation_column), &|contact| {
-                    number_alone(format_args!("{:.1}", contact.mean_dissipation_j_per_m))
-                }),
+                self.contacts.numbers(say!(stick_column), |contact| format!("{:.0}", 100.0 * contact.stick_fraction)),
+                self.contacts
+                    .numbers(say!(dissipation_column), |contact| format!("{:.1}", contact.mean_dissipation_j_per_m)),
             ],
         }
     }
 }
 
-impl Answer for SmoothRailAnswer {
-    fn name(&self) -> &'static str {
-        "smooth"
-    }
-    fn document_name(&self) -> &'static str {
-        "smooth.json"
+impl March for SmoothRailAnswer {
+    const NAME: &'static str = "smooth";
+    const DOCUMENT: &'static str = "smooth.json";
+
+    fn run(&self) -> &Run {
+        &self.run
     }
 
-    fn introduction(&self) -> Vec<Message> {
+    fn about(&self) -> Vec<Message> {
         vec![
-            titled(self.case.file.title.as_ref(), say!(wheels_on_a_smooth_rail)),
+            self.run.titled(say!(wheels_on_a_smooth_rail)),
             say!(
                 smooth_rail_at,
                 speed = fixed(3.6 * self.speed_m_per_s, 1),
@@ -256,12 +233,12 @@ impl Answer for SmoothRailAnswer {
         ]
     }
 
-    fn tables(&self) -> Vec<Table> {
-        vec![self.swings(), self.course.table(self.name())]
+    fn shown(&self) -> Option<Table> {
+        Some(self.swings())
     }
 
-    /// A few periods of the contact that swings most, as strips.
-    fn figure(&self) -> LineFigure {
+    /// A few periods of the contact that swings most.
+    fn picture(&self) -> (String, String, usize) {
         let spans = self.contacts.iter().map(ContactSwings::span).enumerate();
         let largest = spans.max_by(|one, other| one.1.total_cmp(&other.1));
         let most = largest.map_or(0, |(index, _)| index);
@@ -276,20 +253,7 @@ impl Answer for SmoothRailAnswer {
                 format!("motion that has not settled, like itself at {frequency:.0} Hz")
             }
         };
-        LineFigure {
-            title: format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed_m_per_s),
-            caption: format!("Wheel {wheel} on the {rail} rail. {}", parameters_on_rail(&self.case)),
-            panels: self.courses().nth(most).map(Course::panels).unwrap_or_default(),
-            arrangement: Arrangement::Strips,
-        }
-    }
-
-    fn files(&self) -> Vec<ResultFile<'_>> {
-        let others = self.contacts.iter().map(|contact| contact.name).zip(self.courses()).skip(1);
-        files(self, &self.course, others)
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &self.remarks
+        let title = format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed_m_per_s);
+        (title, format!("Wheel {wheel} on the {rail} rail."), most)
     }
 }

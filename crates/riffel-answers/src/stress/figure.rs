@@ -1,7 +1,7 @@
 //! Stress in the section and at the surface as a picture.
 
 use riffel::damage::stress::{StressMeasure, Traction};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
+use riffel_plot::{LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::StressAnswer;
 use super::contour::contour;
@@ -22,11 +22,12 @@ pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
     let sections = named.iter().map(|(name, traction)| section(answer, name, traction));
     let surfaces = named.iter().map(|(name, traction)| surface(answer, name, traction));
     let panels = sections.chain(surfaces).chain([along(answer, &named), over_friction(answer)]);
-    LineFigure {
-        title: "Stress under the contact".to_owned(),
-        caption: format!(
-            "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction {:.2}, a/b = {:.2}. Sections through the \
-             middle and the surface of the patch with lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.{}",
+    LineFigure::new(
+        "Stress under the contact",
+        format!(
+            "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction \
+             {:.2}, a/b = {:.2}. Sections through the middle and the surface of the patch with \
+              lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.{}",
             1e-6 * answer.peak_pressure_pa,
             answer.friction,
             answer.semi_axis_longitudinal_m / answer.semi_axis_lateral_m,
@@ -36,9 +37,8 @@ pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
                 false => "",
             },
         ),
-        panels: panels.collect(),
-        arrangement: Arrangement::SideBySide,
-    }
+        panels,
+    )
 }
 
 fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
@@ -54,13 +54,7 @@ fn mises(answer: &StressAnswer, traction: &Traction, axes: [&[f64]; 3]) -> Vec<f
 fn contours(x: &[f64], y: &[f64], values: &[f64]) -> Vec<Series> {
     let lines = LEVELS.iter().enumerate().map(|(index, &level)| {
         let (x, y) = contour(x, y, values, level);
-        Series {
-            label: format!("{level:.1}"),
-            x,
-            y,
-            style: LineStyle::Solid,
-            color: Some(OKABE_ITO[index % OKABE_ITO.len()]),
-        }
+        Series::new(format!("{level:.1}"), x, y).colored(OKABE_ITO[index % OKABE_ITO.len()])
     });
     lines.filter(|line| !line.x.is_empty()).collect()
 }
@@ -70,13 +64,9 @@ fn section(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel 
     let values = mises(answer, traction, [&x, &[0.0], &depth]);
     let down: Vec<f64> = depth.iter().map(|z| -z).collect();
     LinePanel {
-        subtitle: format!("section, {name}"),
-        x_label: "x/a".to_owned(),
-        y_label: "−z/a".to_owned(),
         x_range: Some((-2.0, 2.0)),
         y_range: Some((-2.0, 0.0)),
-        series: contours(&x, &down, &values),
-        ..LinePanel::default()
+        ..LinePanel::new("x/a", "−z/a", contours(&x, &down, &values)).titled(format!("section, {name}"))
     }
 }
 
@@ -85,21 +75,19 @@ fn surface(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel 
     let values = mises(answer, traction, [&x, &y, &[0.0]]);
     let mut series = contours(&x, &y, &values);
     let turn: Vec<f64> = steps(0.0, std::f64::consts::TAU, 72);
-    series.push(Series {
-        label: "edge".to_owned(),
-        x: turn.iter().map(|angle| angle.cos()).collect(),
-        y: turn.iter().map(|angle| angle.sin()).collect(),
-        style: LineStyle::Dotted,
-        color: Some(Rgb::BLACK),
-    });
+    series.push(
+        Series::new(
+            "edge",
+            turn.iter().map(|angle| angle.cos()).collect(),
+            turn.iter().map(|angle| angle.sin()).collect(),
+        )
+        .styled(LineStyle::Dotted)
+        .colored(Rgb::BLACK),
+    );
     LinePanel {
-        subtitle: format!("surface, {name}"),
-        x_label: "x/a".to_owned(),
-        y_label: "y/b".to_owned(),
         x_range: Some((-1.5, 1.5)),
         y_range: Some((-1.5, 1.5)),
-        series,
-        ..LinePanel::default()
+        ..LinePanel::new("x/a", "y/b", series).titled(format!("surface, {name}"))
     }
 }
 
@@ -107,20 +95,10 @@ fn surface(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel 
 fn along(answer: &StressAnswer, tractions: &[(&str, &Traction)]) -> LinePanel {
     // Close to the edges, where the stress has a root.
     let x: Vec<f64> = steps(-1.4, 1.4, 560);
-    let series = tractions.iter().enumerate().map(|(index, (label, traction))| Series {
-        label: (*label).to_owned(),
-        y: mises(answer, traction, [&x, &[0.0], &[0.0]]),
-        x: x.clone(),
-        style: LineStyle::Solid,
-        color: Some(OKABE_ITO[1 + index]),
+    let series = tractions.iter().enumerate().map(|(index, (label, traction))| {
+        Series::new(*label, x.clone(), mises(answer, traction, [&x, &[0.0], &[0.0]])).colored(OKABE_ITO[1 + index])
     });
-    LinePanel {
-        subtitle: "middle of the surface".to_owned(),
-        x_label: "x/a".to_owned(),
-        y_label: "von Mises stress/p₀".to_owned(),
-        series: series.collect(),
-        ..LinePanel::default()
-    }
+    LinePanel::new("x/a", "von Mises stress/p₀", series).titled("middle of the surface")
 }
 
 fn over_friction(answer: &StressAnswer) -> LinePanel {
@@ -129,18 +107,9 @@ fn over_friction(answer: &StressAnswer) -> LinePanel {
     let surface = rows.iter().map(|row| row.surface_over_p0).collect();
     let below = rows.iter().map(|row| row.subsurface_over_p0).collect();
     let series = [("surface", surface), ("below", below)];
-    let series = series.into_iter().enumerate().map(|(index, (label, y))| Series {
-        label: label.to_owned(),
-        x: x.clone(),
-        y,
-        style: LineStyle::Solid,
-        color: Some(OKABE_ITO[1 + index]),
-    });
-    LinePanel {
-        subtitle: "largest, full slip".to_owned(),
-        x_label: "friction".to_owned(),
-        y_label: "von Mises stress/p₀".to_owned(),
-        series: series.collect(),
-        ..LinePanel::default()
-    }
+    let series = series
+        .into_iter()
+        .enumerate()
+        .map(|(index, (label, y))| Series::new(label, x.clone(), y).colored(OKABE_ITO[1 + index]));
+    LinePanel::new("friction", "von Mises stress/p₀", series).titled("largest, full slip")
 }

@@ -148,7 +148,7 @@ impl StressAnswer {
         let maxima = maxima(&ellipse, &tractions, hertz.peak_pressure());
         if maxima.iter().any(|row| row.at_search_floor) {
             let depth = number(StressMaximum::FLOOR);
-            remarks.push(say!(stress_has_no_maximum_below, depth = depth));
+            remarks.push(say!(stress_has_no_maximum_below, depth));
         }
         Ok(Self {
             title: contact.file.title.clone(),

@@ -66,7 +66,7 @@ pub(super) fn failures(summary: &Summary) -> Vec<Message> {
     let reasons = summary.reasons.iter();
     let reasons =
         reasons.map(|reason| say!(samples_fail_as, count = number(reason.count), example = reason.example.as_str()));
-    [say!(samples_without_results, failed = failed, finished = finished)].into_iter().chain(reasons).collect()
+    [say!(samples_without_results, failed, finished)].into_iter().chain(reasons).collect()
 }
 
 impl Answer for StudyAnswer<'_> {

@@ -62,8 +62,8 @@ pub(super) fn indices(study: &Study, analyses: &[Analysis]) -> BarFigure {
     BarFigure {
         title: format!("What matters: {}", title(study)),
         caption: format!(
-            "Sobol indices, estimators of Saltelli et al. (2010) and Jansen (1999), {base_samples} base samples; whiskers: \
-             bootstrap intervals."
+            "Sobol indices, estimators of Saltelli et al. (2010) and Jansen (1999), {base_samples} base \
+             samples; whiskers: bootstrap intervals."
         ),
         panels: panels.collect(),
     }
@@ -124,37 +124,27 @@ pub(super) fn bands(study: &Study, bands: &Bands) -> LineFigure {
         high: bands.curves[high].clone(),
         color,
     };
-    let zero =
-        Series { x: vec![x[0], x[x.len() - 1]], y: vec![0.0, 0.0], color: Some(Rgb::BLACK), ..Series::default() };
+    let zero = Series::new("", vec![x[0], x[x.len() - 1]], vec![0.0, 0.0]).colored(Rgb::BLACK);
     let speeds = study.outputs().speeds();
-    LineFigure {
-        title: title(study).to_owned(),
-        caption: format!(
-            "{} samples ({}); growth rate per passage in the mean over {} speeds from {:.0} to {:.0} km/h. Corrugation \
-             grows where the rate is positive.",
+    LineFigure::new(
+        title(study).to_owned(),
+        format!(
+            "{} samples ({}); growth rate per passage in the mean over {} speeds from {:.0} to {:.0} \
+             km/h. Corrugation grows where the rate is positive.",
             bands.samples,
             study.plan.file.design.method.name(),
             speeds.len(),
             3.6 * speeds[0],
             3.6 * speeds[speeds.len() - 1],
         ),
-        panels: vec![LinePanel {
-            x_label: "wavelength λ [mm]".to_owned(),
-            y_label: "growth rate per passage [-]".to_owned(),
+        [LinePanel {
             x_range: Some((x[0], x[x.len() - 1])),
-            series: vec![
-                zero,
-                Series {
-                    label: "median".to_owned(),
-                    x: x.clone(),
-                    y: bands.curves[2].clone(),
-                    color: Some(BLUE),
-                    ..Series::default()
-                },
-            ],
             areas: vec![area("5 to 95 %", 0, 4, LIGHT[0]), area("25 to 75 %", 1, 3, LIGHT[1])],
-            ..LinePanel::default()
+            ..LinePanel::new(
+                "wavelength λ [mm]",
+                "growth rate per passage [-]",
+                [zero, Series::new("median", x.clone(), bands.curves[2].clone()).colored(BLUE)],
+            )
         }],
-        ..LineFigure::default()
-    }
+    )
 }

@@ -31,14 +31,8 @@ impl Answer for MergeAnswer {
         let (finished, chunks) = (number(summary.chunks_finished), number(summary.chunks));
         let copied = number(self.report.copied);
         let merged = match self.report.there_already {
-            0 => say!(chunks_merged, finished = finished, chunks = chunks, copied = copied),
-            count => say!(
-                chunks_merged_beside_others,
-                finished = finished,
-                chunks = chunks,
-                copied = copied,
-                already = number(count)
-            ),
+            0 => say!(chunks_merged, finished, chunks, copied),
+            count => say!(chunks_merged_beside_others, finished, chunks, copied, already = number(count)),
         };
         let merged = merged.about(self.into.display().to_string());
         [merged].into_iter().chain(failures(summary)).collect()
@@ -61,9 +55,5 @@ impl Answer for MergeAnswer {
             chunks = named.join(" ") + more,
             folder = self.into.display().to_string()
         )]
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
     }
 }

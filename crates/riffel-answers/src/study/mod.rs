@@ -144,7 +144,7 @@ impl SensitivityAnswer {
         }
         let left_out = analyses.iter().filter_map(|a| Some(a.indices.as_ref()?.left_out)).max();
         if let Some(count @ 1..) = left_out {
-            notes.push(say!(base_samples_left_out, count = count));
+            notes.push(say!(base_samples_left_out, count));
         }
         let tornado = Tornado::new(&study, TORNADO);
         let bands = bands(&study, folder, is_saltelli)?;

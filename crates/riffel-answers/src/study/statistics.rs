@@ -1,11 +1,11 @@
 //! Outputs over the samples.
 
-use riffel_keys::{Message, number, say};
+use riffel_keys::{Message, say};
 use riffel_study::{ResultFolder, Study, StudyError};
 use serde::Serialize;
 
 use crate::number_alone;
-use crate::{Column, Table};
+use crate::{Rows, Table};
 
 /// Most samples that are read for the table: 80 MB for each output.
 const MOST_SAMPLES: u64 = 10_000_000;
@@ -65,20 +65,19 @@ impl Statistics {
 
 /// The outputs as a reader sees them; without columns where there are none.
 pub(super) fn table(outputs: &[Statistics]) -> Table {
-    let shown =
-        |head: Message, of: &dyn Fn(&Statistics) -> Message| Column::shown(head, outputs.iter().map(of).collect());
-    let figures =
-        |head: Message, of: fn(&Statistics) -> f64| shown(head, &|output| number_alone(four_figures(of(output))));
+    let figures = |head: Message, of: fn(&Statistics) -> f64| outputs.numbers(head, |output| four_figures(of(output)));
     let columns = match outputs.is_empty() {
         true => Vec::new(),
         false => vec![
-            shown(say!(over_the_samples_column), &|output| Message::verbatim(&output.name)),
-            shown(say!(unit_column), &|output| Message::verbatim(if output.unit == "1" { "" } else { output.unit })),
+            outputs.shown(say!(over_the_samples_column), |output| Message::verbatim(&output.name)),
+            outputs.shown(say!(unit_column), |output| {
+                Message::verbatim(if output.unit == "1" { "" } else { output.unit })
+            }),
             figures(say!(mean_column), |output| output.mean),
             figures(number_alone("5 %"), |output| output.quantile_05),
             figures(say!(median), |output| output.median),
             figures(number_alone("95 %"), |output| output.quantile_95),
-            shown(say!(samples_column), &|output| say!(number_alone, number = number(output.samples))),
+            outputs.numbers(say!(samples_column), |output| output.samples),
         ],
     };
     Table { name: "statistics", columns }

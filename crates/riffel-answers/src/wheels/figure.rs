@@ -32,8 +32,9 @@ pub(super) fn maps(answer: &WheelsAnswer) -> Option<MapFigure> {
     let figure = MapFigure {
         title: title(answer),
         caption: format!(
-            "Rate of decay per passage of a wheel, below zero (coloured) where corrugation grows, in one scale of colours; \
-             each wheel with the mean state that it has at {:.0} km/h, on the contact that carries most of it.{}{}",
+            "Rate of decay per passage of a wheel, below zero (coloured) where corrugation grows, in \
+             one scale of colours; each wheel with the mean state that it has at {:.0} km/h, on the \
+              contact that carries most of it.{}{}",
             3.6 * answer.speed_m_per_s,
             missing(answer),
             place(&answer.case)
@@ -66,15 +67,16 @@ pub(super) fn curves(answer: &WheelsAnswer) -> LineFigure {
             },
         }
     });
-    LineFigure {
-        title: title(answer),
-        caption: format!(
-            "Growth {} under each wheel, on the contact that carries most of it, positive where corrugation grows; marks: fastest wavelengths.{}{}",
+    LineFigure::new(
+        title(answer),
+        format!(
+            "Growth {} under each wheel, on the contact that carries most of it, positive where \
+             corrugation grows; marks: fastest wavelengths.{}{}",
             answer.under,
             missing(answer),
             place(&answer.case)
         ),
-        panels: growth_lines::panels(&answer.wavelength_m, lines, "wheel"),
-        arrangement: Arrangement::Stacked,
-    }
+        growth_lines::panels(&answer.wavelength_m, lines, "wheel"),
+    )
+    .arranged(Arrangement::Stacked)
 }

@@ -15,7 +15,7 @@ use serde::Serialize;
 use crate::answer::{inputs, titled};
 use crate::map::RidgeMap;
 use crate::ridge::BranchDocument;
-use crate::{Answer, AnswerError, Highest, LineGrowth, ResultFile, Table, WearLimitDocument};
+use crate::{Answer, AnswerError, Highest, LineGrowth, Result, ResultFile, Table, WearLimitDocument};
 
 /// Contact angles that differ by no more are one \[rad\]: case files hold them rounded.
 const SAME_ANGLE: f64 = 1e-6;
@@ -124,7 +124,7 @@ impl WheelsAnswer {
     /// # Errors
     /// [`AnswerError::NoCurve`] for a case without `contact.from`, [`AnswerError::Case`] for a vehicle without equilibrium and
     /// for frequencies at which the case is not known.
-    pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Result<Self> {
         let found = case.sharing_parts().wheels_of_curve()?;
         let WheelsOfCurve { curve, wheels } = found.ok_or(AnswerError::NoCurve)?;
         let ends = [case.wavelength.min(), case.wavelength.max()];
@@ -286,10 +286,10 @@ impl Answer for WheelsAnswer {
     fn sentences(&self) -> Vec<Message> {
         let under = self.under.clone();
         let fastest = match self.fastest() {
-            None => say!(under_no_wheel, under = under),
+            None => say!(under_no_wheel, under),
             Some((wheel, highest)) => say!(
                 fastest_at_wheel,
-                under = under,
+                under,
                 wheel = wheel.name.as_str(),
                 rate = format!("{:.2e}", highest.rate),
                 wavelength = fixed(1e3 * highest.wavelength, 0),
@@ -299,7 +299,7 @@ impl Answer for WheelsAnswer {
         let wheels = self.wheels.iter();
         let left_out = wheels.filter_map(|wheel| {
             let reason = wheel.not_in_loop.clone()?;
-            Some(say!(wheel_not_in_loop, wheel = wheel.name.as_str(), reason = reason))
+            Some(say!(wheel_not_in_loop, wheel = wheel.name.as_str(), reason))
         });
         [fastest].into_iter().chain(left_out).collect()
     }

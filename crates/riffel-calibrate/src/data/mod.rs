@@ -191,7 +191,7 @@ impl Group {
 
 /// The rule that passages from the first date to the last break; none if they do not.
 fn too_few(passages: f64) -> Option<Message> {
-    (passages < LEAST_PASSAGES).then(|| say!(too_few_passages, passages = passages, least = LEAST_PASSAGES))
+    (passages < LEAST_PASSAGES).then(|| say!(too_few_passages, passages, least = LEAST_PASSAGES))
 }
 
 pub(crate) fn differences(one: &[f64], other: &[f64]) -> Vec<f64> {

@@ -181,7 +181,7 @@ impl Numbers {
             let Some((row, device)) = named.find(|(_, cell)| *cell != other) else {
                 continue;
             };
-            let rule = say!(device_of_other_dates, column = column, device = device, other = other);
+            let rule = say!(device_of_other_dates, column, device, other);
             return Err(self.refuse(path, row, rule));
         }
         Ok(())

@@ -54,7 +54,7 @@ impl Plan {
             let place = uncertain.iter().position(|it| it.name == *name);
             left_out.push(place.ok_or_else(|| {
                 let names: Vec<&str> = uncertain.iter().map(|it| &*it.name).collect();
-                let rule = say!(names_no_parameter, name = name, names = names.join(", "));
+                let rule = say!(names_no_parameter, name, names = names.join(", "));
                 wrong("without", rule, Message::verbatim(""))
             })?);
         }
@@ -159,7 +159,7 @@ impl Plan {
                 let group = passages.and_then(|passages| found(Held::Date(passages)));
                 group.ok_or_else(|| {
                     let rule = say!(date_that_is_there, dates = among(dates));
-                    wrong("date", say!(is_but_must_be, value = date.to_string(), rule = rule))
+                    wrong("date", say!(is_but_must_be, value = date.to_string(), rule))
                 })
             }
             (None, Some(position), None) => found(Held::Place(position.si())).ok_or_else(|| {
@@ -172,7 +172,7 @@ impl Plan {
                     [] => say!(is_place_of_too_few, place = shown),
                     _ => {
                         let rule = say!(place_of_the_hammer, places = among(places));
-                        say!(is_but_must_be, value = shown, rule = rule)
+                        say!(is_but_must_be, value = shown, rule)
                     }
                 };
                 wrong("position", rule)
@@ -184,16 +184,16 @@ impl Plan {
                     let names = self.file.data.iter().map(name_of);
                     let is_run = names.clone().any(|own| own == name);
                     let rule = match is_run {
-                        true => say!(is_left_out_by_date, name = name),
+                        true => say!(is_left_out_by_date, name),
                         false => {
                             let names = names.collect::<riffel_keys::Value>();
-                            say!(is_name_of_none_of_the_data, name = name, names = names)
+                            say!(is_name_of_none_of_the_data, name, names)
                         }
                     };
                     wrong("data", rule)
                 })?;
                 if self.posterior.blocks.len() == 1 {
-                    return Err(wrong("data", say!(is_the_only_data, name = name)));
+                    return Err(wrong("data", say!(is_the_only_data, name)));
                 }
                 let count = self.posterior.blocks[block].block.observed().len();
                 Ok((block, Group::all(count)))

@@ -46,7 +46,7 @@ impl Reading<'_> {
             let wheel = case.with_settings(&vehicle.settings);
             wheel.map_err(|error| {
                 let error = error.message();
-                let message = say!(vehicle, vehicle = &vehicle.name, error = error);
+                let message = say!(vehicle, vehicle = &vehicle.name, error);
                 self.source.refuse("traffic", message)
             })
         });
@@ -77,7 +77,7 @@ impl Reading<'_> {
             let columns = table::unused(&beside(self.folder, &data.file), data.kind)?;
             if !columns.is_empty() {
                 let columns: riffel_keys::Value = columns.into_iter().collect();
-                let said = say!(unused_columns, file = &data.file, columns = columns);
+                let said = say!(unused_columns, file = &data.file, columns);
                 self.remarks.push(said);
             }
         }
@@ -100,7 +100,7 @@ impl Reading<'_> {
         let growing = dated.iter().chain(&profiles).chain(&wear).min();
         if let (Some(index), true) = (growing, self.vehicles.is_empty()) {
             let kind = self.file.data[*index].kind.name();
-            let rule = say!(is_kind_without_traffic, kind = kind);
+            let rule = say!(is_kind_without_traffic, kind);
             return Err(self.invalid(*index, "kind", rule, say!(give_traffic)));
         }
         let mut blocks = Vec::new();
@@ -178,7 +178,7 @@ impl Reading<'_> {
             if given && !kinds.contains(&data.kind) {
                 let kinds = kinds.iter().map(|kind| kind.name());
                 let kinds: riffel_keys::Value = kinds.collect();
-                let rule = say!(is_set_but_belongs_to_kinds, kinds = kinds, kind = data.kind.name());
+                let rule = say!(is_set_but_belongs_to_kinds, kinds, kind = data.kind.name());
                 return Err(self.invalid(index, key, rule, say!(leave_it_out)));
             }
         }
@@ -189,7 +189,7 @@ impl Reading<'_> {
         if value.is_finite() && value > 0.0 {
             return Ok(value);
         }
-        let rule = say!(is_but_must_be, value = value, rule = say!(finite_and_above_zero));
+        let rule = say!(is_but_must_be, value, rule = say!(finite_and_above_zero));
         Err(self.invalid(index, key, rule, ""))
     }
 
@@ -263,7 +263,7 @@ impl Reading<'_> {
             Some("falling") => Some(Travel::Falling),
             Some(other) => {
                 let rule = say!(this_or_that, this = "rising", that = "falling");
-                let rule = say!(is_name_but_must_be, name = other, rule = rule);
+                let rule = say!(is_name_but_must_be, name = other, rule);
                 return Err(self.invalid(index, "travel", rule, ""));
             }
         };
@@ -300,7 +300,7 @@ impl Reading<'_> {
         let SinceGround { rows, begins, before } = DatedLevels::rows(&path, &self.views[view].case)?;
         if before > 0.0 {
             let (file, fall) = (&data.file, FALL_BY_GRINDING);
-            let said = say!(ground_between_dates, file = file, passages = begins, fall = fall);
+            let said = say!(ground_between_dates, file, passages = begins, fall);
             self.remarks.push(said);
         }
         let doubt = levels_unlike_a_rail(rows.iter().map(|row| row.level));
@@ -333,14 +333,14 @@ impl Reading<'_> {
             Some(Value::Float(passages)) if *passages >= dated.before => *passages - dated.before,
             Some(other) => {
                 let rule = say!(date_of_a_run);
-                let rule = say!(is_but_must_be, value = other.to_string(), rule = rule);
+                let rule = say!(is_but_must_be, value = other.to_string(), rule);
                 return Err(self.invalid(index, "at_date", rule, ""));
             }
         };
         let begins = dated.begins - dated.before;
         if let (Some(Value::Integer(_) | Value::Float(_)), true) = (&data.at_date, begins != 0.0) {
             let (since, counted) = (passages + dated.before, passages + dated.begins);
-            let said = say!(run_since_first_date, since = since, counted = counted);
+            let said = say!(run_since_first_date, since, counted);
             self.remarks.push(said.about(&data.file));
         }
         let common_error = self.decibels(index, 0.5)?;
@@ -364,7 +364,7 @@ impl Reading<'_> {
         };
         number.filter(|number: &f64| number.is_finite() && *number >= 0.0).ok_or_else(|| {
             let rule = say!(level_of_zero_or_more);
-            let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+            let rule = say!(is_but_must_be, value = value.to_string(), rule);
             self.invalid(index, "common_error", rule, "")
         })
     }

@@ -1,6 +1,6 @@
 //! What a plan says of actions, measurements and costs.
 
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel_case::Variant;
 use riffel_case::traffic::DAYS_PER_MONTH;
 use riffel_keys::message::number;
@@ -107,7 +107,7 @@ impl Purse<'_> {
             return Ok(sum);
         }
         let rule = say!(sum_of_zero_or_more, currency = &self.currency);
-        let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+        let rule = say!(is_but_must_be, value = value.to_string(), rule);
         Err(self.plan.source.invalid(key, rule, ""))
     }
 }
@@ -132,7 +132,7 @@ impl Plan {
             None => None,
             Some(value) => Some(amount(value, &[("dB", 1.0)]).filter(|level| *level >= 0.0).ok_or_else(|| {
                 let rule = say!(level_above_limit);
-                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                let rule = say!(is_but_must_be, value = value.to_string(), rule);
                 self.source.invalid("cost.noise_limit", rule, "")
             })?),
         };
@@ -168,20 +168,20 @@ impl Plan {
         let grinding = purse.sum("cost.grinding", Some(&cost.grinding))?;
         if grinding == 0.0 {
             let value = cost.grinding.to_string();
-            let rule = say!(is_but_must_be, value = value, rule = say!(greater_than_zero));
+            let rule = say!(is_but_must_be, value, rule = say!(greater_than_zero));
             return Err(self.source.invalid("cost.grinding", rule, ""));
         }
         let rate = cost.discount_rate.map_or(0.03, |rate| rate.si());
         if !(0.0..1.0).contains(&rate) {
-            let value = say!(rate_in_per_cent, rate = number(readable(100.0 * rate)));
-            let rule = say!(is_but_must_be, value = value, rule = say!(rate_of_interest));
+            let value = say!(rate_in_per_cent, rate = number(as_typed(100.0 * rate)));
+            let rule = say!(is_but_must_be, value, rule = say!(rate_of_interest));
             return Err(self.source.invalid("cost.discount_rate", rule, ""));
         }
         let below = match &cost.from_limit {
             None => -USUAL_RISE,
             Some(value) => amount(value, &[("dB", 1.0)]).filter(|it| *it < 0.0).ok_or_else(|| {
                 let rule = say!(level_below_zero);
-                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                let rule = say!(is_but_must_be, value = value.to_string(), rule);
                 self.source.invalid("cost.from_limit", rule, "")
             })?,
         };
@@ -202,8 +202,8 @@ impl Plan {
             if let (Some(every), Some(value)) = (action.every, &written.grind_every)
                 && every > horizon
             {
-                let rule = say!(at_most_the_horizon, months = number(readable(horizon)));
-                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                let rule = say!(at_most_the_horizon, months = number(as_typed(horizon)));
+                let rule = say!(is_but_must_be, value = value.to_string(), rule);
                 let key = format!("action[{index}].grind_every");
                 return Err(self.source.invalid(&key, rule, ""));
             }
@@ -240,7 +240,7 @@ impl Plan {
             Err(rule) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(wrong(rule)),
             _ => {
                 let rule = say!(sum_with_currency);
-                Err(wrong(say!(is_but_must_be, value = value.to_string(), rule = rule)))
+                Err(wrong(say!(is_but_must_be, value = value.to_string(), rule)))
             }
         }
     }
@@ -270,12 +270,12 @@ impl Plan {
             let place = place.ok_or_else(|| {
                 let names: Vec<&str> = parameters.iter().map(|it| &*it.name).collect();
                 let rule = say!(is_no_parameter, names = names.join(", "));
-                let message = say!(key_as_subject, key = &at, rule = rule);
+                let message = say!(key_as_subject, key = &at, rule);
                 self.source.refuse(&key("multiplies"), message)
             })?;
             if !(factor.is_finite() && *factor > 0.0) {
                 let rule = say!(is_but_must_be, value = *factor, rule = say!(finite_and_above_zero));
-                let message = say!(key_as_subject, key = at, rule = rule);
+                let message = say!(key_as_subject, key = at, rule);
                 return Err(self.source.refuse(&key("multiplies"), message));
             }
             factors.push((place, *factor));
@@ -340,8 +340,8 @@ impl Plan {
             (None, Some(name)) => {
                 let parameters = self.posterior.parameters();
                 let place = parameters.iter().position(|parameter| parameter.name == *name);
-                let place = place
-                    .ok_or_else(|| wrong("key", say!(is_name_of_no_parameter, name = name), Message::verbatim("")))?;
+                let place =
+                    place.ok_or_else(|| wrong("key", say!(is_name_of_no_parameter, name), Message::verbatim("")))?;
                 let factor =
                     written.factor.ok_or_else(|| self.source.missing(&key("factor"), say!(say_how_good_it_is)))?;
                 if !(factor.is_finite() && factor > 1.0) {

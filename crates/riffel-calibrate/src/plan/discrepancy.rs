@@ -29,7 +29,7 @@ impl Reading<'_> {
             if let Some(given) = given
                 && (given != only || key == "grows" && unit != "dB per 1e6 passages")
             {
-                let rule = say!(is_but_for_kind, value = given, only = only, kind = data.kind.name());
+                let rule = say!(is_but_for_kind, value = given, only, kind = data.kind.name());
                 return Err(self.source.invalid(&place(key), rule, say!(or_leave_it_out)));
             }
         }
@@ -66,7 +66,7 @@ impl Reading<'_> {
             "gaussian-process" => {}
             other => {
                 let rule = say!(this_or_that, this = "band", that = "gaussian-process");
-                return Err(wrong("kind", say!(is_name_but_must_be, name = other, rule = rule)));
+                return Err(wrong("kind", say!(is_name_but_must_be, name = other, rule)));
             }
         }
         let over = match kind {
@@ -91,7 +91,7 @@ impl Reading<'_> {
         let name = written.kernel.as_deref().unwrap_or(usual.0);
         Kernel::of(name, length).ok_or_else(|| {
             let rule = say!(one_of, names = Kernel::NAMES.join(", "));
-            wrong("kernel", say!(is_name_but_must_be, name = name, rule = rule))
+            wrong("kernel", say!(is_name_but_must_be, name, rule))
         })
     }
 }

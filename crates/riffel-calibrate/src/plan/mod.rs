@@ -116,7 +116,7 @@ impl Plan {
                 let read = traffic.insert(Traffic::read(&beside(folder, name))?);
                 case = read.wearing_as_measured(&case)?.into_owned();
                 Vehicle::all(read).map_err(|(index, key)| {
-                    let message = say!(not_for_calibration, index = index, key = key);
+                    let message = say!(not_for_calibration, index, key);
                     source.refuse("traffic", message.about(name))
                 })?
             }
@@ -222,13 +222,13 @@ fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
     ] {
         if !(least..=most).contains(&value) {
             let [value, low, high] = [value, least, most].map(|it| it as f64);
-            let rule = say!(is_outside, value = value, low = low, high = high);
+            let rule = say!(is_outside, value, low, high);
             return Err(source.invalid(key, rule, ""));
         }
     }
     if sampler.kind == SamplerKind::Smc && source.has("sampler.warmup") {
         let value = sampler.warmup as f64;
-        let rule = say!(is_but_must_be, value = value, rule = say!(left_out_with_smc));
+        let rule = say!(is_but_must_be, value, rule = say!(left_out_with_smc));
         return Err(source.invalid("sampler.warmup", rule, ""));
     }
     Ok(())
@@ -302,7 +302,7 @@ fn touch(source: &KeyFile, model: &Model, blocks: &mut [Named]) -> Result<(), Ca
             }
         }
         if let (Some(reason), true) = (reason, named.touched_by.is_empty()) {
-            let message = say!(middle_of_the_priors, reason = reason);
+            let message = say!(middle_of_the_priors, reason);
             return Err(source.refuse("parameter", message));
         }
         named.touched_by.sort_unstable();

@@ -16,7 +16,7 @@ impl Reading<'_> {
         for (number, name) in written.in_data.iter().flatten().enumerate() {
             let known = |data: &DataFile| name_of(data) == name;
             if !self.file.data.iter().any(known) {
-                let rule = say!(is_name_of_no_data, name = name);
+                let rule = say!(is_name_of_no_data, name);
                 let key = place(&format!("in_data[{number}]"));
                 return Err(self.source.invalid(&key, rule, ""));
             }
@@ -104,7 +104,7 @@ impl Reading<'_> {
             && excludes(prior, own)
         {
             let own = Quantity::<Ratio>::new(own).to_string();
-            let rule = say!(excludes_value_of_the_case, value = own, key = key);
+            let rule = say!(excludes_value_of_the_case, value = own, key);
             return Err(self.source.invalid(at, rule, say!(widen_the_prior)));
         }
         Ok(())
@@ -126,7 +126,7 @@ impl Reading<'_> {
                 Err(self.source.missing(&format!("{at}.name"), help))
             }
             Some(name) => vehicles.iter().position(|vehicle| vehicle.name == *name).ok_or_else(|| {
-                let rule = say!(is_name_of_no_vehicle, name = name);
+                let rule = say!(is_name_of_no_vehicle, name);
                 self.source.invalid(&format!("{at}.name"), rule, "")
             }),
         }

@@ -22,7 +22,7 @@ impl Reading<'_> {
         let view = self.view(index)?;
         let case = &self.views[view].case;
         if let Some(why) = case.without_decay() {
-            let rule = say!(is_pass_by_but, why = why);
+            let rule = say!(is_pass_by_but, why);
             return Err(self.invalid(index, "kind", rule, say!(give_data_another_model)));
         }
         let data = &self.file.data[index];
@@ -35,7 +35,7 @@ impl Reading<'_> {
         let (rows, silent) = PassBys::rows(&path, case, dated, &passage)?;
         if !silent.is_empty() {
             let bands = frequencies(&silent);
-            self.remarks.push(say!(silent_bands, file = &data.file, bands = bands));
+            self.remarks.push(say!(silent_bands, file = &data.file, bands));
         }
         if data.wheel_roughness.is_none() {
             self.remarks.push(say!(wheels_taken_as_smooth, file = &data.file));
@@ -67,7 +67,7 @@ impl Reading<'_> {
                 let (_, spectrum) = found.ok_or_else(|| {
                     let known = WheelRoughness::names();
                     let rule = say!(a_file_or_one_of, names = known);
-                    let rule = say!(is_name_but_must_be, name = name, rule = rule);
+                    let rule = say!(is_name_but_must_be, name, rule);
                     self.invalid(index, "wheel_roughness", rule, "")
                 })?;
                 Some(spectrum)

@@ -319,9 +319,8 @@ impl Plan {
         }
         let vehicles = match measured.traffic {
             None => Vec::new(),
-            Some(traffic) => Vehicle::all(&Traffic::read(traffic)?).map_err(|(index, key)| {
-                CaseError::data(traffic, say!(not_for_calibration, index = index, key = key))
-            })?,
+            Some(traffic) => Vehicle::all(&Traffic::read(traffic)?)
+                .map_err(|(index, key)| CaseError::data(traffic, say!(not_for_calibration, index, key)))?,
         };
         let tables = Table::all(measured.tables, folder, measured.traffic.is_some())?;
         let mut head = "# Usual priors: put what you know in their place, and run this plan again.\n".to_owned();

@@ -307,7 +307,7 @@ impl CheckedKeys {
                         true => Value::from(say!(both, one = key, other = pad)),
                         false => Value::from(key),
                     };
-                    remarks.push(say!(rail_taken_as_rigid, direction = direction, keys = keys));
+                    remarks.push(say!(rail_taken_as_rigid, direction, keys));
                 }
             }
         }

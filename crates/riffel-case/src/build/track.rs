@@ -288,10 +288,7 @@ impl CheckedKeys {
             }
         };
         if support.damping.is_none() && support.loss_factor.is_none() {
-            return Err(self
-                .text
-                .keys
-                .missing(&format!("{key}.damping"), say!(give_damping_loss_factor_or_both, key = key)));
+            return Err(self.text.keys.missing(&format!("{key}.damping"), say!(give_damping_loss_factor_or_both, key)));
         }
         let damping = support.damping.map_or(0.0, |damping| damping.si());
         let loss_factor = support.loss_factor.map_or(0.0, |loss| loss.si());
@@ -305,7 +302,7 @@ impl CheckedKeys {
         let track = &self.file.track;
         match (track.position, track.support_spacing) {
             (Some(position), Some(spacing)) if track.model.is_periodic() && position.si() > spacing.si() => {
-                let rule = say!(at_most_the_support_spacing, spacing = spacing);
+                let rule = say!(at_most_the_support_spacing, spacing);
                 Err(self.out_of_range("track.position", position, &rule))
             }
             _ => Ok(()),

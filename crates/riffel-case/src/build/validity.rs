@@ -201,8 +201,8 @@ fn of_waves(keys: &CheckedKeys, feedback: &Loop, hertz: HertzContact, [wavelengt
             let share = CurvatureFilter::of(&hertz).map_or(1.0, |filter| filter.share(TAU / wavelength));
             remarks.push(say!(
                 wave_geometry_left_out,
-                takes = readable(share * curvature(wavelength)),
-                growth = readable(growth),
+                takes = to_three_digits(share * curvature(wavelength)),
+                growth = to_three_digits(growth),
                 wavelength = fixed(1e3 * wavelength, 0),
                 speed = shown_speed(speed, 0)
             ));
@@ -212,7 +212,7 @@ fn of_waves(keys: &CheckedKeys, feedback: &Loop, hertz: HertzContact, [wavelengt
 }
 
 /// A growth to three digits \[1/m\].
-fn readable(growth: f64) -> Value {
+fn to_three_digits(growth: f64) -> Value {
     let place = 10f64.powf(growth.log10().floor() - 2.0);
     number((growth / place).round() * place)
 }

@@ -29,8 +29,8 @@ impl CurvingCase {
         let running_gear = self.running_gear(bogie)?;
         let (what, shortest) = self.shortest_radius();
         if curve.radius.si().abs() < shortest {
-            let rule = say!(larger_than, what = what, length = shortest);
-            let rule = say!(is_but_must_be, value = curve.radius, rule = rule);
+            let rule = say!(larger_than, what, length = shortest);
+            let rule = say!(is_but_must_be, value = curve.radius, rule);
             return Err(self.text.keys.invalid("curve.radius", rule, ""));
         }
         let kinematics = self.kinematics(curve.theory, profiles)?;
@@ -46,7 +46,7 @@ impl CurvingCase {
     }
 
     fn table<'a, T>(&self, key: &str, table: &'a Option<T>, needs: &str) -> Result<&'a T, CaseError> {
-        let help = say!(give_with, key = key, needs = needs);
+        let help = say!(give_with, key, needs);
         table.as_ref().ok_or_else(|| self.text.keys.missing(key, &help))
     }
 
@@ -70,7 +70,7 @@ impl CurvingCase {
         let placed = profiles.flange_back_distance.si() - 2.0 * profiles.flange_back_position.si();
         match given {
             Some(given) if (given.si() - placed).abs() > SAME_SPACING => {
-                let rule = say!(is_but_the_profiles_lie_m, given = given, placed = number(format_args!("{placed:.4}")));
+                let rule = say!(is_but_the_profiles_lie_m, given, placed = number(format_args!("{placed:.4}")));
                 let help = "leave it out, or change flange_back_distance";
                 Err(self.text.keys.invalid(key, &rule, help))
             }
@@ -120,7 +120,7 @@ impl CurvingCase {
                 false => (&["slope", "shift", "width"][..], &["clearance", "stiffness"][..], "tilted"),
             };
             if let Some(wrong) = foreign.iter().find(|name| keys.has(&key(name))) {
-                let rule = say!(is_set_but_profiles_contact_plane, name = name, keys = needed.join(", "));
+                let rule = say!(is_set_but_profiles_contact_plane, name, keys = needed.join(", "));
                 return Err(keys.invalid(&key(wrong), &rule, ""));
             }
             if is_spring {

@@ -114,7 +114,7 @@ impl CurvingCase {
             && CreepLawName::named(law).is_some()
             && CurvingLaw::named(law).is_none()
         {
-            of_loop = Some(say!(creep_law_of_growth_only, law = law));
+            of_loop = Some(say!(creep_law_of_growth_only, law));
             text.keys.remove(KEY);
         }
         let mut file: CurvingFile = text.keys.deserialize()?;
@@ -158,7 +158,7 @@ impl CurvingCase {
         let (what, shortest) = self.shortest_radius();
         let fits = |radius: &f64| radius.abs() > shortest && radius.abs() <= WIDEST;
         let radius = radii.iter().copied().find(|radius| !fits(radius))?;
-        let rule = say!(larger_than_the_to_either_side, what = what);
+        let rule = say!(larger_than_the_to_either_side, what);
         Some((radius, rule.to_string()))
     }
 

@@ -25,7 +25,7 @@ impl CurvingCase {
     pub(super) fn running_gear(&self, bogie: &file::Bogie) -> Result<RunningGear, CaseError> {
         let keys = &self.text.keys;
         let foreign = |key: &str, belongs: &str| {
-            let rule = say!(is_set_but_belongs_to, belongs = belongs);
+            let rule = say!(is_set_but_belongs_to, belongs);
             Err(keys.invalid(key, &rule, say!(leave_it_out)))
         };
         if bogie.wheelsets == 1 {

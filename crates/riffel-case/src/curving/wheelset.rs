@@ -126,7 +126,7 @@ impl CurvingCase {
             if over > gauge.si() {
                 return refuse(say!(
                     is_but_the_wheelset_is_mm,
-                    gauge = gauge,
+                    gauge,
                     width = number(format_args!("{:.1}", 1e3 * over))
                 ));
             }
@@ -135,7 +135,7 @@ impl CurvingCase {
             let ends: f64 = wheels.iter().map(|wheel| wheel.range()[1]).sum();
             return refuse(say!(
                 is_but_the_wheels_mm_wide,
-                gauge = gauge,
+                gauge,
                 width = number(format_args!("{:.1}", 1e3 * (wheelset.wheels.spacing() + ends)))
             ));
         }
@@ -203,8 +203,8 @@ impl CurvingCase {
             let known = of_kind.map(|one| one.name).collect::<Vec<_>>().join(", ");
             let (name, known) = (nominal.name, known.as_str());
             let [rule, help] = match is_wheel {
-                true => [say!(is_nominal_rail, name = name), say!(nominal_wheels, known = known)],
-                false => [say!(is_nominal_wheel, name = name), say!(nominal_rails, known = known)],
+                true => [say!(is_nominal_rail, name), say!(nominal_wheels, known)],
+                false => [say!(is_nominal_wheel, name), say!(nominal_rails, known)],
             };
             return Err(self.text.keys.invalid(key, rule, help));
         }
@@ -229,8 +229,8 @@ impl CurvingCase {
             CaseError::Read { reason, .. } => {
                 let known = NOMINAL.map(|profile| profile.name).join(", ");
                 let path = self.folder.join(Path::new(name));
-                let rule = say!(is_but_cannot_be_read, name = name, path = path.display(), reason = reason.to_string());
-                self.text.keys.invalid(key, &rule, say!(nominal_profiles, known = known))
+                let rule = say!(is_but_cannot_be_read, name, path = path.display(), reason = reason.to_string());
+                self.text.keys.invalid(key, &rule, say!(nominal_profiles, known))
             }
             error => error,
         })

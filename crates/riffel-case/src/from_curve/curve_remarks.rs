@@ -45,7 +45,7 @@ impl CaseText {
             radius = fixed(radius, 0),
             speed = shown_speed(speed, 0),
             wheelset = from.wheelset,
-            rail = rail,
+            rail,
             along = fixed(along, 3),
             across = fixed(across, 3),
             spin = fixed(spin, 3),

@@ -88,7 +88,7 @@ impl CaseText {
             let message = say!(
                 the_rail_is_not_convex_where,
                 curvature = number(format_args!("{:.2}", place.rail_curvature)),
-                key = key
+                key
             );
             return match self.is_written(key) {
                 true => Ok(()),
@@ -108,7 +108,7 @@ impl CaseText {
         };
         if !self.is_written(key) {
             let name = law.name;
-            self.curve_remarks.push(say!(creep_law_without_spin, name = name, spin = fixed(spin, 3), key = key));
+            self.curve_remarks.push(say!(creep_law_without_spin, name, spin = fixed(spin, 3), key));
         }
     }
 

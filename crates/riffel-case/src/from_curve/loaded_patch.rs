@@ -110,7 +110,7 @@ impl CaseText {
             None => self.keys.text_of("contact.creep_law") == Some("carter-3d"),
         };
         if paper {
-            let rule = say!(is_but_the_ellipse_like_it, name = name);
+            let rule = say!(is_but_the_ellipse_like_it, name);
             let help = "choose contact.hertz = \"exact\", or leave contact.from.patch out";
             return Err(self.keys.invalid("contact.from.patch", &rule, help));
         }
@@ -127,7 +127,7 @@ impl CaseText {
         let loaded = match loaded {
             Ok(loaded) => loaded,
             Err(reason) => {
-                self.curve_remarks.push(say!(ellipse_in_place_of_patch, rail = on_rail(rail), reason = reason));
+                self.curve_remarks.push(say!(ellipse_in_place_of_patch, rail = on_rail(rail), reason));
                 return Ok(());
             }
         };
@@ -203,7 +203,7 @@ impl CaseText {
                 Rail::Left => say!(of_left),
                 Rail::Right => say!(of_right),
             },
-            under_load = under_load
+            under_load
         ));
         Ok(())
     }
@@ -226,7 +226,7 @@ impl CaseText {
                 across = fixed(b, 1),
                 wider = over_hertz(loaded.semi_axes[1], hertz.semi_axis_lateral()),
                 angle = fixed(angle, 2),
-                turned = turned
+                turned
             ),
             None => say!(
                 patch_of_profiles_alone,
@@ -235,7 +235,7 @@ impl CaseText {
                 along = fixed(a, 1),
                 across = fixed(b, 1),
                 angle = fixed(angle, 2),
-                turned = turned
+                turned
             ),
         });
     }

@@ -102,7 +102,7 @@ impl CaseText {
                 false => say!(equilibrium_from_straight_track),
                 true => say!(equilibrium_found_first),
             };
-            self.curve_remarks.push(say!(several_equilibria, count = states.len(), which = which));
+            self.curve_remarks.push(say!(several_equilibria, count = states.len(), which));
         }
         let file = &curving.file;
         let mut study = self.contact_of(from, curving, &states[0], rail)?;
@@ -115,7 +115,7 @@ impl CaseText {
                     name = written,
                     of = from.rail.name(),
                     rail = rail.name(),
-                    radius = radius,
+                    radius,
                 );
                 return Err(self.keys.invalid("wheelset.rail", rule, say!(leave_it_out)));
             }
@@ -147,7 +147,7 @@ impl CaseText {
             self.curve_tractive_ratio = Some(study.tractive_ratio);
         } else {
             let instead = instead.join(", ");
-            self.curve_remarks.push(say!(case_has_own_values, instead = instead));
+            self.curve_remarks.push(say!(case_has_own_values, instead));
         }
         Ok(())
     }

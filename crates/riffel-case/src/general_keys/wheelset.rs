@@ -147,7 +147,7 @@ impl CheckedKeys {
     fn of_wheelset<T>(&self, key: &str, value: Option<T>) -> Result<T, CaseError> {
         value.ok_or_else(|| {
             let model = self.file.wheelset.as_ref().map_or("", |wheelset| wheelset.model.name());
-            let help = say!(wheelset_model_needs_it, model = model);
+            let help = say!(wheelset_model_needs_it, model);
             self.text.keys.missing(key, &help)
         })
     }
@@ -204,7 +204,7 @@ impl CheckedKeys {
         ];
         for (key, spacing) in spacings {
             if let Some(spacing) = spacing.filter(|spacing| spacing.si() > most) {
-                let rule = say!(at_most_the_length_of_the, length = length);
+                let rule = say!(at_most_the_length_of_the, length);
                 return Err(self.out_of_range(key, spacing, &rule));
             }
         }
@@ -214,7 +214,7 @@ impl CheckedKeys {
                 return Err(self.out_of_range(
                     &format!("wheelset.discs[{index}].position"),
                     disc.position,
-                    say!(between_m_and_m_the_ends, end = end),
+                    say!(between_m_and_m_the_ends, end),
                 ));
             }
         }

@@ -138,7 +138,7 @@ impl ValueUnit<'_> {
                 Response::Mobility => say!(mobility_in_si),
                 Response::Accelerance => say!(accelerance_in_si),
             };
-            say!(column_without_unit, column = column, what = what)
+            say!(column_without_unit, column, what)
         });
         Decoded { response, scale: Scale::Linear(1.0), remarks: remark.into_iter().collect() }
     }

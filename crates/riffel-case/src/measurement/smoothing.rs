@@ -38,14 +38,7 @@ pub(super) fn smooth(angular: &[f64], receptances: &mut [Complex64], coherence: 
     }
     let (count, points) = (poor.len(), angular.len());
     let (first, last) = (poor.first()?, poor.last()?);
-    Some(say!(
-        poor_coherence,
-        good = number(GOOD),
-        count = count,
-        points = points,
-        first = fixed(*first, 0),
-        last = fixed(*last, 0)
-    ))
+    Some(say!(poor_coherence, good = number(GOOD), count, points, first = fixed(*first, 0), last = fixed(*last, 0)))
 }
 
 #[cfg(test)]

@@ -48,7 +48,7 @@ impl WheelsetReceptances {
             // Once for all.
             if remarks.is_empty() && unit(&layout, entry.values.first()).is_none() {
                 let column = &layout.names[entry.values.first()];
-                remarks.push(say!(column_of_wheelset_without_unit, column = column));
+                remarks.push(say!(column_of_wheelset_without_unit, column));
             }
             let response = FrequencyResponse {
                 response: units.decoded.response,
@@ -111,13 +111,13 @@ fn violations(wheelset: &MeasuredWheelset) -> impl Iterator<Item = Message> {
     let reciprocity = reciprocity.map(|violation| {
         let (percent, hertz) = (1e2 * violation.size, violation.angular_frequency / TAU);
         let [at, from] = violation.ports.map(name);
-        say!(wheelset_not_reciprocal, at = at, from = from, percent = fixed(percent, 2), hertz = fixed(hertz, 1))
+        say!(wheelset_not_reciprocal, at, from, percent = fixed(percent, 2), hertz = fixed(hertz, 1))
     });
     let passivity = wheelset.passivity_violation().filter(beyond_rounding);
     let passivity = passivity.map(|violation| {
         let (percent, hertz) = (1e2 * violation.size, violation.angular_frequency / TAU);
         let port = name(violation.ports[0]);
-        say!(wheelset_gives_energy, percent = fixed(percent, 2), hertz = fixed(hertz, 1), port = port)
+        say!(wheelset_gives_energy, percent = fixed(percent, 2), hertz = fixed(hertz, 1), port)
     });
     reciprocity.into_iter().chain(passivity)
 }
@@ -286,7 +286,7 @@ impl EntryColumns {
             .collect();
         (!missing.is_empty()).then(|| {
             let axes = missing.join(", ");
-            say!(wheelset_not_measured_along, axes = axes)
+            say!(wheelset_not_measured_along, axes)
         })
     }
 }

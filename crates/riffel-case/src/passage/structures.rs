@@ -57,11 +57,8 @@ impl Case {
             && self.wheel_alone_is_causal(speed, natural_frequencies)
         {
             let per_cent = 100.0 * share.sqrt();
-            let message = say!(
-                the_waves_that_run_along_this,
-                furthest = furthest,
-                per_cent = number(format_args!("{per_cent:.1}"))
-            );
+            let message =
+                say!(the_waves_that_run_along_this, furthest, per_cent = number(format_args!("{per_cent:.1}")));
             return Err(self.refuse("train.wheels", &message));
         }
         self.keys.physics("track.model", structures)

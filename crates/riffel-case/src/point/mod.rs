@@ -234,16 +234,16 @@ impl Case {
             return Err(self.keys.out_of_range(
                 "corrugation.amplitude",
                 self.file.corrugation.amplitude,
-                say!(below_r_at_the_wavelength_of, wavelength = wavelength),
+                say!(below_r_at_the_wavelength_of, wavelength),
             ));
         }
         let case = self.covering(wavelength, wavelength)?;
         let state = case.feedback.at(wavelength, speed);
         match Point::new(&case, &state).not_finite() {
             None => Ok(state),
-            Some(quantity) => Err(CaseError::Point {
-                message: say!(at_m_and_m_s_is, quantity = quantity.name(), wavelength = wavelength, speed = speed),
-            }),
+            Some(quantity) => {
+                Err(CaseError::Point { message: say!(at_m_and_m_s_is, quantity = quantity.name(), wavelength, speed) })
+            }
         }
     }
 }

@@ -157,7 +157,7 @@ fn is_a_traffic(source: &KeyFile) -> Result<(), CaseError> {
     }
     let tables = ["wheel", "rail", "track", "contact", "steel"];
     match tables.into_iter().find(|table| source.has(table)) {
-        Some(table) => Err(source.refuse(table, say!(this_is_a_case_file_with, table = table))),
+        Some(table) => Err(source.refuse(table, say!(this_is_a_case_file_with, table))),
         None => Ok(()),
     }
 }
@@ -169,7 +169,7 @@ fn no_forces_as_axle_loads(source: &KeyFile) -> Result<(), CaseError> {
         let written = vehicle.get("axle_load").and_then(Value::as_str);
         let is_force = |text: &&str| text.trim().parse::<f64>().is_err() && Kind::of::<Force>().read(text).is_ok();
         if let Some(force) = written.filter(is_force) {
-            let rule = say!(is_a_force_but_must_be, force = force);
+            let rule = say!(is_a_force_but_must_be, force);
             return Err(source.invalid(&format!("vehicle[{index}].axle_load"), &rule, ""));
         }
     }
@@ -231,14 +231,14 @@ fn distribution(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Spe
 }
 
 fn exclusive(source: &KeyFile, key: &str, other: &str) -> CaseError {
-    let rule = say!(and_exclude_each_other, other = other);
+    let rule = say!(and_exclude_each_other, other);
     source.invalid(key, &rule, say!(give_one_of_the_two))
 }
 
 fn above_zero<D: Dimension>(source: &KeyFile, key: &str, value: Option<Quantity<D>>) -> Result<(), CaseError> {
     match value.filter(|value| value.si() <= 0.0) {
         Some(value) => {
-            let rule = say!(is_but_must_be, value = value, rule = say!(greater_than_zero));
+            let rule = say!(is_but_must_be, value, rule = say!(greater_than_zero));
             Err(source.invalid(key, rule, ""))
         }
         None => Ok(()),
@@ -249,6 +249,6 @@ fn positive(source: &KeyFile, key: &str, value: f64) -> Result<(), CaseError> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
     }
-    let rule = say!(is_but_must_be, value = value, rule = say!(finite_and_above_zero));
+    let rule = say!(is_but_must_be, value, rule = say!(finite_and_above_zero));
     Err(source.invalid(key, rule, ""))
 }

@@ -11,6 +11,6 @@ pub(super) fn sums_to_one(source: &KeyFile, key: &str, shares: impl Iterator<Ite
     if (sum - 1.0).abs() <= SHARE_TOLERANCE {
         return Ok(());
     }
-    let message = say!(the_shares_of_sum_to_but, key = key, sum = number(format_args!("{sum:.4}")));
+    let message = say!(the_shares_of_sum_to_but, key, sum = number(format_args!("{sum:.4}")));
     Err(source.refuse(&format!("{key}[0].share"), &message))
 }

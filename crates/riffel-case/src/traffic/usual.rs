@@ -150,13 +150,13 @@ pub fn traffic_at_speeds(traffic: Message, speeds: [f64; 2], per_day: Option<f64
     match per_day {
         Some(per_day) => say!(
             traffic_at_speeds_a_day,
-            traffic = traffic,
-            speeds = speeds,
+            traffic,
+            speeds,
             axles = match per_day < 10.0 {
                 true => significant(per_day, 2),
                 false => fixed(per_day, 0),
             }
         ),
-        None => say!(traffic_at_speeds, traffic = traffic, speeds = speeds),
+        None => say!(traffic_at_speeds, traffic, speeds),
     }
 }

@@ -31,7 +31,7 @@ impl Traffic {
     /// That they differ, or that the value is spread over the wheels of one: no one value is "half of it" then.
     pub fn common_value(&self, key: &str, of_case: Option<f64>) -> Result<Option<f64>, Message> {
         let mut values = (0..self.file.vehicle.len()).map(|index| self.own_value(index, key));
-        let differ = || say!(vehicles_differ, key = key);
+        let differ = || say!(vehicles_differ, key);
         let first = values.next().unwrap_or(Some(None)).ok_or_else(differ)?;
         let all_alike = values.all(|value| value.is_some_and(|it| it.or(of_case) == first.or(of_case)));
         all_alike.then(|| first.or(of_case)).ok_or_else(differ)
@@ -96,12 +96,12 @@ impl Traffic {
                         variant_changes_friction_or_load_under,
                         title = &variant.title,
                         vehicle = &vehicle.name,
-                        why = why
+                        why
                     ));
                 }
                 if window.iter().any(sets) {
                     let name = &vehicle.name;
-                    let message = say!(speeds_and_bands_of_vehicle, name = name, message = message);
+                    let message = say!(speeds_and_bands_of_vehicle, name, message);
                     return self.source.refuse(&at(""), &message);
                 }
                 match own.iter().find(|(_, setting)| sets(setting)) {

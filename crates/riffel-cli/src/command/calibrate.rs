@@ -7,7 +7,7 @@ use riffel_answers::calibration_question::CalibrateQuestion;
 use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::question::{of_keys, on_threads};
-use riffel_answers::{Answer, Calibration, PlanDocument, ResultFile, Table, level_limit};
+use riffel_answers::{Answer, Calibration, CalibrationPlan, ResultFile, Table, level_limit};
 use riffel_calibrate::file::SamplerKind;
 use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress};
 use riffel_keys::{Message, fixed, number};
@@ -16,7 +16,7 @@ use crate::arguments::AskedQuestion;
 use crate::messages::{complain, language, print_remarks, say};
 use crate::output::{json, print};
 use crate::progress::{self, duration};
-use crate::results::readable;
+use crate::results::in_words;
 use crate::staging::{INTERRUPTED, Staging, check_files, stop_on_interrupt};
 
 /// The limit of the forecast that is made with every calibration.
@@ -40,7 +40,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
     let plan = Measured { case: &question.plan, traffic, tables }.plan_for(&path)?;
     if question.dry_run {
         match asked.json {
-            true => print(&json(&PlanDocument::from(&plan)))?,
+            true => print(&json(&CalibrationPlan::from(&plan)))?,
             false => print(&dry_run(&plan)?)?,
         }
         print_remarks(&plan.remarks);
@@ -61,7 +61,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
             Progress::Drawn(draws) => progress.advance(draws as usize),
             Progress::GoesOn { draws } => {
                 progress.lengthen(chains * (sampler.left_out() + draws));
-                say(riffel_keys::say!(chains_go_on, draws = draws));
+                say(riffel_keys::say!(chains_go_on, draws));
             }
         };
         folder.run(&tell, &stop)
@@ -79,7 +79,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
             let to = (&*path, question.restart);
             let of_each = |folder: &Folder<'_>, title: &str| {
                 if !title.is_empty() {
-                    say(riffel_keys::say!(chains_of_model, title = title));
+                    say(riffel_keys::say!(chains_of_model, title));
                 }
                 sample(folder, title)
             };
@@ -152,18 +152,18 @@ fn conclusions(
 ) -> miette::Result<String> {
     let mut staging = Staging::new("calibrate", folder)?;
     staging.write_figure(answer.name(), &answer.figure())?;
-    let (mut text, mut tables) = (readable(answer), answer.tables());
+    let (mut text, mut tables) = (in_words(answer), answer.tables());
     if plan.passages_per_day.is_some() && plan.has_levels() {
         let limit = level_limit(LIMIT)?;
         let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
         staging.write_figure(answer.name(), &answer.figure())?;
-        text += &readable(&answer);
+        text += &in_words(&answer);
         tables.extend(answer.tables());
     }
     if let Some(models) = models {
         staging.write_figure(models.name(), &models.figure())?;
         staging.write(models.document_name(), json(models))?;
-        text += &readable(models);
+        text += &in_words(models);
         tables.extend(models.tables());
     }
     for table in tables.into_iter().filter(Table::has_file) {

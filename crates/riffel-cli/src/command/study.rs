@@ -12,7 +12,7 @@ use crate::arguments::AskedQuestion;
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{print, print_json};
 use crate::progress::Progress;
-use crate::results::readable;
+use crate::results::in_words;
 use crate::staging::{INTERRUPTED, stop_on_interrupt};
 
 pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
@@ -58,7 +58,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
         true => print_json(&answer)?,
         false => {
             let files = "results.zarr plan.toml case.toml study.json";
-            print(&format!("{}{}: {files}\n", readable(&answer), path.display()))?;
+            print(&format!("{}{}: {files}\n", in_words(&answer), path.display()))?;
         }
     }
     if samples > 0 {

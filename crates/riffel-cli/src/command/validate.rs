@@ -6,7 +6,7 @@ use crate::arguments::Validate;
 use crate::error::CliError;
 use crate::output::{print, print_json};
 use crate::progress::Progress;
-use crate::results::readable;
+use crate::results::in_words;
 
 pub(crate) fn run(arguments: &Validate) -> miette::Result<u8> {
     if arguments.field {
@@ -21,7 +21,7 @@ pub(crate) fn run(arguments: &Validate) -> miette::Result<u8> {
     });
     let checked = Checked(rows.collect());
     drop(progress);
-    print(&readable(&checked))?;
+    print(&in_words(&checked))?;
     Ok(u8::from(checked.failed() > 0))
 }
 
@@ -33,7 +33,7 @@ fn run_field(arguments: &Validate) -> miette::Result<u8> {
     drop(progress);
     match arguments.json {
         true => print_json(&document)?,
-        false => print(&readable(&document))?,
+        false => print(&in_words(&document))?,
     }
     Ok(0)
 }

@@ -170,7 +170,7 @@ impl KeyFile {
         };
         if parts.len() > DEEPEST {
             let count = parts.len();
-            return Err(say!(key_of_many_parts, most = DEEPEST, count = count));
+            return Err(say!(key_of_many_parts, most = DEEPEST, count));
         }
         let mut table = &mut self.table;
         for parent in parents {
@@ -180,7 +180,7 @@ impl KeyFile {
                 .as_table_mut()
                 .ok_or_else(|| {
                     let path = parts.join(".");
-                    say!(value_not_table, parent = *parent, path = path)
+                    say!(value_not_table, parent = *parent, path)
                 })?;
         }
         table.insert((*last).to_owned(), value);
@@ -361,7 +361,7 @@ impl KeyFile {
             Value::Table(_) => say!(some_table),
             value => value.to_string().into(),
         };
-        Some(say!(is_but_must_be, value = value, rule = kind))
+        Some(say!(is_but_must_be, value, rule = kind))
     }
 
     /// A key that must be there and is not; `help` says what would be right, or is empty.
@@ -384,8 +384,8 @@ impl KeyFile {
         let shown = in_a_message(key);
         let message = match (key.is_empty(), rule.has_subject()) {
             (true, _) => rule,
-            (false, true) => say!(key_and_rule, key = shown, rule = rule),
-            (false, false) => say!(key_as_subject, key = shown, rule = rule),
+            (false, true) => say!(key_and_rule, key = shown, rule),
+            (false, false) => say!(key_as_subject, key = shown, rule),
         };
         let help = (!help.is_empty()).then_some(help);
         // The override may have set a table or a list around the key.

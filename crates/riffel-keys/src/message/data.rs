@@ -69,7 +69,7 @@ mod tests {
     fn a_message_is_its_id_and_values_while_that_is_asked_for() {
         let load = crate::message::quantity(1500.0, "N", "1.5 kN");
         let rule = say!(is_but_must_be, value = load, rule = "more");
-        let message = say!(key_and_rule, key = "contact.normal_load", rule = rule);
+        let message = say!(key_and_rule, key = "contact.normal_load", rule);
         let expected = json!({
             "id": "key-and-rule",
             "values": {

@@ -38,11 +38,18 @@ pub struct Message {
     values: Box<[(&'static str, Value)]>,
 }
 
-/// A [`Message`] by its id, with underscores for hyphens, and its values: `say!(far_away, distance = number(x))`.
+/// A [`Message`] by its id, with underscores for hyphens, and its values: `say!(far_away, distance = number(x))`, or `say!(far_away, distance)`
+/// where a variable has the name of the value.
 #[macro_export]
 macro_rules! say {
-    ($id:ident $(, $name:ident = $value:expr)* $(,)?) => {
-        $crate::Message::from($crate::message::wording::$id { $($name: $crate::Value::from($value)),* })
+    (@value $name:ident) => {
+        $crate::Value::from($name)
+    };
+    (@value $name:ident = $value:expr) => {
+        $crate::Value::from($value)
+    };
+    ($id:ident $(, $name:ident $(= $value:expr)?)* $(,)?) => {
+        $crate::Message::from($crate::message::wording::$id { $($name: $crate::say!(@value $name $(= $value)?)),* })
     };
 }
 
@@ -76,7 +83,7 @@ impl Message {
     /// With another sentence behind it.
     #[must_use]
     pub fn followed_by(self, other: Self) -> Self {
-        say!(one_after_other, one = self, other = other)
+        say!(one_after_other, one = self, other)
     }
 
     /// Which message it is, as in the Fluent files.

@@ -172,7 +172,7 @@ mod tests {
     fn keys_and_quantities_stand_between_the_words() {
         let load = crate::message::quantity(1500.0, "N", "1.5 kN");
         let rule = say!(is_but_must_be, value = load, rule = "more");
-        let message = say!(key_and_rule, key = "contact.normal_load", rule = rule);
+        let message = say!(key_and_rule, key = "contact.normal_load", rule);
         for (language, expected) in [
             (Language::English, "`contact.normal_load`: is 1.5 kN, but must be more"),
             (Language::German, "`contact.normal_load`: ist 1,5 kN, muss aber more sein"),

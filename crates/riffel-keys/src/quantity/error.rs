@@ -39,26 +39,26 @@ impl QuantityError {
         let (text, kind, example) = (&self.text, named(self.kind.name), self.kind.example);
         match &self.problem {
             QuantityProblem::NoNumber => {
-                say!(not_a_number, text = text, kind = kind, example = example)
+                say!(not_a_number, text, kind, example)
             }
-            QuantityProblem::NotFinite => say!(not_finite, text = text, kind = kind),
-            QuantityProblem::Separator => say!(number_with_separator, text = text, kind = kind, example = example),
-            QuantityProblem::Range => say!(range_for_one_value, text = text, kind = kind, example = example),
+            QuantityProblem::NotFinite => say!(not_finite, text, kind),
+            QuantityProblem::Separator => say!(number_with_separator, text, kind, example),
+            QuantityProblem::Range => say!(range_for_one_value, text, kind, example),
             QuantityProblem::UnknownUnit(unit) => {
-                say!(unknown_unit, text = text, unit = unit, kind = kind, example = example)
+                say!(unknown_unit, text, unit, kind, example)
             }
             QuantityProblem::WrongUnit(got) => say!(
                 wrong_unit,
-                text = text,
+                text,
                 got = match got.as_str() {
                     "" => say!(plain_number),
-                    unit => say!(in_unit, unit = unit),
+                    unit => say!(in_unit, unit),
                 },
                 kind = match self.kind.unit {
                     "" => Value::from(kind),
-                    unit => say!(kind_in_unit, kind = kind, unit = unit).into(),
+                    unit => say!(kind_in_unit, kind, unit).into(),
                 },
-                example = example
+                example
             ),
         }
     }

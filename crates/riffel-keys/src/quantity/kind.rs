@@ -26,8 +26,8 @@ impl Kind {
     pub(crate) fn expected(&self) -> Message {
         let (kind, example) = (named(self.name), self.example);
         match self.unit {
-            "" => say!(ratio_such_as, kind = kind, example = example),
-            unit => say!(kind_as_in, kind = kind, unit = unit, example = example),
+            "" => say!(ratio_such_as, kind, example),
+            unit => say!(kind_as_in, kind, unit, example),
         }
     }
 

@@ -31,7 +31,7 @@ impl PhysicalRange {
         let bound = |si| quantity(si, kind.unit, amount(kind, si));
         if !(low..=high).contains(&written.si) {
             return Judgement::Impossible {
-                rule: say!(is_outside, value = value, low = bound(low), high = bound(high)),
+                rule: say!(is_outside, value, low = bound(low), high = bound(high)),
                 help: self.question(written).unwrap_or_else(|| "".into()),
             };
         }
@@ -43,8 +43,8 @@ impl PhysicalRange {
         if !(from..=to).contains(&written.si) {
             return Judgement::Unusual(say!(
                 unusual_value,
-                key = key,
-                value = value,
+                key,
+                value,
                 from = bound(from),
                 to = bound(to),
                 question = question()
@@ -53,12 +53,7 @@ impl PhysicalRange {
         if written.unit.is_empty() && written.si > self.bare_up_to {
             let in_engineers_unit = kind.in_engineers_unit(written.si);
             let read = format!("{words} = {} {}", significant(in_engineers_unit.0), in_engineers_unit.1);
-            return Judgement::Unusual(say!(
-                number_without_unit,
-                key = key,
-                read = number(read),
-                question = question()
-            ));
+            return Judgement::Unusual(say!(number_without_unit, key, read = number(read), question = question()));
         }
         Judgement::Usual
     }
@@ -75,7 +70,7 @@ impl PhysicalRange {
             .map(|unit| say!(quoted, words = number(format_args!("{} {unit}", written.number))));
         match (meant.next()?, meant.next()) {
             (one, None) => Some(say!(did_you_mean, meant = one)),
-            (one, Some(other)) => Some(say!(did_you_mean_either, one = one, other = other)),
+            (one, Some(other)) => Some(say!(did_you_mean_either, one, other)),
         }
     }
 }

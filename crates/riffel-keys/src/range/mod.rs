@@ -74,7 +74,7 @@ impl PhysicalRange {
         for value in values {
             let written = WrittenQuantity { unit: range.kind.unit.to_owned(), ..WrittenQuantity::bare(value) };
             if let Judgement::Impossible { rule, .. } = range.judge(what, &written) {
-                return Err(CaseError::Point { message: say!(name_as_subject, name = what, rule = rule) });
+                return Err(CaseError::Point { message: say!(name_as_subject, name = what, rule) });
             }
         }
         Ok(())

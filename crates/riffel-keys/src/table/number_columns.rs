@@ -290,13 +290,13 @@ impl NumberColumns {
         let (own, other) = (self.decimal, self.decimal.other());
         if number(text, other.byte()).is_some() {
             let (other, own) = (other.words(), own.words());
-            return say!(cell_has_other_mark, column = column, cell = shown, other = other, own = own);
+            return say!(cell_has_other_mark, column, cell = shown, other, own);
         }
         match oddity(text) {
-            Some(Oddity::Brackets) => say!(cell_in_brackets, column = column, cell = shown),
-            Some(Oddity::Unit) => say!(cell_with_letters, column = column, cell = shown),
-            Some(Oddity::Mark) => say!(cell_with_marks, column = column, cell = shown),
-            None => say!(cell_is_no_number, column = column, cell = shown),
+            Some(Oddity::Brackets) => say!(cell_in_brackets, column, cell = shown),
+            Some(Oddity::Unit) => say!(cell_with_letters, column, cell = shown),
+            Some(Oddity::Mark) => say!(cell_with_marks, column, cell = shown),
+            None => say!(cell_is_no_number, column, cell = shown),
         }
     }
 }

@@ -58,7 +58,7 @@ impl From<&UniversalFileError> for Message {
         let (line, fault) = fault(error);
         match line {
             None => fault,
-            Some(number) => fault.about(say!(at_line, number = number)),
+            Some(number) => fault.about(say!(at_line, number)),
         }
     }
 }
@@ -75,25 +75,25 @@ fn fault(error: &UniversalFileError) -> (Option<usize>, Message) {
         Fault::Outside { line } => (line, say!(outside_of_datasets)),
         Fault::Truncated { line } => (line, say!(dataset_cut_short)),
         Fault::RecordMissing { line, record } => (line, say!(record_missing, record = in_words(record))),
-        Fault::UnknownForm { line, text } => (line, say!(unknown_form_of_dataset, text = text)),
+        Fault::UnknownForm { line, text } => (line, say!(unknown_form_of_dataset, text)),
         Fault::Integer { line, what, text } => {
             let what = in_words(what);
-            (line, say!(field_is_no_integer, what = what, text = text))
+            (line, say!(field_is_no_integer, what, text))
         }
         Fault::Number { line, what, text } => {
             let what = in_words(what);
-            (line, say!(field_is_no_number, what = what, text = text))
+            (line, say!(field_is_no_number, what, text))
         }
         Fault::Choice { line, what, value, allowed } => {
             let (what, value) = (in_words(what), f64::from(*value));
             let allowed = allowed.iter().map(|one| say!(number_alone, number = f64::from(*one)));
-            let allowed = allowed.reduce(|one, other| say!(one_or_other, one = one, other = other));
+            let allowed = allowed.reduce(|one, other| say!(one_or_other, one, other));
             let allowed = allowed.unwrap_or_else(|| Message::verbatim(""));
-            (line, say!(field_has_no_meaning, what = what, allowed = allowed, value = value))
+            (line, say!(field_has_no_meaning, what, allowed, value))
         }
         Fault::NotPositive { line, what, value } => {
             let what = in_words(what);
-            (line, say!(field_not_positive, what = what, value = *value))
+            (line, say!(field_not_positive, what, value = *value))
         }
         Fault::Gap { line, column } => (line, say!(column_must_be_blank, column = *column)),
         Fault::OtherUnits { line } => (line, say!(units_stated_twice)),
@@ -110,7 +110,7 @@ fn fault(error: &UniversalFileError) -> (Option<usize>, Message) {
         }
         Fault::ByteCount { line, declared, bytes } => {
             let declared = f64::from(*declared);
-            (line, say!(other_count_of_bytes, declared = declared, bytes = *bytes))
+            (line, say!(other_count_of_bytes, declared, bytes = *bytes))
         }
     };
     (Some(*line), said)

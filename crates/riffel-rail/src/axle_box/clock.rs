@@ -245,14 +245,9 @@ impl Regression {
         }
         let [slowest, fastest] = [slowest, fastest].map(|rate| rounded(rate, unsure.max(1e-5)));
         match drift > STEADY {
-            true => Err(say!(
-                clock_without_one_rate,
-                slowest = slowest,
-                fastest = fastest,
-                percent = fixed(100.0 * STEADY, 0)
-            )),
+            true => Err(say!(clock_without_one_rate, slowest, fastest, percent = fixed(100.0 * STEADY, 0))),
             false => {
-                let drifts = say!(clock_drifts, slowest = slowest, fastest = fastest, rate = clock.rate);
+                let drifts = say!(clock_drifts, slowest, fastest, rate = clock.rate);
                 Ok((clock, Some(drifts)))
             }
         }

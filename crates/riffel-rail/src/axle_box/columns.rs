@@ -47,7 +47,7 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
         let mut own = own.iter().enumerate();
         own.any(|(place, word)| (place == 0 || word.len() > 2) && is_one_of(word, known))
     };
-    let missing = |one: &str, other: &str| Err(say!(column_has_no_unit, name = name, one = one, other = other));
+    let missing = |one: &str, other: &str| Err(say!(column_has_no_unit, name, one, other));
     if is(ACCELERATION) {
         return match acceleration(&written) {
             Some(unit) => Ok(Some(Content::Acceleration(unit))),

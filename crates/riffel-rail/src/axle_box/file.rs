@@ -97,7 +97,7 @@ impl AxleBoxFile {
             if values.len() != count {
                 return refuse(say!(
                     lengths_of_arrays_differ,
-                    name = name,
+                    name,
                     count = values.len(),
                     first = &names[0],
                     other = count
@@ -122,7 +122,7 @@ impl AxleBoxFile {
     fn checked(path: PathBuf, mut head: AxleBoxHead, source: Source) -> Result<Self, CaseError> {
         for (index, name) in head.names.iter().enumerate() {
             if head.names[..index].contains(name) {
-                let two = say!(two_channels_of_one_name, name = name);
+                let two = say!(two_channels_of_one_name, name);
                 return Err(CaseError::data(&path, two));
             }
         }

@@ -72,8 +72,8 @@ pub(super) enum Counting {
 impl Counting {
     pub(super) fn at(self, number: usize) -> Message {
         match self {
-            Self::Lines => say!(at_line, number = number),
-            Self::Samples => say!(at_sample, number = number),
+            Self::Lines => say!(at_line, number),
+            Self::Samples => say!(at_sample, number),
         }
     }
 
@@ -188,7 +188,7 @@ impl<T> Signals<T> {
 /// That a channel is left out, and why.
 pub(super) fn left_out(name: &str, reason: Message) -> Message {
     let channel = format!("`{name}`");
-    say!(channel_left_out, channel = channel, reason = reason)
+    say!(channel_left_out, channel, reason)
 }
 
 /// What tells the place, and what else does, each with the SI units in one of its own.

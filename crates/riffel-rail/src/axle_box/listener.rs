@@ -1,7 +1,7 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
 use riffel::axlebox::LONGEST_STEP;
-use riffel::error::readable;
+use riffel::error::as_typed;
 use riffel_keys::{Message, Value, fixed, say};
 
 use super::clock::{Tick, Ticking};
@@ -70,8 +70,8 @@ impl Counted {
         let (count, first) = (self.count, counting.at(self.first));
         match count {
             0 => None,
-            1 => Some(say!(found_once, what = what, at = first)),
-            _ => Some(say!(found_often, what = what, count = count, at = first)),
+            1 => Some(say!(found_once, what, at = first)),
+            _ => Some(say!(found_often, what, count, at = first)),
         }
     }
 }
@@ -128,7 +128,7 @@ impl<'a> Listener<'a> {
                     return Ok(std::mem::take(&mut self.is_there));
                 }
                 Tick::Back => {
-                    let falls = say!(time_falls, before = before, time = time);
+                    let falls = say!(time_falls, before, time);
                     return self.refuse(row.number, falls);
                 }
             }
@@ -192,7 +192,7 @@ impl<'a> Listener<'a> {
             return Ok(false);
         }
         if speed < 0.0 {
-            return self.refuse(number, say!(speed_is_below_zero, speed = Value::Number(readable(speed))));
+            return self.refuse(number, say!(speed_is_below_zero, speed = Value::Number(as_typed(speed))));
         }
         if speed > FASTEST {
             let faster = say!(speed_beyond_any_train, speed = fixed(speed, 1), kilometres = fixed(3.6 * speed, 0));
@@ -207,7 +207,7 @@ impl<'a> Listener<'a> {
         }
         let before = self.odometer.unwrap_or(odometer);
         if odometer < before - ROUNDING {
-            let falls = say!(odometer_falls, before = before, odometer = odometer);
+            let falls = say!(odometer_falls, before, odometer);
             return self.refuse(number, falls);
         }
         // It may be read once a second.

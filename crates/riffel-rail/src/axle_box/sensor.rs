@@ -117,7 +117,7 @@ impl Sensor {
                 let shown = if value == 1.0 { mean } else { mean / STANDARD_GRAVITY };
                 return Err(Refusal {
                     line: None,
-                    message: say!(mean_is_gravity, mean = fixed(shown, 3), unit = what, other = other).about(name),
+                    message: say!(mean_is_gravity, mean = fixed(shown, 3), unit = what, other).about(name),
                     help: Some(say!(give_in_unit, unit = other)),
                 });
             }
@@ -135,28 +135,28 @@ impl Sensor {
             let [high_end, low_end] = [high.value, -low.value].map(|end| fixed(end, 4));
             let sentence = match (high.clipped, low.clipped) {
                 (1.., 1..) => {
-                    say!(clipped_at_ends, high = high_end, low = low_end, count = clipped, share = percent, at = at)
+                    say!(clipped_at_ends, high = high_end, low = low_end, count = clipped, share = percent, at)
                 }
                 (one, _) => say!(
                     clipped_at_end,
                     end = if one > 0 { high_end } else { low_end },
                     count = clipped,
                     share = percent,
-                    at = at
+                    at
                 ),
             };
             if share > MOST_CLIPPED {
                 let most = fixed(100.0 * MOST_CLIPPED, 0);
-                let too_many = say!(too_many_are_clipped, sentence = sentence, most = most);
+                let too_many = say!(too_many_are_clipped, sentence, most);
                 return Err(self.counting.refuse(line, too_many.about(name)));
             }
-            remarks.push(say!(levels_too_low_there, sentence = sentence).about(name));
+            remarks.push(say!(levels_too_low_there, sentence).about(name));
         }
         if self.dead > 0 {
             let (time, at) = (fixed(1e3 * DEAD, 0), self.counting.at(self.dead_from));
             let drops_out = match self.dead {
-                1 => say!(drops_out_once, time = time, at = at),
-                count => say!(drops_out_often, count = count, time = time, at = at),
+                1 => say!(drops_out_once, time, at),
+                count => say!(drops_out_often, count, time, at),
             };
             remarks.push(drops_out.about(name));
         }

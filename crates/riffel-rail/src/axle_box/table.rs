@@ -318,7 +318,7 @@ fn clocks(table: &Table, head: &[u8], column: usize) -> Vec<f64> {
 fn no_times(table: &Table, head: &[u8], column: usize) -> Refusal {
     let name = table.heading.name(column).unwrap_or_default();
     let (line, cell) = first_value(table, head, column).unwrap_or((table.header_lines + 1, String::new()));
-    let text = say!(times_are_text, column = column + 1, name = name, cell = cell);
+    let text = say!(times_are_text, column = column + 1, name, cell);
     Refusal::new(Some(line), text)
 }
 

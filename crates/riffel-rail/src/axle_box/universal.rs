@@ -102,13 +102,13 @@ impl AxleBoxUniversal {
             let (line, title) = (signal.function.line, &signal.function.title);
             let refuse = |message: Message| Err(Refusal::new(Some(line), message).of(path));
             if signal.function.complex || (other / step - 1.0).abs() > SAME_STEP || signal.points != points {
-                return refuse(say!(signal_of_other_form, title = title, points = points, step = step));
+                return refuse(say!(signal_of_other_form, title, points, step));
             }
             // Signals a step apart or more stand at other places.
             if (other_begin - begin).abs() > 0.5 * step {
                 return refuse(say!(
                     signal_begins_elsewhere,
-                    title = title,
+                    title,
                     begin = other_begin,
                     first = &first.function.title,
                     other = begin
@@ -122,7 +122,7 @@ impl AxleBoxUniversal {
         if let Some(given) = layout.rate
             && (given / rate - 1.0).abs() > SAME_STEP
         {
-            return refuse(say!(file_says_its_rate, rate = rate));
+            return refuse(say!(file_says_its_rate, rate));
         }
         let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
         let read = Self { channels, place: places.signal, witness: places.witness };
@@ -173,11 +173,11 @@ impl AxleBoxUniversal {
 fn times(signal: &Signal) -> Result<(f64, f64), Refusal> {
     let (line, title) = (signal.function.line, &signal.function.title);
     let refuse = |message: Message| Refusal::new(Some(line), message);
-    let uneven = || refuse(say!(times_are_uneven, title = title));
+    let uneven = || refuse(say!(times_are_uneven, title));
     let (begin, step) = signal.even.ok_or_else(uneven)?;
     let time = &signal.function.abscissa_axis;
     let second = unit_size(time, Exponents::new(0, 0, 1), 1.0)
-        .ok_or_else(|| refuse(say!(times_in_other_unit, title = title, unit = time.unit.trim())))?;
+        .ok_or_else(|| refuse(say!(times_in_other_unit, title, unit = time.unit.trim())))?;
     Ok((second * begin, second * step))
 }
 
@@ -186,12 +186,12 @@ fn unit_of(signal: &Signal, exponents: Exponents, units: Option<Units>, what: Me
     let (axis, line) = (&signal.function.numerator, signal.function.line);
     let title = &signal.function.title;
     if !axis.has_unit() && units.is_none() {
-        let without = say!(signal_without_unit, title = title, what = what);
+        let without = say!(signal_without_unit, title, what);
         return Err(Refusal::new(Some(line), without));
     }
     let per_si = units.map_or(1.0, |units| units.length);
     unit_size(axis, exponents, per_si).ok_or_else(|| {
-        let other = say!(signal_with_other_unit, title = title, what = what, unit = &axis.unit);
+        let other = say!(signal_with_other_unit, title, what, unit = &axis.unit);
         Refusal::new(Some(line), other)
     })
 }

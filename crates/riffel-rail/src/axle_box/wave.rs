@@ -39,7 +39,7 @@ impl AxleBoxWave {
             return Err(refuse(say!(wav_has_no_units, example = EXAMPLE)));
         }
         if layout.channels.len() != count {
-            return Err(refuse(say!(wav_has_other_count, count = count, named = layout.channels.len())));
+            return Err(refuse(say!(wav_has_other_count, count, named = layout.channels.len())));
         }
         let (mut signals, mut others) = (Signals::default(), Vec::new());
         for (channel, said) in layout.channels.iter().enumerate() {
@@ -74,7 +74,7 @@ impl AxleBoxWave {
         };
         let rate = wave.rate;
         if layout.rate.is_some_and(|given| given != rate) {
-            return Err(refuse(say!(file_says_its_rate, rate = rate)));
+            return Err(refuse(say!(file_says_its_rate, rate)));
         }
         let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
         let read = Self { channels: signals.channels, place: places.signal, witness: places.witness };
@@ -117,7 +117,7 @@ fn open(path: &Path) -> Result<Wave, CaseError> {
 fn wrong(path: &Path, error: WaveError, sample: Option<usize>) -> CaseError {
     let message = match error {
         WaveError::Read => say!(wav_ends_early),
-        WaveError::Form(reason) => say!(wav_of_another_form, reason = reason),
+        WaveError::Form(reason) => say!(wav_of_another_form, reason),
     };
     let refusal = match sample {
         Some(number) => Counting::Samples.refuse(number, message),

@@ -69,22 +69,22 @@ impl Witness {
         let words = |by: PlaceBy, length: f64| {
             let speed = fixed(3.6 * length * self.rate / self.samples, 1);
             match by {
-                PlaceBy::Odometer => say!(odometer_makes, speed = speed),
-                PlaceBy::Speed => say!(speeds_make, speed = speed),
-                PlaceBy::Constant(_) => say!(given_speed_says, speed = speed),
+                PlaceBy::Odometer => say!(odometer_makes, speed),
+                PlaceBy::Speed => say!(speeds_make, speed),
+                PlaceBy::Constant(_) => say!(given_speed_says, speed),
             }
         };
         let (one, other) = (words(self.place, length), words(self.by, other));
-        let sentence = say!(but_other_says, one = one, other = other);
+        let sentence = say!(but_other_says, one, other);
         let is_given = matches!(self.place, PlaceBy::Constant(_));
         if off > CONTRARY + rounding && !is_given {
             return Err(Refusal {
                 line: None,
-                message: say!(one_is_wrong, sentence = sentence),
+                message: say!(one_is_wrong, sentence),
                 help: Some(say!(take_the_wrong_one_out)),
             });
         }
-        Ok(Some(say!(first_is_taken, sentence = sentence)))
+        Ok(Some(say!(first_is_taken, sentence)))
     }
 }
 

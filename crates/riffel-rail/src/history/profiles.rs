@@ -83,13 +83,13 @@ fn in_words(rails: &[Rail], clean: &[CleanRail], spectrum: &FineSpectrum, earlie
         profile_of_rails,
         count = rails.len(),
         length = fixed(length, 1),
-        windows = windows,
+        windows,
         segments = number(spectrum.segments()),
         segment = fixed(spectrum.segment_length(), 2)
     );
     match earlier {
         0 => words,
-        count => say!(one_after_other, one = words, other = say!(earlier_records, count = count)),
+        count => say!(one_after_other, one = words, other = say!(earlier_records, count)),
     }
 }
 
@@ -129,7 +129,7 @@ impl FoundWavelengths {
             curves.extend(local.and_then(|one| {
                 let place = one.places.first()?;
                 let (from, to) = (fixed(place.from, 0), fixed(place.to, 0));
-                let label = say!(rail_from_to, rail = name(), from = from, to = to);
+                let label = say!(rail_from_to, rail = name(), from, to);
                 Some((label, clean[*index].spectrum_between(place.from, place.to)?))
             }));
         }

@@ -57,8 +57,8 @@ pub(super) fn history(
     let spectra: usize = records.iter().map(|record| record.1.records.len()).sum();
     let (spectra, count) = (say!(one_third_octave_spectra, count = spectra), records.len());
     let words = match rails.len() {
-        1 => say!(spectra_of_records, spectra = spectra, count = count),
-        rails => say!(spectra_of_records_by_rail, spectra = spectra, count = count, rails = number(rails)),
+        1 => say!(spectra_of_records, spectra, count),
+        rails => say!(spectra_of_records_by_rail, spectra, count, rails = number(rails)),
     };
     let mut warnings = remarks;
     let records: Vec<(&str, f64, &Survey)> =
@@ -226,7 +226,7 @@ impl RailTable {
                 (Some(rail), 1) => name_in_words(rail),
                 (Some(rail), _) => {
                     let rail = name_in_words(rail);
-                    say!(rail_and_group, rail = rail, group = &group.name)
+                    say!(rail_and_group, rail, group = &group.name)
                 }
             };
             Some((name, Spectrum::arithmetic_mean(&group.spectra)?))

@@ -131,7 +131,7 @@ impl<'a> ProfileTable<'a> {
             || say!(heights_without_position),
             |(column, cell)| {
                 let column = number(column + 1);
-                say!(heights_without_position_but, column = column, cell = &cell[..])
+                say!(heights_without_position_but, column, cell = &cell[..])
             },
         )
     }
@@ -298,14 +298,14 @@ impl<'a> ProfileTable<'a> {
                 vec![(say!(position_and_heights_in, unit = a.0, other = b.0), a.1)]
             }
             (a, b) => {
-                let position = a.map(|(unit, line)| (say!(position_in, unit = unit), line));
-                let heights = b.map(|(unit, line)| (say!(heights_in, unit = unit), line));
+                let position = a.map(|(unit, line)| (say!(position_in, unit), line));
+                let heights = b.map(|(unit, line)| (say!(heights_in, unit), line));
                 position.into_iter().chain(heights).collect()
             }
         };
         let sentences = what.into_iter().map(|(what, line)| match line {
-            Some(line) => say!(by_line, what = what, line = number(line)),
-            None => say!(taken_for_granted, what = what),
+            Some(line) => say!(by_line, what, line = number(line)),
+            None => say!(taken_for_granted, what),
         });
         let mut sentences: Vec<Message> = sentences.collect();
         let count = self.table.count();
@@ -328,7 +328,7 @@ impl<'a> ProfileTable<'a> {
         }));
         let heads = format.rails.iter().filter_map(|rail| {
             let head = heading.name(rail.column - 1)?;
-            let column = say!(column_of_head, column = number(rail.column), head = head);
+            let column = say!(column_of_head, column = number(rail.column), head);
             filter_remark(head, column.into())
         });
         sentences.extend(heads);
@@ -390,8 +390,8 @@ fn is_something_else(table: &Table, column: usize) -> bool {
 pub(crate) fn left_out_sentence(column: usize, name: &str, why: Message) -> Message {
     let column = number(column + 1);
     match name {
-        "" => say!(column_left_out, column = column, reason = why),
-        name => say!(headed_column_left_out, column = column, head = name, reason = why),
+        "" => say!(column_left_out, column, reason = why),
+        name => say!(headed_column_left_out, column, head = name, reason = why),
     }
 }
 

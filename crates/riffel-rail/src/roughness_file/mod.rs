@@ -58,7 +58,7 @@ impl RoughnessFile {
         let spacing = layout.spacing;
         if let Some(spacing) = spacing {
             if spacing.si() <= 0.0 {
-                let message = say!(spacing_is_not_positive, spacing = spacing);
+                let message = say!(spacing_is_not_positive, spacing);
                 return Err(Refusal::new(None, message));
             }
             plausibility::check_spacing(spacing.si(), None)?;
@@ -110,10 +110,7 @@ impl RoughnessFile {
         if let Some(spacing) = spacing
             && (spacing.si() / record.spacing - 1.0).abs() > 0.02
         {
-            return Err(Refusal::new(
-                None,
-                say!(spacing_is_not_that_of_positions, spacing = spacing, metres = record.spacing),
-            ));
+            return Err(Refusal::new(None, say!(spacing_is_not_that_of_positions, spacing, metres = record.spacing)));
         }
         Ok(Self::Profile(record))
     }

@@ -265,7 +265,7 @@ impl Survey {
         if records.len() < survey.records.len() {
             warnings.push(say!(
                 now_is_latest_of_each_rail,
-                column = column,
+                column,
                 count = number(dates.len()),
                 last = last.to_string()
             ));

@@ -107,7 +107,7 @@ impl Plan {
             && !(1..=MOST_SAMPLES_PER_CHUNK).contains(&chunk)
         {
             let [value, high] = [chunk, MOST_SAMPLES_PER_CHUNK].map(|it| it as f64);
-            let rule = say!(is_outside, value = value, low = 1.0, high = high);
+            let rule = say!(is_outside, value, low = 1.0, high);
             return Err(source.invalid("results.samples_per_chunk", rule, ""));
         }
         let mut plan = Self {
@@ -198,7 +198,7 @@ impl Plan {
         let keys = keys.filter(is_of_track);
         let idle = keys.filter_map(|key| {
             let reason = case.idle_because(key)?;
-            Some(say!(key_and_rule, key = key, rule = reason).to_string())
+            Some(say!(key_and_rule, key, rule = reason).to_string())
         });
         idle.collect()
     }

@@ -139,7 +139,7 @@ impl Place<'_> {
 
     /// An end that is not above the other one.
     fn not_above(&self, key: &str, (min, max): (f64, f64)) -> CaseError {
-        self.wrong(key, say!(is_but_must_be, value = max, rule = say!(above_the_min, min = min)))
+        self.wrong(key, say!(is_but_must_be, value = max, rule = say!(above_the_min, min)))
     }
 
     fn number(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
@@ -174,14 +174,14 @@ impl Place<'_> {
             return Ok(value);
         }
         let rule = say!(greater_than_zero);
-        Err(self.wrong(key, say!(is_but_must_be, value = value, rule = rule)))
+        Err(self.wrong(key, say!(is_but_must_be, value, rule)))
     }
 
     fn range(&self, range: &RangeFile) -> Result<Spread, CaseError> {
         let (min, max) = self.ends("range", &range.min, &range.max)?;
         if !(2..=MOST_VALUES).contains(&range.points) {
             let [value, high] = [range.points, MOST_VALUES].map(|it| it as f64);
-            let rule = say!(is_outside, value = value, low = 2.0, high = high);
+            let rule = say!(is_outside, value, low = 2.0, high);
             return Err(self.wrong("range.points", rule));
         }
         if range.spacing == Spacing::Log {

@@ -15,36 +15,34 @@ impl EvolutionAnswer {
     /// Levels by wavelength and over passages, growth and drift, beside the linear loop.
     pub(super) fn spectrum_figure(&self) -> LineFigure {
         let bands = &self.bands[..];
-        LineFigure {
-            title: self.title(),
-            caption: format!(
-                "One-third-octave levels, growth of the level and shift of the waves along the rail. The linear loop is taken wave \
-                 by wave from the rail before any wheel. {}",
+        LineFigure::new(
+            self.title(),
+            format!(
+                "One-third-octave levels, growth of the level and shift of the waves along the rail. \
+                 The linear loop is taken wave by wave from the rail before any wheel. {}",
                 self.parameters()
             ),
-            panels: vec![self.levels(bands), self.over_passages(bands), growth(bands), drift(bands)],
-            arrangement: Arrangement::SideBySide,
-        }
+            [self.levels(bands), self.over_passages(bands), growth(bands), drift(bands)],
+        )
     }
 
     /// The same stretch of rail at several stages, with the waves of the bands alone.
     pub(super) fn profile_figure(&self) -> LineFigure {
         let stretch = self.stretch();
         let shown = spread(self.profiles.len(), MOST).into_iter();
-        LineFigure {
-            title: self.title(),
-            caption: format!(
-                "Part of the rail, with the waves of map.wavelength alone. What is worn off everywhere is left out. {}",
+        LineFigure::new(
+            self.title(),
+            format!(
+                "Part of the rail, with the waves of map.wavelength alone. What is worn off \
+                 everywhere is left out. {}",
                 self.parameters()
             ),
-            panels: shown
-                .map(|index| {
-                    let subtitle = after(self.profiles[index].passages);
-                    stretch.panel(&[(index, "")], subtitle)
-                })
-                .collect(),
-            arrangement: Arrangement::Strips,
-        }
+            shown.map(|index| {
+                let subtitle = after(self.profiles[index].passages);
+                stretch.panel(&[(index, "")], subtitle)
+            }),
+        )
+        .arranged(Arrangement::Strips)
     }
 
     /// Every profile that was kept with its levels, beside those before any wheel: for a page with a slider over passages.
@@ -63,8 +61,8 @@ impl EvolutionAnswer {
             .filter(|level| level.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &level| (low.min(level), high.max(level)));
         let caption = format!(
-            "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is taken wave by wave from the \
-             rail before any wheel. {}",
+            "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is \
+             taken wave by wave from the rail before any wheel. {}",
             self.parameters()
         );
         let curve = |label: &str, y: Vec<f64>, style, color| Series {
@@ -87,12 +85,12 @@ impl EvolutionAnswer {
                 )
             };
             let name = after(profile.passages);
-            let figure = LineFigure {
-                title: self.title(),
-                caption: caption.clone(),
-                panels: vec![levels, stretch.panel(&[(0, "before any wheel"), (index, "now")], String::new())],
-                arrangement: Arrangement::Stacked,
-            };
+            let figure = LineFigure::new(
+                self.title(),
+                caption.clone(),
+                [levels, stretch.panel(&[(0, "before any wheel"), (index, "now")], String::new())],
+            )
+            .arranged(Arrangement::Stacked);
             (name, figure)
         };
         self.profiles.iter().enumerate().map(figure).collect()
@@ -134,7 +132,7 @@ impl EvolutionAnswer {
     fn parameters(&self) -> String {
         let alone = self.vehicles.len() == 1 && self.vehicles[0].speeds == 1;
         if alone {
-            return parameters(&self.case);
+            return parameters(&self.run.case);
         }
         let vehicles = self.vehicles.iter().map(|vehicle| {
             format!(
@@ -152,14 +150,14 @@ impl EvolutionAnswer {
         format!(
             "Traffic: {}. All else, and what a vehicle does not say, is that of the case. {}",
             vehicles.join("; "),
-            parameters(&self.case)
+            parameters(&self.run.case)
         )
     }
 
     /// What the run was, for titles.
     pub(super) fn title(&self) -> String {
         let passages = self.passages;
-        let title = self.case.file.title.as_deref().unwrap_or("A rail");
+        let title = self.run.case.file.title.as_deref().unwrap_or("A rail");
         format!(
             "{title}: {} passages at {:.1} km/h{}",
             in_words(passages),
@@ -213,21 +211,20 @@ impl EvolutionAnswer {
             low = band.level_db.iter().copied().map(drawn).fold(low, f64::min);
             high = band.level_db.iter().copied().map(drawn).fold(high, f64::max);
             let curve = |label: String, y: &[f64], style| Series {
-                label,
-                x: passages.iter().map(|passages| passages / scale.0).collect(),
-                y: y.iter().copied().map(drawn).collect(),
-                style,
                 color,
+                ..Series::new(
+                    label,
+                    passages.iter().map(|passages| passages / scale.0).collect(),
+                    y.iter().copied().map(drawn).collect(),
+                )
+                .styled(style)
             };
             series.push(curve(format!("{:.1} mm", 1e3 * band.wavelength_m), &band.level_db, LineStyle::Solid));
             series.push(curve(String::new(), &band.linear_level_db, LineStyle::Dashed));
         }
         LinePanel {
-            x_label: scale.1.to_owned(),
-            y_label: "level [dB re 1 µm], dashed linear".to_owned(),
             y_range: Some(around(low, high)),
-            series,
-            ..LinePanel::default()
+            ..LinePanel::new(scale.1.to_owned(), "level [dB re 1 µm], dashed linear", series)
         }
     }
 
@@ -262,25 +259,18 @@ impl Stretch {
     fn panel(&self, shown: &[(usize, &str)], subtitle: String) -> LinePanel {
         let last = shown.len() - 1;
         let series = shown.iter().enumerate().map(|(place, (index, label))| Series {
-            label: (*label).to_owned(),
-            x: self.places.clone(),
-            y: self.heights[*index].clone(),
-            style: match place == last {
-                true => LineStyle::Solid,
-                false => LineStyle::Dotted,
-            },
             color: match place == last {
                 true => None,
                 false => Some(Rgb::BLACK),
             },
+            ..Series::new(*label, self.places.clone(), self.heights[*index].clone()).styled(match place == last {
+                true => LineStyle::Solid,
+                false => LineStyle::Dotted,
+            })
         });
         LinePanel {
-            subtitle,
-            x_label: "place along the rail x [m]".to_owned(),
-            y_label: "height [µm]".to_owned(),
             y_range: Some((-1.05 * self.largest, 1.05 * self.largest)),
-            series: series.collect(),
-            ..LinePanel::default()
+            ..LinePanel::new("place along the rail x [m]", "height [µm]", series).titled(subtitle)
         }
     }
 }
@@ -323,19 +313,18 @@ fn drift(bands: &[Band]) -> LinePanel {
         // [m] in a passage are [mm] in a thousand, and a thousand of them in a million.
         ..over_bands(bands.iter().map(|band| (band.wavelength_m, 1e9 * of(band))))
     };
-    LinePanel {
-        x_label: "wavelength λ [mm]".to_owned(),
-        y_label: "drift [mm per 10⁶ passages]".to_owned(),
-        x_scale: Scale::Log,
-        series: vec![
+    LinePanel::new(
+        "wavelength λ [mm]",
+        "drift [mm per 10⁶ passages]",
+        [
             curve("first step", LineStyle::Solid, OKABE_ITO[1], &|band| {
                 band.first_shift_m_per_passage.unwrap_or(f64::NAN)
             }),
             curve("linear", LineStyle::Markers, Rgb::BLACK, &|band| band.linear_shift_m_per_passage),
             zero(&wavelengths),
         ],
-        ..LinePanel::default()
-    }
+    )
+    .scaled(Scale::Log, Scale::Linear)
 }
 
 /// A curve over bands by their wavelengths \[m\], broken where one is left out.

@@ -13,7 +13,7 @@ use riffel_keys::CaseError;
 
 use super::WornProfile;
 use super::bands::Bands;
-use crate::AnswerError;
+use crate::Result;
 
 /// Waves of a rail that grow as the linear loop says.
 pub(super) struct Linear(Vec<LinearBand>);
@@ -46,12 +46,7 @@ impl Linear {
     ///
     /// # Errors
     /// Those of [`Case::growth_with_neighbours`].
-    pub(super) fn new(
-        vehicles: &[VehicleInTime],
-        bands: &Bands,
-        heights: &[f64],
-        spacing: f64,
-    ) -> Result<Self, AnswerError> {
+    pub(super) fn new(vehicles: &[VehicleInTime], bands: &Bands, heights: &[f64], spacing: f64) -> Result<Self> {
         let ring = Profile::new(0.0, spacing, heights.to_vec())?;
         let waves = Evolution::new(&ring).waves();
         let growth: &Growth<'_> = &|wavelength| {
@@ -77,7 +72,7 @@ impl Linear {
             let waves: Result<Vec<LinearWave>, CaseError> = waves[places.clone()].par_iter().map(grown).collect();
             Ok(LinearBand { band, waves: waves?, places })
         };
-        let linear: Result<Vec<LinearBand>, AnswerError> = bands.iter().map(of_band).collect();
+        let linear: Result<Vec<LinearBand>> = bands.iter().map(of_band).collect();
         Ok(Self(linear?))
     }
 

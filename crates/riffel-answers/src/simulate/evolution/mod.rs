@@ -15,13 +15,13 @@ use riffel::passage::{Evolution, EvolutionStep, PassingWheel, Sinusoid};
 use riffel::roughness::Profile;
 use riffel_case::Case;
 use riffel_case::traffic::{Traffic, VehicleInTime};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::Message;
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
-use super::along_rail::{check_sampling, check_step, refused};
-use super::remarks;
-use crate::{Answer, AnswerError, ResultFile, Table};
+use super::along_rail::{check_sampling, check_step};
+use super::{Run, refused, remarks};
+use crate::{Answer, AnswerError, Result, ResultFile, Table};
 use band::Band;
 use bands::Bands;
 use inputs::Inputs;
@@ -63,7 +63,7 @@ impl Surface {
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for a wavelength that is not positive.
-    pub fn of_sinusoid(sinusoid: Sinusoid, bay: Option<f64>) -> Result<Self, AnswerError> {
+    pub fn of_sinusoid(sinusoid: Sinusoid, bay: Option<f64>) -> Result<Self> {
         Ok(Self::Ring(sinusoid.ring(bay)?))
     }
 }
@@ -88,9 +88,9 @@ impl EvolutionRun {
     /// A run before any wheel.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::in_time`], for a profile coarser than the patch is long, for a record shorter than the motion remembers
+    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`], for a profile coarser than the patch is long, for a record shorter than the motion remembers
     /// or than four of the longest waves kept, and for a ring on discrete supports that is not of whole bays.
-    pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self, AnswerError> {
+    pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self> {
         /// Mean square of a band that is nothing but rounding \[m²\].
         const STILL: f64 = 1e-30;
         check_step(request.largest_step)?;
@@ -108,7 +108,7 @@ impl EvolutionRun {
                 check_sampling(case, record)?;
                 let longest = f64::max(Self::LONGEST_KEPT, 1.3 * case.wavelength.max());
                 check_length(record, longest)?;
-                Evolution::of_record(record, longest, case.track.support_spacing()).map_err(refused)?
+                Evolution::of_record(record, longest, case.track.support_spacing()).map_err(refused("--profile"))?
             }
             Surface::Ring(ring) => Evolution::new(ring),
         };
@@ -122,17 +122,17 @@ impl EvolutionRun {
         // Harmonics of a wave come of themselves, and what supports print: but there must be something to begin with.
         let is_still = bands.mean_squares(&evolution.waves()).iter().all(|square| *square < STILL);
         if bands.count() == 0 || is_still && case.track.support_spacing().is_none() {
-            return Err(AnswerError::Argument {
-                argument: "--passages",
-                value: "given".to_owned(),
-                rule: format!(
+            return Err(AnswerError::argument(
+                "--passages",
+                "given",
+                format!(
                     "left out: the profile has no wave in map.wavelength of the case, {:.1} to {:.1} mm, that is longer than \
                      the patch, {:.1} mm",
                     1e3 * case.wavelength.min(),
                     1e3 * case.wavelength.max(),
                     1e3 * shortest
                 ),
-            });
+            ));
         }
         let inputs = Inputs::new(case, &request);
         Ok(Self {
@@ -181,15 +181,13 @@ impl EvolutionRun {
     ///
     /// # Errors
     /// Those of a march.
-    pub fn go_on(&mut self, passages: u64) -> Result<Option<EvolutionAnswer>, AnswerError> {
+    pub fn go_on(&mut self, passages: u64) -> Result<Option<EvolutionAnswer>> {
         let mut state = self.state.clone();
         if self.passages() < passages && !state.reached.is_airborne() {
             let most = passages - self.passages();
             let mut evolution = self.evolution.clone();
             let wheels: Vec<&PassingWheel> = self.wheels().collect();
-            let extremes = evolution
-                .advance(&wheels, &self.step, most)
-                .map_err(|error| CaseError::Physics { input: "--passages".to_owned(), error })?;
+            let extremes = evolution.advance(&wheels, &self.step, most).map_err(refused("--passages"))?;
             state.reach(state.next(&self.evolution, &evolution, extremes, &self.bands));
             if evolution.passages() < passages {
                 self.evolution = evolution;
@@ -204,7 +202,7 @@ impl EvolutionRun {
         self.vehicles.iter().flat_map(|vehicle| &vehicle.wheels)
     }
 
-    fn answer(&self, state: EvolutionState) -> Result<EvolutionAnswer, AnswerError> {
+    fn answer(&self, state: EvolutionState) -> Result<EvolutionAnswer> {
         let EvolutionState { stages, profiles, reached, profile, spacing_m, .. } = state;
         let stages: Vec<Stage> = stages.entries.into_iter().chain([reached]).collect();
         let profiles: Vec<WornProfile> = profiles.entries.into_iter().chain([profile]).collect();
@@ -215,7 +213,7 @@ impl EvolutionRun {
         let airborne = airborne.then(|| remarks::of_air(last.passages));
         let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
         let linear = Linear::new(&self.vehicles, &self.bands, &profiles[0].heights_m, spacing_m)?;
-        let own_remarks: Vec<Message> = worst.and_then(remarks::of_track).into_iter().chain(airborne).collect();
+        let own_remarks = worst.and_then(remarks::of_track).into_iter().chain(airborne);
         // Extremes of a stage are those of the first passage after the one before.
         let lifted = stages.windows(2).find(|pair| {
             let after = pair[1].extremes.as_ref();
@@ -236,42 +234,38 @@ impl EvolutionRun {
             spacing: spacing_m,
             profiles,
             linear,
-            remarks: self.case.remarks.iter().chain(&own_remarks).cloned().collect(),
-            own_remarks,
-            case: self.case.clone(),
+            run: Run::new(&self.case, own_remarks, &self.case.remarks),
         })
     }
 }
 
 /// `Ok` if a record is long enough to be joined, four of the longest waves kept \[m\].
-fn check_length(record: &Profile, longest: f64) -> Result<(), AnswerError> {
+fn check_length(record: &Profile, longest: f64) -> Result<()> {
     let least = 4.0 * longest;
     if record.length() >= least {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--profile",
-        value: format!("{:.3} m long", record.length()),
-        rule: format!(
-            "at least {least:.1} m long, four of the longest waves that are kept, so that its ends can be joined"
-        ),
-    })
+    Err(AnswerError::argument(
+        "--profile",
+        format!("{:.3} m long", record.length()),
+        format!("at least {least:.1} m long, four of the longest waves that are kept, so that its ends can be joined"),
+    ))
 }
 
 /// `Ok` if a ring \[m\] is of whole bays \[m\].
-fn check_bays(length: f64, bay: f64) -> Result<(), AnswerError> {
+fn check_bays(length: f64, bay: f64) -> Result<()> {
     let bays = length / bay;
     if (bays - bays.round()).abs() <= 1e-6 && bays > 0.5 {
         return Ok(());
     }
-    Err(AnswerError::Argument {
-        argument: "--length",
-        value: format!("{length} m"),
-        rule: format!(
+    Err(AnswerError::argument(
+        "--length",
+        format!("{length} m"),
+        format!(
             "a whole number of support spacings of {bay} m for a rail that goes on where it ends, such as {:.3} m",
             bays.ceil() * bay
         ),
-    })
+    ))
 }
 
 /// A kind of wheel that passed.
@@ -339,16 +333,11 @@ pub struct EvolutionAnswer {
     /// From before any wheel to the last.
     #[serde(skip)]
     pub profiles: Vec<WornProfile>,
-    /// What the reader should know of the run.
+    /// Without courses: there are too many.
     #[serde(skip)]
-    pub own_remarks: Vec<Message>,
-    /// And of the case.
-    #[serde(skip)]
-    remarks: Vec<Message>,
+    pub run: Run,
     #[serde(skip)]
     linear: Linear,
-    #[serde(skip)]
-    case: Case,
 }
 
 impl Answer for EvolutionAnswer {
@@ -386,6 +375,6 @@ impl Answer for EvolutionAnswer {
     }
 
     fn remarks(&self) -> &[Message] {
-        &self.remarks
+        &self.run.remarks
     }
 }

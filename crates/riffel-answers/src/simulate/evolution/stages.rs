@@ -4,7 +4,7 @@ use riffel::roughness::level;
 use serde::Serialize;
 
 use super::Stage;
-use super::state::Extremes;
+use crate::simulate::Extremes;
 
 /// Stages of the run, quantity by quantity.
 #[derive(Serialize)]

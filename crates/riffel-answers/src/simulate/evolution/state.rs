@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bands::Bands;
 use super::inputs::Inputs;
+use crate::simulate::Extremes;
 
 /// All of a run that was stopped, to the last digit.
 ///
@@ -64,25 +65,6 @@ impl Stage {
         let most = Evolution::MOST_CONTACT_LOSS;
         let lost = |passage: Extremes| passage.contact_loss_fraction > most;
         self.extremes.is_some_and(lost)
-    }
-}
-
-/// Loss of contact and forces of a passage.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Extremes {
-    /// Share of the time without contact.
-    pub contact_loss_fraction: f64,
-    /// Least normal force.
-    pub minimum_normal_force_n: f64,
-    /// Largest normal force.
-    pub maximum_normal_force_n: f64,
-}
-
-impl From<PassageExtremes> for Extremes {
-    fn from(extremes: PassageExtremes) -> Self {
-        let [minimum_normal_force_n, maximum_normal_force_n] = extremes.normal_force;
-        Self { contact_loss_fraction: extremes.contact_loss, minimum_normal_force_n, maximum_normal_force_n }
     }
 }
 
@@ -194,7 +176,7 @@ impl EvolutionState {
             mean_squares_m2: bands.mean_squares(&new),
             bay_mean_square_m2: bands.mean_square_of_bay(&new),
             shifts_m: shifts.map(|(before, by)| before + by).collect(),
-            extremes: Some(extremes.into()),
+            extremes: Some(Extremes::new(extremes.normal_force, extremes.contact_loss)),
         };
         let profile = WornProfile {
             passages: after.passages(),

@@ -2,25 +2,22 @@
 
 use super::{Band, EvolutionAnswer, Stages};
 use crate::netcdf::{Grid, Variable};
-use crate::{Column, Table};
+use crate::{Column, Rows, Table};
 
 impl EvolutionAnswer {
     /// One row for each stage and band.
     pub(super) fn bands_table(&self) -> Table {
         let stages = self.stages.passages.iter().enumerate();
-        let rows =
-            || stages.clone().flat_map(|(stage, passages)| self.bands.iter().map(move |band| (stage, *passages, band)));
-        let column = |name: &str, of: fn(usize, &Band) -> f64| {
-            Column::exact(name, rows().map(|(stage, _, band)| of(stage, band)))
-        };
+        let rows: Vec<(usize, u64, &Band)> =
+            stages.flat_map(|(stage, passages)| self.bands.iter().map(move |band| (stage, *passages, band))).collect();
         Table {
             name: "bands",
             columns: vec![
-                Column::names("passages", rows().map(|(_, passages, _)| passages)),
-                column("wavelength_m", |_, band| band.wavelength_m),
-                column("level_db", |stage, band| band.level_db[stage]),
-                column("linear_level_db", |stage, band| band.linear_level_db[stage]),
-                column("shift_m", |stage, band| band.shift_m[stage]),
+                rows.names("passages", |(_, passages, _)| passages),
+                rows.exact("wavelength_m", |(.., band)| band.wavelength_m),
+                rows.exact("level_db", |(stage, _, band)| band.level_db[*stage]),
+                rows.exact("linear_level_db", |(stage, _, band)| band.linear_level_db[*stage]),
+                rows.exact("shift_m", |(stage, _, band)| band.shift_m[*stage]),
             ],
         }
     }
@@ -30,7 +27,7 @@ impl EvolutionAnswer {
         let places = (0..self.profiles[0].heights_m.len()).map(|index| index as f64 * self.spacing);
         let profiles = self.profiles.iter().map(|profile| {
             let name = format!("height_after_{}_passages_m", profile.passages);
-            Column::exact(&name, profile.heights_m.iter().copied())
+            profile.heights_m.exact(&name, |&value| value)
         });
         let places = Column::exact("position_m", places);
         Table { name: "profile", columns: [places].into_iter().chain(profiles).collect() }
@@ -49,33 +46,23 @@ impl EvolutionAnswer {
         variables.extend(over_both(&self.bands));
         let count = axes[3].1;
         variables.extend([
-            Variable {
-                name: "profile_passages",
-                axes: &["profile_passages"],
-                unit: "1",
-                long_name: "wheels so far",
-                values: Box::new(|| {
-                    let profiles = self.profiles.iter();
-                    profiles.map(|profile| profile.passages as f64).collect()
-                }),
-            },
-            Variable {
-                name: "position",
-                axes: &["position"],
-                unit: "m",
-                long_name: "position on the ring",
-                values: Box::new(move || (0..count).map(|n| n as f64 * self.spacing).collect()),
-            },
-            Variable {
-                name: "height",
-                axes: &["profile_passages", "position"],
-                unit: "m",
-                long_name: "height of the ring, positive upward",
-                values: Box::new(|| {
+            Variable::new("profile_passages", &["profile_passages"], "1", "wheels so far", || {
+                let profiles = self.profiles.iter();
+                profiles.map(|profile| profile.passages as f64).collect()
+            }),
+            Variable::new("position", &["position"], "m", "position on the ring", move || {
+                (0..count).map(|n| n as f64 * self.spacing).collect()
+            }),
+            Variable::new(
+                "height",
+                &["profile_passages", "position"],
+                "m",
+                "height of the ring, positive upward",
+                || {
                     let profiles = self.profiles.iter();
                     profiles.flat_map(|profile| profile.heights_m.iter().copied()).collect()
-                }),
-            },
+                },
+            ),
         ]);
         Grid { title: self.title(), axes, variables }
     }
@@ -86,12 +73,8 @@ fn over_passages(stages: &Stages) -> Vec<Variable<'_>> {
         let values = values.iter();
         values.map(|value| value.unwrap_or(f64::NAN)).collect()
     };
-    let of = |name, unit, long_name, values: Vec<f64>| Variable {
-        name,
-        axes: &["passages"],
-        unit,
-        long_name,
-        values: Box::new(move || values.clone()),
+    let of = |name, unit, long_name, values: Vec<f64>| {
+        Variable::new(name, &["passages"], unit, long_name, move || values.clone())
     };
     let passages = stages.passages.iter().map(|passages| *passages as f64);
     let mut variables = vec![
@@ -117,12 +100,10 @@ const DECIBELS: &str = "dB re 1 um";
 
 fn over_wavelength(bands: &[Band]) -> Vec<Variable<'_>> {
     type Of = fn(&Band) -> Option<f64>;
-    let of = |(name, unit, long_name, value): (_, _, _, Of)| Variable {
-        name,
-        axes: &["wavelength"],
-        unit,
-        long_name,
-        values: Box::new(move || bands.iter().map(|band| value(band).unwrap_or(f64::NAN)).collect()),
+    let of = |(name, unit, long_name, value): (_, _, _, Of)| {
+        Variable::new(name, &["wavelength"], unit, long_name, move || {
+            bands.iter().map(|band| value(band).unwrap_or(f64::NAN)).collect()
+        })
     };
     let variables: [(_, _, _, Of); 7] = [
         ("wavelength", "m", "centre of the one-third octave", |band| Some(band.wavelength_m)),
@@ -142,16 +123,12 @@ fn over_wavelength(bands: &[Band]) -> Vec<Variable<'_>> {
 
 fn over_both(bands: &[Band]) -> Vec<Variable<'_>> {
     type Of = fn(&Band) -> &[f64];
-    let of = |(name, unit, long_name, value): (_, _, _, Of)| Variable {
-        name,
-        axes: &["passages", "wavelength"],
-        unit,
-        long_name,
-        values: Box::new(move || {
+    let of = |(name, unit, long_name, value): (_, _, _, Of)| {
+        Variable::new(name, &["passages", "wavelength"], unit, long_name, move || {
             let stages = 0..bands.first().map_or(0, |band| value(band).len());
             let row = |stage: usize| bands.iter().map(move |band| value(band)[stage]);
             stages.flat_map(row).collect()
-        }),
+        })
     };
     let variables: [(_, _, _, Of); 3] = [
         ("level", DECIBELS, "one-third-octave level", |band| &band.level_db),

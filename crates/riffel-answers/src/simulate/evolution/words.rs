@@ -3,10 +3,9 @@
 use riffel_keys::{Message, Value, decimal, fixed, number, say};
 
 use super::{Band, EvolutionAnswer};
-use crate::answer::titled;
 use crate::forecast::{number_alone, per_million, three_digits};
-use crate::simulate::contact_in_words;
-use crate::{Column, Table};
+use crate::simulate::Extremes;
+use crate::{Rows, Table};
 
 /// Level below which nothing is told \[dB re 1 µm\]: ten picometres.
 const NOTHING: f64 = -100.0;
@@ -33,7 +32,7 @@ pub(super) fn introduction(answer: &EvolutionAnswer) -> Vec<Message> {
             deviation = fixed(3.6 * vehicle.speed_deviation_m_per_s, 1)
         )
     });
-    let title = titled(answer.case.file.title.as_ref(), say!(rail_under_many_wheels));
+    let title = answer.run.titled(say!(rail_under_many_wheels));
     [title, run].into_iter().chain(vehicles).collect()
 }
 
@@ -44,7 +43,6 @@ pub(super) fn bands(bands: &[Band]) -> Table {
         Some(value) if level > NOTHING => number_alone(format_args!("{value:.digits$}")),
         _ => Message::verbatim(""),
     };
-    let column = |head, of: &dyn Fn(&Band) -> Message| Column::shown(head, bands.iter().map(of).collect());
     let first = |band: &Band| band.level_db[0];
     let end = |band: &Band| band.level_db[band.level_db.len() - 1];
     let level = |level: f64| cell(level, Some(level), 1);
@@ -54,15 +52,15 @@ pub(super) fn bands(bands: &[Band]) -> Table {
     Table {
         name: "levels",
         columns: vec![
-            column(say!(wavelength_of_band), &|band| number_alone(format_args!("{:.1}", 1e3 * band.wavelength_m))),
-            column(say!(level_column), &|band| level(first(band))),
-            column(say!(level_at_end_column), &|band| level(end(band))),
-            column(say!(linear_column), &|band| level(band.linear_level_db[band.linear_level_db.len() - 1])),
-            column(say!(growth_of_level_column), &|band| growth(first(band), band.first_growth_per_passage)),
-            column(say!(linear_column), &|band| growth(first(band), band.first_linear_growth_per_passage)),
-            column(say!(last_quarter_column), &|band| growth(end(band), band.last_growth_per_passage)),
-            column(say!(drift_column), &|band| drift(first(band), band.first_shift_m_per_passage)),
-            column(say!(linear_column), &|band| drift(first(band), Some(band.linear_shift_m_per_passage))),
+            bands.numbers(say!(wavelength_of_band), |band| format!("{:.1}", 1e3 * band.wavelength_m)),
+            bands.shown(say!(level_column), |band| level(first(band))),
+            bands.shown(say!(level_at_end_column), |band| level(end(band))),
+            bands.shown(say!(linear_column), |band| level(band.linear_level_db[band.linear_level_db.len() - 1])),
+            bands.shown(say!(growth_of_level_column), |band| growth(first(band), band.first_growth_per_passage)),
+            bands.shown(say!(linear_column), |band| growth(first(band), band.first_linear_growth_per_passage)),
+            bands.shown(say!(last_quarter_column), |band| growth(end(band), band.last_growth_per_passage)),
+            bands.shown(say!(drift_column), |band| drift(first(band), band.first_shift_m_per_passage)),
+            bands.shown(say!(linear_column), |band| drift(first(band), Some(band.linear_shift_m_per_passage))),
         ],
     }
 }
@@ -73,24 +71,23 @@ pub(super) fn sentences(answer: &EvolutionAnswer) -> Vec<Message> {
             level if level > NOTHING => say!(so_many_decibels, level = fixed(level, 1)),
             _ => say!(no_level_yet),
         });
-        say!(waves_between_supports, first = first, last = last)
+        say!(waves_between_supports, first, last)
     });
     let lifts = answer.first_contact_loss_passages;
     let lifts = lifts.map(|passages| say!(wheel_leaves_rail_from, passages = number(three_digits(passages as f64))));
     let depth = number(three_digits(1e6 * answer.mean_depth_m));
-    let worn = say!(worn_off_everywhere, depth = depth);
+    let worn = say!(worn_off_everywhere, depth);
     supports.into_iter().chain([saturated(&answer.bands)]).chain(lifts).chain(forces(answer)).chain([worn]).collect()
 }
 
 /// Those of the last stage that has any.
 fn forces(answer: &EvolutionAnswer) -> Option<Message> {
     let stages = &answer.stages;
-    let least = stages.minimum_normal_force_n.iter().zip(&stages.maximum_normal_force_n);
-    let each = least.zip(&stages.contact_loss_fraction).rev();
-    let mut each = each.filter_map(|((least, largest), loss)| Some(((*least)?, (*largest)?, (*loss)?)));
-    let (least, largest, loss) = each.next()?;
-    let [least, largest] = [least, largest].map(|force| fixed(1e-3 * force, 2));
-    Some(say!(last_normal_force, least = least, largest = largest, contact = contact_in_words(loss)))
+    let forces = stages.minimum_normal_force_n.iter().zip(&stages.maximum_normal_force_n);
+    let mut each = forces.zip(&stages.contact_loss_fraction).rev();
+    let last = each.find_map(|((least, largest), loss)| Some(Extremes::new([(*least)?, (*largest)?], (*loss)?)));
+    let (least, largest, contact) = last?.words();
+    Some(say!(last_normal_force, least, largest, contact))
 }
 
 /// The bands that have stopped growing.
@@ -98,7 +95,7 @@ fn saturated(bands: &[Band]) -> Message {
     let saturated = bands.iter().filter_map(|band| {
         let level = band.saturation_level_db?;
         let wavelength = number(decimal(1e3 * band.wavelength_m, 1));
-        Some(say!(wavelength_at_level, wavelength = wavelength, level = fixed(level, 1)))
+        Some(say!(wavelength_at_level, wavelength, level = fixed(level, 1)))
     });
     let saturated: Vec<Message> = saturated.collect();
     match saturated.is_empty() {

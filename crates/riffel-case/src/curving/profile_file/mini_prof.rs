@@ -91,10 +91,10 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
     }
     let count = written.points.len();
     if let Some(announced) = announced.filter(|&announced| announced != count + masked) {
-        written.remarks.push(say!(points_missing, announced = announced, count = count + masked));
+        written.remarks.push(say!(points_missing, announced, count = count + masked));
     }
     if masked > 0 {
-        written.remarks.push(say!(masked_points_left_out, masked = masked));
+        written.remarks.push(say!(masked_points_left_out, masked));
     }
     match extension {
         "whl" => written.kind = Some(ProfileKind::Wheel),

@@ -160,10 +160,10 @@ fn of_gaps(name: &str, points: &[[f64; 2]]) -> Option<Message> {
     let gaps: Vec<Value> = gaps
         .map(|(pair, _)| {
             let [from, to] = [pair[0][0], pair[1][0]].map(|across| fixed(1e3 * across, 1));
-            say!(between_millimetres, from = from, to = to).into()
+            say!(between_millimetres, from, to).into()
         })
         .collect();
-    (!gaps.is_empty()).then(|| say!(profile_has_gaps, name = name, gaps = Value::List(gaps)))
+    (!gaps.is_empty()).then(|| say!(profile_has_gaps, name, gaps = Value::List(gaps)))
 }
 
 /// Points left out of a smooth curve, and how well its curvature is known.
@@ -171,12 +171,12 @@ fn of_smoothing(name: &str, smooth: &SmoothedPoints, lines: &[usize]) -> Vec<Mes
     let mut remarks = Vec::new();
     if let Some(&first) = smooth.dropped.first() {
         let (count, line) = (smooth.dropped.len(), lines[first]);
-        remarks.push(say!(outlying_points_left_out, name = name, count = count, line = line));
+        remarks.push(say!(outlying_points_left_out, name, count, line));
     }
     let nearest = smooth.points.iter().zip(&smooth.curvature_errors);
     let nearest = nearest.min_by(|one, other| one.0[0].abs().total_cmp(&other.0[0].abs()));
     if let Some((_, error)) = nearest {
-        remarks.push(say!(scatter_of_curvature, name = name, error = fixed(*error, 2)));
+        remarks.push(say!(scatter_of_curvature, name, error = fixed(*error, 2)));
     }
     remarks
 }
@@ -207,7 +207,6 @@ fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Message> {
     // Of the second difference of three points.
     let curvature = 6f64.sqrt() * scatter / (step * step);
     let micrometres = 1e6 * scatter;
-    (curvature > WORTH_A_REMARK).then(|| {
-        say!(points_scatter, name = name, micrometres = fixed(micrometres, 2), curvature = fixed(curvature, 0))
-    })
+    (curvature > WORTH_A_REMARK)
+        .then(|| say!(points_scatter, name, micrometres = fixed(micrometres, 2), curvature = fixed(curvature, 0)))
 }

@@ -47,7 +47,7 @@ pub(super) fn turn(written: &mut WrittenProfile, reading: ProfileReading, kind: 
         ProfileKind::Rail => tell_of_rail(written, is_found, [across, up]),
         ProfileKind::Wheel if is_found => {
             let changes = changes([across, up]);
-            written.remarks.push(say!(read_as_wheel, changes = changes));
+            written.remarks.push(say!(read_as_wheel, changes));
         }
         ProfileKind::Wheel => {}
     }
@@ -72,11 +72,11 @@ fn add_offset(written: &mut WrittenProfile, offset: [f64; 2], usual: f64, kind: 
         off < OFF_BACK && off < (back + offset[0] - usual).abs()
     };
     if back.is_some_and(is_in) {
-        written.remarks.push(say!(offset_is_in, x = x));
+        written.remarks.push(say!(offset_is_in, x));
         return;
     }
     written.map(|[x, y]| [x + offset[0], y + offset[1]]);
-    written.remarks.push(say!(offset_added, x = x, y = y));
+    written.remarks.push(say!(offset_added, x, y));
 }
 
 /// Where the flange back lies across, if the points reach round to where it is nearly upright.
@@ -245,12 +245,12 @@ fn tell_of_rail(written: &mut WrittenProfile, is_found: bool, signs: [f64; 2]) {
     let changes = changes(signs);
     written.remarks.extend(match (is_found, Lean::of(&written.points)) {
         (true, Some(Lean::Inclined(off))) if off < 0.0 => {
-            Some(say!(read_as_leaning_rail, changes = changes, off = millimetres(off)))
+            Some(say!(read_as_leaning_rail, changes, off = millimetres(off)))
         }
         (true, Some(Lean::Unclear(off))) if !written.gauge_side_known => {
-            Some(say!(read_as_undecided_rail, changes = changes, off = millimetres(off)))
+            Some(say!(read_as_undecided_rail, changes, off = millimetres(off)))
         }
-        (true, _) => Some(say!(read_as_rail, changes = changes)),
+        (true, _) => Some(say!(read_as_rail, changes)),
         (false, Some(Lean::Inclined(off))) if off > 0.0 => Some(say!(rail_leans_outward, off = millimetres(off))),
         (false, _) => None,
     });
@@ -300,5 +300,5 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
 
 fn tell_of_origin(written: &mut WrittenProfile, place: Message, x: f64, y: f64) {
     let millimetres = |length: f64| fixed(1e3 * length, 2);
-    written.remarks.push(say!(origin_moved, place = place, x = millimetres(x), y = millimetres(y)));
+    written.remarks.push(say!(origin_moved, place, x = millimetres(x), y = millimetres(y)));
 }

@@ -93,7 +93,7 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
             match open.pop() {
                 Some((begun, _)) if begun == section => {}
                 _ => {
-                    let closes_none = say!(section_closes_none, section = section);
+                    let closes_none = say!(section_closes_none, section);
                     return Err(Fault::at(index + 1, closes_none));
                 }
             }
@@ -116,7 +116,7 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
         }
     }
     if let Some((section, line)) = open.first() {
-        return Err(Fault::at(*line, say!(section_without_end, section = section)));
+        return Err(Fault::at(*line, say!(section_without_end, section)));
     }
     Ok((written, keys))
 }

@@ -46,7 +46,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
 }
 
 fn columns_there(count: usize) -> Message {
-    say!(other_count_of_columns, count = count)
+    say!(other_count_of_columns, count)
 }
 
 /// A line without what follows #, ! or %, and without blanks around it.

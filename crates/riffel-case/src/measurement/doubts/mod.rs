@@ -90,7 +90,7 @@ pub(crate) fn doubts(receptance: &MeasuredReceptance, remedy: Remedy) -> Result<
         None => {
             if let (Some(first), Some(last)) = (active().next(), active().next_back()) {
                 let (first, last) = (fixed(first, 0), fixed(last, 0));
-                doubts.push(say!(receptance_gives_energy, count = count, points = points, first = first, last = last));
+                doubts.push(say!(receptance_gives_energy, count, points, first, last));
             }
         }
         Some(PhaseFault::Delayed(delay)) => {
@@ -105,17 +105,17 @@ pub(crate) fn doubts(receptance: &MeasuredReceptance, remedy: Remedy) -> Result<
         Some(fault) => {
             let remedy = remedy.message(fault);
             return Err(match fault {
-                PhaseFault::Negated => say!(response_negated, count = count, points = points, remedy = remedy),
+                PhaseFault::Negated => say!(response_negated, count, points, remedy),
                 PhaseFault::ConjugatedAndNegated => {
-                    say!(response_conjugated_and_negated, remedy = remedy)
+                    say!(response_conjugated_and_negated, remedy)
                 }
                 PhaseFault::OtherQuantity => {
-                    say!(response_of_other_quantity, count = count, points = points)
+                    say!(response_of_other_quantity, count, points)
                 }
                 PhaseFault::ConjugatedOrNegated => {
-                    say!(response_conjugated_or_negated, count = count, points = points, remedy = remedy)
+                    say!(response_conjugated_or_negated, count, points, remedy)
                 }
-                _ => say!(response_conjugated, count = count, points = points, remedy = remedy),
+                _ => say!(response_conjugated, count, points, remedy),
             });
         }
     }
@@ -137,7 +137,7 @@ pub(super) fn check_sign(receptance: &MeasuredReceptance, rounding: f64) -> Resu
         return Ok(());
     }
     let remedy = Remedy::Values.message(PhaseFault::ConjugatedOrNegated);
-    Err(say!(response_conjugated_or_negated, count = count, points = points, remedy = remedy))
+    Err(say!(response_conjugated_or_negated, count, points, remedy))
 }
 
 /// `Ok` where the median of the modulus is one that a rail may have, with a remark where none of its lines is one

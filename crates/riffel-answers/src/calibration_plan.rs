@@ -1,4 +1,4 @@
-//! What a plan of a calibration asks for, as a document.
+//! What a plan of a calibration asks for, as data.
 
 use riffel_calibrate::file::DataFile;
 use riffel_calibrate::{Plan, Uncertain};
@@ -9,7 +9,7 @@ use crate::calibration::Sampler;
 
 /// What a plan asks for.
 #[derive(Serialize)]
-pub struct PlanDocument {
+pub struct CalibrationPlan {
     riffel_version: &'static str,
     title: Option<String>,
     sampler: Sampler,
@@ -40,7 +40,7 @@ impl Measurement {
     }
 }
 
-impl From<&Plan> for PlanDocument {
+impl From<&Plan> for CalibrationPlan {
     fn from(plan: &Plan) -> Self {
         Self {
             riffel_version: env!("CARGO_PKG_VERSION"),

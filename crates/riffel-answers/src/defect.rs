@@ -4,7 +4,7 @@ use riffel::roughness::RailDefect;
 use serde::Serialize;
 
 #[derive(Serialize)]
-pub(crate) struct DefectDocument {
+pub(crate) struct Defect {
     rail: String,
     /// weld-or-joint | squat
     kind: &'static str,
@@ -14,7 +14,7 @@ pub(crate) struct DefectDocument {
     height_m: f64,
 }
 
-impl DefectDocument {
+impl Defect {
     pub(crate) fn new(rail: &str, defect: &RailDefect) -> Self {
         Self {
             rail: rail.to_owned(),
