@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
 use riffel_keys::table::label;
-use riffel_keys::{CaseError, text_file};
+use riffel_keys::{CaseError, seal, text_file};
 use riffel_rail::{ends_of_dates, is_device_column, is_of_time, is_rail_column};
 use serde::Serialize;
 
@@ -142,7 +142,7 @@ impl SurveyFile {
             reason,
         })?;
         let mut first = Vec::new();
-        let read = File::open(path).and_then(|file| file.take(4096).read_to_end(&mut first));
+        let read = seal::open(path).and_then(|file| file.take(4096).read_to_end(&mut first));
         read.map_err(|reason| CaseError::Read { what: "file", path: path.to_owned(), reason })?;
         if first.contains(&0)
             && let Err(binary) = text_file::Encoding::of(&first)
@@ -448,7 +448,7 @@ fn band_of(name: &str) -> Option<(WavelengthBand, f64)> {
 }
 
 fn reader(path: &Path) -> Result<csv::Reader<SurveyText<File>>, CaseError> {
-    let file = File::open(path).map_err(|reason| CaseError::Read { what: "file", path: path.to_owned(), reason })?;
+    let file = seal::open(path).map_err(|reason| CaseError::Read { what: "file", path: path.to_owned(), reason })?;
     Ok(csv::ReaderBuilder::new().comment(Some(b'#')).buffer_capacity(1 << 20).from_reader(SurveyText::new(file)))
 }
 

@@ -100,7 +100,7 @@ fn documents_stand_in_place_of_files() {
     assert!(by_files["course"]["months_to_limit"].is_null());
     let report = json!({ "case": documents["case"], "output": "report.html" });
     assert!(ask(&sandbox, "report", &report.to_string()).status.success());
-    assert!(read("report.html").contains("question:case"));
+    assert!(read("report.html").contains("<td>case</td>"));
     // What is wrong in a document is told by its key.
     documents["traffic"]["vehicle"][0]["share"] = json!(0.5);
     let refused = ask(&sandbox, "noise", &documents.to_string());

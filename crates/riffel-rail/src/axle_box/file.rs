@@ -1,10 +1,9 @@
 //! Files of axle-box acceleration over time.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use riffel_keys::{CaseError, Message, say, text_file};
+use riffel_keys::{CaseError, Message, say, seal, text_file};
 
 use super::arrays::{AxleBoxArrays, AxleBoxPlace};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
@@ -58,7 +57,7 @@ impl AxleBoxFile {
     pub fn open(path: &Path, layout: &AxleBoxLayout) -> Result<Self, CaseError> {
         let mut head = Vec::new();
         let read = text_file::check_is_read_twice(path)
-            .and_then(|()| File::open(path))
+            .and_then(|()| seal::open(path))
             .and_then(|file| file.take(HEAD).read_to_end(&mut head));
         read.map_err(|reason| unreadable(path, reason))?;
         if !layout.channels.is_empty() && !is_wave(&head) {

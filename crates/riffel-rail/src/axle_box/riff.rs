@@ -1,10 +1,9 @@
 //! WAV files: where their samples are, and how they are written.
 
-use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, say, seal};
 
 /// Size of a chunk that its writer did not know, or that another chunk tells.
 const UNKNOWN: u64 = u32::MAX as u64;
@@ -63,7 +62,7 @@ impl Wave {
     /// those of a head or near 2 GB where the file is shorter is that of a writer who could not go back: the samples go to the
     /// end of the file.
     pub(super) fn open(path: &Path) -> Result<Self, WaveError> {
-        let mut file = BufReader::new(File::open(path)?);
+        let mut file = BufReader::new(seal::open(path)?);
         let end = file.seek(SeekFrom::End(0))?;
         file.rewind()?;
         let form: [u8; 12] = bytes(&mut file)?;
@@ -141,7 +140,7 @@ impl Wave {
         mut take: impl FnMut(usize, &[f64]) -> Result<(), CaseError>,
         wrong: impl Fn(WaveError, usize) -> CaseError,
     ) -> Result<(), CaseError> {
-        let opened = File::open(path).and_then(|mut file| {
+        let opened = seal::open(path).and_then(|mut file| {
             file.seek(SeekFrom::Start(self.data))?;
             Ok(BufReader::with_capacity(1 << 18, file))
         });

@@ -1,12 +1,11 @@
 //! Text in columns with what axle boxes felt.
 
-use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 use riffel_keys::table::{NumberColumns, Table, clock, is_comment, is_mark, rows};
 use riffel_keys::text_file::Encoding;
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, say, seal};
 
 use super::clock::{Clock, Midnights, Regression};
 use super::columns::{Content, channel_name, content};
@@ -264,7 +263,7 @@ fn each_row(
     progress: &dyn Fn(usize),
 ) -> Result<(), CaseError> {
     let failed = |reason| unreadable(path, reason);
-    let file = File::open(path).map_err(failed)?;
+    let file = seal::open(path).map_err(failed)?;
     let mut reader = BufReader::with_capacity(1 << 20, file);
     let mut values = vec![0.0; width];
     let mut bytes = Vec::new();

@@ -1,13 +1,12 @@
 //! Universal files (dataset 58) with what axle boxes felt.
 
-use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
 use riffel_keys::universal_file::{
     ACCELERATION, Axis, DISPLACEMENT, Signal, SignalError, Signals, TIME, Units, VELOCITY, unit_size,
 };
-use riffel_keys::{CaseError, Exponents, Message, Unit, say};
+use riffel_keys::{CaseError, Exponents, Message, Unit, say, seal};
 
 use super::columns::Content;
 use super::head::Signals as Found;
@@ -51,7 +50,7 @@ fn kind(axis: &Axis) -> i32 {
 impl AxleBoxUniversal {
     /// Find the signals over time.
     pub(super) fn find(path: &Path, layout: &AxleBoxLayout) -> Result<(Self, AxleBoxHead), CaseError> {
-        let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
+        let file = seal::open(path).map_err(|reason| unreadable(path, reason))?;
         let found = Signals::find(BufReader::with_capacity(1 << 20, file));
         let Signals { signals, units } = found.map_err(|error| at_fault(path, error))?;
         let refuse = |message: Message| Err(CaseError::data(path, message));
@@ -141,7 +140,7 @@ impl AxleBoxUniversal {
         let signals: Vec<&(Signal, f64)> = signals.chain(&self.witness).collect();
         let mut values = Vec::new();
         for (signal, _) in &signals {
-            let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
+            let file = seal::open(path).map_err(|reason| unreadable(path, reason))?;
             let reader = BufReader::with_capacity(1 << 18, file);
             values.push(signal.values(reader).map_err(|error| at_fault(path, error))?);
         }
