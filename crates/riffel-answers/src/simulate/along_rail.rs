@@ -43,7 +43,7 @@ pub struct PassageAnswer {
     pub extremes: Extremes,
     /// Mean square of the relative error of the track in time.
     track_share_cut: f64,
-    /// With courses height by height, each contact at its own places.
+    /// The march; its courses go height by height, each contact at its own places.
     #[serde(flatten, serialize_with = "courses")]
     pub run: Run,
     #[serde(skip)]

@@ -12,15 +12,15 @@ use crate::answer::titled;
 use crate::parameters::parameters_on_rail;
 use crate::{Answer, ResultFile, Table};
 
-/// A march of a case beside the numbers that are its own.
+/// What every march of a case has, beside the numbers of its own.
 pub struct Run {
-    /// Of all contacts in their order.
+    /// Courses of all contacts in their order.
     pub courses: Vec<Course>,
-    /// Contacts that are told apart; none of one wheel and one axis.
+    /// Names of the contacts whose courses are told one by one; else empty.
     pub contacts: Vec<ContactName>,
-    /// What the reader should know of the march.
+    /// Remarks on the march itself.
     pub own_remarks: Vec<Message>,
-    /// And of the case.
+    /// Remarks on the march and on its case.
     pub(super) remarks: Vec<Message>,
     pub(super) case: Case,
 }
@@ -56,16 +56,16 @@ pub(super) fn model(case: &Case, speed: f64, contact_filter: bool) -> Result<Pas
     Ok(model)
 }
 
-/// A march with the course of each contact, as an answer.
+/// Answer that is a march with the course of each contact.
 pub(super) trait March: Serialize {
-    /// Of its table and picture.
+    /// Name of its table and picture.
     const NAME: &'static str;
-    /// The file of its document.
+    /// File of its document.
     const DOCUMENT: &'static str;
 
     fn run(&self) -> &Run;
 
-    /// What it is over, and how it went, below the title.
+    /// Title, what it is over, and how it went.
     fn about(&self) -> Vec<Message>;
 
     /// A table for readers.
@@ -73,7 +73,7 @@ pub(super) trait March: Serialize {
         None
     }
 
-    /// What is said below the tables.
+    /// Sentences below the tables.
     fn below_tables(&self) -> Vec<Message> {
         Vec::new()
     }

@@ -51,7 +51,7 @@ pub struct SinusoidAnswer {
     /// Every contact of a loop on all axes, the one above first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<ContactOverSinusoid>,
-    /// With courses at the times at which the first wheel is at the places.
+    /// The march; its courses are at the times at which the first wheel is at the places.
     #[serde(skip)]
     pub run: Run,
     #[serde(skip)]

@@ -34,7 +34,7 @@ pub struct SmoothRailAnswer {
     contacts: Vec<ContactSwings>,
     /// Mean square of the relative error of track and wheels in time.
     track_share_cut: f64,
-    /// With the courses of a few periods at the end.
+    /// The march; its courses are a few periods at the end.
     #[serde(flatten, serialize_with = "first_course")]
     pub run: Run,
 }

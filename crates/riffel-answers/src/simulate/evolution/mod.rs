@@ -333,7 +333,7 @@ pub struct EvolutionAnswer {
     /// From before any wheel to the last.
     #[serde(skip)]
     pub profiles: Vec<WornProfile>,
-    /// Without courses: there are too many.
+    /// The march; it keeps no courses, there are too many.
     #[serde(skip)]
     pub run: Run,
     #[serde(skip)]
