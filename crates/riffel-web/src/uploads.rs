@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use axum::body::Body;
 use axum::http::StatusCode;
 use http_body_util::BodyExt;
-use tempfile::TempDir;
+use tempfile::{Builder, TempDir};
 use tokio::io::AsyncWriteExt;
 use tokio::sync::Semaphore;
 
@@ -22,7 +22,7 @@ use crate::workspace::Workspace;
 
 /// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
 const LARGEST: u64 = 2 << 30;
-/// Pages whose files are kept; one more, and those of the oldest go.
+/// Pages whose files are kept; one more, and those that were not used for longest go.
 const MOST_PAGES: usize = 8;
 /// Files that may come at a time: slow ones keep nobody out.
 const MOST_COMING: usize = 8;
@@ -105,8 +105,7 @@ impl Uploads {
 
     pub(crate) fn within(place: &Path, largest: u64) -> io::Result<Self> {
         remove_the_forsaken(place);
-        // For its owner alone.
-        let folder = tempfile::Builder::new().prefix(PREFIX).tempdir_in(place)?;
+        let folder = private(tempfile::Builder::new().prefix(PREFIX)).tempdir_in(place)?;
         let lock = File::create(folder.path().join(LOCK))?;
         lock.try_lock().map_err(io::Error::from)?;
         Ok(Self(Arc::new(Inner {
@@ -223,9 +222,13 @@ impl Uploads {
 
     /// The files of a page.
     pub(crate) fn of(&self, page: &str) -> Result<Arc<Sent>, Fault> {
-        let pages = self.pages();
-        let own = pages.iter().find(|(other, _)| other == page);
-        own.map(|(_, sent)| sent.clone()).ok_or_else(file_is_gone)
+        let mut pages = self.pages();
+        let place = pages.iter().position(|(other, _)| other == page).ok_or_else(file_is_gone)?;
+        // The one that was used last goes last.
+        let own = pages.remove(place);
+        let sent = own.1.clone();
+        pages.push(own);
+        Ok(sent)
     }
 
     /// The files of a page, none at first.
@@ -252,6 +255,19 @@ fn is_text(path: &Path) -> Result<(), Fault> {
     let mut head = Vec::new();
     File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head)).map_err(disk)?;
     Encoding::of(&head).map(|_| ()).map_err(|binary| Fault::bad(binary.to_string()))
+}
+
+/// A folder for its owner alone, whatever others may do where it stands.
+#[cfg(unix)]
+fn private<'a, 'b, 'c>(folder: &'c mut Builder<'a, 'b>) -> &'c mut Builder<'a, 'b> {
+    use std::os::unix::fs::PermissionsExt;
+    folder.permissions(fs::Permissions::from_mode(0o700))
+}
+
+/// Windows gives a temporary folder to its owner.
+#[cfg(not(unix))]
+fn private<'a, 'b, 'c>(folder: &'c mut Builder<'a, 'b>) -> &'c mut Builder<'a, 'b> {
+    folder
 }
 
 /// Bytes of all files below a folder; what cannot be read has none.
@@ -312,6 +328,16 @@ mod tests {
         assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn the_folder_is_its_owners_alone() {
+        use std::os::unix::fs::PermissionsExt;
+        let place = tempfile::tempdir().unwrap();
+        let uploads = Uploads::within(place.path(), 1).unwrap();
+        let mode = fs::metadata(uploads.place()).unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o700);
+    }
+
     #[tokio::test]
     async fn a_file_beyond_the_limit_or_without_text_leaves_nothing_behind() {
         let place = tempfile::tempdir().unwrap();
@@ -360,11 +386,22 @@ mod tests {
             assert_eq!(receive("a").await.unwrap().0, number + 2);
         }
         assert!(receive("a").await.is_err(), "one too many");
-        for page in 0..MOST_PAGES {
+        for page in 1..MOST_PAGES {
             receive(&page.to_string()).await.unwrap();
         }
-        let folder = sent.folder().to_owned();
+        // Whoever was used last stays.
+        assert!(uploads.of("a").is_ok());
+        let folder = uploads.of("1").unwrap().folder().to_owned();
+        uploads.of("a").unwrap();
+        for page in ["b", "c", "d"] {
+            receive(page).await.unwrap();
+        }
+        assert!(uploads.of("a").is_ok());
+        for page in 0..MOST_PAGES {
+            receive(&format!("other {page}")).await.unwrap();
+        }
+        assert!(uploads.of("1").is_err() && !folder.exists());
         drop(sent);
-        assert!(uploads.of("a").is_err() && !folder.exists());
+        assert!(uploads.of("a").is_err());
     }
 }
