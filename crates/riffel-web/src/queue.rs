@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use riffel::wanted::run_while;
 use serde::{Deserialize, Serialize};
-use tokio::sync::Semaphore;
+use tokio::sync::{Notify, Semaphore};
 
 use crate::fault::{Fault, Refusal};
 
@@ -51,6 +51,10 @@ pub(crate) struct Wanted(Arc<Flags>);
 #[derive(Default)]
 struct Flags {
     dropped: AtomicBool,
+    /// Told when it is dropped, where it still waits for a worker.
+    gone: Notify,
+    /// Where it waits.
+    place: Mutex<Option<Place>>,
     closing: Option<Arc<AtomicBool>>,
     progress: Mutex<Progress>,
     /// Order in which requests came, to forget the oldest.
@@ -72,6 +76,13 @@ impl Wanted {
 
     fn drop_it(&self) {
         self.0.dropped.store(true, Ordering::Relaxed);
+        self.leave();
+        self.0.gone.notify_one();
+    }
+
+    /// Wait no longer.
+    fn leave(&self) {
+        self.0.place.lock().unwrap_or_else(PoisonError::into_inner).take();
     }
 
     /// The result of work that ran to its end, or the reason why it did not.
@@ -162,8 +173,13 @@ impl Queue {
         if self.waiting.fetch_add(1, Ordering::Relaxed) >= self.most_waiting {
             return Err(Fault::busy(say!(too_much_is_being_computed_at)));
         }
-        let worker = self.workers.clone().acquire_owned().await;
-        drop(place);
+        *wanted.0.place.lock().unwrap_or_else(PoisonError::into_inner) = Some(place);
+        let worker = tokio::select! {
+            worker = self.workers.clone().acquire_owned() => worker,
+            // Its place is for the newer one.
+            () = wanted.0.gone.notified() => return Err(Fault::superseded()),
+        };
+        wanted.leave();
         let worker = worker.map_err(|_| Fault::busy(say!(the_program_is_ending)))?;
         let task = tokio::task::spawn_blocking(move || {
             // Given back when the work has really ended, not when its request is given up.
@@ -179,10 +195,9 @@ impl Queue {
     fn register(&self, subject: Option<String>) -> Wanted {
         static NUMBER: AtomicU64 = AtomicU64::new(0);
         let wanted = Wanted(Arc::new(Flags {
-            dropped: AtomicBool::new(false),
             closing: Some(self.closing.clone()),
-            progress: Mutex::default(),
             number: NUMBER.fetch_add(1, Ordering::Relaxed),
+            ..Flags::default()
         }));
         if let Some(subject) = subject {
             let mut newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
@@ -227,6 +242,29 @@ mod tests {
         release.send(()).unwrap();
         assert!(busy.await.unwrap() && first.await.unwrap() && second.await.unwrap());
         assert_eq!(queue.waiting.load(Ordering::Relaxed), 0);
+    }
+
+    #[tokio::test]
+    async fn a_newer_question_takes_the_place_of_the_one_that_waits() {
+        let queue = Queue::with_limits(0, 1, TIME_LIMIT);
+        let ask = || {
+            let queue = queue.clone();
+            tokio::spawn(async move { queue.run(Some("map of a".to_owned()), |_| Ok(())).await })
+        };
+        let mut older = ask();
+        while queue.waiting.load(Ordering::Relaxed) < 1 {
+            tokio::task::yield_now().await;
+        }
+        for _ in 0..5 {
+            let newer = ask();
+            let Refusal(fault) = older.await.unwrap().unwrap_err();
+            assert!(fault.message().contains("newer"), "{}", fault.message());
+            older = newer;
+        }
+        while queue.waiting.load(Ordering::Relaxed) < 1 {
+            tokio::task::yield_now().await;
+        }
+        assert!(!older.is_finished(), "the newest still waits");
     }
 
     #[tokio::test]
