@@ -89,8 +89,7 @@ pub fn read() -> io::Result<Map<String, Value>> {
 
 /// The document of a path as TOML; `None` for the path of a file.
 pub(crate) fn as_toml(path: &Path) -> Option<io::Result<Vec<u8>>> {
-    let mut keys = Value::clone(&*value(path)?);
-    leave_out_null(&mut keys);
+    let keys = without_null(Value::clone(&*value(path)?));
     let text = toml::to_string(&keys).map_err(|error| wrong(error.to_string()));
     Some(text.map(String::into_bytes))
 }
@@ -100,15 +99,18 @@ pub fn as_csv(path: &Path) -> Option<io::Result<Vec<u8>>> {
     Some(columns(&*value(path)?))
 }
 
-fn leave_out_null(value: &mut Value) {
-    match value {
+/// A document without the keys that are null: they are left out.
+#[must_use]
+pub fn without_null(mut value: Value) -> Value {
+    match &mut value {
         Value::Object(table) => {
             table.retain(|_, value| !value.is_null());
-            table.values_mut().for_each(leave_out_null);
+            table.values_mut().for_each(|value| *value = without_null(value.take()));
         }
-        Value::Array(list) => list.iter_mut().for_each(leave_out_null),
+        Value::Array(list) => list.iter_mut().for_each(|value| *value = without_null(value.take())),
         _ => {}
     }
+    value
 }
 
 fn columns(table: &Value) -> io::Result<Vec<u8>> {

@@ -3,12 +3,16 @@
 //! The body holds the keys of the question. In the place of a file stands one that the page has sent, `{ "upload": 3, "name": "rail.csv" }`,
 //! or its text, `{ "text": "…", "name": "line.csv" }`; the process reads no others.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
 use axum::extract::{Path as Named, State};
 use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use riffel_answers::page::{CaseText, check_bounds};
 use riffel_answers::question::{AnyQuestion, Files, Kind, known};
 use riffel_keys::Language;
+use riffel_keys::question::without_null;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -18,6 +22,8 @@ use crate::request::{Asked, Asker};
 use crate::uploads::Sent;
 use crate::workspace::Workspace;
 
+/// What the page asks about files, which may take long: one after the other.
+const ABOUT_FILES: [&str; 5] = ["along", "measure", "noise", "report", "roughness"];
 /// The question that is asked of each file for itself: a newer one does not take the place of an older.
 const OF_EACH_FILE: &str = "roughness";
 
@@ -67,11 +73,13 @@ pub(crate) async fn post(
     let sent = asker.owner().and_then(|owner| page.uploads.of(&owner)).ok();
     let subject = asker.subject(&name).filter(|_| name != OF_EACH_FILE);
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
-    let answer = page
-        .long
+    // Others take a minute at the most, and hold up neither the files nor the sliders.
+    let queue = if ABOUT_FILES.contains(&&*name) { &page.long } else { &page.marches };
+    let answer = queue
         .run(subject, move |wanted| {
             let files = Workspace::within(sent.as_ref().map_or(uploads.place(), |sent| sent.folder()))?;
-            keys.values_mut().try_for_each(|value| put(value, sent.as_deref(), &files))?;
+            let mut places = Places { sent: sent.as_deref(), files: &files, of_uploads: BTreeMap::new() };
+            keys.values_mut().try_for_each(|value| places.put(value))?;
             let printed = program.answer(files.path(), question.name(), &Value::Object(keys), language, wanted)?;
             match file_of(question) {
                 Some(file) if files.path().join(file).exists() => files.read(file).map(Answer::File),
@@ -94,25 +102,43 @@ fn check(question: &dyn AnyQuestion, keys: &Map<String, Value>) -> Result<(), Fa
     check_bounds(keys)?;
     // Its faults have the key of the form.
     if let Some(case @ Value::Object(_)) = keys.get("case") {
-        let case = toml::Table::deserialize(case).map_err(|error| Fault::misunderstood(&error.to_string()))?;
+        let case = toml::Table::deserialize(without_null(case.clone()))
+            .map_err(|error| Fault::misunderstood(&error.to_string()))?;
         CaseText::Keys(case).read()?;
     }
     Ok(())
 }
 
-/// Put a file of the page in the folder of the question, and its name there in the place of what stands for it.
-fn put(value: &mut Value, sent: Option<&Sent>, files: &Workspace) -> Result<(), Fault> {
-    if let Value::Array(list) = value {
-        return list.iter_mut().try_for_each(|one| put(one, sent, files));
-    }
-    *value = match FileOfPage::deserialize(&*value) {
-        Ok(FileOfPage::Sent { upload, name }) => {
-            files.put(&sent.ok_or_else(file_is_gone)?.file(upload)?, &name)?.into()
+/// The folder of a question, with the names of the uploads in it.
+struct Places<'a> {
+    sent: Option<&'a Sent>,
+    files: &'a Workspace,
+    of_uploads: BTreeMap<(u32, String), String>,
+}
+
+impl Places<'_> {
+    /// Put a file of the page into the folder, and its name there in the place of what stands for it.
+    fn put(&mut self, value: &mut Value) -> Result<(), Fault> {
+        if let Value::Array(list) = value {
+            return list.iter_mut().try_for_each(|one| self.put(one));
         }
-        Ok(FileOfPage::Written { text, name }) => files.put_text(&text, &name)?.into(),
-        Err(_) => return Ok(()),
-    };
-    Ok(())
+        let place = match FileOfPage::deserialize(&*value) {
+            Ok(FileOfPage::Sent { upload, name }) => {
+                let file = self.sent.ok_or_else(file_is_gone)?.file(upload)?;
+                match self.of_uploads.entry((upload, name)) {
+                    Entry::Occupied(there) => there.get().clone(),
+                    Entry::Vacant(place) => {
+                        let name = self.files.put(&file, &place.key().1)?;
+                        place.insert(name).clone()
+                    }
+                }
+            }
+            Ok(FileOfPage::Written { text, name }) => self.files.put_text(&text, &name)?,
+            Err(_) => return Ok(()),
+        };
+        *value = place.into();
+        Ok(())
+    }
 }
 
 /// The file that an answer is which is no document.
