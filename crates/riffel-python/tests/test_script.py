@@ -14,6 +14,8 @@ from typing import Any
 import pytest
 from conftest import PROGRAM
 
+import riffel
+
 SCRIPT = str(Path(sysconfig.get_path("scripts")) / "riffel")
 
 
@@ -85,16 +87,15 @@ def test_the_page_of_the_package_reads_a_measured_rail(tmp_path: Path) -> None:
             return found
 
     try:
-        post("/api/roughness", "text/csv", profile.read_bytes())
+        upload = post("/api/upload", "text/csv", profile.read_bytes())["upload"]
+        case = riffel.Case.from_toml("cases/nominal.toml").to_dict()
+        vehicle = {"name": "any", "share": 1, "speed": {"mean": 25.0, "standard_deviation": 3.0}}
         question = {
-            "case": {"toml": Path("cases/nominal.toml").read_text(encoding="utf-8")},
-            "name": "profile.csv",
-            "slowest_m_per_s": 20.0,
-            "fastest_m_per_s": 30.0,
-            "passages_per_day": 1000.0,
-            "months": 12.0,
+            "case": case,
+            "roughness": {"upload": upload, "name": "profile.csv"},
+            "traffic": {"line": {"passages_per_day": 1000.0}, "vehicle": [vehicle]},
         }
-        measured = post("/api/measure", "application/json", json.dumps(question).encode())
+        measured = post("/api/ask/measure", "application/json", json.dumps(question).encode())
     finally:
         page.terminate()
         page.communicate(timeout=30)
