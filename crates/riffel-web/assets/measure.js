@@ -213,6 +213,8 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
       show();
       announce(answer.roughness.verdicts.map(({ sentence }) => inWords(sentence)).join(' '));
     }, (fault) => {
+      // Another record may have come meanwhile.
+      if (asked.roughness.upload !== held?.upload) return;
       const { name } = file;
       tellFile();
       if (fault.status === 422 && asksFor) {

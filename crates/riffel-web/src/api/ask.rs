@@ -11,15 +11,15 @@ use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use riffel_answers::page::{CaseText, check_bounds};
 use riffel_answers::question::{AnyQuestion, Files, Kind, known};
-use riffel_keys::Language;
 use riffel_keys::question::without_null;
+use riffel_keys::{Language, say};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use crate::Page;
 use crate::fault::{Fault, Refusal, file_is_gone};
 use crate::request::{Asked, Asker};
-use crate::uploads::Sent;
+use crate::uploads::{Sent, Uploads};
 use crate::workspace::Workspace;
 
 /// What the page asks about files, which may take long: one after the other.
@@ -64,7 +64,7 @@ pub(crate) async fn post(
     Named(name): Named<String>,
     asker: Asker,
     headers: HeaderMap,
-    Asked(mut keys): Asked<Map<String, Value>>,
+    Asked(keys): Asked<Map<String, Value>>,
 ) -> Result<Answer, Refusal> {
     let question = known(&name).map_err(Fault::from)?;
     check(question, &keys)?;
@@ -73,13 +73,16 @@ pub(crate) async fn post(
     let sent = asker.owner().and_then(|owner| page.uploads.of(&owner)).ok();
     let subject = asker.subject(&name).filter(|_| name != OF_EACH_FILE);
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
+    // A file that is removed while the question waits still stands in it.
+    let own = sent.clone();
+    let placed = tokio::task::spawn_blocking(move || placed(keys, own.as_deref(), &uploads)).await;
+    let (keys, files) = placed.unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))?;
     // Others take a minute at the most, and hold up neither the files nor the sliders.
     let queue = if ABOUT_FILES.contains(&&*name) { &page.long } else { &page.marches };
     let answer = queue
         .run(subject, move |wanted| {
-            let files = Workspace::within(sent.as_ref().map_or(uploads.place(), |sent| sent.folder()))?;
-            let mut places = Places { sent: sent.as_deref(), files: &files, of_uploads: BTreeMap::new() };
-            keys.values_mut().try_for_each(|value| places.put(value))?;
+            // The folder of the page stays as long as there is work in it.
+            let _sent = sent;
             let printed = program.answer(files.path(), question.name(), &Value::Object(keys), language, wanted)?;
             match file_of(question) {
                 Some(file) if files.path().join(file).exists() => files.read(file).map(Answer::File),
@@ -107,6 +110,18 @@ fn check(question: &dyn AnyQuestion, keys: &Map<String, Value>) -> Result<(), Fa
         CaseText::Keys(case).read()?;
     }
     Ok(())
+}
+
+/// A question with its files in a folder of its own.
+fn placed(
+    mut keys: Map<String, Value>,
+    sent: Option<&Sent>,
+    uploads: &Uploads,
+) -> Result<(Map<String, Value>, Workspace), Fault> {
+    let files = Workspace::within(sent.map_or(uploads.place(), Sent::folder))?;
+    let mut places = Places { sent, files: &files, of_uploads: BTreeMap::new() };
+    keys.values_mut().try_for_each(|value| places.put(value))?;
+    Ok((keys, files))
 }
 
 /// The folder of a question, with the names of the uploads in it.
