@@ -97,6 +97,7 @@ pub use error::{AnswerError, Result};
 pub use expected_growth::ExpectedRates;
 #[cfg(not(target_family = "wasm"))]
 pub use fingerprint::fingerprint;
+#[cfg(not(target_family = "wasm"))]
 pub(crate) use fingerprint::fingerprint_of;
 pub use grinding_interval::GrindingInterval;
 pub use highest::Highest;
