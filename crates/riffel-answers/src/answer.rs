@@ -124,7 +124,9 @@ pub trait Answer: Document {
     }
 
     /// Tables, for files and readers.
-    fn tables(&self) -> Vec<Table>;
+    fn tables(&self) -> Vec<Table> {
+        Vec::new()
+    }
 
     /// What a reader sees above a table of a name, a line each.
     fn above(&self, _table: &str) -> Vec<Message> {

@@ -4,7 +4,7 @@ use riffel_keys::{Message, Value, number, say};
 use riffel_network::Ingested;
 use serde::Serialize;
 
-use crate::{Answer, Table};
+use crate::Answer;
 
 /// What became of a survey.
 #[derive(Serialize)]
@@ -40,10 +40,6 @@ impl IngestedAnswer {
 impl Answer for IngestedAnswer {
     fn name(&self) -> &'static str {
         "survey"
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
     }
 
     fn sentences(&self) -> Vec<Message> {

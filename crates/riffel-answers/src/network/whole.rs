@@ -3,7 +3,7 @@
 use riffel_keys::{Message, number, say};
 use serde::Serialize;
 
-use crate::{Answer, Table};
+use crate::Answer;
 
 /// A store of which nothing is lost or damaged.
 #[derive(Serialize)]
@@ -15,10 +15,6 @@ pub struct WholeAnswer {
 impl Answer for WholeAnswer {
     fn name(&self) -> &'static str {
         "check"
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
     }
 
     fn sentences(&self) -> Vec<Message> {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::question::{Asker, Question};
 use crate::roughness::{MeasuredAnswer, ProfileAnswer, RailAnswer, RoughnessQuestion};
-use crate::{Answer, AnswerError, Result, Table};
+use crate::{Answer, AnswerError, Result};
 
 /// A measured rail in blocks along the line.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -68,10 +68,6 @@ impl Question for AlongQuestion {
 impl Answer for AlongAnswer {
     fn name(&self) -> &'static str {
         "along"
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
     }
 
     fn remarks(&self) -> &[Message] {

@@ -12,7 +12,7 @@ use super::working::Working;
 use super::{GENERATOR, Site};
 use crate::diagnose::DiagnosedRail;
 use crate::question::{Asker, Files, GroundSource, Question, Rule, Source};
-use crate::{Answer, Existing, OwnText, Result, Table};
+use crate::{Answer, Existing, OwnText, Result};
 
 /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -120,10 +120,6 @@ impl Question for ReportQuestion {
 impl Answer for ReportAnswer {
     fn name(&self) -> &'static str {
         "report"
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
     }
 
     fn own_text(&self) -> Option<OwnText<'_>> {

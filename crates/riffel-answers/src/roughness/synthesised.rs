@@ -7,7 +7,7 @@ use riffel_keys::{CaseError, say};
 use riffel_rail::{DEFAULT_RECIPE, RecipeFile};
 use serde::Serialize;
 
-use crate::{Answer, Existing, OwnText, Table};
+use crate::{Answer, Existing, OwnText};
 
 /// A profile in columns of text.
 #[derive(Serialize)]
@@ -53,10 +53,6 @@ impl Synthesised {
 impl Answer for Synthesised {
     fn name(&self) -> &'static str {
         "profile"
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
     }
 
     fn own_text(&self) -> Option<OwnText<'_>> {

@@ -7,7 +7,7 @@ use riffel_study::MergeReport;
 use serde::Serialize;
 
 use super::failures;
-use crate::{Answer, Table};
+use crate::Answer;
 
 /// Most missing chunks that are named.
 const NAMED: usize = 12;
@@ -36,10 +36,6 @@ impl Answer for MergeAnswer {
         };
         let merged = merged.about(self.into.display().to_string());
         [merged].into_iter().chain(failures(summary)).collect()
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
     }
 
     fn doubts(&self) -> Vec<Message> {

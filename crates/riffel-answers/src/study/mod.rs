@@ -15,7 +15,7 @@ use riffel_study::sensitivity::{Bands, Intervals, SobolIndices, Tornado};
 use riffel_study::{ResultFolder, Study, StudyError, Variable};
 use serde::Serialize;
 
-use crate::{Answer, ResultFile, Table, Told};
+use crate::{Answer, ResultFile, Told};
 pub use computed::StudyAnswer;
 use computed::failures;
 pub use merged::MergeAnswer;
@@ -201,10 +201,6 @@ impl Answer for SensitivityAnswer {
 
     fn introduction(&self) -> Vec<Message> {
         vec![title(self.title.as_deref())]
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
     }
 
     fn sentences(&self) -> Vec<Message> {
