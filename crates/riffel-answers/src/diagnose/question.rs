@@ -23,12 +23,24 @@ use crate::{Answer, AnswerError, Result};
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct DiagnoseQuestion {
     #[serde(flatten)]
-    case: CaseSource,
+    pub(crate) case: CaseSource,
     /// Longitudinal profile, or table of one-third-octave levels.
     #[schemars(extend("value_name" = "FILE"))]
-    roughness: Source<RoughnessFile>,
+    pub(crate) roughness: Source<RoughnessFile>,
     #[serde(flatten)]
-    rail: DiagnosedRail,
+    pub(crate) rail: DiagnosedRail,
+}
+
+impl DiagnoseQuestion {
+    /// The diagnosis of the roughness.
+    ///
+    /// # Errors
+    /// Those of [`DiagnosedRail::diagnosis`], and [`AnswerError::Case`] with the case at fault.
+    pub(crate) fn diagnosis(&self, asker: &dyn Asker) -> Result<Diagnosis> {
+        let case = self.case.read(asker)?;
+        let file = self.roughness.value(|path| self.rail.layout.read(path, asker))?;
+        self.rail.diagnosis(&case, self.roughness.name(), &file, asker)
+    }
 }
 
 /// How a measured rail is held against a case.
@@ -64,15 +76,6 @@ pub struct DiagnosedRail {
 }
 
 impl DiagnosedRail {
-    /// The diagnosis of a file with the earlier ones, all read here.
-    ///
-    /// # Errors
-    /// Those of [`diagnosis`](Self::diagnosis).
-    pub fn of_file(&self, case: &Case, file: &Source<RoughnessFile>, asker: &dyn Asker) -> Result<Diagnosis> {
-        let read = file.value(|path| self.layout.read(path, asker))?;
-        self.diagnosis(case, file.name(), &read, asker)
-    }
-
     /// The diagnosis of the file that was read, with the earlier ones, which are read here.
     ///
     /// # Errors
@@ -117,13 +120,12 @@ impl DiagnosedRail {
 
     /// The speeds asked for, or those of the usual traffic with a remark that says so.
     fn speeds(&self, case: &Case, asker: &dyn Asker) -> Result<(TrafficSpeeds, Option<Message>)> {
-        let wrong = |argument, value: String, rule: String| AnswerError::Argument { argument, value, rule };
-        let wrong_speeds = |value: &str, error: riffel::Error| wrong("--speed", value.to_owned(), error.to_string());
+        let wrong_speeds =
+            |value: &str, error: riffel::Error| AnswerError::argument("--speed", value, error.to_string());
         match (&self.traffic, &self.speed[..]) {
             (Some(traffic), []) => {
                 let speeds = traffic.value(Traffic::read)?.passing_speeds().map_err(|error| {
-                    let file = traffic.name().display().to_string();
-                    wrong("--traffic", file, format!("a file with speeds: {error}"))
+                    AnswerError::argument("--traffic", traffic.name().display(), format!("a file with speeds: {error}"))
                 });
                 Ok((speeds?, None))
             }
@@ -152,11 +154,9 @@ fn range(written: &str, asker: &dyn Asker) -> Result<(f64, f64)> {
         return Ok((speed, speed));
     };
     match (within(&slowest)?, within(&fastest)?) {
-        (slowest, fastest) if slowest > fastest => Err(AnswerError::Argument {
-            argument: "--speed",
-            value: written.to_owned(),
-            rule: "from the slower to the faster".to_owned(),
-        }),
+        (slowest, fastest) if slowest > fastest => {
+            Err(AnswerError::argument("--speed", written, "from the slower to the faster"))
+        }
         range => Ok(range),
     }
 }
@@ -170,6 +170,6 @@ impl Question for DiagnoseQuestion {
     const RULES: &'static [Rule] = &[Rule::Needs(&["dates"], &["earlier"])];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        Ok(Box::new(self.rail.of_file(&*self.case.read(asker)?, &self.roughness, asker)?))
+        Ok(Box::new(self.diagnosis(asker)?))
     }
 }

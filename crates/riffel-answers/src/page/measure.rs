@@ -1,28 +1,22 @@
 //! What a measured rail says: levels held to limits, dominant wavelengths, and what becomes of it. Its record is read once.
 
-use riffel_keys::Message;
 use riffel_rail::{Limit, LimitTable, RoughnessFile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use crate::diagnose::{DiagnosedRail, Diagnosis};
+use crate::diagnose::{DiagnoseQuestion, Diagnosis};
 use crate::forecast::{ForecastAnswer, ForecastQuestion, MeasuredSpectra};
 use crate::page::Fault;
-use crate::question::{Asker, CaseSource, EarlierRecords, Question, Source, of_keys};
+use crate::question::{Asker, EarlierRecords, Question, Source, of_keys};
 use crate::roughness::{MeasuredAnswer, RoughnessQuestion};
-use crate::{Answer, AnswerError, Result, Table};
+use crate::{Answer, AnswerError, Result};
 
 /// A measured rail with its case and its traffic: roughness, diagnosis and forecast.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub(crate) struct MeasureQuestion {
     #[serde(flatten)]
-    case: CaseSource,
-    /// Longitudinal profile, or table of one-third-octave levels.
-    #[schemars(extend("value_name" = "FILE"))]
-    roughness: Source<RoughnessFile>,
-    #[serde(flatten)]
-    rail: DiagnosedRail,
+    diagnosed: DiagnoseQuestion,
     /// Earlier record to fit the wear coefficient to, where not all have a date.
     #[schemars(extend("value_name" = "FILE"))]
     since: Option<Source<RoughnessFile>>,
@@ -97,20 +91,21 @@ impl LevelLimit {
 impl MeasureQuestion {
     /// The forecast, with the wear coefficient of the earlier records where it can be fitted.
     fn forecast(&self, asker: &dyn Asker) -> Result<Forecast> {
+        let DiagnoseQuestion { case, roughness, rail } = &self.diagnosed;
         let mut asked: ForecastQuestion = of_keys(json!({ "case": "", "traffic": "" }))?;
-        asked.case = self.case.clone();
-        asked.traffic = self.rail.traffic.clone();
+        asked.case = case.clone();
+        asked.traffic = rail.traffic.clone();
         asked.months = Some(self.months);
         asked.spectra = MeasuredSpectra {
-            spectrum: self.roughness.path().map(|path| Source::File(path.to_owned())),
-            layout: self.rail.layout.clone(),
+            spectrum: roughness.path().map(|path| Source::File(path.to_owned())),
+            layout: rail.layout.clone(),
             ..MeasuredSpectra::default()
         };
         let mut fitted = asked.clone();
         fitted.spectra.earlier = match &self.since {
             Some(since) => EarlierRecords { earlier: vec![since.clone()], dates: Vec::new() },
-            None if self.rail.earlier.dates.is_empty() => EarlierRecords::default(),
-            None => self.rail.earlier.clone(),
+            None if rail.earlier.dates.is_empty() => EarlierRecords::default(),
+            None => rail.earlier.clone(),
         };
         fitted.spectra.passages_between = self.passages_between;
         match fitted.told(asker) {
@@ -127,16 +122,16 @@ impl Question for MeasureQuestion {
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let mut asked = self.clone();
-        asked.rail.layout.kept = Some(Default::default());
-        let rail = &asked.rail;
-        let roughness = RoughnessQuestion::of_file(self.roughness.clone(), rail.layout.clone())?.measured(asker)?;
-        let case = self.case.read(asker)?;
-        asked.case = case.clone().into();
+        let DiagnoseQuestion { case, roughness, rail } = &mut asked.diagnosed;
+        rail.layout.kept = Some(Default::default());
+        let roughness = RoughnessQuestion::of_file(roughness.clone(), rail.layout.clone())?.measured(asker)?;
+        let read = case.read(asker)?;
+        *case = read.clone().into();
         Ok(Box::new(MeasureAnswer {
             roughness: roughness.ok_or(AnswerError::NoSpectrum)?,
-            diagnosis: rail.of_file(&case, &self.roughness, asker).into(),
+            diagnosis: asked.diagnosed.diagnosis(asker).into(),
             forecast: asked.forecast(asker).into(),
-            is_silent: case.without_decay().is_some(),
+            is_silent: read.without_decay().is_some(),
             limits: LevelLimit::all(),
         }))
     }
@@ -145,13 +140,5 @@ impl Question for MeasureQuestion {
 impl Answer for MeasureAnswer {
     fn name(&self) -> &'static str {
         "measure"
-    }
-
-    fn tables(&self) -> Vec<Table> {
-        Vec::new()
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &[]
     }
 }
