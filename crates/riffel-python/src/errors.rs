@@ -66,7 +66,7 @@ pub(crate) fn of_study(error: StudyError) -> PyErr {
         StudyError::Plan(error) => of_case(error),
         StudyError::NoStudy { .. } => PyFileNotFoundError::new_err(error.to_string()),
         StudyError::Read { .. } | StudyError::Write { .. } => PyOSError::new_err(error.to_string()),
-        error => PyValueError::new_err(error.to_string()),
+        error => wrong(error.to_string()),
     }
 }
 

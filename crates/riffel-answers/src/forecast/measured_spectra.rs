@@ -103,7 +103,7 @@ fn by_column(
     mut all: Vec<(Date, Survey)>,
     warnings: Vec<Message>,
 ) -> Result<(Survey, Option<Date>, Option<f64>), AnswerError> {
-    let wrong = |rule: String| AnswerError::Argument { argument: "--date-column", value: column.to_owned(), rule };
+    let wrong = |rule: String| AnswerError::argument("--date-column", column, rule);
     let Some((date, mut now)) = all.pop() else {
         return Err(wrong("one with a date".to_owned()));
     };
@@ -114,7 +114,7 @@ fn by_column(
         let days = f64::from(span.get_days());
         if days <= 0.0 {
             let rule = format!("earlier than {date}, the date of the spectrum");
-            return Err(AnswerError::Argument { argument: "--earlier", value: before.to_string(), rule });
+            return Err(AnswerError::argument("--earlier", before, rule));
         }
         earlier.push((days, survey));
     }

@@ -127,11 +127,11 @@ pub(crate) fn choose_nothing(path: &Path, choose: &[String], by: Option<&str>) -
     let choice = choose.first().map(|choice| ("--where", choice.as_str()));
     match choice.or(by.map(|by| ("--by", by))) {
         None => Ok(()),
-        Some((argument, value)) => Err(AnswerError::Argument {
+        Some((argument, value)) => Err(AnswerError::argument(
             argument,
-            value: value.to_owned(),
-            rule: format!("left out: it is for tables of spectra, and {} is a profile", path.display()),
-        }),
+            value,
+            format!("left out: it is for tables of spectra, and {} is a profile", path.display()),
+        )),
     }
 }
 
@@ -150,7 +150,7 @@ pub fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Res
         true => format!("between {:e} and {:e} in SI", RANGE[0], RANGE[1]),
         false => "greater than zero".to_owned(),
     };
-    Err(AnswerError::Argument { argument, value: value.to_string(), rule })
+    Err(AnswerError::argument(argument, value, rule))
 }
 
 /// Earlier records of the rail that is measured.
@@ -185,16 +185,11 @@ impl EarlierRecords {
             return Ok(());
         }
         let written: Vec<String> = dates.iter().map(Date::to_string).collect();
-        Err(AnswerError::Argument {
-            argument: "--dates",
-            value: written.join(","),
-            rule: match dates.len() == records {
-                true => "days that rise from each record to the next, that of now last".to_owned(),
-                false => {
-                    format!("{records} dates, one for each --earlier and one for the record of now")
-                }
-            },
-        })
+        let rule = match dates.len() == records {
+            true => "days that rise from each record to the next, that of now last".to_owned(),
+            false => format!("{records} dates, one for each --earlier and one for the record of now"),
+        };
+        Err(AnswerError::argument("--dates", written.join(","), rule))
     }
 
     /// The records, each as it is chosen, beside the one of now in a file.
@@ -237,11 +232,8 @@ impl EarlierRecords {
         asker: &dyn Asker,
     ) -> Result<Survey> {
         if !self.earlier.is_empty() && self.dates.is_empty() {
-            return Err(AnswerError::Argument {
-                argument: "--dates",
-                value: "left out".to_owned(),
-                rule: "given beside --earlier: the date of each record, that of now last".to_owned(),
-            });
+            let rule = "given beside --earlier: the date of each record, that of now last";
+            return Err(AnswerError::argument("--dates", "left out", rule));
         }
         let (survey, _) = survey.choose(choose)?.latest();
         Ok(self.read(now, layout, choose, asker)?.before(survey, None))

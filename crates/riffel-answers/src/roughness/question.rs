@@ -72,7 +72,7 @@ impl RoughnessQuestion {
         let or_zero = |argument, length: Quantity<Length>| match length.si() {
             below if below < 0.0 => {
                 let rule = "zero or greater".to_owned();
-                Err(AnswerError::Argument { argument, value: length.to_string(), rule })
+                Err(AnswerError::argument(argument, length, rule))
             }
             metres => Ok(metres),
         };
@@ -114,7 +114,7 @@ impl RoughnessQuestion {
         if let Some((argument, value)) = given {
             let path = survey.path().display();
             let rule = format!("left out: it is for profiles, and {path} is a table of spectra");
-            return Err(AnswerError::Argument { argument, value, rule });
+            return Err(AnswerError::argument(argument, value, rule));
         }
         Ok(SpectraAnswer::new(&survey.choose(&self.choose)?, limits, self.by.as_deref())?)
     }
