@@ -97,8 +97,6 @@ pub use error::{AnswerError, Result};
 pub use expected_growth::ExpectedRates;
 #[cfg(not(target_family = "wasm"))]
 pub use fingerprint::fingerprint;
-#[cfg(not(target_family = "wasm"))]
-pub(crate) use fingerprint::fingerprint_of;
 pub use grinding_interval::GrindingInterval;
 pub use highest::Highest;
 pub use level_limit::level_limit;

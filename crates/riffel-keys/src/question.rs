@@ -58,7 +58,12 @@ pub fn holds(path: &Path) -> bool {
     standing().contains_key(path)
 }
 
-/// The key under which a document stands in a question; `None` for the path of a file.
+/// True for the path of a value in memory that stands in a question without a document.
+pub fn is_value(path: &Path) -> bool {
+    standing().get(path).is_some_and(|shared| !shared.is::<Value>())
+}
+
+/// The key under which a document or a value stands in a question; `None` for the path of a file.
 pub fn key_of(path: &Path) -> Option<&Path> {
     let key = path.to_str()?.strip_prefix("question:").map(Path::new);
     key.filter(|_| holds(path))

@@ -44,6 +44,10 @@ def test_cases_and_levels_stand_for_files(nominal: riffel.Case) -> None:
     assert forecast["bands"][0]["growth_is_measured"]
 
 
+def test_a_report_names_a_case_in_memory(nominal: riffel.Case) -> None:
+    assert "<td>case</td>" in riffel.ask("report", {"case": nominal})["page"]
+
+
 def test_questions_of_several_threads_keep_their_documents_apart() -> None:
     def friction(value: float) -> Any:
         change = {"title": "friction", "contact": {"friction": value}}

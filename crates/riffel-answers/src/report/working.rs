@@ -7,7 +7,7 @@ use riffel_calibrate::{Chains, Plan};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::Quantity;
-use riffel_keys::text_file::{LARGEST_KEYS, is_standard_input, read_bounded};
+use riffel_keys::text_file::is_standard_input;
 use riffel_keys::{CaseError, Message, question, say};
 use riffel_rail::{Limit, LimitTable};
 
@@ -18,7 +18,7 @@ use crate::forecast::{ForecastQuestion, MeasuredSpectra, PosteriorForecast, Trac
 use crate::map::{MapAnswer, growth_over};
 use crate::noise::{NoiseAnswer, NoiseQuestion};
 use crate::question::{Asker, CaseSource, PosteriorSource, finished_of, over};
-use crate::{AnswerError, LineGrowth, PosteriorDraws, Result, fingerprint, fingerprint_of, level_limit};
+use crate::{AnswerError, LineGrowth, PosteriorDraws, Result, fingerprint, level_limit};
 
 /// Months for which the level of a train is told ahead where no other time is asked for.
 const MONTHS_OF_NOISE: f64 = 12.0;
@@ -236,17 +236,14 @@ impl<'a> Working<'a> {
         let mut inputs = Inputs::default();
         let (question, asked) = (self.question, &self.question.rail);
         let mut add = |role: Message, path: &Path, origin: Message| {
-            let key = question::key_of(path);
-            let hash = match (is_standard_input(path), key) {
-                (true, _) => Ok(say!(standard_input)),
-                (false, None) => fingerprint(path).map(Message::verbatim),
-                (false, Some(_)) => {
-                    let keys = read_bounded(path, "file", LARGEST_KEYS)?;
-                    fingerprint_of(&*keys).map(Message::verbatim)
-                }
+            let hash = match is_standard_input(path) || question::is_value(path) {
+                true => say!(standard_input),
+                false => Message::verbatim(
+                    fingerprint(path)
+                        .map_err(|reason| CaseError::data(path, format!("cannot read the file: {reason}")))?,
+                ),
             };
-            let hash = hash.map_err(|reason| CaseError::data(path, format!("cannot read the file: {reason}")))?;
-            inputs.add(role, key.unwrap_or(path), origin, hash);
+            inputs.add(role, question::key_of(path).unwrap_or(path), origin, hash);
             Ok::<_, AnswerError>(())
         };
         if let (Some(file), Some(rail)) = (&question.roughness, rail) {
