@@ -112,6 +112,9 @@ async fn a_question_stays_within_what_the_page_computes() {
     for (body, words) in [
         (json!({ "limit_dba": 500 }), "--limit-dba is 500, but must be from 0 to 200"),
         (json!({ "months": 0 }), "--months is 0, but must be above zero and at most 1200"),
+        // As texts, too.
+        (json!({ "months": "1e9" }), "--months is 1000000000, but must be above zero and at most 1200"),
+        (json!({ "block": "5 mm" }), "--block is 0.005, but must be from 1 to 1000000"),
         (json!({ "case": case }), "2000"),
         // No question of a page says where to write.
         (json!({ "posterior": "/tmp" }), "do not understand"),
