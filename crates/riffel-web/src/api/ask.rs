@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use axum::extract::{Path as Named, State};
+use axum::extract::{Path, State};
 use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use riffel_answers::page::{CaseText, check_bounds};
@@ -61,13 +61,12 @@ impl IntoResponse for Answer {
 
 pub(crate) async fn post(
     State(page): State<Page>,
-    Named(name): Named<String>,
+    Path(name): Path<String>,
     asker: Asker,
     headers: HeaderMap,
     Asked(keys): Asked<Map<String, Value>>,
 ) -> Result<Answer, Refusal> {
     let question = known(&name).map_err(Fault::from)?;
-    check(question, &keys)?;
     let language = headers.get(header::ACCEPT_LANGUAGE).and_then(|code| code.to_str().ok());
     let language = Language::ALL.iter().find(|one| Some(one.code()) == language).copied().unwrap_or_default();
     let sent = asker.owner().and_then(|owner| page.uploads.of(&owner)).ok();
@@ -75,8 +74,11 @@ pub(crate) async fn post(
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
     // A file that is removed while the question waits still stands in it.
     let own = sent.clone();
-    let placed = tokio::task::spawn_blocking(move || placed(keys, own.as_deref(), &uploads)).await;
-    let (keys, files) = placed.unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))?;
+    let placed = tokio::task::spawn_blocking(move || {
+        check(question, &keys)?;
+        placed(keys, own.as_deref(), &uploads)
+    });
+    let (keys, files) = placed.await.unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))?;
     // Others take a minute at the most, and hold up neither the files nor the sliders.
     let queue = if ABOUT_FILES.contains(&&*name) { &page.long } else { &page.marches };
     let answer = queue

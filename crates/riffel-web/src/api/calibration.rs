@@ -44,10 +44,10 @@ impl Question {
     fn put(&self, own: &Sent, program: &Program, wanted: &Wanted) -> Result<(Workspace, Value), Fault> {
         // They are checked here, and open no file.
         self.case.read()?;
-        self.traffic.read()?;
+        let traffic = self.traffic.toml()?;
         let files = Workspace::within(own.folder())?;
         files.write(CASE_FILE, &self.case.toml()?)?;
-        files.write(TRAFFIC_FILE, &self.traffic.toml()?)?;
+        files.write(TRAFFIC_FILE, &traffic)?;
         let tables = self.data.iter().map(|data| files.put(&own.file(data.upload)?, &data.name));
         let tables = tables.collect::<Result<Vec<String>, Fault>>()?;
         let ask = |question: Value| program.ask(files.path(), "calibrate", &question, wanted);
