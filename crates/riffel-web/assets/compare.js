@@ -125,7 +125,7 @@ export function startCompare({ state, traffic, listen, complain, setVariants, re
     }
     stale(true);
     const given = structuredClone(state.keys);
-    maps.ask({ variants: missing.map(({ name, case: keys }) => ({ name, case: { keys } })), case: { keys: given }, traffic: traffic.given && traffic.file }, ({ head, values }) => {
+    maps.ask({ variants: missing.map(({ name, case: keys }) => ({ name, case: { keys } })), case: { keys: given }, traffic: traffic.givenFile }, ({ head, values }) => {
       let offset = 0;
       head.variants.forEach((one, k) => {
         const map = toMap(one, values, offset);

@@ -40,7 +40,7 @@ export function startDamage(shared) {
 
   startCasePanel(shared, {
     view: 'motion', path: '/api/damage', word: 'damage', fill, below: [table],
-    more: () => state.point && { wavelength_m: state.point.wavelength, speed_m_per_s: state.point.speed, traffic: traffic.given && traffic.file },
+    more: () => state.point && { wavelength_m: state.point.wavelength, speed_m_per_s: state.point.speed, traffic: traffic.givenFile },
     at: ({ wavelength_m: wavelength, speed_m_per_s: own }) => `${number(1e3 * wavelength)} mm, ${speed(own)}`,
     rows: ({ shakedown: { loop } }) => [COLUMNS, ...loop.map((row) => COLUMNS.map((column) => row[column]))],
   });

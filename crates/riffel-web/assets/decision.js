@@ -75,7 +75,7 @@ export class Decision {
     // Nothing is ranked before there are remedies with their costs.
     this.rank.disabled = true;
     try {
-      const { remedies } = await json(await askOnce('/api/remedies', { case: { keys: this.state.accepted }, traffic: this.traffic.given && this.traffic.file }));
+      const { remedies } = await json(await askOnce('/api/remedies', { case: { keys: this.state.accepted }, traffic: this.traffic.givenFile }));
       this.remedies = remedies.map(({ id, name, changes }) => ({ id, name, changes }));
     } catch (fault) {
       if (!(fault instanceof Fault)) throw fault;

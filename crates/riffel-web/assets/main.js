@@ -643,7 +643,7 @@ const shared = {
 let measure;
 const outlook = new Outlook($('view-explore'), {
   ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onHeadline: showHeadline, onWhy: leadToHeadline, onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
-  question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.file }), likelihood: (remedies) => calibrate.likelihood(remedies), unexplained: () => measure?.unexplained ?? [],
+  question: () => ({ case: { keys: state.accepted }, traffic: traffic.givenFile }), likelihood: (remedies) => calibrate.likelihood(remedies), unexplained: () => measure?.unexplained ?? [],
   onKeep: (name, keys) => {
     if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));
     setVariants([...state.variants, { name: ownName(name, state.variants), case: keys }]);

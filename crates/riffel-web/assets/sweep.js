@@ -119,7 +119,7 @@ export class Sweep {
       if (!fault.key) this.complain(fault, { until: 'case' });
     };
     // One after the other: growth under the traffic takes its time, and each is shown as it comes.
-    const next = () => this.line.ask({ for: 'sweep', case: { keys: steps[answers.length].keys }, traffic: traffic.given && traffic.file }, (answer) => take([answer]), refuse);
+    const next = () => this.line.ask({ for: 'sweep', case: { keys: steps[answers.length].keys }, traffic: traffic.givenFile }, (answer) => take([answer]), refuse);
     if (kind !== 'speeds') return next();
     const curves = steps.map(({ name, keys, speed }) => ({ name, case: { keys }, speed_m_per_s: speed }));
     return this.atSpeeds.ask({ for: 'sweep', curves, case: { keys: structuredClone(state.keys) } }, take, refuse);

@@ -45,7 +45,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     // Of the measured rail if there is one, else of the case alone.
     report: async () => {
       if (await measure.saveReport()) return;
-      const answer = await askOnce('/api/ask/report', { case: state.keys, traffic: traffic.given && traffic.file }, { 'Accept-Language': currentLanguage() });
+      const answer = await askOnce('/api/ask/report', { case: state.keys, traffic: traffic.givenFile }, { 'Accept-Language': currentLanguage() });
       save(await answer.blob(), `${fileName(state)}-report.html`);
     },
     nominal: async () => replace({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }, t('started_over')),

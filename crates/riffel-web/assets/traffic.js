@@ -140,6 +140,11 @@ export class Traffic {
     return { line: { passages_per_day: this.values.passages_per_day }, vehicle };
   }
 
+  /** The same of a traffic that was given; null for the usual one of the line. */
+  get givenFile() {
+    return this.given && this.file;
+  }
+
   /** Mean speed of the axle passages [m/s]. */
   get meanSpeed() {
     const shares = this.#vehicles.reduce((sum, { share }) => sum + share, 0);

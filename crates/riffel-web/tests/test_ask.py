@@ -31,3 +31,20 @@ def test_what_the_program_refuses_is_refused_by_the_same_sentence(page):
         assert bad["sentence"] in "; ".join(filter(None, [fault["message"], fault.get("help")]))
     assert len(page.complaints) == len(BAD)
     page.complaints.clear()
+
+
+@pytest.mark.without_curves
+def test_a_wide_range_of_speeds_keeps_the_mean_and_scatter_of_even_ones(page):
+    asked = []
+    page.page.on("request", lambda request: request.url.endswith("/api/line") and asked.append(request.post_data_json["traffic"]))
+    page.page.locator("#traffic-group").evaluate("(group) => (group.open = true)")
+    for field, speed in [("#traffic-from", "36"), ("#traffic-to", "144")]:
+        page.page.fill(field, speed)
+        page.page.press(field, "Tab")
+    page.until(lambda: asked and asked[-1] and "speeds" in asked[-1]["vehicle"][0])
+    speeds = asked[-1]["vehicle"][0]["speeds"]
+    mean = sum(one["share"] * one["speed"] for one in speeds)
+    deviation = sum(one["share"] * (one["speed"] - mean) ** 2 for one in speeds) ** 0.5
+    assert mean == pytest.approx(25, rel=1e-12)
+    # n middles of equal parts have √(1 − 1/n²) of the scatter, 0.998 for 16.
+    assert deviation == pytest.approx(30 / 12**0.5, rel=3e-3)
