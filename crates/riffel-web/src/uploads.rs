@@ -22,7 +22,7 @@ use crate::workspace::Workspace;
 
 /// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
 const LARGEST: u64 = 2 << 30;
-/// Pages whose files are kept; one more, and those that were not used for longest go.
+/// Pages whose files are kept; one more takes the place of that unused for longest.
 const MOST_PAGES: usize = 8;
 /// Files that may come at a time: slow ones keep nobody out.
 const MOST_COMING: usize = 8;
