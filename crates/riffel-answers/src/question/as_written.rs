@@ -49,11 +49,12 @@ impl<D: Dimension> AsWritten<D> {
         self.text.parse::<Quantity<D>>().map_or(f64::NAN, |quantity| quantity.si())
     }
 
-    /// The value in SI, within the physical range of the argument; `asker` is told what is not usual.
+    /// The value in SI, within the physical range of the argument, which has one; `asker` is told what is not usual.
     ///
     /// # Errors
     /// [`AnswerError::Range`] for a value outside the range.
     pub fn within(&self, argument: &'static str, asker: &dyn Asker) -> Result<f64> {
+        debug_assert!(PhysicalRange::of(argument).is_some(), "{argument} has no range");
         let wrong = |rule| AnswerError::Range { argument, message: format!(" {rule}") };
         let (si, remark) = PhysicalRange::read::<D>(argument, &self.text).map_err(wrong)?;
         asker.remark(remark.as_slice());
