@@ -13,40 +13,6 @@ use std::process::Command;
 
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure};
 
-/// Commands whose help the book shows.
-const COMMANDS: [&str; 30] = [
-    "init",
-    "point",
-    "map",
-    "receptance",
-    "wheelset",
-    "simulate",
-    "profile",
-    "curve",
-    "contact",
-    "roughness",
-    "axlebox",
-    "network",
-    "diagnose",
-    "report",
-    "forecast",
-    "compare",
-    "noise",
-    "shakedown",
-    "stability",
-    "study",
-    "calibrate",
-    "decide",
-    "figures",
-    "serve",
-    "page",
-    "presets",
-    "schema",
-    "completions",
-    "man",
-    "validate",
-];
-
 /// A failure as a sentence.
 type Outcome = Result<(), String>;
 
@@ -208,27 +174,22 @@ fn validation() -> String {
 }
 
 fn command_line(program: &Path) -> Result<String, String> {
-    let mut text =
-        String::from("# The command line\n\nWritten by `cargo xtask generate` from the program's own help.\n");
-    text.push_str(&section(program, "riffel", &["--help"])?);
-    for command in COMMANDS {
-        text.push_str(&section(program, &format!("riffel {command}"), &[command, "--help"])?);
-    }
-    for (of, commands) in [
-        ("study", &["merge", "sensitivity"][..]),
-        ("calibrate", &["check"]),
-        ("network", &["ingest", "status", "worst", "growth", "plan", "chart", "check"]),
-    ] {
-        for command in commands {
-            text.push_str(&section(program, &format!("riffel {of} {command}"), &[of, command, "--help"])?);
-        }
-    }
-    Ok(text)
+    let text = "# The command line\n\nWritten by `cargo xtask generate` from the program's own help.\n";
+    Ok(text.to_owned() + &sections(program, &[])?)
 }
 
-fn section(program: &Path, title: &str, arguments: &[&str]) -> Result<String, String> {
-    let help = riffel(program, arguments)?;
-    Ok(format!("\n## `{title}`\n\n```text\n{}\n```\n", help.trim_end()))
+/// The help of a command, and of all below it.
+fn sections(program: &Path, command: &[&str]) -> Result<String, String> {
+    let help = riffel(program, &[command, &["--help"]].concat())?;
+    let title = [&["riffel"], command].concat().join(" ");
+    let mut text = format!("\n## `{title}`\n\n```text\n{}\n```\n", help.trim_end());
+    // Lines of words that go on are indented further.
+    let below = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = below.filter_map(|line| line.strip_prefix("  ")?.split(' ').next().filter(|name| !name.is_empty()));
+    for name in names.filter(|name| *name != "help") {
+        text.push_str(&sections(program, &[command, &[name]].concat())?);
+    }
+    Ok(text)
 }
 
 /// What the program prints.

@@ -8,7 +8,7 @@ use super::question::{AskedQuestion, command};
 use super::*;
 
 /// All commands, in the order of the help.
-const ORDER: [&str; 31] = [
+const ORDER: &[&str] = &[
     "init",
     "point",
     "map",

@@ -19,6 +19,9 @@ pub(crate) use figures::{Figures, ModelArgument};
 pub(crate) use page::Page;
 pub(crate) use question::AskedQuestion;
 
+/// Place in the help of options that every command has: below its own, above `--help`, which clap puts at 999.
+const BELOW_OWN: usize = 900;
+
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]
 #[command(
@@ -33,15 +36,15 @@ pub(crate) struct Arguments {
     pub(crate) command: Commands,
 
     /// Print results and errors only: no notes, no progress.
-    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    #[arg(short, long, global = true, conflicts_with = "verbose", display_order = BELOW_OWN)]
     quiet: bool,
 
     /// Print notes in full.
-    #[arg(short, long, global = true)]
+    #[arg(short, long, global = true, display_order = BELOW_OWN)]
     verbose: bool,
 
     /// Language of reports, findings, notes and errors of a case, en, de or fr; help, data, JSON and most heads are English.
-    #[arg(long, global = true, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true,
+    #[arg(long, global = true, display_order = BELOW_OWN, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true,
           value_parser = languages())]
     language: Language,
 }
