@@ -220,22 +220,7 @@ fn titled(traffic: Traffic) -> (Traffic, Message) {
 }
 
 /// Keys of a record of the rail, and how it is judged.
-const OF_RECORDS: [&str; 14] = [
-    "with",
-    "hold",
-    "spectrum",
-    "ground",
-    "from_limit",
-    "format",
-    "spacing",
-    "height_unit",
-    "position_unit",
-    "rail",
-    "from",
-    "to",
-    "where",
-    "limit",
-];
+const OF_RECORDS: [&str; 7] = ["with", "hold", "spectrum", "ground", "from_limit", "where", "limit"];
 
 impl Question for CompareQuestion {
     const NAME: &'static str = "compare";
@@ -258,7 +243,8 @@ impl Question for CompareQuestion {
         Rule::OneOf(&["speed", "traffic", "posterior"]),
         Rule::Needs(&["speed_deviation"], &["speed"]),
         Rule::Needs(&["earlier"], &["spectrum"]),
-        Rule::Needs(&["dates"], &["earlier"]),
+        Rule::Needs(RecordLayout::KEYS, &["spectrum"]),
+        EarlierRecords::RULE,
         Rule::OneOf(&["ground", "from_limit"]),
         Rule::Needs(&["where"], &["spectrum"]),
     ];

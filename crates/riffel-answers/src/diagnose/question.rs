@@ -167,7 +167,7 @@ impl Question for DiagnoseQuestion {
         Example: riffel diagnose case.toml --roughness profile.csv --speed \"60 km/h..80 km/h\" --earlier last-year.csv\n\n\
         Shares compare the candidates of one list, each taken to be equally likely beforehand; they are no \
         probability that a finding is right.";
-    const RULES: &'static [Rule] = &[Rule::Needs(&["dates"], &["earlier"])];
+    const RULES: &'static [Rule] = &[EarlierRecords::RULE];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         Ok(Box::new(self.diagnosis(asker)?))

@@ -13,7 +13,9 @@ use serde::{Deserialize, Deserializer};
 
 use super::measured_spectra::{Dated, MeasuredSpectra};
 use super::{ForecastAnswer, ForecastHorizon, ForecastRequest, PosteriorForecast, TrackForecast, WearReport};
-use crate::question::{Asker, CaseSource, GroundSource, Question, Rule, Source, date_of, finished_of};
+use crate::question::{
+    Asker, CaseSource, EarlierRecords, GroundSource, Question, RecordLayout, Rule, Source, date_of, finished_of,
+};
 use crate::{Answer, AnswerError, Result, level_limit};
 
 /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
@@ -169,7 +171,8 @@ impl Question for ForecastQuestion {
         The interval of a rail that will be ground: riffel forecast case.toml --traffic traffic.toml --from-limit \"-6 dB\"";
     const RULES: &'static [Rule] = &[
         Rule::Needs(&["where", "date_column", "earlier"], &["spectrum"]),
-        Rule::Needs(&["dates"], &["earlier"]),
+        Rule::Needs(RecordLayout::KEYS, &["spectrum"]),
+        EarlierRecords::RULE,
         Rule::Needs(&["earlier_where", "passages_between"], &["spectrum"]),
         Rule::OneOf(&["ground", "from_limit"]),
         Rule::OneOf(&["passages", "mgt", "months"]),

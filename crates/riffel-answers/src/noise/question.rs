@@ -145,7 +145,7 @@ impl Question for NoiseQuestion {
         Months until a level is reached: riffel noise case.toml --roughness spectra.csv --speed \"140 km/h\" --traffic \
         traffic.toml --months 24 --limit-dba 88";
     const RULES: &'static [Rule] = &[
-        Rule::Needs(&["dates"], &["earlier"]),
+        EarlierRecords::RULE,
         Rule::Needs(&["track_transfer"], &["vehicle_transfer"]),
         Rule::Needs(&["vehicle_transfer"], &["track_transfer"]),
         Rule::OneOf(&["traffic", "posterior"]),

@@ -5,7 +5,7 @@ use riffel_keys::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::question::{Asker, Question};
+use crate::question::{Asker, Question, Rule};
 use crate::roughness::{MeasuredAnswer, ProfileAnswer, RailAnswer, RoughnessQuestion};
 use crate::{Answer, AnswerError, Result};
 
@@ -52,6 +52,7 @@ impl Course {
 impl Question for AlongQuestion {
     const NAME: &'static str = "along";
     const EXAMPLE: &'static str = "";
+    const RULES: &'static [Rule] = RoughnessQuestion::RULES;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let Some(MeasuredAnswer::Profile(roughness)) = self.roughness.measured(asker)? else {

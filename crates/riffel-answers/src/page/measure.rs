@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::diagnose::{DiagnoseQuestion, Diagnosis};
 use crate::forecast::{ForecastAnswer, ForecastQuestion, MeasuredSpectra};
 use crate::page::Fault;
-use crate::question::{Asker, EarlierRecords, Question, Source, of_keys};
+use crate::question::{Asker, EarlierRecords, Question, Rule, Source, of_keys};
 use crate::roughness::{MeasuredAnswer, RoughnessQuestion};
 use crate::{Answer, AnswerError, Result};
 
@@ -119,6 +119,7 @@ impl MeasureQuestion {
 impl Question for MeasureQuestion {
     const NAME: &'static str = "measure";
     const EXAMPLE: &'static str = "";
+    const RULES: &'static [Rule] = DiagnoseQuestion::RULES;
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
         let mut asked = self.clone();

@@ -12,7 +12,7 @@ use riffel_rail::{Elapsed, Layout, LengthUnit, RailDates, ReaderFormat, RecordPa
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
-use super::{Asker, Source};
+use super::{Asker, Rule, Source};
 use crate::{AnswerError, Result};
 
 /// How files of roughness are laid out, and what is taken of them.
@@ -52,6 +52,10 @@ pub struct RecordLayout {
 pub type KeptRecords = Arc<Mutex<BTreeMap<PathBuf, RoughnessFile>>>;
 
 impl RecordLayout {
+    /// Its keys, which mean nothing without a record.
+    pub(crate) const KEYS: &[&str] =
+        &["format", "spacing", "height_unit", "position_unit", "rail", "from", "to", "keep_defects"];
+
     /// What is asked for of a file.
     ///
     /// # Errors
@@ -175,6 +179,9 @@ pub(crate) fn date_of<E: serde::de::Error>(text: &str) -> Result<Date, E> {
 }
 
 impl EarlierRecords {
+    /// Dates are those of several records.
+    pub(crate) const RULE: Rule = Rule::Needs(&["dates"], &["earlier"]);
+
     /// `Ok` if there is a date for each record, each later than the one before, or none at all.
     ///
     /// # Errors

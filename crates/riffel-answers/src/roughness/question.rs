@@ -168,6 +168,7 @@ impl Question for RoughnessQuestion {
         Rule::AnyOf(&["file", "synthesise"]),
         Rule::OneOf(&["file", "synthesise"]),
         Rule::Needs(&["force"], &["synthesise"]),
+        Rule::Needs(RecordLayout::KEYS, &["file"]),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {

@@ -218,10 +218,7 @@ impl Question for SimulateQuestion {
         Rule::Excludes("smooth", &["passages", "traffic", "contact_filter"]),
         Rule::Needs(&["transient"], &["sinusoid"]),
         Rule::Excludes("transient", &["passages", "traffic"]),
-        Rule::Needs(
-            &["format", "spacing", "height_unit", "position_unit", "keep_defects", "rail", "from", "to"],
-            &["profile"],
-        ),
+        Rule::Needs(RecordLayout::KEYS, &["profile"]),
     ];
 
     fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {

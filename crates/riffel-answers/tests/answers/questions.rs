@@ -32,7 +32,6 @@ fn what_is_wrong_is_told_by_its_key() {
         ("keep_defects", json!("yes"), "--keep-defects is \"yes\", but must be true or false"),
         ("height_unit", json!("kg"), "--height-unit: \"kg\" is no unit of length"),
         ("months", json!(3), "--months needs --traffic or --posterior"),
-        ("dates", json!("2026-05-01"), "--dates needs --earlier"),
         ("track_transfer", json!("a"), "--track-transfer needs --vehicle-transfer"),
     ] {
         let told = noise(key, value.clone());
@@ -53,6 +52,29 @@ fn keys_say_what_they_take() {
     assert_eq!(key("keep_defects").kind, Kind::Flag);
     assert!(key("where").takes_many && key("case").is_positional && key("speed").is_required);
     assert_eq!(question("noise").schema()["required"], json!(["case", "roughness", "speed"]));
+}
+
+/// Keys that say how a record is read, and dates, are refused without one wherever there may be none.
+#[test]
+fn what_is_said_of_a_record_needs_one() {
+    let (case, with, speed) = ("none.toml", "none.toml", 30);
+    for (name, mut keys, needs) in [
+        ("report", json!({ "case": case }), "--roughness"),
+        ("simulate", json!({ "case": case, "speed": speed, "smooth": true }), "--profile"),
+        ("compare", json!({ "case": case, "with": with, "speed": speed }), "--spectrum"),
+        ("forecast", json!({ "case": case, "traffic": case }), "--spectrum"),
+        ("roughness", json!({ "synthesise": true }), "<FILE>"),
+    ] {
+        keys["rail"] = json!("left");
+        assert_eq!(refusal(name, &keys), format!("--rail needs {needs}"), "{name}");
+    }
+    for name in ["noise", "diagnose", "measure"] {
+        let mut keys = json!({ "case": case, "roughness": "none.csv", "dates": "2026-05-01" });
+        if name == "noise" {
+            keys["speed"] = json!(speed);
+        }
+        assert_eq!(refusal(name, &keys), "--dates needs --earlier", "{name}");
+    }
 }
 
 /// A list as JSON has one, and as one text.
