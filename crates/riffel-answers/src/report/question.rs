@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use super::working::Working;
 use super::{GENERATOR, Site};
 use crate::diagnose::DiagnosedRail;
-use crate::question::{Asker, Files, GroundSource, Question, Rule, Source};
-use crate::{Answer, Existing, OwnText, Result};
+use crate::question::{Asker, EarlierRecords, Files, GroundSource, Question, RecordLayout, Rule, Source};
+use crate::{Answer, AnswerError, Existing, OwnText, Result};
 
 /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -76,6 +76,36 @@ pub struct ReportQuestion {
     force: bool,
 }
 
+impl ReportQuestion {
+    /// The first option that is for rolling noise, with its value.
+    pub(super) fn of_noise(&self) -> Option<(&'static str, String)> {
+        let options = [
+            ("--limit-dba", self.limit_dba.map(|limit| limit.to_string())),
+            ("--wheel-roughness", self.wheel_roughness.clone()),
+            ("--wheel-modes", self.wheel_modes.clone()),
+        ];
+        options.into_iter().find_map(|(option, value)| Some((option, value?)))
+    }
+
+    /// The first option that is for a section with a limit of levels.
+    pub(super) fn needs_levels(&self) -> Option<&'static str> {
+        let options = [
+            ("--with", !self.variants.is_empty()),
+            ("--ground", self.ground.ground.is_some()),
+            ("--from-limit", self.ground.from_limit.is_some()),
+            ("--months", self.months.is_some()),
+        ];
+        let option = options.into_iter().find_map(|(option, is_given)| is_given.then_some(option));
+        option.or_else(|| Some(self.of_noise()?.0))
+    }
+
+    /// The error of an option that needs a limit of levels, where there is none.
+    pub(super) fn without_levels(&self, option: &str) -> AnswerError {
+        let rule = format!("a limit of levels where there is a {option}");
+        AnswerError::argument("--limit", self.limit.join(", "), rule)
+    }
+}
+
 /// A report as a page of HTML.
 #[derive(Serialize)]
 struct ReportAnswer {
@@ -95,18 +125,19 @@ impl Question for ReportQuestion {
         interval lies above zero the whole report goes by it in place of that of the case.";
     const RULES: &'static [Rule] = &[
         Rule::Needs(&["set", "posterior"], &["case"]),
-        Rule::Needs(
-            &["format", "spacing", "height_unit", "position_unit", "rail", "from", "to", "keep_defects", "earlier"],
-            &["roughness"],
-        ),
-        Rule::Needs(&["dates"], &["earlier"]),
-        Rule::Needs(&["where", "by", "speed", "torsion", "bending", "from_vehicle"], &["roughness"]),
-        Rule::Needs(&["with"], &["case"]),
+        Rule::Needs(RecordLayout::KEYS, &["roughness"]),
+        EarlierRecords::RULE,
+        Rule::Needs(&["earlier", "where", "by", "speed", "torsion", "bending", "from_vehicle"], &["roughness"]),
+        Rule::Needs(&["earlier", "speed", "torsion", "bending", "from_vehicle", "traffic", "with"], &["case"]),
         Rule::Needs(&["hold"], &["with"]),
         Rule::OneOf(&["ground", "from_limit"]),
+        Rule::Needs(&["ground", "from_limit"], &["traffic", "with"]),
         Rule::Needs(&["months"], &["traffic"]),
+        Rule::Needs(&["months"], &["roughness", "posterior"]),
         Rule::Needs(&["keep_coefficient"], &["case"]),
         Rule::Needs(&["passages_between", "limit_dba"], &["traffic"]),
+        Rule::Needs(&["wheel_roughness", "wheel_modes", "limit_dba"], &["roughness"]),
+        Rule::Needs(&["wheel_roughness", "wheel_modes"], &["case"]),
         Rule::AnyOf(&["roughness", "case"]),
     ];
     const FILES: Files = Files::Text;

@@ -48,7 +48,10 @@ impl<'a> Working<'a> {
         let first = limits.iter().position(is_of_levels);
         // Tables that are named stand in the order of their names.
         let level_limit = first.map(|place| question.limit.get(place).unwrap_or(&limits[place].name).clone());
-        Ok(Self { question, asker, limits, level_limit })
+        match question.needs_levels().filter(|_| level_limit.is_none()) {
+            Some(option) => Err(question.without_levels(option)),
+            None => Ok(Self { question, asker, limits, level_limit }),
+        }
     }
 
     /// The page.
@@ -146,13 +149,7 @@ impl<'a> Working<'a> {
 
     /// What becomes of the rail over the draws of a calibration.
     fn forecast_over(&self, plan: &Plan, chains: &Chains) -> Result<PosteriorForecast> {
-        let limit = self.level_limit.as_ref().ok_or_else(|| {
-            AnswerError::argument(
-                "--limit",
-                self.question.limit.join(", "),
-                "a limit of levels where there is a --posterior",
-            )
-        })?;
+        let limit = self.level_limit.as_ref().ok_or_else(|| self.question.without_levels("--posterior"))?;
         let months = self.question.months.unwrap_or(MONTHS_OF_NOISE);
         Ok(PosteriorForecast::new(plan, chains, &level_limit(limit)?, months)?)
     }
@@ -206,8 +203,15 @@ impl<'a> Working<'a> {
             wheel_modes: self.question.wheel_modes.clone(),
             ..NoiseQuestion::of_a_coach(given.case.clone(), now.survey.clone(), now.speed, limit)?
         };
-        // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
-        Ok(question.answer_over(draws, self.asker).map_err(|error| error.message()))
+        let asked = self.question.of_noise();
+        if let (Some((option, value)), Some(why)) = (&asked, given.case.without_decay()) {
+            return Err(AnswerError::argument(option, value, format!("left out: {why}")));
+        }
+        match question.answer_over(draws, self.asker) {
+            Err(error) if asked.is_some() => Err(error),
+            // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
+            answer => Ok(answer.map_err(|error| error.message())),
+        }
     }
 
     /// What would help, with what is measured now if anything is.

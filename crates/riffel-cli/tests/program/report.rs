@@ -273,6 +273,24 @@ fn bad_input_is_refused_and_leaves_nothing() {
         ("--roughness profile.csv --with soft.toml", "CASE"),
         ("", "--roughness or <CASE> is missing"),
         ("cases/nominal.toml --speed \"80 km/h\"", "--roughness"),
+        // What is asked for and cannot be told is not left out.
+        ("cases/nominal.toml --wheel-modes straight-web-920", "--wheel-modes needs --roughness"),
+        ("cases/bhaskar-track.toml --roughness profile.csv --wheel-modes none", "none: no wheel has this name"),
+        (
+            "cases/nominal.toml --roughness profile.csv --wheel-modes straight-web-920",
+            "--wheel-modes is straight-web-920, but must be left out: the rail of track.model",
+        ),
+        (
+            "cases/bhaskar-track.toml --roughness profile.csv --wheel-roughness none",
+            "--wheel-roughness is \"none\", but must be",
+        ),
+        ("cases/nominal.toml --roughness profile.csv --from-limit -3", "--from-limit needs --traffic or --with"),
+        ("--roughness profile.csv --traffic cases/traffic.toml", "--traffic needs <CASE>"),
+        ("--roughness profile.csv --torsion 40", "--torsion needs <CASE>"),
+        (
+            "cases/nominal.toml --with cases/soft-pads.toml --limit grassie-1999",
+            "--limit is grassie-1999, but must be a limit of levels where there is a --with",
+        ),
         ("cases/nominal.toml --roughness profile.csv -o no/such/folder.html", "cannot write"),
     ] {
         let outcome = sandbox.riffel(&format!("report {arguments}"));
