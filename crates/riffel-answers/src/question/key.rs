@@ -161,6 +161,11 @@ impl Key {
         parts.map(|one| self.read_one(one)).collect()
     }
 
+    /// What one value must be, or a list of them where it takes one.
+    fn or_many(&self, one: &str) -> String {
+        format!("{one}{}", if self.takes_many { ", or a list of them" } else { "" })
+    }
+
     fn read_one(&self, value: Value) -> Result<Value, String> {
         let rule = match (&self.kind, value) {
             (Kind::Flag, value @ Value::Bool(_)) => return Ok(value),
@@ -190,14 +195,15 @@ impl Key {
             }
             (Kind::Choice(words), Value::String(word)) => match words.iter().any(|[one, _]| *one == word) {
                 true => return Ok(word.into()),
-                false => {
-                    let words = words.iter().map(|[word, _]| word.as_str()).collect::<Vec<_>>();
-                    (word.into(), format!("one of {}", words.join(", ")))
-                }
+                false => (word.into(), one_of(words)),
             },
             (Kind::Flag, value) => (value, "true or false".to_owned()),
             (Kind::Number, value) => (value, "a number".to_owned()),
-            (_, value) => (value, "a number, a text or a list of them as `riffel schema --question` has it".to_owned()),
+            (Kind::Choice(words), value) => (value, one_of(words)),
+            (Kind::Text { or_number: true }, value) => (value, self.or_many("a number or a text")),
+            (Kind::Text { .. }, value) if self.is_path => (value, self.or_many("the path of a file or a folder")),
+            (Kind::Text { .. }, value) => (value, self.or_many("a text")),
+            (Kind::File, value) => (value, self.or_many("the path of a file or an object with what stands in it")),
         };
         let (value, rule) = rule;
         let value = match (&self.kind, value) {
@@ -206,6 +212,12 @@ impl Key {
         };
         Err(format!("{} is {value}, but must be {rule}", self.option()))
     }
+}
+
+/// The rule of a choice.
+fn one_of(words: &[[String; 2]]) -> String {
+    let words: Vec<&str> = words.iter().map(|[word, _]| word.as_str()).collect();
+    format!("one of {}", words.join(", "))
 }
 
 impl Kind {
