@@ -1682,6 +1682,7 @@ is-no-list = ist keine Liste, wie es sein muss
 is-but-must-be = ist { $value }, muss aber { $rule } sein
 is-missing = fehlt
 whole-number = eine ganze Zahl, null oder mehr
+some-number = eine Zahl
 quoted-text = ein Text in Anführungszeichen
 true-or-false = true oder false
 some-list = eine Liste

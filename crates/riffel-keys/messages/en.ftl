@@ -1689,6 +1689,7 @@ is-no-list = is not a list, as it must be
 is-but-must-be = is { $value }, but must be { $rule }
 is-missing = is missing
 whole-number = a whole number, zero or more
+some-number = a number
 quoted-text = a text in quotes
 true-or-false = true or false
 some-list = a list

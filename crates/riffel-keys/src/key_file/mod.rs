@@ -347,8 +347,10 @@ impl KeyFile {
             return None;
         }
         let kind = match expected {
+            "f32" | "f64" => say!(some_number),
             "u8" | "u16" | "u32" | "u64" | "usize" => say!(whole_number),
-            "a string" => say!(quoted_text),
+            // The second of a choice among texts.
+            "a string" | "string only" => say!(quoted_text),
             "a boolean" => say!(true_or_false),
             other => {
                 let mut kinds = KINDS.iter().map(Kind::expected);
