@@ -10,6 +10,8 @@ use riffel_plot::PlotError;
 use riffel_study::StudyError;
 use thiserror::Error;
 
+use crate::QUESTIONS;
+
 /// An answer or a part of it, or why there is none.
 pub type Result<T, E = AnswerError> = std::result::Result<T, E>;
 
@@ -72,9 +74,7 @@ pub enum AnswerError {
 
     /// A key of a question is unknown, missing or of the wrong kind.
     #[error("{message}")]
-    #[diagnostic(help(
-        "`riffel {question} --help` says what each takes, `riffel schema --question {question}` as JSON"
-    ))]
+    #[diagnostic(help("{}", keys_are_told_by(question)))]
     Question {
         /// The name of the question.
         question: &'static str,
@@ -165,6 +165,16 @@ pub enum AnswerError {
     /// The gridded file cannot be written.
     #[error("cannot write the gridded file: {0}")]
     Grid(String),
+}
+
+/// What says which keys a question takes: those of the page are no commands.
+fn keys_are_told_by(question: &str) -> String {
+    match QUESTIONS.iter().any(|known| known.name() == question) {
+        true => {
+            format!("`riffel {question} --help` says what each takes, `riffel schema --question {question}` as JSON")
+        }
+        false => format!("`riffel schema --question {question}` says as JSON what each takes"),
+    }
 }
 
 impl From<CalibrationError> for AnswerError {

@@ -184,6 +184,16 @@ fn what_is_wrong_is_one_line_of_json() {
     }
 }
 
+/// What the page asks is no command, and its help names none.
+#[test]
+fn a_question_of_the_page_is_told_by_its_schema() {
+    let sandbox = Sandbox::new();
+    let refused = ask(&sandbox, "along", "{}");
+    let help = said(&refused)[0]["error"]["help"].take();
+    assert_eq!(help, "`riffel schema --question along` says as JSON what each takes");
+    assert_eq!(sandbox.json("schema --question along")["title"], "riffel ask along");
+}
+
 #[test]
 fn the_schema_of_a_question_has_its_keys() {
     let sandbox = Sandbox::new();
