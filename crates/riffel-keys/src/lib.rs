@@ -23,6 +23,7 @@ mod binary_format;
 mod error;
 mod excerpt;
 mod given_text;
+mod json;
 mod key_file;
 mod language;
 pub mod message;

@@ -11,7 +11,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use serde_json::{Map, Value};
 
+use crate::json::Unambiguous;
 use crate::standard_input::{LARGEST_RESPONSES, standard_input};
+use crate::{Message, say};
 
 /// A value of any type.
 type Shared = Arc<dyn Any + Send + Sync>;
@@ -85,10 +87,23 @@ pub fn read() -> io::Result<Map<String, Value>> {
         let most = LARGEST_RESPONSES >> 20;
         return Err(wrong(format!("the question is larger than {most} MiB")));
     }
-    match serde_json::from_slice(&bytes) {
-        Ok(Value::Object(question)) => Ok(question),
-        Ok(_) => Err(wrong("the question is not a JSON object")),
-        Err(error) => Err(wrong(format!("the question is not JSON: {error}"))),
+    of_json(&bytes).map_err(|message| wrong(message.to_string()))
+}
+
+/// A question of its JSON.
+///
+/// # Errors
+/// A [`Message`] if it is not a JSON object, or names a key twice.
+pub fn of_json(bytes: &[u8]) -> Result<Map<String, Value>, Message> {
+    match serde_json::from_slice(bytes) {
+        Ok(Unambiguous(Value::Object(question))) => Ok(question),
+        Ok(_) => Err("the question is not a JSON object".into()),
+        Err(error) if error.is_data() => {
+            let told = error.to_string();
+            let (key, _) = told.rsplit_once(" at line ").unwrap_or((&told, ""));
+            Err(say!(key_is_given_twice, key, line = error.line()))
+        }
+        Err(error) => Err(format!("the question is not JSON: {error}").into()),
     }
 }
 
@@ -168,6 +183,19 @@ mod tests {
         assert_eq!((value(&paths[1]).as_deref(), as_toml(&paths[1]).is_none()), (Some(&2.5), true));
         drop(one);
         assert_eq!(paths.each_ref().map(|path| holds(path)), [false, true]);
+    }
+
+    #[test]
+    fn a_key_that_is_given_twice_is_refused() {
+        let told = |json: &str| of_json(json.as_bytes()).unwrap_err().to_string();
+        assert_eq!(told(r#"{ "speed": 30, "speed": 20 }"#), "`speed` is given twice, the second time in line 1");
+        let nested = "{ \"traffic\": { \"vehicle\": [{ \"share\": 1,\n \"share\": 1 }] } }";
+        assert_eq!(told(nested), "`share` is given twice, the second time in line 2");
+        let same = r#"{ "a": { "x": -1 }, "b": [{ "x": 1.5 }, { "x": null }, true, "text", 18446744073709551615] }"#;
+        assert_eq!(
+            of_json(same.as_bytes()).unwrap(),
+            *serde_json::from_str::<Value>(same).unwrap().as_object().unwrap()
+        );
     }
 
     #[test]

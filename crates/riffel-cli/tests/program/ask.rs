@@ -150,6 +150,7 @@ fn what_is_wrong_is_one_line_of_json() {
         ("serve", "{}".to_owned(), "NAME is serve, but"),
         ("point", "[1]".to_owned(), "the question is not a JSON object"),
         ("point", "{".to_owned(), "the question is not JSON: EOF"),
+        ("point", format!("{{{point}, \"speed\": 20}}"), "`speed` is given twice, the second time in line 1"),
         ("point", String::new(), "the question is not JSON: EOF"),
         ("point", r#"{"help": true}"#.to_owned(), "`help` is not a key of point"),
         ("point", format!("{{{point}, \"wavelength\": 0.05, \"quiet\": true}}"), "`quiet` is not a key of point"),

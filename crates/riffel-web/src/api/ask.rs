@@ -11,14 +11,14 @@ use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use riffel_answers::page::{CaseText, check_bounds};
 use riffel_answers::question::{AnyQuestion, Files, Kind, known};
-use riffel_keys::question::without_null;
+use riffel_keys::question::{of_json, without_null};
 use riffel_keys::{Language, say};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use crate::Page;
 use crate::fault::{Fault, Refusal, file_is_gone};
-use crate::request::{Asked, Asker};
+use crate::request::{AskedJson, Asker};
 use crate::uploads::{Sent, Uploads};
 use crate::workspace::Workspace;
 
@@ -64,9 +64,10 @@ pub(crate) async fn post(
     Path(name): Path<String>,
     asker: Asker,
     headers: HeaderMap,
-    Asked(keys): Asked<Map<String, Value>>,
+    AskedJson(json): AskedJson,
 ) -> Result<Answer, Refusal> {
     let question = known(&name).map_err(Fault::from)?;
+    let keys = of_json(&json).map_err(Fault::bad)?;
     let language = headers.get(header::ACCEPT_LANGUAGE).and_then(|code| code.to_str().ok());
     let language = Language::ALL.iter().find(|one| Some(one.code()) == language).copied().unwrap_or_default();
     let sent = asker.owner().and_then(|owner| page.uploads.of(&owner)).ok();

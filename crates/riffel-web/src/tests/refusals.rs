@@ -102,6 +102,10 @@ async fn a_question_about_a_file_needs_that_file() {
     assert_eq!(asked("noise", &body).await.status, StatusCode::INTERNAL_SERVER_ERROR);
     body["roughness"]["upload"] = json!(2);
     assert_eq!(asked("noise", &body).await.status, StatusCode::GONE);
+    let twice = question("/api/ask/noise", r#"{ "speed": 30, "case": { "a": 1, "a": 2 } }"#);
+    let twice = send(&page, twice).await;
+    assert_eq!(twice.status, StatusCode::UNPROCESSABLE_ENTITY);
+    assert_eq!(twice.message(), "`a` is given twice, the second time in line 1");
     let unknown = asked("sound", &body).await;
     assert!(unknown.message().starts_with("NAME is sound, but must be one of point, "), "{}", unknown.message());
 }
