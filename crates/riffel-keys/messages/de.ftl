@@ -1985,6 +1985,7 @@ newer-request = eine neuere Anfrage ist an die Stelle dieser getreten
 page-asks-again = die Seite fragt von selbst noch einmal
 defect-of-riffel = das ist ein Fehler von Riffel; der Fall in der Adresszeile zeigt ihn wieder
 key-is-given-twice = `{ $key }` steht zweimal da, zum zweiten Mal in Zeile { $line }
+place-is-not-for-a-page = `{ $key }` ist ein Ort auf der Platte und nicht für eine Seite: weglassen
 page-misunderstood = Seite und Programm verstehen einander nicht
 reload-page = die Seite neu laden: vielleicht ist sie älter als das Programm
 

@@ -1992,6 +1992,7 @@ newer-request = a newer request has taken the place of this one
 page-asks-again = the page asks again by itself
 defect-of-riffel = this is a defect of Riffel; the case in the address bar reproduces it
 key-is-given-twice = `{ $key }` is given twice, the second time in line { $line }
+place-is-not-for-a-page = `{ $key }` is a place on the disk and not for a page: leave it out
 page-misunderstood = the page and the program do not understand each other
 reload-page = reload the page: it may be older than the program
 

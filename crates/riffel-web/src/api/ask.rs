@@ -103,7 +103,7 @@ fn check(question: &dyn AnyQuestion, keys: &Map<String, Value>) -> Result<(), Fa
     let places = question.keys().iter().filter(|key| key.is_path && key.kind != Kind::File);
     let mut places = places.map(|key| key.name.as_str()).chain(["output"]);
     if let Some(place) = places.find(|place| keys.contains_key(*place)) {
-        return Err(Fault::misunderstood(&format!("{place} is not for a page")));
+        return Err(Fault::bad(say!(place_is_not_for_a_page, key = place)));
     }
     check_bounds(keys)?;
     // Its faults have the key of the form.
@@ -123,7 +123,7 @@ fn placed(
 ) -> Result<(Map<String, Value>, Workspace), Fault> {
     let files = Workspace::within(sent.map_or(uploads.place(), Sent::folder))?;
     let mut places = Places { sent, files: &files, of_uploads: BTreeMap::new() };
-    keys.values_mut().try_for_each(|value| places.put(value))?;
+    keys.iter_mut().try_for_each(|(key, value)| places.put(key, value))?;
     Ok((keys, files))
 }
 
@@ -136,9 +136,9 @@ struct Places<'a> {
 
 impl Places<'_> {
     /// Put a file of the page into the folder, and its name there in the place of what stands for it.
-    fn put(&mut self, value: &mut Value) -> Result<(), Fault> {
+    fn put(&mut self, key: &str, value: &mut Value) -> Result<(), Fault> {
         if let Value::Array(list) = value {
-            return list.iter_mut().try_for_each(|one| self.put(one));
+            return list.iter_mut().try_for_each(|one| self.put(key, one));
         }
         let place = match FileOfPage::deserialize(&*value) {
             Ok(FileOfPage::Sent { upload, name }) => {
@@ -152,6 +152,9 @@ impl Places<'_> {
                 }
             }
             Ok(FileOfPage::Written { text, name }) => self.files.put_text(&text, &name)?,
+            Err(_) if value["name"].is_null() && (value["upload"].is_u64() || value["text"].is_string()) => {
+                return Err(Fault::bad(say!(key_as_subject, key = format!("{key}.name"), rule = say!(is_missing))));
+            }
             Err(_) => return Ok(()),
         };
         *value = place.into();

@@ -100,6 +100,14 @@ async fn a_question_about_a_file_needs_that_file() {
     assert_eq!(sent.json(), json!({ "upload": 1, "bytes": 23 }));
     // Without the program the page says so; it does not break off.
     assert_eq!(asked("noise", &body).await.status, StatusCode::INTERNAL_SERVER_ERROR);
+    for nameless in [json!({ "upload": 1 }), json!({ "text": "0,1" })] {
+        let body = json!({ "case": body["case"], "roughness": nameless, "speed": "25 m/s" });
+        let answer = asked("noise", &body).await;
+        assert_eq!(
+            (answer.status, &*answer.message()),
+            (StatusCode::UNPROCESSABLE_ENTITY, "`roughness.name` is missing")
+        );
+    }
     body["roughness"]["upload"] = json!(2);
     assert_eq!(asked("noise", &body).await.status, StatusCode::GONE);
     let twice = question("/api/ask/noise", r#"{ "speed": 30, "case": { "a": 1, "a": 2 } }"#);
@@ -121,8 +129,8 @@ async fn a_question_stays_within_what_the_page_computes() {
         (json!({ "block": "5 mm" }), "--block is 0.005, but must be from 1 to 1000000"),
         (json!({ "case": case }), "2000"),
         // No question of a page says where to write.
-        (json!({ "posterior": "/tmp" }), "do not understand"),
-        (json!({ "output": "/tmp/results" }), "do not understand"),
+        (json!({ "posterior": "/tmp" }), "`posterior` is a place on the disk and not for a page: leave it out"),
+        (json!({ "output": "/tmp/results" }), "`output` is a place on the disk and not for a page: leave it out"),
     ] {
         let answer = ask("/api/ask/noise", &body).await;
         assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{words}");
