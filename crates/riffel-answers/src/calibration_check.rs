@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use riffel_calibrate::{Checked, Plan, Ranked, Simulated};
+use riffel_calibrate::{Checked, LEAST_RUNS, Plan, Ranked, Simulated};
 use riffel_keys::{Message, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use schemars::JsonSchema;
@@ -24,7 +24,7 @@ pub struct CheckQuestion {
     #[schemars(with = "Source<()>", extend("positional" = true))]
     plan: PathBuf,
     /// Number of simulations, 20 at least.
-    #[schemars(extend("value_name" = "N", "default" = 200))]
+    #[schemars(range(min = LEAST_RUNS), extend("value_name" = "N", "default" = 200))]
     runs: u64,
     /// Folder for the table and the picture of the ranks; left out, none are written.
     #[schemars(with = "Option<String>", extend("value_name" = "DIR", "path" = true))]

@@ -73,5 +73,5 @@ pub use prior::Prior;
 pub use rail_draw::growing_bands;
 pub use results::Results;
 pub use run::{Progress, finished};
-pub use simulated::{Checked, RANKED, Ranked, Simulated};
+pub use simulated::{Checked, LEAST_RUNS, RANKED, Ranked, Simulated};
 pub use summary::{Marginal, Summary, TOLD};

@@ -20,8 +20,8 @@ use crate::sampling::Sampling;
 
 /// Draws that a value is ranked among.
 pub const RANKED: usize = 99;
-/// Fewest simulations: ten to each of two bins.
-const LEAST_RUNS: u64 = 20;
+/// Fewest simulations: ten to each of two bins; fewer ranks show no unevenness.
+pub const LEAST_RUNS: u64 = 20;
 /// Most and fewest bins of the ranks, and those between: all divide the ranks that there are.
 const BINS: [usize; 5] = [20, 10, 5, 4, 2];
 /// Fewest ranks that are expected in a bin, so that χ² is one.
@@ -114,11 +114,6 @@ impl Simulated {
             return refuse(format!(
                 "sampler.draws is {}, but the truth is ranked among {RANKED} draws of a chain",
                 sampler.draws
-            ));
-        }
-        if runs < LEAST_RUNS {
-            return refuse(format!(
-                "--runs is {runs}, but must be {LEAST_RUNS} or more: fewer ranks show no unevenness"
             ));
         }
         let limits = limits(&plan.posterior, limit);
