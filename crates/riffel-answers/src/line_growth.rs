@@ -207,7 +207,7 @@ impl FastestGrowth {
             )
         });
         let reported =
-            per_day.and_then(|per_day| reported_growth(self.wavelength_m, self.growth_rate_per_passage, per_day));
+            per_day.and_then(|per_day| reported_growth(case, self.wavelength_m, self.growth_rate_per_passage, per_day));
         edge.into_iter().chain(reported)
     }
 

@@ -84,6 +84,7 @@ impl KeptState {
                 ratio = number(format_args!("{:.2}", self.steady.forces.longitudinal / self.limit)),
                 most = number(format_args!("{:.3}", 1e-3 * self.limit))
             ),
+            Hold::Ratio if self.steady.slides() => say!(slides_without_creepage),
             Hold::Ratio => say!(
                 at_the_tractive_ratio_of,
                 ratio = number(format_args!("{:.3}", self.steady.tractive_ratio())),
@@ -97,12 +98,17 @@ impl KeptState {
                 )
             }
         };
-        let others = [Hold::Force, Hold::Ratio, Hold::Creepage].into_iter();
-        let others: Vec<&str> = others.filter(|hold| *hold != self.hold).map(Hold::name).collect();
-        format!(
-            "what it holds is out of reach: {state}; choose --hold {}, or give contact.tractive_ratio with the change",
-            others.join(" or --hold ")
-        )
+        // A wheel that slides keeps its creepage alone.
+        let (holds, key) = match self.steady.slides() {
+            true => (&[Hold::Creepage][..], "contact.creepage"),
+            false => (&[Hold::Force, Hold::Ratio, Hold::Creepage][..], "contact.tractive_ratio"),
+        };
+        let others: Vec<&str> = holds.iter().filter(|hold| **hold != self.hold).map(|hold| hold.name()).collect();
+        let choose = match others.is_empty() {
+            true => String::new(),
+            false => format!("choose --hold {}, or ", others.join(" or --hold ")),
+        };
+        format!("what it holds is out of reach: {state}; {choose}give {key} with the change")
     }
 }
 

@@ -301,7 +301,9 @@ badge-assumed = angenommen
 
 ## Traffic
 
-growth-faster-than-any-seen = das Wachstum bei { $wavelength } mm ist schneller als bei jeder bekannten Bahn: Wellenlängen und Reihenfolge gelten, die Rate nicht; die schnellste hier bekannte Amplitude verdoppelte sich in { $known } Tagen, in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und { KEY("wear.coefficient") } prüfen
+growth-faster-than-any-seen = das Wachstum bei { $wavelength } mm ist schneller als bei jeder bekannten Bahn: Wellenlängen und Reihenfolge gelten, die Rate nicht; die schnellste hier bekannte Amplitude verdoppelte sich in { $known } Tagen, in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); { $keys } prüfen
+keys-of-traction = tractive_ratio, traction_share (der Anteil der Achsen darunter) und { KEY("wear.coefficient") }
+keys-of-sliding = creepage, traction_share (der Anteil der Achsen darunter) und { KEY("wear.coefficient") }
 
 ## Wem die schnellste Wellenlänge folgt
 
@@ -1716,6 +1718,7 @@ supports-of-the-rail-or-a = Stützpunkte der Schiene: { $keys } oder ein { KEY("
 a-rail-that-moves-across-the = eine Schiene, die sich quer zum Gleis bewegt: { $keys }
 narrow-the-window-or-measure-further = das Fenster enger machen oder weiter messen
 the-traction-force-of-kn-on = die Zugkraft von { $force } kN an einem Rad ist das { $ratio }-fache dessen, was die Reibung trägt, μP₀ = { $most } kN
+slides-without-creepage = wo der ganze Kontakt gleitet, sagt die Kraftschlussausnutzung keinen Schlupf
 at-the-tractive-ratio-of = bei der Kraftschlussausnutzung { $ratio }: { $reason }
 at-the-creepage-of = beim Schlupf von { $creepage } %: { $reason }
 hold-is-but-must-be-force = hold ist "{ $name }", muss aber force, ratio oder creepage sein

@@ -308,7 +308,9 @@ badge-assumed = assumed
 
 ## Traffic
 
-growth-faster-than-any-seen = growth at { $wavelength } mm is faster than any railway known: wavelengths and order hold, the rate does not; the fastest amplitude known here doubled in { $known } days, in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and { KEY("wear.coefficient") }
+growth-faster-than-any-seen = growth at { $wavelength } mm is faster than any railway known: wavelengths and order hold, the rate does not; the fastest amplitude known here doubled in { $known } days, in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check { $keys }
+keys-of-traction = tractive_ratio, traction_share (the share of axles under it) and { KEY("wear.coefficient") }
+keys-of-sliding = creepage, traction_share (the share of axles under it) and { KEY("wear.coefficient") }
 
 ## What the fastest wavelength follows
 
@@ -1723,6 +1725,7 @@ supports-of-the-rail-or-a = supports of the rail: { $keys } or a { KEY("track.pr
 a-rail-that-moves-across-the = a rail that moves across the track: { $keys }
 narrow-the-window-or-measure-further = narrow the window, or measure further
 the-traction-force-of-kn-on = the traction force of { $force } kN on a wheel is { $ratio } times what friction can carry, μP₀ = { $most } kN
+slides-without-creepage = where all of the contact slides, a tractive ratio tells no creepage
 at-the-tractive-ratio-of = at the tractive ratio of { $ratio }, { $reason }
 at-the-creepage-of = at the creepage of { $creepage } %, { $reason }
 hold-is-but-must-be-force = hold is "{ $name }", but must be force, ratio or creepage

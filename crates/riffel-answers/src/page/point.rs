@@ -112,7 +112,7 @@ impl crate::page::Question for Question {
         let spectrum = Spectrum::new(&case, speed);
         let usual = || UsualTraffic::of(&case).passages_per_day;
         let daily = self.passages_per_day.unwrap_or_else(usual);
-        let reported = reported_growth(wavelength, state.growth_rate, daily);
+        let reported = reported_growth(&case, wavelength, state.growth_rate, daily);
         Reply::json(&Answer {
             reported_growth: reported,
             state: Turn {

@@ -205,7 +205,7 @@ impl PointAnswer {
         let stability = case.stability(speed).map(StabilityDocument::from);
         let oscillates = stability.as_ref().is_some_and(|it| it.oscillates());
         let per_day = UsualTraffic::of(case).passages_per_day;
-        let reported = reported_growth(wavelength, state.growth_rate, per_day);
+        let reported = reported_growth(case, wavelength, state.growth_rate, per_day);
         let reported_growth = reported.filter(|_| !oscillates);
         let remarks = reported_growth.iter().cloned().chain(case.remarks_at_point(wavelength, speed));
         Ok(Self {

@@ -97,7 +97,7 @@ impl Traffic {
         let line = self.file.line;
         let of_mgt = |mgt: f64| growth.passages(mgt) / DAYS_PER_YEAR;
         let passages_per_day = line.passages_per_day.or(line.mgt_per_year.map(of_mgt));
-        let reported = passages_per_day.and_then(|per_day| reported_growth::remark(&growth, per_day));
+        let reported = passages_per_day.and_then(|per_day| reported_growth::remark(case, &growth, per_day));
         if growth.depends_on_amplitude() {
             let amplitude = 1e6 * case.feedback.amplitude();
             remarks.push(say!(rates_follow_amplitude, amplitude = fixed(amplitude, 1)));

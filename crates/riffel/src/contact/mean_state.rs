@@ -54,6 +54,11 @@ impl MeanRolling {
         self.forces.magnitude() / (self.friction * self.normal_force)
     }
 
+    /// Whether all of the contact slides: its tractive ratio is 1, which belongs to no creepage.
+    pub fn slides(&self) -> bool {
+        self.tractive_ratio() > 1.0 - 1e-6
+    }
+
     /// Energy dissipated per metre of rail, e₀ = ξ₀·Q₀ \[J/m\], without the work of a spin moment; the power is
     /// W₀ = V e₀, equation (8).
     pub fn energy_per_metre(&self) -> f64 {
