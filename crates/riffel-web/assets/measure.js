@@ -243,7 +243,8 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     if (!answer) return false;
     report.disabled = true;
     try {
-      save(await (await askOnce('/api/ask/report', reportQuestion(), { 'Accept-Language': currentLanguage() })).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
+      const { page } = await json(await askOnce('/api/ask/report', reportQuestion(), { 'Accept-Language': currentLanguage() }));
+      save(new Blob([page], { type: 'text/html' }), `${file.name.replace(/\.\w+$/, '')}-report.html`);
     } finally {
       report.disabled = false;
     }

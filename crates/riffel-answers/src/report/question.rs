@@ -153,6 +153,10 @@ impl Answer for ReportAnswer {
         "report"
     }
 
+    fn has_files(&self) -> bool {
+        false
+    }
+
     fn own_text(&self) -> Option<OwnText<'_>> {
         Some(OwnText {
             path: Some(&self.path),

@@ -1,6 +1,7 @@
 //! A question that is data: its answer, handed out.
 
 use riffel_answers::AnswerError;
+use riffel_answers::question::Files;
 
 use crate::arguments::AskedQuestion;
 use crate::messages::{complain, language};
@@ -33,7 +34,11 @@ pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
         }
         answer => answer?,
     };
-    if let Some(text) = answer.own_text() {
+    // A text that is the whole answer stands in the document of a question in JSON, and in a file only where one is named.
+    let in_document = asked.json && asked.question.files() == Files::Text;
+    let text = answer.own_text().filter(|_| !in_document || asked.output.is_some());
+    if let Some(mut text) = text {
+        text.written = text.written.filter(|_| !in_document);
         put(&text)?;
         if text.is_all() {
             return Ok(0);

@@ -98,9 +98,14 @@ fn documents_stand_in_place_of_files() {
     let by_files = answer(&sandbox, "noise", &files);
     assert_eq!(by_files, answer(&sandbox, "noise", &documents));
     assert!(by_files["course"]["months_to_limit"].is_null());
-    let report = json!({ "case": documents["case"], "output": "report.html" });
-    assert!(ask(&sandbox, "report", &report.to_string()).status.success());
-    assert!(read("report.html").contains("<td>case</td>"));
+    // The page of a report is its document, and a file only where one is named.
+    let mut report = json!({ "case": documents["case"] });
+    let page = answer(&sandbox, "report", &report)["page"].take();
+    assert!(page.as_str().unwrap().contains("<td>case</td>"));
+    assert!(!sandbox.path("report.html").exists());
+    report["output"] = "named.html".into();
+    assert_eq!(answer(&sandbox, "report", &report)["page"], page);
+    assert_eq!(page, read("named.html"));
     // What is wrong in a document is told by its key.
     documents["traffic"]["vehicle"][0]["share"] = json!(0.5);
     let refused = ask(&sandbox, "noise", &documents.to_string());

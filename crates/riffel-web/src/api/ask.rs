@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
 use axum::extract::{Path, State};
-use axum::http::{HeaderMap, HeaderValue, header};
-use axum::response::{IntoResponse, Response};
+use axum::http::{HeaderMap, header};
+use axum::response::IntoResponse;
 use riffel_answers::page::{CaseText, check_bounds};
-use riffel_answers::question::{AnyQuestion, Files, Kind, known};
+use riffel_answers::question::{AnyQuestion, Kind, known};
 use riffel_keys::question::{of_json, without_null};
 use riffel_keys::{Language, say};
 use serde::Deserialize;
@@ -37,35 +37,13 @@ enum FileOfPage {
     Written { text: String, name: String },
 }
 
-/// What the process hands out.
-pub(crate) enum Answer {
-    /// JSON.
-    Document(String),
-    /// Text in columns.
-    Table(String),
-    /// A page for the disk of the user, not for this origin to show.
-    File(String),
-}
-
-impl IntoResponse for Answer {
-    fn into_response(self) -> Response {
-        let kind = |kind| (header::CONTENT_TYPE, HeaderValue::from_static(kind));
-        let attached = (header::CONTENT_DISPOSITION, HeaderValue::from_static("attachment"));
-        match self {
-            Self::Document(text) => ([kind("application/json")], text).into_response(),
-            Self::Table(text) => ([kind("text/csv; charset=utf-8")], text).into_response(),
-            Self::File(text) => ([kind("application/octet-stream"), attached], text).into_response(),
-        }
-    }
-}
-
 pub(crate) async fn post(
     State(page): State<Page>,
     Path(name): Path<String>,
     asker: Asker,
     headers: HeaderMap,
     AskedJson(json): AskedJson,
-) -> Result<Answer, Refusal> {
+) -> Result<impl IntoResponse, Refusal> {
     let question = known(&name).map_err(Fault::from)?;
     let keys = of_json(&json).map_err(Fault::bad)?;
     let language = headers.get(header::ACCEPT_LANGUAGE).and_then(|code| code.to_str().ok());
@@ -87,11 +65,8 @@ pub(crate) async fn post(
             // The folder of the page stays as long as there is work in it.
             let _sent = sent;
             let printed = program.answer(files.path(), question.name(), &Value::Object(keys), language, wanted)?;
-            match file_of(question) {
-                Some(file) if files.path().join(file).exists() => files.read(file).map(Answer::File),
-                _ if printed.starts_with('{') => Ok(Answer::Document(printed)),
-                _ => Ok(Answer::Table(printed)),
-            }
+            let kind = if printed.starts_with('{') { "application/json" } else { "text/csv; charset=utf-8" };
+            Ok(([(header::CONTENT_TYPE, kind)], printed))
         })
         .await?;
     Ok(answer)
@@ -160,10 +135,4 @@ impl Places<'_> {
         *value = place.into();
         Ok(())
     }
-}
-
-/// The file that an answer is which is no document.
-fn file_of(question: &dyn AnyQuestion) -> Option<&str> {
-    let output = question.keys().iter().find(|key| key.name == "output")?;
-    output.default.as_ref()?.as_str().filter(|_| question.files() == Files::Text)
 }
