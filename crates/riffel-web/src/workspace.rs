@@ -13,21 +13,25 @@ use crate::fault::{Fault, disk};
 const LONGEST_NAME: usize = 120;
 
 /// A folder for one question, which goes with it.
-pub(crate) struct Workspace(TempDir);
+pub(crate) struct Workspace {
+    folder: TempDir,
+    is_own: fn(&str) -> bool,
+}
 
 impl Workspace {
-    /// A folder within another, on whose disk the files are.
-    pub(crate) fn within(folder: &Path) -> Result<Self, Fault> {
-        tempfile::tempdir_in(folder).map(Self).map_err(disk)
+    /// A folder within another, on whose disk the files are; `is_own` tells the small letters of names that no file of the user has.
+    pub(crate) fn within(folder: &Path, is_own: fn(&str) -> bool) -> Result<Self, Fault> {
+        let folder = tempfile::tempdir_in(folder).map_err(disk)?;
+        Ok(Self { folder, is_own })
     }
 
     pub(crate) fn path(&self) -> &Path {
-        self.0.path()
+        self.folder.path()
     }
 
-    /// Write a file of a name that [`is_own`], in the place of one that may be there: never into that one.
+    /// Write a file of an own name, in the place of one that may be there: never into that one.
     pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), Fault> {
-        debug_assert!(is_own(name), "{name} may be that of a file of the user");
+        debug_assert!((self.is_own)(name), "{name} may be that of a file of the user");
         let mut file = NamedTempFile::new_in(self.path()).map_err(disk)?;
         file.write_all(text.as_bytes()).map_err(disk)?;
         file.persist(self.path().join(name)).map(|_| ()).map_err(|error| disk(error.error))
@@ -59,18 +63,10 @@ impl Workspace {
     fn free(&self, name: &str) -> String {
         let plain = file_name(name);
         let mut names = (2..).map(|number| format!("{number}-{plain}"));
-        let is_free = |name: &String| !is_own(name) && !self.path().join(name).exists();
+        let is_free = |name: &String| !(self.is_own)(&name.to_lowercase()) && !self.path().join(name).exists();
         let name = Some(plain.clone()).filter(is_free);
         name.or_else(|| names.find(is_free)).unwrap_or(plain)
     }
-}
-
-/// True for the names of what is written beside the files of the user, on systems that tell capital letters and on others.
-fn is_own(name: &str) -> bool {
-    const OWN: [&str; 6] = ["case.toml", "traffic.toml", "plan.toml", "decision.toml", "report.html", "posterior"];
-    let name = name.to_lowercase();
-    let is_action = name.starts_with("action-") && name.ends_with(".toml");
-    OWN.contains(&&*name) || is_action || name.starts_with('.')
 }
 
 /// A name without what parts folders, what a terminal obeys and what systems keep for themselves.
@@ -100,7 +96,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let record = folder.path().join("record.csv");
         fs::write(&record, "0,1\n").unwrap();
-        let workspace = Workspace::within(folder.path()).unwrap();
+        let is_own = |name: &str| ["traffic.toml", "plan.toml"].contains(&name);
+        let workspace = Workspace::within(folder.path(), is_own).unwrap();
         let long = "ä".repeat(200);
         for (name, here) in [
             ("Mai 2026 (links).csv", "Mai 2026 (links).csv"),
@@ -111,8 +108,7 @@ mod tests {
             ("-", "2-record"),
             ("traffic.toml", "2-traffic.toml"),
             ("Plan.TOML", "2-Plan.TOML"),
-            ("action-7.toml", "2-action-7.toml"),
-            ("posterior", "2-posterior"),
+            ("case.toml", "case.toml"),
             (".table", "table"),
             (&long, &"ä".repeat(60)),
         ] {
@@ -126,7 +122,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let record = folder.path().join("record.csv");
         fs::write(&record, "0,1\n").unwrap();
-        let workspace = Workspace::within(folder.path()).unwrap();
+        let workspace = Workspace::within(folder.path(), |_| true).unwrap();
         fs::hard_link(&record, workspace.path().join("case.toml")).unwrap();
         workspace.write("case.toml", "title").unwrap();
         assert_eq!(workspace.read("case.toml").unwrap(), "title");

@@ -96,7 +96,7 @@ fn placed(
     sent: Option<&Sent>,
     uploads: &Uploads,
 ) -> Result<(Map<String, Value>, Workspace), Fault> {
-    let files = Workspace::within(sent.map_or(uploads.place(), Sent::folder))?;
+    let files = Workspace::within(sent.map_or(uploads.place(), Sent::folder), |_| false)?;
     let mut places = Places { sent, files: &files, of_uploads: BTreeMap::new() };
     keys.iter_mut().try_for_each(|(key, value)| places.put(key, value))?;
     Ok((keys, files))

@@ -6,6 +6,7 @@ use riffel_answers::page::{CaseText, Traffic};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+use super::decision::DECISION_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::plan_changes::PlanChanges;
@@ -21,6 +22,12 @@ const CASE_FILE: &str = "case.toml";
 const TRAFFIC_FILE: &str = "traffic.toml";
 const PLAN_FILE: &str = "plan.toml";
 pub(super) const POSTERIOR: &str = "posterior";
+
+/// True for what is written beside the data, on systems that tell capital letters and on others.
+fn is_own(name: &str) -> bool {
+    let is_action = name.starts_with("action-") && name.ends_with(".toml");
+    is_action || [CASE_FILE, TRAFFIC_FILE, PLAN_FILE, DECISION_FILE, POSTERIOR].contains(&name)
+}
 
 /// A file of measurements in a question.
 #[derive(Deserialize)]
@@ -45,7 +52,7 @@ impl Question {
         // They are checked here, and open no file.
         self.case.read()?;
         let traffic = self.traffic.toml()?;
-        let files = Workspace::within(own.folder())?;
+        let files = Workspace::within(own.folder(), is_own)?;
         files.write(CASE_FILE, &self.case.toml()?)?;
         files.write(TRAFFIC_FILE, &traffic)?;
         let tables = self.data.iter().map(|data| files.put(&own.file(data.upload)?, &data.name));

@@ -13,7 +13,7 @@ use crate::request::{Asked, Asker};
 use crate::told::Told;
 
 /// The plan with its actions.
-const DECISION_FILE: &str = "decision.toml";
+pub(super) const DECISION_FILE: &str = "decision.toml";
 /// Most actions and measurements.
 const MOST: usize = 20;
 
