@@ -108,7 +108,9 @@ fn simulated_data_hold_the_truth_as_often_as_is_said() {
     let parameter = serde_json::json!({ "parameter": "wear.coefficient" });
     assert_eq!(of, [parameter, "log-likelihood".into(), "passages-to-limit".into()]);
     assert!(sandbox.path("ranks/ranks.png").exists());
-    for (draws, runs, words) in [("198", 19, "--runs is 19"), ("98", 20, "sampler.draws is 98")] {
+    for (draws, runs, words) in
+        [("198", 19, "--runs is 19, but must be an integer from 20 on"), ("98", 20, "sampler.draws is 98")]
+    {
         fs::write(sandbox.path(&plan), text.replace("198", draws)).unwrap();
         let outcome = sandbox.riffel(&format!("calibrate check {plan} --runs {runs}"));
         assert_eq!(outcome.status, Some(2), "{}", outcome.text);

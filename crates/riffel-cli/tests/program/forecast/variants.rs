@@ -112,6 +112,16 @@ fn what_friction_leaves_as_it_was_is_said() {
     let text = outcome.text.replace("\n  │ ", " ");
     assert!(text.contains("2.000 kN on a wheel is 1.33 times"), "{text}");
     assert!(text.contains("--hold ratio"), "{text}");
+    // Where all of the contact slides, the creepage alone can be held.
+    let sliding = "cases/nominal.toml --set contact.creepage=0.02 --set contact.creep_law=full-sliding";
+    for hold in ["force", "ratio"] {
+        let told = sandbox.riffel(&format!("compare {sliding} --with less.toml --hold {hold}")).sentence();
+        assert!(told.contains("choose --hold creepage, or give contact.creepage with the change"), "{told}");
+        assert!(!told.contains("contact.tractive_ratio"), "{told}");
+    }
+    let growth = sandbox.json(&format!("point {sliding} --wavelength 0.05 --speed 30 --json"));
+    let growth = growth["reported_growth"].to_string();
+    assert!(growth.contains("check creepage, traction_share"), "{growth}");
     let wet = sandbox.riffel("compare cases/nominal.toml --with wet.toml");
     assert_eq!(wet.status, Some(0), "{}", wet.text);
 }
