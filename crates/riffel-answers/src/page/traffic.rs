@@ -50,7 +50,7 @@ impl Traffic {
         let traffic = CheckedTraffic::parse(NAME, &self.0.to_string())?;
         let mut vehicles = traffic.file.vehicle.iter();
         match vehicles.any(|vehicle| matches!(vehicle.curve, Some(CurveOfVehicle::File(_)))) {
-            true => Err(Fault::misunderstood("a vehicle names a file")),
+            true => Err(Fault::bad(say!(place_is_not_for_a_page, key = "vehicle.curve"))),
             false => Ok(traffic),
         }
     }
@@ -93,7 +93,7 @@ mod tests {
             (vec![vehicle(0.5)], "sum to 0.5"),
             (vec![vehicle(0.5), vehicle(0.5)], "a second time"),
             (vec![vehicle(1.0 / 13.0); 13], "12"),
-            (vec![through], "do not understand"),
+            (vec![through], "`vehicle.curve` is a place on the disk and not for a page"),
         ] {
             let fault = read(&vehicles).err().unwrap();
             assert!(fault.message().contains(words), "{}", fault.message());
