@@ -1,5 +1,7 @@
 //! # Riffel: the physics of rail corrugation
 //!
+//! **Start with [`paper`]**: equations (1) to (33) of Afferrante & Ciavarella (2009) on one page, in their symbols and order.
+//!
 //! Which wavelengths grow on a rail under rolling wheels, how fast, and why. One feedback loop,
 //! [`Loop`], ties small interchangeable joints together:
 //!
@@ -107,6 +109,7 @@ mod inverse;
 mod mean_wear;
 pub mod noise;
 mod normal_numbers;
+pub mod paper;
 pub mod passage;
 mod place_of_wear;
 pub mod profile;
