@@ -1,5 +1,6 @@
 //! Case files as users write them.
 
+mod capture;
 mod case_file;
 mod closed_forms;
 mod contact;
