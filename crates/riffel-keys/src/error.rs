@@ -8,8 +8,8 @@ use std::sync::Arc;
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
 use thiserror::Error;
 
+use crate::printable::in_a_message;
 use crate::quantity::named;
-use crate::text_file::in_a_message;
 use crate::{Language, Message, Value, physics_in_words, say};
 
 /// A case that cannot be used, and why, in a sentence that names the key.

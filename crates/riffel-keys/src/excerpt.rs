@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::text_file::{printable, printable_in_place};
+use crate::printable::{printable, printable_in_place};
 
 /// Most characters of what a user wrote in a message.
 const IN_A_MESSAGE: usize = 600;

@@ -29,6 +29,7 @@ mod language;
 pub mod message;
 pub mod money;
 mod physics_in_words;
+mod printable;
 mod profile_in_words;
 pub mod quantity;
 pub mod question;

@@ -11,9 +11,9 @@ use toml::de::DeTable;
 use toml::{Table, Value};
 
 use crate::excerpt::{clipped, excerpt};
+use crate::printable::{command_in, in_a_message};
 use crate::quantity::{KINDS, Kind, WrittenQuantity, refused_as};
 use crate::range::Judgement;
-use crate::text_file::{command_in, in_a_message};
 use crate::{CaseError, Message, PhysicalRange, say};
 use text::{Text, join, within};
 

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use serde_json::{Map, Value as Json, json};
 
 use super::{Message, Value};
-use crate::text_file::in_a_message;
+use crate::printable::in_a_message;
 
 thread_local! {
     /// Whether messages are serialized as data.

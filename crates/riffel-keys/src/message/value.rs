@@ -5,7 +5,6 @@ use std::fmt::Display;
 
 use super::Message;
 use crate::excerpt::clipped;
-use crate::quantity::{Dimension, Quantity};
 use crate::{Language, Words};
 
 /// A value of a [`Message`].
@@ -158,20 +157,6 @@ impl From<Cow<'_, str>> for Value {
 impl From<&Message> for Value {
     fn from(message: &Message) -> Self {
         message.clone().into()
-    }
-}
-
-/// In its SI unit.
-impl<D: Dimension> From<Quantity<D>> for Value {
-    fn from(value: Quantity<D>) -> Self {
-        Self::from(&value)
-    }
-}
-
-/// In its SI unit.
-impl<D: Dimension> From<&Quantity<D>> for Value {
-    fn from(value: &Quantity<D>) -> Self {
-        quantity(value.si(), D::UNIT, value)
     }
 }
 

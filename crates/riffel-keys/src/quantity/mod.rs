@@ -15,6 +15,8 @@ use std::str::FromStr;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
+use crate::message::{self, Value};
+
 pub use dimension::*;
 pub use error::QuantityError;
 pub use kind::Kind;
@@ -25,6 +27,20 @@ pub(crate) use written::WrittenQuantity;
 pub struct Quantity<D> {
     si: f64,
     dimension: PhantomData<fn() -> D>,
+}
+
+/// In its SI unit.
+impl<D: Dimension> From<Quantity<D>> for Value {
+    fn from(value: Quantity<D>) -> Self {
+        Self::from(&value)
+    }
+}
+
+/// In its SI unit.
+impl<D: Dimension> From<&Quantity<D>> for Value {
+    fn from(value: &Quantity<D>) -> Self {
+        message::quantity(value.si(), D::UNIT, value)
+    }
 }
 
 impl<D> Clone for Quantity<D> {

@@ -3,7 +3,8 @@
 use super::delimiter::Delimiter;
 use super::length::{ends_in_inches, foreign_unit, is_one_of, length_in, length_word, words};
 use super::line::{cells, cells_up_to};
-use crate::text_file::{printable, text_of};
+use crate::printable::printable;
+use crate::text_file::text_of;
 
 /// Names and units of the columns.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -10,7 +10,8 @@ use super::heading::label;
 use super::line::{is_comment, is_remark, lines, quoted_length, trim_blanks};
 use super::missing::{Marked, leave_out_marks};
 use super::number::{Oddity, clock, number, oddity, plain};
-use crate::text_file::{printable, text_of};
+use crate::printable::printable;
+use crate::text_file::text_of;
 use crate::{Message, say};
 
 /// Bytes that one task parses.
