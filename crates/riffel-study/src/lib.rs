@@ -31,6 +31,7 @@ mod plan;
 mod results;
 mod run;
 pub mod sensitivity;
+mod shard;
 mod study;
 
 pub use design::Design;
@@ -40,7 +41,8 @@ pub use outputs::{Band, Dimension, Outputs, Variable, WaveQuantity};
 pub use parameter::{Parameter, ParameterValue, Spread};
 pub use plan::{Plan, distribution, file};
 pub use results::{ChunkState, MergeReport, Reason, ResultFolder, Summary};
-pub use run::{Shard, Stop};
+pub use run::Stop;
+pub use shard::Shard;
 pub use study::{Chunk, Sample, Study};
 
 /// `cases/study.toml`, commented: the plan that `riffel init --study` writes.

@@ -4,7 +4,7 @@ use riffel::roughness::{ThirdOctave, WavelengthBand};
 use riffel_case::Case;
 use riffel_keys::{CaseError, KeyFile, say};
 
-use crate::file::{BandSet, OutputsFile};
+use super::file::{BandSet, OutputsFile};
 
 /// A band and the wavelengths of the map that lie in it, by number.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,7 @@
 //! What is computed for each sample.
 
 mod band;
+pub(crate) mod file;
 mod variable;
 mod wave;
 
@@ -10,10 +11,9 @@ use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
 use riffel_case::{Case, Setting, Variant};
 use riffel_keys::{CaseError, KeyFile, Message, say};
 
-use crate::file::{MapQuantity, OutputsFile};
-
 pub use band::Band;
 use band::bands;
+use file::{MapQuantity, OutputsFile};
 use variable::RIDGE_FREQUENCY;
 pub use variable::{Dimension, Variable};
 pub use wave::WaveQuantity;

@@ -1,6 +1,6 @@
 //! The arrays of results: names, dimensions, units.
 
-use crate::file::{MapQuantity, PointFile};
+use super::file::{MapQuantity, PointFile};
 
 /// An array of results: one value, or a table of values, for each sample.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Variable;
-use crate::file::WaveFile;
+use super::file::WaveFile;
 
 /// What wheels do over a wave, of the first contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
