@@ -112,8 +112,8 @@ pub enum Error {
          than {:.0} mm and yawed by less than {:.0} mrad to stay on its rails",
         1e3 * lateral_shift,
         1e3 * yaw,
-        1e3 * crate::curving::FARTHEST_SHIFT,
-        1e3 * crate::curving::LARGEST_YAW
+        1e3 * crate::constants::FARTHEST_SHIFT,
+        1e3 * crate::constants::LARGEST_YAW
     )]
     OffTheRails {
         /// The wheelset, 1 leads.

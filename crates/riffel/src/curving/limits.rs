@@ -2,11 +2,7 @@
 
 use super::{Creep, VehicleInCurve, VehicleState};
 use crate::Error;
-
-/// Lateral shift \[m\] at which a wheel has left its rail: half the width of a tread of 135 mm less its flange.
-pub const FARTHEST_SHIFT: f64 = 0.06;
-/// Yaw \[rad\] beyond which the springs and the geometry of the contacts are no longer those of the equations.
-pub const LARGEST_YAW: f64 = 0.1;
+use crate::constants::{FARTHEST_SHIFT, LARGEST_YAW};
 
 impl VehicleState {
     /// `Ok` for wheelsets on their rails, shifted by less than [`FARTHEST_SHIFT`] and yawed by less than [`LARGEST_YAW`].

@@ -69,12 +69,12 @@ mod vehicle;
 mod way;
 mod wheel_on_rail;
 
+pub use crate::constants::{FARTHEST_SHIFT, LARGEST_YAW};
 pub use axle::Axle;
 pub use closed_form::{LinearWheelset, LinearWheelsetState, free_curving_shift};
 pub use creep::{Creep, LawOnEllipse};
 pub use curve::{Curve, GRAVITY};
 pub use kinematics::{ContactPlane, FlangeSpring, Kinematics};
-pub use limits::{FARTHEST_SHIFT, LARGEST_YAW};
 pub use running_gear::{Body, BogieFrame, FollowingFrame, RunningGear};
 pub use running_surfaces::{Cone, ConeWithFlangePlane, RollingPosition, RunningSurfaces, TwoPoints};
 pub use state::{BodyState, ContinuationStep, FrameState, SecondContact, VehicleState, WheelState, WheelsetState};
