@@ -86,7 +86,9 @@ fn growth(text: &mut String, case: &Case) {
         for share in [0.1, 0.35, 0.8] {
             let wavelength = within(&case.wavelength, share);
             match case.point(wavelength, speed) {
-                Ok(point) => writeln!(text, "{wavelength} {speed}: {:016x} {:e}", point.growth_rate.to_bits(), point.growth_rate),
+                Ok(point) => {
+                    writeln!(text, "{wavelength} {speed}: {:016x} {:e}", point.growth_rate.to_bits(), point.growth_rate)
+                }
                 Err(error) => writeln!(text, "{wavelength} {speed}: {error}"),
             }
             .unwrap();
