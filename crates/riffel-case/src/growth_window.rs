@@ -1,19 +1,11 @@
 //! The wavelengths whose growth is told.
 
+use riffel::Axis;
 use riffel::forecast::TrafficGrowth;
-use riffel::{Axis, HertzContact};
 
 use crate::Case;
 use crate::file::ContactDynamics;
-
-/// Shortest wavelength in contact lengths 2a₀ at which averaging over the patch may be left out;
-/// Afferrante & Ciavarella (2009), introduction, quoting Frederick (1987).
-const CONTACT_FILTER_LENGTHS: f64 = 1.5;
-
-/// Shortest wavelength \[m\] that the patch does not average out.
-pub(crate) fn shortest_not_averaged(hertz: HertzContact) -> f64 {
-    CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal()
-}
+use crate::short_waves::shortest_not_averaged;
 
 impl Case {
     /// The wavelengths of the map of which the fastest growth is told: without those that the contact averages out, shorter than

@@ -21,6 +21,7 @@ mod checked_keys;
 mod contact;
 mod contact_name;
 mod curving;
+mod damage_of_case;
 mod damage_point;
 mod description;
 mod discrete_supports;
@@ -51,6 +52,7 @@ mod rolling_noise;
 mod sensitivity;
 mod setting;
 mod shared;
+mod short_waves;
 mod stability;
 mod substitutes;
 mod track;
@@ -58,6 +60,7 @@ pub mod traffic;
 mod variant;
 mod wheels_of_curve;
 mod wheelset;
+mod wheelset_modes;
 mod window;
 
 pub use build::CreepLaws;
@@ -84,7 +87,8 @@ pub use substitutes::GivenReceptance;
 pub use track::{Origin, Track};
 pub use variant::{SpeedChange, Variant};
 pub use wheels_of_curve::{WheelOfCurve, WheelsOfCurve};
-pub use wheelset::{CaseWheelset, WheelsetMode};
+pub use wheelset::CaseWheelset;
+pub use wheelset_modes::WheelsetMode;
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

@@ -6,9 +6,9 @@ use riffel::receptance::MeasuredReceptance;
 use riffel::{Receptance, RollingContact};
 use riffel_keys::{CaseError, Message};
 
+use crate::curving::Equilibrium;
 use crate::curving::SharedProfiles;
 use crate::file::MeasuredWear;
-use crate::from_curve::Equilibrium;
 use crate::measurement::{self, UniversalFunction};
 use crate::shared::Shared;
 use crate::track::Origin;

@@ -4,6 +4,7 @@ mod contact;
 mod creep_laws;
 mod damage;
 mod general;
+pub(crate) mod stability;
 mod track;
 pub(crate) mod validity;
 mod wheelset;
@@ -22,7 +23,6 @@ use riffel::{
 
 pub(crate) use contact::{CreepInTime, mean_key};
 pub use creep_laws::CreepLaws;
-pub(crate) use wheelset::disc;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{DissipationPhase, Rotation, WearLaw};

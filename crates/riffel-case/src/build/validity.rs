@@ -7,11 +7,11 @@ use riffel::feedback::Stability;
 use riffel::{Axis, Direction, Error, HertzContact, Loop};
 use riffel_keys::{Message, Value, fixed, number, say, shown_speed};
 
+use super::stability;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
-use crate::growth_window::shortest_not_averaged;
 use crate::measurement;
-use crate::stability;
+use crate::short_waves::{shorter_than_patch, shortest_not_averaged};
 use crate::track::Track;
 use crate::wheelset::CaseWheelset;
 
@@ -155,12 +155,6 @@ pub(crate) fn of_contact(keys: &CheckedKeys, hertz: HertzContact, shortest_asked
         remarks.push(say!(falling_friction_at_one_speed, rolling = rolling.to_string(), window = keys.window.name()));
     }
     remarks
-}
-
-/// That the geometry of a wave \[m\] is beyond what is known of it.
-pub(crate) fn shorter_than_patch(hertz: HertzContact, wavelength: f64) -> Option<Message> {
-    let shortest = 3.0 * hertz.semi_axis_longitudinal();
-    (wavelength < shortest).then(|| say!(wave_shorter_than_patch, shortest = fixed(1e3 * shortest, 0)))
 }
 
 /// What the wave's own geometry would take where the case does not speak of it, and where it leaves its range.

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use riffel::wheelset::{
-    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, RememberingWheelset, RigidBody, RigidWheelset,
-    Segment, Suspension,
+    Axle, ContactGeometry, FlexibleWheelset, RememberingWheelset, RigidBody, RigidWheelset, Segment, Suspension,
 };
 use riffel::{ElasticMaterial, Rail};
 use riffel_keys::{CaseError, Message};
@@ -60,7 +59,7 @@ impl CheckedKeys {
                 Ok(CaseWheelset::Rigid(rigid))
             }
             WheelsetModelKeys::Flexible { axle, discs } => {
-                let discs = discs.iter().map(disc).collect();
+                let discs = discs.iter().map(Into::into).collect();
                 let flexible = FlexibleWheelset::new(self.axle(axle)?, discs, contacts);
                 let mut flexible = self.physics("wheelset", flexible)?;
                 if let Some(suspension) = suspension {
@@ -122,19 +121,5 @@ impl CheckedKeys {
             .and_then(|axle| axle.with_shear_coefficient(keys.shear_coefficient))
             .and_then(|axle| axle.with_loss_factor(keys.loss_factor));
         self.physics("wheelset.axle", axle)
-    }
-}
-
-pub(crate) fn disc(keys: &file::Disc) -> Disc {
-    Disc {
-        position: keys.position.si(),
-        mass: keys.mass.si(),
-        polar_inertia: keys.polar_inertia.si(),
-        diametral_inertia: keys.diametral_inertia.si(),
-        coupled: keys.coupled.map(|coupled| CoupledInertia {
-            polar_inertia: coupled.polar_inertia.si(),
-            stiffness: coupled.stiffness.si(),
-            damping: coupled.damping.si(),
-        }),
     }
 }

@@ -1,11 +1,13 @@
 //! Cases of curving: a file of which only the tables of curve, bogie, body, profiles, wheels and contacts are read.
 
 mod build;
+mod equilibrium;
 mod keys;
 mod profile_file;
 mod running_gear;
 mod wheelset;
 
+pub(crate) use equilibrium::Equilibrium;
 pub(crate) use wheelset::SharedProfiles;
 
 pub use profile_file::{ProfileOfName, ProfileReading, profile_of, read_profile};
@@ -21,7 +23,6 @@ use serde::Deserialize;
 use self::build::is_cone;
 use crate::case_text::CaseText;
 use crate::file::{CreepLawName, CurvingFile, CurvingLaw, Wheelset};
-use crate::model::half;
 
 /// What a loop of growth knows of the mass of a wheelset.
 #[derive(Deserialize)]
@@ -39,7 +40,7 @@ impl MassOfLoop {
     /// That of axle and discs, or of two wheels \[kg\].
     fn of_a_wheelset(self) -> Option<f64> {
         let [mass, _] = match self.wheelset {
-            Some(wheelset) => half(&wheelset)?,
+            Some(wheelset) => wheelset.half()?,
             None => [self.wheel?.mass?.si(), 0.0],
         };
         Some(2.0 * mass)

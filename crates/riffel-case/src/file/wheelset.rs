@@ -1,5 +1,8 @@
 //! The keys of the wheelset.
 
+use std::f64::consts::PI;
+
+use riffel::wheelset;
 use riffel_keys::quantity::{
     Damping, Density, Inertia, Length, Mass, Modulus, Quantity, Ratio, Stiffness, TorsionalDamping, TorsionalStiffness,
 };
@@ -54,6 +57,23 @@ pub struct Wheelset {
 impl Wheelset {
     pub(crate) fn default_contact_spacing() -> Quantity<Length> {
         Quantity::new(1.5)
+    }
+
+    /// Mass \[kg\] and inertia about the axle \[kg m²\] of half of it; `None` where it is known by its receptances alone.
+    pub(crate) fn half(&self) -> Option<[f64; 2]> {
+        let [mass, inertia] = match self.model {
+            WheelsetModel::Measured => return None,
+            WheelsetModel::Rigid | WheelsetModel::Modal => [self.mass?.si(), self.spin_inertia?.si()],
+            WheelsetModel::Flexible => {
+                let mut sums = self.axle.as_ref()?.mass_and_inertia()?;
+                for disc in &self.discs {
+                    sums[0] += disc.mass.si();
+                    sums[1] += disc.polar_inertia.si();
+                }
+                sums
+            }
+        };
+        Some([0.5 * mass, 0.5 * inertia])
     }
 }
 
@@ -183,6 +203,21 @@ pub struct Axle {
     pub loss_factor: Quantity<Ratio>,
 }
 
+impl Axle {
+    /// Mass \[kg\] and inertia about itself \[kg m²\], of solid cylinders.
+    fn mass_and_inertia(&self) -> Option<[f64; 2]> {
+        let pieces: Vec<[f64; 2]> = match &self.segments {
+            Some(segments) => segments.iter().map(|segment| [segment.length.si(), segment.diameter.si()]).collect(),
+            None => vec![[self.length?.si(), self.diameter?.si()]],
+        };
+        let masses = pieces.iter().map(|[length, diameter]| {
+            let mass = self.density.si() * length * 0.25 * PI * diameter * diameter;
+            [mass, mass * diameter * diameter / 8.0]
+        });
+        Some(masses.fold([0.0; 2], |sums, piece| [sums[0] + piece[0], sums[1] + piece[1]]))
+    }
+}
+
 impl Default for Axle {
     fn default() -> Self {
         Self {
@@ -223,6 +258,22 @@ pub struct Disc {
     /// An inertia that turns with it through a spring: the rotor of a motor behind its gear, an absorber.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coupled: Option<Coupled>,
+}
+
+impl From<&Disc> for wheelset::Disc {
+    fn from(keys: &Disc) -> Self {
+        Self {
+            position: keys.position.si(),
+            mass: keys.mass.si(),
+            polar_inertia: keys.polar_inertia.si(),
+            diametral_inertia: keys.diametral_inertia.si(),
+            coupled: keys.coupled.map(|coupled| wheelset::CoupledInertia {
+                polar_inertia: coupled.polar_inertia.si(),
+                stiffness: coupled.stiffness.si(),
+                damping: coupled.damping.si(),
+            }),
+        }
+    }
 }
 
 /// An inertia that turns about the axle on a torsional spring and a damper.

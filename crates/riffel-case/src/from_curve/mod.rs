@@ -1,7 +1,6 @@
 //! The mean state of the contact from a bogie in its curve.
 
 mod curve_remarks;
-mod equilibrium;
 mod fill;
 mod loaded_patch;
 mod mean_contact;
@@ -17,10 +16,9 @@ use riffel_keys::{CaseError, say};
 use serde::Deserialize;
 
 use crate::case_text::CaseText;
-use crate::curving::CurvingCase;
+use crate::curving::{CurvingCase, Equilibrium};
 use crate::file::FromCurve;
 use crate::substitutes::Substitutes;
-pub(crate) use equilibrium::Equilibrium;
 
 /// A case as far as it says where its mean state comes from.
 #[derive(Deserialize)]

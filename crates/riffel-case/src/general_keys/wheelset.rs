@@ -7,7 +7,6 @@ use riffel::wheelset::{ContactGeometry, FlexibleWheelset, RigidBody};
 use riffel_keys::quantity::Quantity;
 
 use super::or;
-use crate::build::disc;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{Axle, Disc, Suspension, Wheelset, WheelsetModel};
 
@@ -132,7 +131,7 @@ impl CheckedKeys {
             rolling_radius: self.file.wheel.rolling_radius.si(),
         };
         let axle = self.axle(&self.axle_keys(axle)?)?;
-        let discs = wheelset.discs.iter().map(disc).collect();
+        let discs = wheelset.discs.iter().map(Into::into).collect();
         let flexible = FlexibleWheelset::new(axle, discs, contacts);
         Ok(Some(self.physics("wheelset", flexible)?.rigid_body()))
     }

@@ -19,7 +19,6 @@ mod tassilly_vincent_1991;
 mod valdivia_1988;
 
 pub use joints::{Joint, Joints};
-pub(crate) use on_case::half;
 pub use on_case::{ModelOnCase, NotOnCase};
 
 use serde::Serialize;

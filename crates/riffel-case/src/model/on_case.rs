@@ -18,7 +18,7 @@ use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, Track
 use crate::Case;
 use crate::case_text::{CaseText, REPLACED_BY_WHEELSET};
 use crate::file::CreepLawName;
-use crate::file::{Axle, Rotation, Support, TrackModel, Wheelset, WheelsetModel};
+use crate::file::{Rotation, Support, TrackModel, Wheelset, WheelsetModel};
 use crate::substitutes::{GivenReceptance, Substitutes};
 use crate::window::Window;
 
@@ -280,7 +280,7 @@ impl ModelKeys<'_> {
         let wheel = &self.case.file.wheel;
         let found = match &self.case.file.wheelset {
             None => wheel.mass.zip(wheel.inertia).map(|(mass, inertia)| [mass.si(), inertia.si()]),
-            Some(wheelset) => half(wheelset),
+            Some(wheelset) => wheelset.half(),
         };
         let Some([mass, inertia]) = found else {
             return Err(NotOnCase::needs("the mass of the wheelset, which its receptances do not tell"));
@@ -407,34 +407,4 @@ impl ModelKeys<'_> {
             }
         }
     }
-}
-
-/// Mass \[kg\] and inertia about the axle \[kg m²\] of half a wheelset; none of one that is known by its receptances alone.
-pub(crate) fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
-    let [mass, inertia] = match wheelset.model {
-        WheelsetModel::Measured => return None,
-        WheelsetModel::Rigid | WheelsetModel::Modal => [wheelset.mass?.si(), wheelset.spin_inertia?.si()],
-        WheelsetModel::Flexible => {
-            let mut sums = axle(wheelset.axle.as_ref()?)?;
-            for disc in &wheelset.discs {
-                sums[0] += disc.mass.si();
-                sums[1] += disc.polar_inertia.si();
-            }
-            sums
-        }
-    };
-    Some([0.5 * mass, 0.5 * inertia])
-}
-
-/// Mass and inertia of an axle, of solid cylinders.
-fn axle(axle: &Axle) -> Option<[f64; 2]> {
-    let pieces: Vec<[f64; 2]> = match &axle.segments {
-        Some(segments) => segments.iter().map(|segment| [segment.length.si(), segment.diameter.si()]).collect(),
-        None => vec![[axle.length?.si(), axle.diameter?.si()]],
-    };
-    let masses = pieces.iter().map(|[length, diameter]| {
-        let mass = axle.density.si() * length * 0.25 * PI * diameter * diameter;
-        [mass, mass * diameter * diameter / 8.0]
-    });
-    Some(masses.fold([0.0; 2], |sums, piece| [sums[0] + piece[0], sums[1] + piece[1]]))
 }

@@ -11,7 +11,7 @@ use super::spreads::{FRICTION, LOAD, PartValues, WHEEL_RADIUS};
 use super::{CurveOfVehicle, Traffic};
 use crate::case_text::CaseText;
 use crate::curving::CurvingCase;
-use crate::from_curve::Equilibrium;
+use crate::curving::Equilibrium;
 use crate::setting::Setting;
 use crate::window::Window;
 use crate::{Case, Variant};

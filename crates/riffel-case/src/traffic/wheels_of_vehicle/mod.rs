@@ -17,7 +17,7 @@ use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
 use super::wheel_on_case::{WheelOnCase, settings_of, window};
 use super::{CurveOfVehicle, Traffic};
-use crate::from_curve::Equilibrium;
+use crate::curving::Equilibrium;
 use crate::kept_state::KeptState;
 use crate::setting::Setting;
 use crate::window::Window;

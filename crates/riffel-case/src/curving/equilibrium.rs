@@ -2,7 +2,7 @@
 
 use riffel::curving::{VehicleInCurve, VehicleState};
 
-use crate::curving::CurvingCase;
+use super::CurvingCase;
 
 /// A vehicle balanced in its curve, which several cases take their mean states from.
 #[derive(Clone)]
