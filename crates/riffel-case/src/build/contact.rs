@@ -10,9 +10,9 @@ use riffel::contact::{
 use riffel::passage::{LateContact, WaveInTime};
 use riffel::{ElasticMaterial, HertzContact, RollingContact};
 
-use crate::checked_keys::CheckedKeys;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory, WavePatch};
-use crate::general_keys::{ContactKeys, contact};
+use crate::keys::checked_keys::CheckedKeys;
+use crate::keys::general_keys::{ContactKeys, contact};
 
 /// Elements over a diameter; the half grid has half as many.
 const GRIDS: std::ops::RangeInclusive<u64> = 16..=200;
@@ -26,10 +26,10 @@ pub(crate) fn mean_key(mean: MeanState) -> &'static str {
 }
 
 /// A contact, built.
-pub(super) struct BuiltContact {
-    pub(super) rolling: Arc<dyn RollingContact>,
+pub(crate) struct BuiltContact {
+    pub(crate) rolling: Arc<dyn RollingContact>,
     /// The creep law; none for the exact theory.
-    pub(super) law: Option<Arc<dyn CreepLaw>>,
+    pub(crate) law: Option<Arc<dyn CreepLaw>>,
 }
 
 /// How a contact creeps in time.
@@ -66,7 +66,7 @@ impl CheckedKeys {
         }
     }
 
-    pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
+    pub(crate) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
         let friction = self.file.contact.friction.si();
         self.contact_of(hertz, friction, self.mean_state()?, OscillatingCreepages::Longitudinal)
     }
@@ -104,7 +104,7 @@ impl CheckedKeys {
     }
 
     /// How a contact with that friction creeps about a mean state, for a loop in which these creepages oscillate.
-    pub(super) fn contact_of(
+    pub(crate) fn contact_of(
         &self,
         hertz: HertzContact,
         friction: f64,
@@ -162,7 +162,7 @@ impl CheckedKeys {
     }
 
     /// The geometry of waves under a contact; none where it has no part.
-    pub(super) fn wave(&self, hertz: HertzContact) -> Result<Option<WaveGeometry>, CaseError> {
+    pub(crate) fn wave(&self, hertz: HertzContact) -> Result<Option<WaveGeometry>, CaseError> {
         if !self.feels_waves() {
             return Ok(None);
         }

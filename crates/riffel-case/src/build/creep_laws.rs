@@ -8,8 +8,8 @@ use riffel::contact::{
     CREEP_LAWS, CreepLaw, CreepLawEntry, CreepLawInputs, FallingFriction, KalkerCoefficients, SlopeReduction,
 };
 
-use crate::checked_keys::CheckedKeys;
 use crate::file::PolachParameters;
+use crate::keys::checked_keys::CheckedKeys;
 
 /// Every creep law that is a formula of the ellipse, on that of a case and with its friction.
 #[derive(Clone)]

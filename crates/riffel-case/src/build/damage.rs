@@ -9,9 +9,9 @@ use riffel::damage::{
 };
 use riffel_keys::{CaseError, Message, fixed, say, significant};
 
-use crate::checked_keys::CheckedKeys;
 use crate::file::{Damage as DamageKeys, DamageLawName, LimitName};
-use crate::track::Track;
+use crate::keys::checked_keys::CheckedKeys;
+use crate::parts::track::Track;
 
 impl CheckedKeys {
     /// The keys of damage: as written, or those of wear alone where a law of wear is written; none where neither is.

@@ -12,11 +12,11 @@ use riffel::{Direction, ElasticMaterial, HertzContact, Loop, Rail, Receptance, S
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 
 use super::ClosedLoop;
-use crate::checked_keys::CheckedKeys;
 use crate::file::{Comb, Rotation, TrackModel};
-use crate::general_keys::{ConformityKeys, ContactKeys, GeneralKeys, TwistKeys};
-use crate::track::Track;
-use crate::wheelset::CaseWheelset;
+use crate::keys::checked_keys::CheckedKeys;
+use crate::keys::general_keys::{ConformityKeys, ContactKeys, GeneralKeys, TwistKeys};
+use crate::parts::track::Track;
+use crate::parts::wheelset::CaseWheelset;
 
 /// One side of the wheelsets: its contact but for where it stands.
 struct Side {

@@ -24,11 +24,11 @@ use riffel::{
 pub(crate) use contact::{CreepInTime, mean_key};
 pub use creep_laws::CreepLaws;
 
-use crate::checked_keys::CheckedKeys;
 use crate::file::{DissipationPhase, Rotation, WearLaw};
-use crate::track::Track;
-use crate::wheelset::CaseWheelset;
-use crate::window::Window;
+use crate::keys::checked_keys::CheckedKeys;
+use crate::parts::track::Track;
+use crate::parts::wheelset::CaseWheelset;
+use crate::parts::window::Window;
 
 /// What is built of the keys of a case.
 pub(crate) struct BuiltCase {

@@ -4,8 +4,8 @@ use riffel::feedback::{Stability, UnstableRoot};
 use riffel::{Axis, Error, Loop};
 use riffel_keys::{Message, Value, fixed, number, say, shown_speeds, significant};
 
-use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, TrackModel};
+use crate::keys::checked_keys::CheckedKeys;
 
 /// Below the modes of a wheelset, and above what creep forces feel \[Hz\].
 const BAND: (f64, f64) = (1.0, 10e3);

@@ -10,10 +10,10 @@ use riffel::receptance::{
 use riffel::{Direction, ElasticMaterial, STEEL_DENSITY};
 use riffel_keys::quantity::{Dimension, Quantity};
 
-use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, Support, TrackModel};
-use crate::measurement;
-use crate::track::{Origin, Track};
+use crate::keys::checked_keys::CheckedKeys;
+use crate::parts::measurement;
+use crate::parts::track::{Origin, Track};
 
 impl CheckedKeys {
     /// The track in one direction, over a support or where the case says.
@@ -190,7 +190,7 @@ impl CheckedKeys {
         self.physics("rail", beam)
     }
 
-    pub(super) fn beam(&self, steel: ElasticMaterial, direction: Direction) -> Result<Beam, CaseError> {
+    pub(crate) fn beam(&self, steel: ElasticMaterial, direction: Direction) -> Result<Beam, CaseError> {
         let rail = &self.file.rail;
         let (second_moment, shear_coefficient) = match direction {
             Direction::Lateral => (
@@ -224,7 +224,7 @@ impl CheckedKeys {
         self.physics("rail", beam)
     }
 
-    pub(super) fn bar(&self, steel: ElasticMaterial) -> Result<Bar, CaseError> {
+    pub(crate) fn bar(&self, steel: ElasticMaterial) -> Result<Bar, CaseError> {
         let area = self.of_rail("rail.area", self.file.rail.area)?;
         let (loss_factor, damping) = self.rail_loss();
         let bar = Bar::new(steel, area, self.mass_per_length()?)
@@ -258,7 +258,7 @@ impl CheckedKeys {
     }
 
     /// One support, values per support, and their distance \[m\].
-    pub(super) fn support(
+    pub(crate) fn support(
         &self,
         two_layers: bool,
         direction: Direction,

@@ -8,12 +8,12 @@ use riffel::{Axis, Direction, Error, HertzContact, Loop};
 use riffel_keys::{Message, Value, fixed, number, say, shown_speed};
 
 use super::stability;
-use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
-use crate::measurement;
-use crate::short_waves::{shorter_than_patch, shortest_not_averaged};
-use crate::track::Track;
-use crate::wheelset::CaseWheelset;
+use crate::keys::checked_keys::CheckedKeys;
+use crate::parts::measurement;
+use crate::parts::short_waves::{shorter_than_patch, shortest_not_averaged};
+use crate::parts::track::Track;
+use crate::parts::wheelset::CaseWheelset;
 
 /// Frequency from which a rail on its supports moves like a free one \[Hz\]; Afferrante & Ciavarella
 /// (2009), section 2.

@@ -8,16 +8,16 @@ use riffel::wheelset::{
 use riffel::{ElasticMaterial, Rail};
 use riffel_keys::{CaseError, Message};
 
-use crate::checked_keys::CheckedKeys;
 use crate::file;
-use crate::general_keys::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
-use crate::measurement::{MeasurementError, WheelsetModes, WheelsetReceptances};
-use crate::wheelset::{BuiltWheelset, CaseWheelset};
+use crate::keys::checked_keys::CheckedKeys;
+use crate::keys::general_keys::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
+use crate::parts::measurement::{MeasurementError, WheelsetModes, WheelsetReceptances};
+use crate::parts::wheelset::{BuiltWheelset, CaseWheelset};
 
 impl CheckedKeys {
     /// The wheelset, whose wheels have the rolling radius \[m\] and of which that on `rail` is under study; beside it, where the
     /// case shares its parts, the same with its memory.
-    pub(super) fn wheelset(
+    pub(crate) fn wheelset(
         &self,
         keys: &WheelsetKeys,
         rolling_radius: f64,

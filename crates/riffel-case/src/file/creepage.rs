@@ -10,7 +10,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use toml::{Table, Value};
 
-use crate::setting::Setting;
+use crate::file::setting::Setting;
 
 /// Steady creepage ξ₀ of wheel and rail: along the rail, or in any direction and with spin.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

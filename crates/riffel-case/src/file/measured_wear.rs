@@ -60,7 +60,7 @@ impl MeasuredWear {
 }
 
 /// A table, or the short text.
-pub(super) fn schema(generator: &mut SchemaGenerator) -> Schema {
+pub(crate) fn schema(generator: &mut SchemaGenerator) -> Schema {
     json_schema!({
         "anyOf": [
             generator.subschema_for::<MeasuredWear>(),

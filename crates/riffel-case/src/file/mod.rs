@@ -1,5 +1,8 @@
 //! The keys of a case file, as written.
 
+pub(crate) mod key;
+pub(crate) mod setting;
+
 mod contact;
 mod creep_law_name;
 mod creepage;

@@ -16,11 +16,11 @@ use toml::{Table, Value};
 
 use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint};
 use crate::Case;
-use crate::case_text::{CaseText, REPLACED_BY_WHEELSET};
 use crate::file::CreepLawName;
 use crate::file::{Rotation, Support, TrackModel, Wheelset, WheelsetModel};
-use crate::substitutes::{GivenReceptance, Substitutes};
-use crate::window::Window;
+use crate::keys::substitutes::{GivenReceptance, Substitutes};
+use crate::parts::window::Window;
+use crate::text::case_text::{CaseText, REPLACED_BY_WHEELSET};
 
 /// The creep law of a contact beyond saturation.
 const FULL_SLIDING: &str = "full-sliding";

@@ -1,5 +1,7 @@
 //! Traffic files: the vehicles of a line, and how fast corrugation grows under them.
 
+pub(crate) mod mechanisms;
+
 mod in_time;
 mod mix;
 mod on_case;

@@ -7,7 +7,7 @@ use toml::Value;
 use super::spread::{Values, names_of_key, of_key};
 use super::{FrictionDays, Vehicle};
 use crate::CaseKey;
-use crate::setting::{Setting, settings, settings_until};
+use crate::file::setting::{Setting, settings, settings_until};
 
 /// What is spread over the wheels of a vehicle besides its speed.
 #[derive(Debug, Clone, Default, PartialEq)]

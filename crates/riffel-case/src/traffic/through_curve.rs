@@ -9,11 +9,11 @@ use toml::Value;
 
 use super::spreads::{FRICTION, LOAD, PartValues, WHEEL_RADIUS};
 use super::{CurveOfVehicle, Traffic};
-use crate::case_text::CaseText;
-use crate::curving::CurvingCase;
-use crate::curving::Equilibrium;
-use crate::setting::Setting;
-use crate::window::Window;
+use crate::curve::CurvingCase;
+use crate::curve::Equilibrium;
+use crate::file::setting::Setting;
+use crate::parts::window::Window;
+use crate::text::case_text::CaseText;
 use crate::{Case, Variant};
 
 /// Keys of a case that the equilibrium of a vehicle gives in their place, where the case takes its own mean state from no curve.
@@ -51,7 +51,7 @@ impl Traffic {
         let mut curving = match &vehicle.curve {
             None | Some(CurveOfVehicle::OfCase(false)) => return Ok(None),
             Some(CurveOfVehicle::OfCase(true)) => {
-                let sets = [&crate::setting::settings(&vehicle.set)[..], &variant.settings];
+                let sets = [&crate::file::setting::settings(&vehicle.set)[..], &variant.settings];
                 let mut text = case.text_with(&sets)?;
                 let from = text.keys.has("contact.from").then(|| text.asks_for());
                 match from.transpose()?.and_then(|from| from.curve) {
@@ -65,7 +65,7 @@ impl Traffic {
             Some(CurveOfVehicle::File(file)) => CurvingCase::read(&self.folder.join(file), &[])?,
         };
         if let Some(CurveOfVehicle::File(_)) = &vehicle.curve {
-            let own = crate::setting::settings(&vehicle.set);
+            let own = crate::file::setting::settings(&vehicle.set);
             let of_vehicle = own
                 .iter()
                 .chain(&variant.settings)

@@ -7,8 +7,8 @@ use toml::Value;
 
 use super::spreads::{FRICTION_DAYS, PartValues, place_of};
 use super::{Traffic, Vehicle};
-use crate::kept_state::KeptState;
-use crate::setting::{Setting, settings};
+use crate::case::kept_state::KeptState;
+use crate::file::setting::{Setting, settings};
 use crate::{Case, CaseKey, Variant};
 
 /// The wheel of a vehicle, and how fast it runs.

@@ -17,10 +17,10 @@ use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
 use super::wheel_on_case::{WheelOnCase, settings_of, window};
 use super::{CurveOfVehicle, Traffic};
-use crate::curving::Equilibrium;
-use crate::kept_state::KeptState;
-use crate::setting::Setting;
-use crate::window::Window;
+use crate::case::kept_state::KeptState;
+use crate::curve::Equilibrium;
+use crate::file::setting::Setting;
+use crate::parts::window::Window;
 use crate::{Case, Hold, Variant};
 use across_rail::AcrossRail;
 

@@ -1,0 +1,40 @@
+//! The wavelengths whose growth is told.
+
+use riffel::Axis;
+use riffel::forecast::TrafficGrowth;
+
+use crate::Case;
+use crate::file::ContactDynamics;
+use crate::parts::short_waves::shortest_not_averaged;
+
+impl Case {
+    /// The wavelengths of the map of which the fastest growth is told: without those that the contact averages out, shorter than
+    /// one and a half of its lengths, where its response does not have that filter. None where all of them are.
+    pub fn growth_window(&self) -> Option<Axis> {
+        self.told_of(self.wavelength)
+    }
+
+    /// The shortest wavelength \[m\] of which the fastest growth is told; zero where the response of the contact has the filter.
+    pub fn shortest_told(&self) -> f64 {
+        match self.file.contact.response {
+            ContactDynamics::NonSteady => 0.0,
+            _ => shortest_not_averaged(self.hertz),
+        }
+    }
+
+    /// The wavelength of the bands of the case that grows fastest under a traffic \[m\], its growth rate per axle passage, and whether it
+    /// sits at an edge: of those that the contact does not average out; of all, where it averages out all. Bands reach a little beyond the map.
+    pub fn fastest_under(&self, growth: &TrafficGrowth) -> Option<(f64, f64, bool)> {
+        let told = growth.fastest(self.shortest_told());
+        told.or_else(|| growth.fastest(0.0))
+    }
+
+    /// Those of another window.
+    pub fn told_of(&self, window: Axis) -> Option<Axis> {
+        let shortest = self.shortest_told();
+        if window.min() >= shortest {
+            return Some(window);
+        }
+        Axis::new(shortest, window.max(), window.points()).ok()
+    }
+}

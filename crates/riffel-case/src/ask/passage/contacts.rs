@@ -1,0 +1,253 @@
+//! The contacts of a case in time.
+
+use riffel::Rail;
+use riffel::feedback::Contact;
+use riffel::passage::{ContactInTime, DamageInTime, TransientContact, WaveInTime};
+use riffel_keys::{CaseError, Message, say};
+
+use crate::Case;
+use crate::build::CreepInTime;
+use crate::file::{ContactDynamics, Rotation};
+use crate::keys::general_keys::{ContactKeys, GeneralKeys};
+use crate::parts::wheelset::CaseWheelset;
+
+/// Most contacts that are followed in time.
+const MOST_CONTACTS: usize = 8;
+
+impl Case {
+    /// The contacts of the loop, that under study first.
+    pub(super) fn contacts_in_time(&self) -> Result<Vec<ContactInTime>, CaseError> {
+        let keys = self.keys.general()?;
+        let contacts = self.feedback.contacts().iter();
+        contacts
+            .map(|contact| match &keys {
+                None => self.one_contact_in_time(contact),
+                Some(keys) => self.contact_of_loop_in_time(contact, keys),
+            })
+            .collect()
+    }
+
+    /// The contact of one wheel along one axis.
+    fn one_contact_in_time(&self, of_loop: &Contact) -> Result<ContactInTime, CaseError> {
+        let (keys, friction) = (&self.keys, self.steady.friction);
+        let CreepInTime { law, late, wave } = match &self.law {
+            Some(law) => CreepInTime { law: law.clone(), late: None, wave: None },
+            None => keys.exact_in_time(self.hertz, friction)?,
+        };
+        let contact = ContactInTime::of_one_wheel(self.steady, self.hertz.stiffness(), law);
+        let contact = keys.physics("contact", contact)?;
+        let even = self.file.wheel.rotation() == Rotation::ConstantCreepage;
+        Ok(ContactInTime {
+            wave: wave.or_else(|| WaveInTime::of(of_loop)),
+            late,
+            held: [even, contact.held[1]],
+            damage: DamageInTime::of(&self.feedback, of_loop),
+            ..contact
+        })
+    }
+
+    fn contact_of_loop_in_time(&self, contact: &Contact, keys: &GeneralKeys) -> Result<ContactInTime, CaseError> {
+        let side = keys_of_side(keys, contact.rail);
+        let steel = self.keys.steel()?;
+        let hertz = self.keys.hertz_of(steel, side)?;
+        let Some(law) = self.keys.creep_law(hertz, side.friction)? else {
+            let message = say!(quasi_static_in_time);
+            return Err(self.refuse("contact.creep_law", message));
+        };
+        let in_time = ContactInTime::new(contact, law);
+        Ok(ContactInTime {
+            damage: DamageInTime::of(&self.feedback, contact),
+            ..self.keys.physics("contact", in_time)?
+        })
+    }
+
+    /// `Ok` if the loop of the case can be followed through time.
+    pub(super) fn check_in_time(&self) -> Result<(), CaseError> {
+        let refuse = |key: &str, message: Message| Err(self.refuse(key, message));
+        let on_all_axes = !self.feedback.is_along_one_axis();
+        let contacts = self.feedback.contacts();
+        if contacts.len() > MOST_CONTACTS {
+            let message = say!(the_case_has_contacts_but_a, count = contacts.len(), most_contacts = MOST_CONTACTS);
+            return refuse("train.wheels", message);
+        }
+        if on_all_axes && self.keys.given.track.is_some() {
+            let message = say!(track_of_all_frequencies_in_time);
+            return refuse("track", message);
+        }
+        if self.keys.given.wheel.is_some() {
+            let message = say!(rigid_wheel_in_time);
+            return refuse("wheel", message);
+        }
+        if matches!(self.wheelset.as_deref(), Some(CaseWheelset::Measured(_))) {
+            let message = say!(wheelset_of_all_frequencies_in_time);
+            return refuse("wheelset.model", message);
+        }
+        match self.file.contact.response {
+            ContactDynamics::SpringDashpot => {
+                let message = say!(no_spring_dashpot_in_time);
+                return refuse("contact.response", message);
+            }
+            ContactDynamics::NonSteady if on_all_axes => {
+                let message = "on all axes a passage in time takes a contact that answers at once, `contact.response` = \"quasi-static\"";
+                return refuse("contact.response", message.into());
+            }
+            _ => {}
+        }
+        if contacts.iter().any(|contact| contact.moving.is_some()) {
+            let message = say!(contacts_at_rest_in_time);
+            return refuse("contact.conformity", message);
+        }
+        if self.wheelset.is_none() && self.file.wheel.rotation() == Rotation::ConstantTangentialForce {
+            let message = say!(no_constant_force_in_time);
+            return refuse("wheel.rotation", message);
+        }
+        Ok(())
+    }
+
+    /// The contact of the half-space to roll element by element, on `contact.grid` elements or one more; over the true gap of a wave where
+    /// its geometry has a part.
+    pub fn transient_contact(&self) -> TransientContact {
+        let grid = usize::try_from(self.file.contact.grid).unwrap_or(usize::MAX);
+        TransientContact {
+            hertz: self.hertz,
+            friction: self.steady.friction,
+            across: grid.next_multiple_of(2),
+            over_true_gap: self.file.contact.wave_geometry == Some(true),
+        }
+    }
+}
+
+/// The contact on a rail.
+fn keys_of_side(keys: &GeneralKeys, rail: Rail) -> &ContactKeys {
+    match &keys.opposite {
+        Some(opposite) if rail != keys.rail => &opposite.contact,
+        _ => &keys.contact,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NOMINAL_CASE;
+    use riffel::Complex64;
+    use riffel::passage::Sinusoid;
+
+    const TRAILER: &str = include_str!("../../../cases/wheelset-metro-trailer.toml");
+
+    /// Largest difference of the first harmonics of forces and creepages at any contact from those of the linear loop, each
+    /// over the largest of its kind.
+    fn off(case: &Case, wavelength: f64, speed: f64) -> f64 {
+        let amplitude = 1e-8;
+        let profile = Sinusoid { amplitude, wavelength };
+        let passage = case.in_time(speed).unwrap();
+        let settled = passage.settle(profile, 256).unwrap();
+        let linear = case.feedback.at(wavelength, speed);
+        let scale = amplitude / case.feedback.amplitude();
+        let [mut of_forces, mut of_creepages] = [Off::default(); 2];
+        for (contact, settled) in linear.contacts.iter().zip(&settled) {
+            let first = &settled.harmonics[1];
+            let forces = [first.tangential_force, first.lateral_force, first.normal_force];
+            let creepages = [first.creepage, first.lateral_creepage];
+            of_forces.add(&forces, &contact.force.map(|force| scale * force));
+            of_creepages.add(&creepages, &contact.creepage.map(|creep| scale * creep));
+        }
+        of_forces.relative().max(of_creepages.relative())
+    }
+
+    /// Largest difference and largest size.
+    #[derive(Clone, Copy, Default)]
+    struct Off([f64; 2]);
+
+    impl Off {
+        fn add(&mut self, got: &[Complex64], expected: &[Complex64]) {
+            for (got, expected) in got.iter().zip(expected) {
+                self.0[0] = self.0[0].max((got - expected).norm());
+                self.0[1] = self.0[1].max(expected.norm());
+            }
+        }
+
+        fn relative(&self) -> f64 {
+            self.0[0] / self.0[1]
+        }
+    }
+
+    fn case(text: &str, overrides: &[&str]) -> Case {
+        let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
+        Case::parse("case", text, &overrides).unwrap()
+    }
+
+    /// A flexible wheelset on a track whose layers are viscous, so that nothing of it is cut.
+    fn trailer(overrides: &[&str]) -> Case {
+        let viscous = [
+            "track.model=one-layer",
+            "track.pad.loss_factor=0",
+            "track.pad.damping=20e3",
+            "rail.loss_factor=0",
+            "contact.creep_law=polach",
+        ];
+        case(TRAILER, &[&viscous, overrides].concat())
+    }
+
+    /// First harmonics of small waves at every contact, over the largest; the fit of the structures and the step leave
+    /// 10⁻⁴.
+    #[test]
+    fn small_waves_are_those_of_the_linear_loop() {
+        let lone = ["contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}", "contact.creep_law=polach"];
+        let (antiphase, angle) = ("wheelset.opposite_rail=antiphase", "contact.contact_angle=\"5 deg\"");
+        let (absent, two) = ("wheelset.opposite_rail=absent", "train.wheels=[0, 2.1]");
+        for (case, wavelength, speed) in [
+            (case(NOMINAL_CASE, &lone), 0.12, 15.0),
+            (trailer(&[antiphase, angle]), 0.05, 20.0),
+            (trailer(&[absent, two]), 0.03, 12.0),
+        ] {
+            let off = off(&case, wavelength, speed);
+            assert!(off < 3e-4, "{wavelength} {speed}: {off:.1e}");
+        }
+    }
+
+    /// Wheels on all axes pass discrete supports, but do not come to rest on them.
+    #[test]
+    fn supports_pass_under_wheels_on_all_axes() {
+        let supports = [
+            "track.model=one-layer-periodic",
+            "track.support_spacing=\"0.6 m\"",
+            "track.pad={stiffness=\"120 MN/m\", damping=\"80 kNs/m\"}",
+            "rail.loss_factor=0.02",
+            "contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}",
+            "contact.creep_law=polach",
+        ];
+        let case = case(NOMINAL_CASE, &supports);
+        let passage = case.in_time(20.0).unwrap();
+        assert_eq!(passage.structures.support_spacing(), Some(0.6));
+        let Err(error) = case.in_time_without_profile(20.0) else {
+            panic!("a smooth rail on supports was taken");
+        };
+        assert!(error.to_string().contains("never come to rest"), "{error}");
+    }
+
+    /// A slab with direct fastenings, whose rail loses little, once swung up by a response that was free above 3.5 kHz.
+    #[test]
+    fn a_rail_of_little_loss_comes_to_rest() -> Result<(), CaseError> {
+        let model = Case::parse("metro", crate::METRO_CASE, &[])?.in_time(22.0)?;
+        assert!(model.memory().is_ok_and(|memory| memory < 10.0));
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_not_followed_through_time_is_refused() {
+        let even = ["wheel.rotation=constant-creepage", "contact.creep_law=polach"];
+        assert!(case(NOMINAL_CASE, &even).in_time(30.0).is_ok());
+        let nominal = |rotation| case(NOMINAL_CASE, &[rotation]);
+        for (case, words) in [
+            (nominal("wheel.rotation=constant-tangential-force"), "leaves the rail"),
+            (nominal("contact.response=spring-dashpot"), "small oscillations only"),
+            (trailer(&["contact.response=spring-dashpot"]), "small oscillations only"),
+            (trailer(&["train.wheels=[0, 2, 4, 6, 8]"]), "10 contacts"),
+        ] {
+            let Err(error) = case.in_time(15.0) else {
+                panic!("{words} was taken");
+            };
+            assert!(error.to_string().contains(words), "{error}");
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Parts that cases are built of and share.
+
+pub(crate) mod measurement;
+pub(crate) mod shared;
+pub(crate) mod short_waves;
+pub(crate) mod track;
+pub(crate) mod wheelset;
+pub(crate) mod window;
