@@ -91,7 +91,6 @@
 //! [`creep_coefficient`]: contact::creep_coefficient
 
 pub mod axlebox;
-mod chebyshev;
 mod constants;
 pub mod contact;
 pub mod curving;
@@ -102,21 +101,16 @@ mod elastic;
 pub mod error;
 pub mod feedback;
 pub mod forecast;
-mod gauss;
-mod golden_section;
 pub mod growth;
-mod inverse;
 mod mean_wear;
 pub mod noise;
-mod normal_numbers;
+mod numerics;
 pub mod paper;
 pub mod passage;
 mod place_of_wear;
 pub mod profile;
 pub mod receptance;
 pub mod roughness;
-mod simultaneous_roots;
-mod square_root;
 pub mod tile;
 mod vector;
 pub mod wanted;

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use crate::contact::MeanRolling;
 use crate::damage::Ramps;
-use crate::gauss::{equal_panels, panels};
+use crate::numerics::gauss::{equal_panels, panels};
 use crate::wear::WearRegime;
-use crate::{EnergyWear, Error, HertzContact};
+use crate::{EnergyWear, Error, HertzContact, STEEL_DENSITY};
 
 /// How regimes of wear meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,8 +57,6 @@ pub(crate) struct AtMeanState {
 
 /// Hardness of rail steel \[Pa\], 280 HV.
 const HARDNESS: f64 = 2.75e9;
-/// Density of that steel \[kg/m³\].
-const DENSITY: f64 = 7850.0;
 
 impl WearRegimes {
     /// The law of wear of a contact in a mean state, divided by a factor for natural lubrication.
@@ -110,7 +108,7 @@ impl WearRegimes {
                 let pressure = 1.5 * load / area;
                 let [k, by_speed, by_pressure] = archard_map(sliding, pressure);
                 AtMeanState {
-                    coefficient: DENSITY * k / (steady.friction * HARDNESS),
+                    coefficient: STEEL_DENSITY * k / (steady.friction * HARDNESS),
                     by_energy: 1.0 + by_speed,
                     // v ∝ e/P, p ∝ P^(1/3).
                     by_load: by_pressure / 3.0 - by_speed,

@@ -7,6 +7,7 @@ use num_complex::Complex64;
 use super::transforms::{backward, forward, length};
 use super::{AxleBoxTransfer, FeltProfile, Inverse, RunSettings};
 use crate::Error;
+use crate::numerics::cubic::cubic;
 use crate::roughness::{Profile, ThirdOctave, WavelengthBand};
 
 /// Samples of roughness in time to one of acceleration, so that cubics between them err by less than 1e-3.
@@ -112,7 +113,7 @@ impl Segment<'_> {
             let (here, next) = (self.positions[index], self.positions[index + 1]);
             while number * spacing < next {
                 let share = ((number * spacing - here) / (next - here)).max(0.0);
-                found.push(cubic(heights, FINER as f64 * (index as f64 + share)));
+                found.push(between(heights, FINER as f64 * (index as f64 + share)));
                 number += 1.0;
             }
         }
@@ -134,13 +135,8 @@ fn rising(share: f64) -> f64 {
 }
 
 /// The cubic through the four values about a place among them (Lagrange).
-fn cubic(values: &[f64], place: f64) -> f64 {
+fn between(values: &[f64], place: f64) -> f64 {
     let last = values.len() - 1;
     let at = (place as usize).clamp(1, last - 2);
-    let t = place - at as f64;
-    let [a, b, c, d] = [values[at - 1], values[at], values[at + 1], values[at + 2]];
-    let third = (d - a) / 6.0 + (b - c) / 2.0;
-    let second = (a + c) / 2.0 - b;
-    let first = c - b / 2.0 - a / 3.0 - d / 6.0;
-    b + t * (first + t * (second + t * third))
+    cubic([values[at - 1], values[at], values[at + 1], values[at + 2]], place - at as f64)
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
-use crate::gauss::{equal_panels, panels};
+use crate::numerics::gauss::{equal_panels, panels};
 
 /// E⟨X + σz⟩^m, z normal, ⟨·⟩ zero below zero; for a cosine X = X₀ + U cos θ its mean and its first harmonic.
 ///

@@ -1,7 +1,7 @@
 //! The rate of a clipped power about one mean state, read from a table over the amplitude.
 
 use super::ClippedPower;
-use crate::chebyshev::{NODES, polynomial_at, through_nodes};
+use crate::numerics::chebyshev::{NODES, polynomial_at, through_nodes};
 
 /// Equal cells to begin with.
 const FIRST_CELLS: usize = 16;

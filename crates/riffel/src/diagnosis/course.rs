@@ -211,7 +211,7 @@ pub(super) mod tests {
     use rand_xoshiro::rand_core::SeedableRng;
 
     use super::*;
-    use crate::normal_numbers::normal_pair;
+    use crate::numerics::normal_numbers::normal_pair;
 
     /// Levels of one record after the other.
     pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> Course {

@@ -9,7 +9,7 @@ use super::branch::{Minimum, Place, RidgeBranch, chains, minima};
 use super::fine_row::{FineRow, first_wavelengths};
 use super::{Axis, GrowthMap, RowEvaluator};
 use crate::feedback::Loop;
-use crate::golden_section::golden_section;
+use crate::numerics::golden_section::golden_section;
 use crate::wanted::check;
 
 /// Share of the growth of the strongest branch below which another is left out: it would take a hundred times as long.

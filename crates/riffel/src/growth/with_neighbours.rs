@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use crate::Error;
 use crate::damage::DamageLaw;
 use crate::feedback::Loop;
-use crate::inverse::{identity, inverse};
+use crate::numerics::inverse::{identity, inverse};
 use crate::receptance::MovingLoadOnSupports;
 
 /// Growth per passage as an operator over the wavenumbers k_n = 2π/λ + 2πn/d, n = −N … N.

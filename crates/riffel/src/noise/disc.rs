@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use libm::tgamma;
 
 use super::Air;
-use crate::gauss::{equal_panels, panels};
-use crate::inverse::inverse;
+use crate::numerics::gauss::{equal_panels, panels};
+use crate::numerics::inverse::inverse;
 use crate::{Complex64, Error};
 
 /// A thin disc in free air, both faces of which move by s(r) cos nθ along its axis.

@@ -2,8 +2,9 @@
 //!
 //! Roughness between wheel and rail makes them vibrate ([`RollingSource`]); rail, sleepers and wheel radiate
 //! ([`OscillatingCylinder`], [`Piston`], [`OscillatingSphere`]); a train of such sources is heard beside the track
-//! ([`PassBy`]). The source model of the European directive, roughness and tables of transfer functions, is
-//! [`TransferModel`].
+//! ([`PassBy`]). The source model of the European directive, Commission Directive (EU) 2015/996, section 2.3.2, is a
+//! [`TransferFunction`] of the track and one of the vehicle, each for one wheelset: L_W,0 = L_R,tot + L_H; superstructure, joints,
+//! squeal, traction and air are left out.
 //!
 //! Bands are [`FrequencyBand`]s; sound power is in watts, mean square pressure in Pa², roughness as a
 //! [`Spectrum`](crate::roughness::Spectrum).
@@ -41,5 +42,5 @@ pub use pass_by::{PassBy, Surroundings};
 pub use piston::Piston;
 pub use rolling_source::{BandRadiation, RailDecay, RollingSource, Sleepers, SoundPower};
 pub use sphere::OscillatingSphere;
-pub use transfer::{TransferFunction, TransferModel};
+pub use transfer::TransferFunction;
 pub use wheel_modes::{WheelMode, WheelModes};

@@ -45,16 +45,6 @@ impl TransferFunction {
     }
 }
 
-/// Rolling noise of Commission Directive (EU) 2015/996, section 2.3.2: L_W,0 = L_R,tot + L_H of track and of vehicle, each for
-/// one wheelset; superstructure, joints, squeal, traction and air are left out.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TransferModel {
-    /// Of the track: rail and sleepers.
-    pub track: TransferFunction,
-    /// Of the vehicle: wheels and bogie.
-    pub vehicle: TransferFunction,
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::cylinder::efficiency;
 use super::{Air, VibratingDisc};
-use crate::gauss::panels;
+use crate::numerics::gauss::panels;
 use crate::{Complex64, Error};
 
 /// A natural mode of a wheel on its axle, of a generalised mass of 1 kg.

@@ -3,6 +3,7 @@
 use super::felt::Felt;
 use super::{ContactInTime, ContactInstant, March, PassageModel};
 use crate::Error;
+use crate::numerics::cubic::cubic;
 use crate::roughness::Profile;
 
 /// What wheels did along a profile.
@@ -231,16 +232,6 @@ impl<'a, 'm> Roll<'a, 'm> {
     }
 }
 
-/// The cubic through four equidistant values (Lagrange), a share of the way from the second to the third.
-fn cubic(values: [f64; 4], share: f64) -> f64 {
-    let [a, b, c, d] = values;
-    let t = share;
-    let third = (d - a) / 6.0 + (b - c) / 2.0;
-    let second = (a + c) / 2.0 - b;
-    let first = c - b / 2.0 - a / 3.0 - d / 6.0;
-    b + t * (first + t * (second + t * third))
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
@@ -270,14 +261,5 @@ mod tests {
             assert!((mean[50] - 50.0).abs() < 1e-10);
         }
         Ok(())
-    }
-
-    #[test]
-    fn cubics_are_exact() {
-        let at = |x: f64| 2.0 - 3.0 * x + 0.5 * x * x - 0.25 * x * x * x;
-        for share in [0.0, 0.3, 0.5, 1.0] {
-            let got = cubic([at(-1.0), at(0.0), at(1.0), at(2.0)], share);
-            assert!((got - at(share)).abs() < 1e-14, "{share}");
-        }
     }
 }

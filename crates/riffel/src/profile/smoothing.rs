@@ -235,7 +235,7 @@ mod tests {
     use rand_xoshiro::rand_core::SeedableRng;
 
     use super::*;
-    use crate::normal_numbers::normal_pair;
+    use crate::numerics::normal_numbers::normal_pair;
     use crate::profile::{NominalProfile, Profile};
 
     /// A profile measured at equal steps of its length with scatter across it \[m\].

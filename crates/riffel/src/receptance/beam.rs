@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use super::EulerBernoulliBeam;
 use super::wave_stiffness::WaveStiffness;
 use super::waves::{Wave, Waveguide, Waves, outgoing};
-use crate::square_root::square_root;
+use crate::numerics::square_root::square_root;
 use crate::{ElasticMaterial, Error};
 
 /// What a rail section needs beyond bending, for Timoshenko's beam.

@@ -7,8 +7,8 @@ use rand_xoshiro::rand_core::SeedableRng;
 use super::periodic::Station;
 use super::{Beam, FloquetWaves, PeriodicTrack, Waveguide};
 use crate::Error;
-use crate::inverse::inverse;
-use crate::normal_numbers::normal_pair;
+use crate::numerics::inverse::inverse;
+use crate::numerics::normal_numbers::normal_pair;
 
 /// An infinite rail on equal supports every d, of which some N side by side have moved along the rail, such as the sleepers of a
 /// track as it was laid.

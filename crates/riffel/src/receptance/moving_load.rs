@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use super::waves::Waveguide;
 use super::{Beam, ContinuousTrack, Layer, Receptance, Support};
 use crate::Error;
-use crate::golden_section::golden_section;
+use crate::numerics::golden_section::golden_section;
 
 /// An infinite rail, free or on one or two layers spread evenly, under an oscillating load that
 /// travels at the speed V.

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::{Frequencies, Receptance};
-use crate::chebyshev::{NODES, polynomial_at, through_nodes};
+use crate::numerics::chebyshev::{NODES, polynomial_at, through_nodes};
 use crate::tile::{SplitComplex, TILE, Tile};
 
 /// Equal cells to begin with.

@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::wave_stiffness::WaveStiffness;
-use crate::square_root::square_root;
+use crate::numerics::square_root::square_root;
 use crate::{ElasticMaterial, Error};
 
 /// What a rail section needs beyond bending to twist, and where its foot and its mass are.

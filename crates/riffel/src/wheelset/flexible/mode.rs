@@ -6,7 +6,7 @@ use super::chain::Chain;
 use super::disc::CoupledInertia;
 use super::span::Section;
 use super::square::Square;
-use crate::gauss::GAUSS;
+use crate::numerics::gauss::GAUSS;
 
 /// A mode of a [`Chain`], of a generalised mass of 1 kg.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,10 @@
+//! Numerical methods, each once.
+
+pub(crate) mod chebyshev;
+pub(crate) mod cubic;
+pub(crate) mod gauss;
+pub(crate) mod golden_section;
+pub(crate) mod inverse;
+pub(crate) mod normal_numbers;
+pub(crate) mod simultaneous_roots;
+pub(crate) mod square_root;
