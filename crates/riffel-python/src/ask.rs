@@ -18,6 +18,7 @@ use serde_json::{Map, Value};
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
 use crate::case::Case;
+use crate::curving::CurvingCase;
 use crate::errors::of_answer;
 use crate::interrupt::interruptible;
 
@@ -62,6 +63,8 @@ impl<'py> InMemory<'py> {
         let path = if let Ok(case) = value.cast::<Case>() {
             self.1.push(case.clone());
             self.0.hold(key, case.get().case.clone())
+        } else if let Ok(case) = value.cast::<CurvingCase>() {
+            self.0.hold(key, case.get().0.clone())
         } else if let Ok(levels) = value.cast::<Levels>() {
             self.0.hold(key, levels.get().0.clone())
         } else if let Ok(list) = value.cast::<PyList>() {
@@ -74,13 +77,12 @@ impl<'py> InMemory<'py> {
     }
 }
 
-/// The document of the answer to a question, in which cases and levels may stand, and remarks on the question with their ids.
+/// Document of an answer, remarks on its question with their ids, and those of the answer.
+type Told<'py> = (Bound<'py, PyAny>, Vec<(&'static str, String)>, Vec<String>);
+
+/// Answer a question in which cases and levels may stand.
 #[pyfunction]
-pub(crate) fn ask<'py>(
-    py: Python<'py>,
-    name: &str,
-    question: &Bound<'py, PyDict>,
-) -> PyResult<(Bound<'py, PyAny>, Vec<(&'static str, String)>)> {
+pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict>) -> PyResult<Told<'py>> {
     let named = question::known(name).map_err(of_answer)?;
     let (mut keys, mut in_memory) = (Map::new(), InMemory::default());
     for (key, value) in question {
@@ -93,11 +95,13 @@ pub(crate) fn ask<'py>(
     let answered = interruptible(py, move || {
         let _held = held;
         let asker = Listener::default();
-        let document = named.answer(keys, &asker)?.value();
-        Ok::<_, AnswerError>((document, asker.0.into_inner().unwrap_or_else(PoisonError::into_inner)))
+        let answer = named.answer(keys, &asker)?;
+        let on_question = asker.0.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let own = answer.remarks().iter().map(ToString::to_string).collect();
+        Ok::<_, AnswerError>((answer.value(), on_question, own))
     });
     let answered = cases.iter().try_fold(answered?, |answered, case| case.get().unless_callable_failed(answered));
-    let (document, remarks): (Value, Vec<_>) = answered?.map_err(of_answer)?;
-    let remarks = remarks.iter().map(|remark: &Message| (remark.id(), remark.to_string()));
-    Ok((pythonize(py, &document)?, remarks.collect()))
+    let (document, on_question, own): (Value, Vec<Message>, _) = answered?.map_err(of_answer)?;
+    let on_question = on_question.iter().map(|remark| (remark.id(), remark.to_string()));
+    Ok((pythonize(py, &document)?, on_question.collect(), own))
 }

@@ -44,7 +44,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
     #[pymodule_export]
-    use crate::curving::{contact_geometry, contact_under_load, curve, profile};
+    use crate::curving::CurvingCase;
     #[pymodule_export]
     use crate::diagnosis::diagnose;
     #[pymodule_export]

@@ -21,10 +21,7 @@ pub struct UnderLoadAnswer {
     /// The same under pressure, the left contact and the right one.
     #[serde(skip)]
     pressed: Vec<(WheelsetContact, [Pressed; 2])>,
-    /// Of the patches.
-    #[serde(skip)]
-    pub own_remarks: Vec<Message>,
-    /// Of the case too.
+    /// Of the patches and of the case.
     #[serde(skip)]
     remarks: Vec<Message>,
 }
@@ -112,12 +109,10 @@ impl UnderLoadAnswer {
             }
             pressed.push((at, loaded));
         }
-        let own_remarks: Vec<Message> = of_turn(&rows).into_iter().collect();
         let of_case = case.remarks.iter().cloned().chain(case.remarks_of_profiles()?);
         Ok(Self {
             normal_force_n: normal_force,
-            remarks: own_remarks.iter().cloned().chain(of_case).collect(),
-            own_remarks,
+            remarks: of_turn(&rows).into_iter().chain(of_case).collect(),
             contacts: rows,
             pressed,
         })

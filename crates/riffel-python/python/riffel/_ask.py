@@ -53,14 +53,14 @@ def ask(name: str, question: Mapping[str, Any]) -> Any:
     >>> state["growth_rate_per_passage"] > 0.0
     True
     """
-    found, remarks = answer(name, question)
+    found, remarks, _ = answer(name, question)
     for _, remark in remarks:
         warnings.warn(remark, stacklevel=2)
     return found
 
 
-def answer(name: str, question: Mapping[str, Any]) -> tuple[Any, list[tuple[str, str]]]:
-    """The answer to a question, and ids and sentences of what is unusual about it."""
+def answer(name: str, question: Mapping[str, Any]) -> tuple[Any, list[tuple[str, str]], list[str]]:
+    """The answer to a question, ids and sentences of what is unusual about the question, and remarks of the answer."""
     return _riffel.ask(name, {key: plain(value, key) for key, value in question.items() if value is not None})
 
 
@@ -83,7 +83,7 @@ def plain(value: Any, name: str) -> Any:
         return value.strftime("%Y-%m-%d")
     if isinstance(value, float) and not math.isfinite(value):
         raise ValueError(f"{name} is {value}, but must be finite")
-    if value is None or isinstance(value, (str, int, float, _riffel.Case, _riffel.Levels)):
+    if value is None or isinstance(value, (str, int, float, _riffel.Case, _riffel.CurvingCase, _riffel.Levels)):
         return value
     kind = type(value).__name__
     raise TypeError(f"`{name}` is of type {kind}, but must be a number, a string, a bool, a list or a dict")

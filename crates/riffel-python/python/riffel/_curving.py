@@ -10,9 +10,10 @@ import numpy as np
 import xarray as xr
 
 from riffel import _datasets, _riffel, _vehicle_in_curve
+from riffel._ask import answer, ask
 from riffel._case import Case
 from riffel._quantities import Quantities, Quantity, scalar, signed
-from riffel._traffic import plain_keys
+from riffel._traffic import file_or_keys
 from riffel._vehicle_in_curve import RAILS
 
 GivenCase: TypeAlias = "Case | str | os.PathLike[str] | Mapping[str, Any]"
@@ -58,7 +59,7 @@ def curve(
     [0.008, 0.0021]
     """
     radii = None if radius is None else signed(radius, "radius", "length")
-    return _vehicle_in_curve.curve(_given(case), dict(overrides or {}), radii)
+    return _vehicle_in_curve.curve(_of_curving(case, overrides), radii)
 
 
 def contact_geometry(
@@ -99,9 +100,10 @@ def contact_geometry(
     >>> float(on_track["klingel"].sel(amplitude=0.003).round(4))
     0.1771
     """
-    shifts = [] if lateral_shift is None else signed(lateral_shift, "lateral_shift", "length").tolist()
+    shifts = None if lateral_shift is None else signed(lateral_shift, "lateral_shift", "length")
     angle = float(signed(yaw, "yaw", "ratio")[0])
-    title, found = _riffel.contact_geometry(_given(case), dict(overrides or {}), shifts, angle)
+    given = _of_curving(case, overrides)
+    found = ask("profile", {"file": given, "wheelset": True, "lateral_shift": shifts, "yaw": angle})
     sides = {
         "rolling_radius": ("m", "rolling radius"),
         "contact_angle": ("rad", "contact angle"),
@@ -145,7 +147,7 @@ def contact_geometry(
             "amplitude": _datasets.along("amplitude", conicity["amplitude_m"], "m", "amplitude, half of peak to peak"),
             "yaw": ((), angle, _datasets.said("rad", "yaw, nose to the right positive")),
         },
-        _datasets.titled(title),
+        _datasets.titled(given.title),
     )
 
 
@@ -194,8 +196,9 @@ def contact_under_load(
     shifts = signed(lateral_shift, "lateral_shift", "length")
     angle = float(signed(yaw, "yaw", "ratio")[0])
     force = scalar(load, "load", "force")
-    given = (_given(case), dict(overrides or {}), force, shifts.tolist(), angle)
-    title, found, remarks = _riffel.contact_under_load(*given)
+    given = _of_curving(case, overrides)
+    question = {"file": given, "wheelset": True, "load": force, "lateral_shift": shifts, "yaw": angle}
+    found, _, remarks = answer("profile", question)
     rows = found["contacts"]
 
     def over_theories(key: str) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -248,13 +251,10 @@ def contact_under_load(
             "yaw": ((), angle, _datasets.said("rad", "yaw, nose to the right positive")),
             "load": ((), force, _datasets.said("N", "normal force on each wheel")),
         },
-        {**_datasets.titled(title), "remarks": remarks},
+        {**_datasets.titled(given.title), "remarks": remarks},
     )
 
 
-def _given(case: GivenCase) -> _riffel.Case | dict[str, Any] | str:
-    if isinstance(case, Case):
-        return case._case
-    if isinstance(case, Mapping):
-        return plain_keys(case)
-    return os.fspath(case)
+def _of_curving(case: GivenCase, overrides: Mapping[str, Any] | None) -> _riffel.CurvingCase:
+    given = case._case if isinstance(case, Case) else file_or_keys(case)
+    return _riffel.CurvingCase(given, dict(overrides or {}))

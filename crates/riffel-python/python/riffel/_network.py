@@ -280,7 +280,7 @@ class Network:
         )
 
     def _ask(self, name: str, question: dict[str, Any]) -> Any:
-        found, remarks = answer(f"network {name}", {"store": self._folder, **question})
+        found, remarks, _ = answer(f"network {name}", {"store": self._folder, **question})
         for kind, remark in remarks:
             if kind == "survey-is-left-out":
                 raise ValueError(remark)

@@ -8,9 +8,9 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 import xarray as xr
 
-from riffel import _datasets, _riffel
-from riffel._ask import ask
-from riffel._quantities import Quantity, scalar
+from riffel import _datasets
+from riffel._ask import answer, ask
+from riffel._quantities import Quantity
 
 Orientation: TypeAlias = Literal["found", "as-written", "mirrored", "upside-down", "turned"]
 """How the coordinates of a file of a profile stand."""
@@ -69,8 +69,8 @@ def profile(
     >>> round(float(-1.0 / rail["curvature"].sel(x=crown)), 6)
     0.3
     """
-    scattered = None if scatter is None else scalar(scatter, "scatter", "length")
-    document, remarks = _riffel.profile(os.fspath(file), scattered, orientation)
+    question = {"file": os.fspath(file), "scatter": scatter, "orientation": orientation}
+    document, _, remarks = answer("profile", question)
     outline = document["profiles"][0]
     return xr.Dataset(
         {

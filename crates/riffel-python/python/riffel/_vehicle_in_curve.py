@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 
 from riffel import _datasets, _riffel
+from riffel._ask import ask
 from riffel._quantities import Floats
 
 RAILS = ["left", "right"]
@@ -62,9 +63,9 @@ WHOLE = {
 UNITS = ("_1_per_m", "_m_s2", "_rad", "_nm", "_m", "_n", "_w")
 
 
-def curve(given: _riffel.Case | dict[str, Any] | str, overrides: dict[str, Any], radii: Floats | None) -> xr.Dataset:
+def curve(case: _riffel.CurvingCase, radii: Floats | None) -> xr.Dataset:
     """How a vehicle stands in its curve, over radii or in that of the case alone."""
-    title, document = _riffel.curve(given, overrides, None if radii is None else radii.tolist())
+    document = ask("curve", {"case": case, "radius": radii})
     states: list[Any] = [document]
     numbers = [wheelset["wheelset"] for wheelset in document["wheelsets"]]
     dimensions: tuple[str, ...] = ()
@@ -106,7 +107,7 @@ def curve(given: _riffel.Case | dict[str, Any] | str, overrides: dict[str, Any],
     for key, (units, name) in WHOLE.items():
         add(_without_unit(key), (), _datasets.said(units, name), itemgetter(key))
     attributes = {key: document[key] for key in ("other_equilibria", "remarks")}
-    return xr.Dataset(variables, coordinates, {**_datasets.titled(title), **attributes})
+    return xr.Dataset(variables, coordinates, {**_datasets.titled(case.title), **attributes})
 
 
 def _of_wheels(key: str, state: Mapping[str, Any]) -> list[float]:

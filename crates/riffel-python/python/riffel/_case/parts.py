@@ -6,7 +6,7 @@ from typing import Any
 
 import xarray as xr
 
-from riffel import _contact, _track, _vehicle_in_curve
+from riffel import _contact, _riffel, _track, _vehicle_in_curve
 from riffel._case.keys import KeysOfCase, Overrides
 from riffel._quantities import Quantities, Quantity, array, scalar, signed
 
@@ -149,4 +149,4 @@ class PartsOfCase(KeysOfCase):
             Where no equilibrium is found at the radius of the case.
         """
         radii = None if radius is None else signed(radius, "radius", "length")
-        return _vehicle_in_curve.curve(self._case, dict(overrides or {}), radii)
+        return _vehicle_in_curve.curve(_riffel.CurvingCase(self._case, dict(overrides or {})), radii)
