@@ -67,8 +67,8 @@ pub fn is_value(path: &Path) -> bool {
 
 /// The key under which a document or a value stands in a question; `None` for the path of a file.
 pub fn key_of(path: &Path) -> Option<&Path> {
-    let key = path.to_str()?.strip_prefix("question:").map(Path::new);
-    key.filter(|_| holds(path))
+    let key = path.to_str()?.strip_prefix("question:").filter(|_| holds(path))?;
+    Some(Path::new(key.split_once('#').map_or(key, |(key, _)| key)))
 }
 
 /// The value in memory that stands in a question under this path, if it is of this type.

@@ -1,9 +1,8 @@
 //! Questions by their names, as the program answers them.
 
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
-use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -12,15 +11,13 @@ use riffel_answers::AnswerError;
 use riffel_answers::question::{self, Asker, Step};
 use riffel_keys::Message;
 use riffel_keys::question::Held;
-use riffel_rail::{LabelledSpectrum, RoughnessFile};
 use serde_json::{Map, Value};
 
-use crate::array::owned;
-use crate::arrays_of_rails::spectrum;
 use crate::case::Case;
 use crate::curving::CurvingCase;
 use crate::errors::of_answer;
 use crate::interrupt::interruptible;
+use crate::records::Record;
 
 /// Somebody who hears what is unusual about a question after it is answered.
 #[derive(Default)]
@@ -38,21 +35,6 @@ impl Asker for Listener {
     fn reads(&self, _: &Path) {}
 }
 
-/// One-third-octave levels in memory, in place of a file.
-#[pyclass(frozen, module = "riffel._riffel")]
-pub(crate) struct Levels(Arc<RoughnessFile>);
-
-#[pymethods]
-impl Levels {
-    /// Of wavelengths \[m\] and levels \[dB re 1 µm\].
-    #[new]
-    fn new(wavelengths: PyReadonlyArray1<'_, f64>, levels: PyReadonlyArray1<'_, f64>) -> PyResult<Self> {
-        let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
-        let spectra = vec![LabelledSpectrum { labels: Vec::new(), spectrum }];
-        Ok(Self(Arc::new(RoughnessFile::Spectra(spectra, Vec::new()))))
-    }
-}
-
 /// What stands under the keys of a question in memory, and the cases among it.
 #[derive(Default)]
 struct InMemory<'py>(Held, Vec<Bound<'py, Case>>);
@@ -65,8 +47,9 @@ impl<'py> InMemory<'py> {
             self.0.hold(key, case.get().case.clone())
         } else if let Ok(case) = value.cast::<CurvingCase>() {
             self.0.hold(key, case.get().0.clone())
-        } else if let Ok(levels) = value.cast::<Levels>() {
-            self.0.hold(key, levels.get().0.clone())
+        } else if let Ok(record) = value.cast::<Record>() {
+            let Record { name, file } = record.get();
+            self.0.hold(name, file.clone())
         } else if let Ok(list) = value.cast::<PyList>() {
             let items = list.iter().enumerate();
             return items.map(|(place, one)| self.hold(&format!("{key}.{place}"), &one)).collect();
@@ -80,7 +63,7 @@ impl<'py> InMemory<'py> {
 /// Document of an answer, remarks on its question with their ids, and those of the answer.
 type Told<'py> = (Bound<'py, PyAny>, Vec<(&'static str, String)>, Vec<String>);
 
-/// Answer a question in which cases and levels may stand.
+/// Answer a question in which cases and records may stand.
 #[pyfunction]
 pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict>) -> PyResult<Told<'py>> {
     let named = question::known(name).map_err(of_answer)?;

@@ -16,7 +16,6 @@ mod begins;
 mod calibrate;
 mod case;
 mod curving;
-mod diagnosis;
 mod document;
 mod errors;
 mod forecast;
@@ -36,7 +35,7 @@ mod wheels;
 #[pyo3::pymodule]
 mod _riffel {
     #[pymodule_export]
-    use crate::ask::{Levels, ask};
+    use crate::ask::ask;
     #[pymodule_export]
     use crate::axlebox::axlebox;
     #[pymodule_export]
@@ -45,8 +44,6 @@ mod _riffel {
     use crate::case::{Case, PortableCase};
     #[pymodule_export]
     use crate::curving::CurvingCase;
-    #[pymodule_export]
-    use crate::diagnosis::diagnose;
     #[pymodule_export]
     use crate::errors::{ConvergenceError, ReceptanceError};
     #[pymodule_export]
@@ -60,7 +57,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::quantity::si;
     #[pymodule_export]
-    use crate::records::read_date;
+    use crate::records::{Record, read_date};
     #[pymodule_export]
     use crate::roughness::{
         analyse, axis, band_pass, compare_with_limit, dominant_of_profile, dominant_of_spectra, energy_mean, level,

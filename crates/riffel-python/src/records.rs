@@ -1,15 +1,12 @@
 //! Records of a rail that users give: files, heights or spectra.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use riffel_keys::Message;
 use riffel_keys::quantity::Quantity;
-use riffel_rail::{
-    EarlierRails, LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness, ReaderFormat, RoughnessFile,
-    Survey, coarse_sampling, unlike_a_rail,
-};
+use riffel_rail::{LabelledSpectrum, Layout, LengthUnit, Rail, ReaderFormat, RoughnessFile, Survey};
 
 use crate::array::owned;
 use crate::arrays_of_rails::{Stretch, profiles, spectrum};
@@ -61,64 +58,29 @@ pub(crate) fn read_date(text: &str) -> PyResult<String> {
     Ok(date.to_string())
 }
 
-/// A record whose numbers need the interpreter no more.
+/// Heights or levels in memory, in place of a file.
+#[pyclass(frozen, module = "riffel._riffel")]
 pub(crate) struct Record {
-    name: PathBuf,
-    /// As in 2026-01-31.
-    date: Option<String>,
-    roughness: Roughness,
+    pub(crate) name: String,
+    pub(crate) file: Arc<RoughnessFile>,
 }
 
-enum Roughness {
-    Profile(Vec<Rail>, Dated, Vec<Message>),
-    Spectra(Vec<LabelledSpectrum>),
-}
-
-/// The date of rails, and the rails before.
-type Dated = Option<(jiff::civil::Date, Vec<EarlierRails>)>;
-
+#[pymethods]
 impl Record {
-    pub(crate) fn new(
-        py: Python<'_>,
-        (name, date, given): &(PathBuf, Option<String>, GivenRoughness<'_>),
-        layout: &Layout,
-    ) -> PyResult<Self> {
-        let roughness = match given {
-            GivenRoughness::File(path) => match read(py, path, layout)? {
-                RoughnessFile::Profile(record) => {
-                    let dated = record.date.map(|date| (date, record.earlier));
-                    Roughness::Profile(record.rails, dated, record.warnings)
-                }
-                RoughnessFile::Spectra(spectra, _) => Roughness::Spectra(spectra),
-            },
+    /// Of the spacing and the rails of a profile, or of spectra.
+    #[new]
+    fn new(name: String, given: GivenRoughness<'_>) -> PyResult<Self> {
+        let file = match given {
             GivenRoughness::Profile((spacing, given)) => {
-                let mut rails = Vec::new();
-                for (name, stretches) in given {
-                    rails.push(Rail { name: name.clone(), stretches: profiles(stretches, *spacing)? });
-                }
-                let doubts = unlike_a_rail(&rails);
-                let warnings = coarse_sampling(*spacing).into_iter().chain(doubts);
-                Roughness::Profile(rails, None, warnings.collect())
+                let rails = given
+                    .into_iter()
+                    .map(|(name, stretches)| Ok::<_, PyErr>(Rail { name, stretches: profiles(&stretches, spacing)? }));
+                RoughnessFile::Profile(riffel_rail::Record::of_rails(rails.collect::<PyResult<_>>()?, spacing))
             }
-            GivenRoughness::Spectra(spectra) => Roughness::Spectra(labelled(spectra)?),
+            GivenRoughness::Spectra(spectra) => RoughnessFile::Spectra(labelled(&spectra)?, Vec::new()),
+            GivenRoughness::File(path) => return Err(wrong(format!("{} is a file", path.display()))),
         };
-        Ok(Self { name: name.clone(), date: date.clone(), roughness })
-    }
-
-    pub(crate) fn borrowed(&self) -> RailRecord<'_> {
-        RailRecord {
-            name: &self.name,
-            // Checked where it was given.
-            date: self.date.as_ref().and_then(|date| date.parse().ok()),
-            roughness: match &self.roughness {
-                Roughness::Profile(rails, dated, warnings) => RailRoughness::Profile {
-                    rails,
-                    before: dated.as_ref().map(|(date, before)| (*date, &before[..])),
-                    warnings,
-                },
-                Roughness::Spectra(spectra) => RailRoughness::Spectra(spectra),
-            },
-        }
+        Ok(Self { name, file: Arc::new(file) })
     }
 }
 

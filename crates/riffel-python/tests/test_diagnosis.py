@@ -96,12 +96,7 @@ def test_speeds_of_traffic_and_of_the_map(
     arguments = ("diagnose", "cases/nominal.toml", "--roughness", files[1], "--json")
     printed = program(*arguments, "--traffic", "cases/traffic.toml")
     assert nominal.diagnose(files[1], traffic="cases/traffic.toml") == printed
-    printed, found = program(*arguments), nominal.diagnose(files[1])
-    assert found["dominant_wavelengths"] == printed["dominant_wavelengths"]
-    # The arguments are called otherwise, and nothing else.
-    assert printed["warnings"][0].replace("neither --speed nor --traffic", "neither speed nor traffic") == (
-        found["warnings"][0]
-    )
+    assert nominal.diagnose(files[1]) == program(*arguments)
 
 
 def test_rails_of_a_dataset(nominal: riffel.Case) -> None:
@@ -144,13 +139,12 @@ def test_a_callable_that_fails(nominal: riffel.Case) -> None:
         ({"speed": {"min": 3.0}}, "speed is of type dict"),
         ({"torsion": "-5 Hz"}, "torsion is -5 Hz, but must be finite and greater than zero"),
         ({"bending": [50.0, np.nan]}, r"bending\[1\] is nan"),
-        ({"dates": ["2024-01-01"]}, "earlier is empty"),
-        ({"dates": ["2024-01-01", "2025-01-01"]}, "dates has 2 values, but must be 1 dates"),
-        ({"earlier": [SBB], "dates": "2024-01-01"}, "must be a sequence of dates"),
+        ({"dates": ["2024-01-01"]}, "dates needs --earlier"),
+        ({"earlier": [SBB], "dates": "2024-01-01"}, "dates is 2024-01-01, but must be 2 dates"),
         ({"earlier": SBB}, "must be a sequence of records"),
-        ({"earlier": [SBB], "dates": ["2024-01-01", "yesterday"]}, r"dates\[1\] is 'yesterday', but must be a date"),
+        ({"earlier": [SBB], "dates": ["2024-01-01", "yesterday"]}, 'dates: "yesterday" is no date'),
         ({"earlier": [SBB]}, "is a table of levels, but rail is a profile; both must be the same"),
-        ({"where": {"rail": "left"}}, "is a profile; a choice among spectra is for tables"),
+        ({"where": {"rail": "left"}}, "where is rail=left, .* it is for tables of spectra, and rail is a profile"),
         ({"spacing": None}, "spacing is missing"),
         ({"traffic": {"vehicle": []}}, "vehicle"),
     ],

@@ -78,7 +78,7 @@ pub use rail_name::{are_opposite, find_rail, is_rail_column, name_in_words, rail
 pub use rail_record::{RailRecord, RailRoughness};
 pub use rail_spectrum::RailSpectrum;
 pub use recipe::{DEFAULT_RECIPE, RecipeFile};
-pub use record::{Record, coarse_sampling};
+pub use record::Record;
 pub use riffel_keys::table::{DecimalMark, Delimiter};
 pub use roughness_file::RoughnessFile;
 pub use survey::{Elapsed, RailDates, Survey};

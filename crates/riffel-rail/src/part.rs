@@ -120,11 +120,7 @@ impl Record {
                 Some(EarlierRails { date, rails })
             })
             .collect();
-        let all = || self.rails.iter().flat_map(|rail| &rail.stretches);
-        let last = |stretch: &Profile| stretch.position(stretch.heights().len() - 1);
-        let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
-        let to = all().map(last).fold(f64::NEG_INFINITY, f64::max);
-        (self.from, self.to) = (from, to);
+        [self.from, self.to] = Rail::ends(&self.rails);
         Ok(self)
     }
 }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use jiff::civil::Date;
 use riffel::roughness::Profile;
-use riffel_keys::table::NumberRows;
+use riffel_keys::quantity::Quantity;
+use riffel_keys::table::{DecimalMark, Delimiter, NumberRows};
 use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::chainage::{Chainage, LONGEST_FILLED, Stretch};
@@ -119,11 +120,27 @@ impl Record {
             let before: Value = earlier.iter().map(|one| one.date.to_string()).collect();
             warnings.push(say!(rails_of_last_date, last = last.to_string(), before));
         }
-        let all = || rails.iter().flat_map(|rail| &rail.stretches);
-        let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
-        let end = |profile: &Profile| profile.position(profile.heights().len() - 1);
-        let to = all().map(end).fold(f64::NEG_INFINITY, f64::max);
+        let [from, to] = Rail::ends(&rails);
         Ok(Self { format, spacing, from, to, falling, rails, date, earlier, warnings })
+    }
+
+    /// Rails that somebody gave as numbers, with the step between their samples \[m\]: warnings ask about a wide step, and about heights
+    /// unlike those of a rail. The format is that of a file with a column of metres for each.
+    pub fn of_rails(rails: Vec<Rail>, spacing: f64) -> Self {
+        let column =
+            |(place, rail): (usize, &Rail)| Column { column: place + 1, unit: "m".to_owned(), name: rail.name.clone() };
+        let format = ReaderFormat {
+            delimiter: Delimiter::Comma,
+            decimal: DecimalMark::default(),
+            header_lines: 0,
+            spacing: Some(Quantity::new(spacing)),
+            position: None,
+            rails: rails.iter().enumerate().map(column).collect(),
+            labels: Vec::new(),
+        };
+        let warnings = coarse_sampling(spacing).into_iter().chain(plausibility::unlike_a_rail(&rails)).collect();
+        let [from, to] = Rail::ends(&rails);
+        Self { format, spacing, from, to, falling: false, rails, date: None, earlier: Vec::new(), warnings }
     }
 
     /// Mean length of the rails \[m\].
@@ -287,7 +304,7 @@ fn read_record(
 }
 
 /// What to say of samples too far apart \[m\] for EN 15610.
-pub fn coarse_sampling(spacing: f64) -> Option<Message> {
+fn coarse_sampling(spacing: f64) -> Option<Message> {
     (spacing > 1.001e-3).then(|| say!(coarse_sampling, step = fixed(1e3 * spacing, 3)))
 }
 

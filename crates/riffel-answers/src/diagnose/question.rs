@@ -7,7 +7,7 @@ use riffel::diagnosis::{Instrument, TrafficSpeeds};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Frequency, Kind, Quantity, Speed};
-use riffel_keys::{Message, say};
+use riffel_keys::{Message, question, say};
 use riffel_rail::history::SpectraChoice;
 use riffel_rail::{RailRecord, RoughnessFile};
 use schemars::JsonSchema;
@@ -39,8 +39,14 @@ impl DiagnoseQuestion {
     pub(crate) fn diagnosis(&self, asker: &dyn Asker) -> Result<Diagnosis> {
         let case = self.case.read(asker)?;
         let file = self.roughness.value(|path| self.rail.layout.read(path, asker))?;
-        self.rail.diagnosis(&case, self.roughness.name(), &file, asker)
+        self.rail.diagnosis(&case, called(&self.roughness), &file, asker)
     }
+}
+
+/// What a record is called: the path of its file, or its name in memory.
+fn called(record: &Source<RoughnessFile>) -> &Path {
+    let path = record.name();
+    question::key_of(path).filter(|_| question::is_value(path)).unwrap_or(path)
 }
 
 /// How a measured rail is held against a case.
@@ -107,7 +113,7 @@ impl DiagnosedRail {
         let earlier = self.earlier.earlier.iter().zip(&files).enumerate();
         let earlier: Vec<RailRecord<'_>> = earlier
             .map(|(place, (source, file))| RailRecord {
-                name: source.name(),
+                name: called(source),
                 date: dates.get(place).copied(),
                 roughness: (&**file).into(),
             })

@@ -72,7 +72,7 @@ def plain(value: Any, name: str) -> Any:
     if isinstance(value, Mapping):
         return {key: plain(one, f"{name}.{key}") for key, one in value.items()}
     if isinstance(value, xr.DataArray):
-        return _riffel.Levels(*levels_of(value, name))
+        return _riffel.Record(name, [([], levels_of(value, name))])
     if isinstance(value, (list, tuple)):
         return [plain(one, f"{name}[{index}]") for index, one in enumerate(value)]
     if isinstance(value, np.datetime64):
@@ -83,7 +83,7 @@ def plain(value: Any, name: str) -> Any:
         return value.strftime("%Y-%m-%d")
     if isinstance(value, float) and not math.isfinite(value):
         raise ValueError(f"{name} is {value}, but must be finite")
-    if value is None or isinstance(value, (str, int, float, _riffel.Case, _riffel.CurvingCase, _riffel.Levels)):
+    if value is None or isinstance(value, (str, int, float, _riffel.Case, _riffel.CurvingCase, _riffel.Record)):
         return value
     kind = type(value).__name__
     raise TypeError(f"`{name}` is of type {kind}, but must be a number, a string, a bool, a list or a dict")

@@ -28,15 +28,15 @@ Date: TypeAlias = "str | datetime.date"
 """A date, or its text as in 2026-01-31 or 31.01.2026."""
 
 
-def checked_record(record: RailRecord, name: str, spacing: Quantity | None) -> tuple[str, Any]:
-    """What the extension takes: what the record is called, and its file, profile or spectra."""
+def record_in_question(record: RailRecord, name: str, spacing: Quantity | None) -> str | _riffel.Record:
+    """A record under its name in a question: a file, or what is in memory."""
     if isinstance(record, (str, os.PathLike)):
-        return os.fspath(record), os.fspath(record)
+        return os.fspath(record)
     if isinstance(record, Roughness):
         record = record.spectra if record.profile is None else record.profile
     spectra = checked_spectra(record, name)
     if spectra is not None:
-        return name, spectra
+        return _riffel.Record(name, spectra)
     heights = {str(rail): record[rail] for rail in record} if isinstance(record, xr.Dataset) else {name: record}
     if not heights:
         raise ValueError(f"{name} is a Dataset without heights")
@@ -44,7 +44,7 @@ def checked_record(record: RailRecord, name: str, spacing: Quantity | None) -> t
     steps = [step for _, step in rails.values()]
     if not np.allclose(steps, steps[0], rtol=1e-6, atol=0.0):
         raise ValueError(f"{name} has rails with different steps: {steps}")
-    return name, (steps[0], [(rail, stretches) for rail, (stretches, _) in rails.items()])
+    return _riffel.Record(name, (steps[0], [(rail, stretches) for rail, (stretches, _) in rails.items()]))
 
 
 def _called(name: str, rail: str) -> str:

@@ -20,14 +20,15 @@ _Roughness: TypeAlias = (
     | tuple[float, Sequence[tuple[str, _Stretches]]]
     | Sequence[tuple[Sequence[tuple[str, str]], tuple[_Floats, _Floats]]]
 )
-_Record: TypeAlias = tuple[str, str | None, _Roughness]
 _Layout: TypeAlias = tuple[str | None, float | None, str | None, str | None]
 
 VERSION: str
 TILE: int
 
-class Levels:
-    def __init__(self, wavelengths: _Floats, levels: _Floats) -> None: ...
+class Record:
+    """Heights or levels in memory, in place of a file."""
+
+    def __init__(self, name: str, given: _Roughness) -> None: ...
 
 def ask(name: str, question: dict[str, Any]) -> tuple[Any, list[tuple[str, str]], list[str]]: ...
 def program(arguments: Sequence[str], again: Sequence[str]) -> int: ...
@@ -180,19 +181,6 @@ class LogPosterior:
     def place(self, values: list[float]) -> list[float]: ...
     def prior_quantile(self, share: float) -> list[float]: ...
 
-def diagnose(
-    case: Case,
-    rail: _Record,
-    earlier: Sequence[_Record],
-    layout: _Layout,
-    speeds: Sequence[tuple[float, float]] | str | dict[str, Any] | None,
-    torsion: Sequence[float],
-    bending: Sequence[float],
-    choose: Sequence[str],
-    by: str | None,
-    from_vehicle: bool,
-    keep_defects: bool,
-) -> dict[str, Any]: ...
 def level(mean_squares: _Floats) -> _Floats: ...
 def mean_square(levels: _Floats) -> _Floats: ...
 def remove_spikes(heights: _Floats, spacing: float) -> tuple[_Floats, list[tuple[int, int]]]: ...

@@ -15,21 +15,20 @@ Speeds: TypeAlias = "Quantity | tuple[Quantity, Quantity] | Sequence[Any] | npt.
 """A speed, a range from one to another as a pair or "60 km/h..90 km/h", or a list of these."""
 
 
-def ranges(speed: Speeds, name: str = "speed") -> list[tuple[float, float]]:
-    """Ranges in m/s, each as common as any other; a single speed is a range without width."""
+def ranges(speed: Speeds, name: str = "speed") -> list[str]:
+    """Speeds and ranges in m/s as a question has them, each as common as any other."""
     if isinstance(speed, str) and ".." in speed:
         first, last = speed.split("..", 1)
         return [_range(first.strip(), last.strip(), name)]
     if is_scalar(speed):
-        value = scalar(speed, name, "speed")
-        return [(value, value)]
+        return [f"{scalar(speed, name, 'speed')!r} m/s"]
     if isinstance(speed, tuple):
         if len(speed) != 2:
             raise ValueError(f"{name} is a tuple of {len(speed)}, but a range is (slowest, fastest); several speeds are a list")
         slowest, fastest = speed
         return [_range(slowest, fastest, name)]
     if isinstance(speed, (np.ndarray, xr.DataArray)):
-        return [(value, value) for value in array(speed, name, "speed").tolist()]
+        return [f"{value!r} m/s" for value in array(speed, name, "speed").tolist()]
     if not isinstance(speed, list):
         raise ValueError(f"{name} is of type {type(speed).__name__}, but must be a speed, a range or a list of these")
     if not speed:
@@ -37,8 +36,8 @@ def ranges(speed: Speeds, name: str = "speed") -> list[tuple[float, float]]:
     return [found for index, one in enumerate(speed) for found in ranges(one, f"{name}[{index}]")]
 
 
-def _range(slowest: Any, fastest: Any, name: str) -> tuple[float, float]:
+def _range(slowest: Any, fastest: Any, name: str) -> str:
     low, high = scalar(slowest, f"{name}[0]", "speed"), scalar(fastest, f"{name}[1]", "speed")
     if low > high:
         raise ValueError(f"{name} is {slowest} to {fastest}, but must be from the slower to the faster")
-    return low, high
+    return f"{low!r} m/s..{high!r} m/s"

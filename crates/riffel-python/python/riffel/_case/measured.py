@@ -13,11 +13,10 @@ from riffel import _riffel
 from riffel._ask import ask
 from riffel._axlebox import AxleBoxRun, checked_place, checked_run
 from riffel._case.keys import KeysOfCase
-from riffel._layout import layout
 from riffel._quantities import Quantities, Quantity, array, scalar
-from riffel._records import Date, RailRecord, checked_dates, checked_record
+from riffel._records import Date, RailRecord, record_in_question
 from riffel._speeds import Speeds, ranges
-from riffel._traffic import Traffic, file_or_keys
+from riffel._traffic import Traffic
 
 
 class MeasuredOnCase(KeysOfCase):
@@ -118,24 +117,27 @@ class MeasuredOnCase(KeysOfCase):
             raise ValueError("traffic and speed exclude each other: give one of the two")
         if isinstance(earlier, (str, os.PathLike)):
             raise ValueError(f"earlier is {os.fspath(earlier)!r}, but must be a sequence of records, the oldest first")
-        named = [*((f"earlier[{index}]", record) for index, record in enumerate(earlier)), ("rail", rail)]
-        dated = checked_dates(dates, len(named))
-        records = [checked_record(record, name, spacing) for name, record in named]
-        *before, present = [(name, date, given) for (name, given), date in zip(records, dated, strict=True)]
-        given_traffic = None if traffic is None else file_or_keys(traffic)
-        return _riffel.diagnose(
-            self._case,
-            present,
-            before,
-            layout(format, spacing, height_unit, position_unit),
-            given_traffic if speed is None else ranges(speed),
-            _modes(torsion, "torsion"),
-            _modes(bending, "bending"),
-            [f"{column}={value}" for column, value in (where or {}).items()],
-            by,
-            from_vehicle,
-            keep_defects,
-        )
+        records = [record_in_question(record, f"earlier[{index}]", spacing) for index, record in enumerate(earlier)]
+        question = {
+            "case": self,
+            "roughness": record_in_question(rail, "rail", spacing),
+            "earlier": records,
+            "dates": dates,
+            "traffic": traffic,
+            "speed": None if speed is None else ranges(speed),
+            "torsion": _modes(torsion, "torsion"),
+            "bending": _modes(bending, "bending"),
+            "where": [f"{column}={value}" for column, value in (where or {}).items()],
+            "by": by,
+            "spacing": spacing,
+            "format": format,
+            "height_unit": height_unit,
+            "position_unit": position_unit,
+            "from_vehicle": from_vehicle,
+            "keep_defects": keep_defects,
+        }
+        found: dict[str, Any] = ask("diagnose", question)
+        return found
 
     def axlebox(
         self,
