@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use pythonize::{depythonize, pythonize};
 use riffel_answers::AnswerError;
-use riffel_answers::question::{self, Asker, Step};
+use riffel_answers::question::{self, AnyQuestion, Asker, Step};
 use riffel_keys::Message;
 use riffel_keys::question::Held;
 use serde_json::{Map, Value};
@@ -18,6 +18,7 @@ use crate::curving::CurvingCase;
 use crate::errors::of_answer;
 use crate::interrupt::interruptible;
 use crate::records::Record;
+use crate::traffic::Traffic;
 
 /// Somebody who hears what is unusual about a question after it is answered.
 #[derive(Default)]
@@ -50,6 +51,8 @@ impl<'py> InMemory<'py> {
         } else if let Ok(record) = value.cast::<Record>() {
             let Record { name, file } = record.get();
             self.0.hold(name, file.clone())
+        } else if let Ok(traffic) = value.cast::<Traffic>() {
+            self.0.hold(key, traffic.get().0.clone())
         } else if let Ok(list) = value.cast::<PyList>() {
             let items = list.iter().enumerate();
             return items.map(|(place, one)| self.hold(&format!("{key}.{place}"), &one)).collect();
@@ -60,31 +63,56 @@ impl<'py> InMemory<'py> {
     }
 }
 
+/// The keys of a question, which hold what stands in memory, and the cases among it.
+pub(crate) struct Asked<'py> {
+    keys: Map<String, Value>,
+    held: [Held; 2],
+    cases: Vec<Bound<'py, Case>>,
+}
+
+impl<'py> Asked<'py> {
+    pub(crate) fn new(named: &dyn AnyQuestion, question: &Bound<'py, PyDict>) -> PyResult<Self> {
+        let (mut keys, mut in_memory) = (Map::new(), InMemory::default());
+        for (key, value) in question {
+            let key: String = key.extract().map_err(|_| PyTypeError::new_err("keys of a question are strings"))?;
+            let value = in_memory.hold(&key, &value)?;
+            keys.insert(key, value);
+        }
+        let InMemory(values, cases) = in_memory;
+        let held = [values, question::hold(named, &mut keys)];
+        Ok(Self { keys, held, cases })
+    }
+
+    /// Long work on the question without the interpreter, and what is unusual about the question.
+    pub(crate) fn answer<T: Send + 'static>(
+        self,
+        py: Python<'py>,
+        work: impl FnOnce(Map<String, Value>, &dyn Asker) -> Result<T, AnswerError> + Send + 'static,
+    ) -> PyResult<(T, Vec<Message>)> {
+        let Self { keys, held, cases } = self;
+        let answered = interruptible(py, move || {
+            let _held = held;
+            let asker = Listener::default();
+            let answer = work(keys, &asker)?;
+            Ok((answer, asker.0.into_inner().unwrap_or_else(PoisonError::into_inner)))
+        });
+        let answered = cases.iter().try_fold(answered?, |answered, case| case.get().unless_callable_failed(answered));
+        answered?.map_err(of_answer)
+    }
+}
+
 /// Document of an answer, remarks on its question with their ids, and those of the answer.
 type Told<'py> = (Bound<'py, PyAny>, Vec<(&'static str, String)>, Vec<String>);
 
-/// Answer a question in which cases and records may stand.
+/// Answer a question in which cases, records and traffic may stand.
 #[pyfunction]
 pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict>) -> PyResult<Told<'py>> {
     let named = question::known(name).map_err(of_answer)?;
-    let (mut keys, mut in_memory) = (Map::new(), InMemory::default());
-    for (key, value) in question {
-        let key: String = key.extract().map_err(|_| PyTypeError::new_err("keys of a question are strings"))?;
-        let value = in_memory.hold(&key, &value)?;
-        keys.insert(key, value);
-    }
-    let InMemory(values, cases) = in_memory;
-    let held = (values, question::hold(named, &mut keys));
-    let answered = interruptible(py, move || {
-        let _held = held;
-        let asker = Listener::default();
-        let answer = named.answer(keys, &asker)?;
-        let on_question = asker.0.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let ((document, own), on_question) = Asked::new(named, question)?.answer(py, |keys, asker| {
+        let answer = named.answer(keys, asker)?;
         let own = answer.remarks().iter().map(ToString::to_string).collect();
-        Ok::<_, AnswerError>((answer.value(), on_question, own))
-    });
-    let answered = cases.iter().try_fold(answered?, |answered, case| case.get().unless_callable_failed(answered));
-    let (document, on_question, own): (Value, Vec<Message>, _) = answered?.map_err(of_answer)?;
+        Ok((answer.value(), own))
+    })?;
     let on_question = on_question.iter().map(|remark| (remark.id(), remark.to_string()));
     Ok((pythonize(py, &document)?, on_question.collect(), own))
 }

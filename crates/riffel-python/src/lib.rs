@@ -12,7 +12,6 @@ mod array;
 mod arrays_of_rails;
 mod ask;
 mod axlebox;
-mod begins;
 mod calibrate;
 mod case;
 mod curving;
@@ -29,6 +28,7 @@ mod roughness;
 mod simulate;
 mod study;
 mod tables;
+mod traffic;
 mod wheels;
 
 /// The extension `riffel._riffel`.
@@ -57,7 +57,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::quantity::si;
     #[pymodule_export]
-    use crate::records::{Record, read_date};
+    use crate::records::Record;
     #[pymodule_export]
     use crate::roughness::{
         analyse, axis, band_pass, compare_with_limit, dominant_of_profile, dominant_of_spectra, energy_mean, level,
@@ -68,6 +68,8 @@ mod _riffel {
     use crate::simulate::{evolve, on_smooth_rail, simulate};
     #[pymodule_export]
     use crate::study::{Study, merge_study, sobol_indices, study_summary};
+    #[pymodule_export]
+    use crate::traffic::Traffic;
     #[pymodule_export]
     use crate::wheels::wheels_of_curve;
     /// Rows of a map are filled up to a multiple of this.

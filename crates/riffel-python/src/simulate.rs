@@ -15,8 +15,8 @@ use crate::array::owned;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_answer, of_physics};
-use crate::forecast::{GivenTraffic, traffic_of};
 use crate::interrupt::interruptible;
+use crate::traffic::Traffic;
 
 /// Amplitude and wavelength of a sinusoid \[m\], or where a profile begins \[m\], its spacing \[m\] and heights \[m\].
 #[derive(FromPyObject)]
@@ -158,12 +158,12 @@ pub(crate) fn evolve<'py>(
     case: &Case,
     surface: GivenSurface<'py>,
     periodic: bool,
-    traffic: Option<GivenTraffic<'py>>,
+    traffic: &Traffic,
     passages: u64,
     step: Option<f64>,
     contact_filter: bool,
 ) -> PyResult<(Bound<'py, PyAny>, Vec<u64>, Bound<'py, PyArray2<f64>>, f64, Vec<String>)> {
-    let traffic = traffic_of(case, traffic.as_ref())?;
+    let traffic = riffel_case::traffic::Traffic::clone(&traffic.0);
     let usual_step = step.unwrap_or(PassageRequest::USUAL_STEP);
     let (surface, largest_step) = match surface.rail()? {
         Rail::Sinusoid(sinusoid) => {

@@ -142,7 +142,7 @@ def test_a_rail_of_two_dates_goes_on_as_it_grew(nominal: riffel.Case) -> None:
     course = line.noise(now, earlier=[before], dates=dates, speed="100 km/h", traffic="cases/traffic.toml")["course"]
     then = riffel.roughness.levels(wavelengths, now.values + a_year)
     assert course["total_dba"][-1] == pytest.approx(line.noise(then, speed="100 km/h")["level"]["total_dba"], abs=1e-9)
-    for given, words in [([], "dates is empty"), (dates[::-1], "oldest first"), (dates[:1], "must be 2 dates")]:
+    for given, words in [([], "dates is empty"), (dates[::-1], "days that rise"), (dates[:1], "must be 2 dates")]:
         with pytest.raises(ValueError, match=words):
             nominal.forecast(now, earlier=[before], dates=given, traffic="cases/traffic.toml")
 
@@ -192,7 +192,7 @@ def test_hardening_and_cracks() -> None:
         ({"passages": -1.0}, r"passages is -1.0"),
         ({"passages": 1e6, "limit": "grassie-1999"}, "must be a table of one-third-octave levels"),
         ({"passages": 1e6, "traffic": "cases/traffic.toml", "speed": 30.0}, "traffic and speed exclude each other"),
-        ({"months": 1.0}, "months needs traffic"),
+        ({"months": 1.0}, "months need traffic with passages_per_day"),
         ({"passages": 1e6, "traffic": {"vehicle": [{"name": "x", "share": 0.5}]}}, "vehicle"),
     ],
 )
@@ -203,7 +203,7 @@ def test_bad_forecasts(nominal: riffel.Case, arguments: dict[str, Any], sentence
 
 def test_bad_spectra(nominal: riffel.Case) -> None:
     for levels, sentence in (
-        (np.ones(3), "spectrum is of type ndarray"),
+        (np.ones(3), r"spectrum is \[1\.0,"),
         (xr.DataArray([1.0], dims="x"), r"spectrum has the dimensions \('x',\)"),
         (xr.DataArray([1.0], {"wavelength": [0.04]}, ("wavelength",), attrs={"units": "m"}), 'spectrum has units "m"'),
         (xr.DataArray([1.0], {"wavelength": [0.0365]}, ("wavelength",)), "wavelength of a one-third octave is 0.0365"),
@@ -258,7 +258,7 @@ def test_a_rail_that_will_be_ground(nominal: riffel.Case, tmp_path: Path, progra
     assert np.isfinite(found["level"][0]).all() and np.isnan(found["level"][1]).all()
     with pytest.raises(ValueError, match="below the limit"):
         nominal.forecast(traffic="cases/traffic.toml", from_limit=6.0)
-    with pytest.raises(ValueError, match="exclude each other"):
+    with pytest.raises(ValueError, match="ground cannot be used with --from-limit"):
         nominal.forecast(ground="iso-3095-2013", traffic="cases/traffic.toml", from_limit=-6.0)
     # Levels of one date tell nothing of a rail that will be ground, and that is told.
     beside = nominal.forecast(

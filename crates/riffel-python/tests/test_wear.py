@@ -91,7 +91,7 @@ def test_profiles(nominal: riffel.Case, tmp_path: Path, program: Callable[..., A
         ({"passages": 1e6, "days": 3.0}, "give one of passages and days"),
         ({"passages": 0.0}, "passages is 0.0, but must be finite and greater than zero"),
         ({"passages": [1e6]}, r"passages is \[1000000.0\], but must be a number"),
-        ({"days": 3.0}, "days needs traffic with passages_per_day"),
+        ({"days": 3.0}, "days is 3, but must be given with a traffic that says under"),
         ({"passages": 1e6, "traffic": TRAFFIC, "speed": 30.0}, "traffic and speed exclude each other"),
         ({"passages": 1e6, "later": roughness.levels([1.0], [0.0])}, "later: "),
         ({"passages": 1e6, "earlier": np.zeros(3)}, "earlier is of type ndarray, but must be a DataArray over wavelength"),

@@ -124,7 +124,7 @@ impl TrackForecast {
     }
 
     /// What hardening and cracks make of the waves of the rail that leads.
-    pub(crate) fn damage_in_words(&self) -> impl Iterator<Item = Message> {
+    pub fn damage_in_words(&self) -> impl Iterator<Item = Message> {
         let hardened = HardenedWave::in_words(&self.leading().forecast, &self.on);
         let cracked = CrackedWave::in_words(&self.cracks(), &self.on, self.until());
         hardened.into_iter().chain(cracked)

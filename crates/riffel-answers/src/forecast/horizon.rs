@@ -32,8 +32,11 @@ impl ForecastHorizon {
         Err(AnswerError::argument(argument, value, format!("above zero and at most {most}")))
     }
 
-    /// In axle passages.
-    pub(super) fn passages(self, on: &TrafficOnCase) -> Result<f64> {
+    /// The horizon in axle passages.
+    ///
+    /// # Errors
+    /// [`AnswerError::NoPassagesPerDay`] for months under a traffic of unknown amount.
+    pub fn passages(self, on: &TrafficOnCase) -> Result<f64> {
         match self {
             Self::Passages(passages) => Ok(passages),
             Self::MillionGrossTonnes(mgt) => Ok(on.growth.passages(mgt)),

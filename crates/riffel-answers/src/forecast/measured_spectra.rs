@@ -61,6 +61,23 @@ impl MeasuredSpectra {
         self.date_column.is_some() || !self.earlier.earlier.is_empty() || !self.earlier_where.is_empty()
     }
 
+    /// The latest records before and now, place by place too where both are profiles; those of now with both as their history.
+    pub(super) fn latest_of_both(
+        &self,
+        passages: f64,
+        asker: &dyn Asker,
+    ) -> Result<(Survey, Option<[Survey; 2]>, Survey), AnswerError> {
+        let now = self.read(asker)?.ok_or(AnswerError::NoSpectrum)?;
+        let (mut now, _) = Arc::unwrap_or_clone(now).latest();
+        now.history = None;
+        let path = self.spectrum.as_ref().and_then(Source::path);
+        let mut history = self.earlier.read(path, &self.layout, &[], asker)?;
+        let (earlier, _) = history.surveys.remove(0).latest();
+        history.surveys = vec![earlier.clone()];
+        let now = history.before(now, Some(passages));
+        Ok((earlier, history.places, now))
+    }
+
     /// What is chosen of all spectra of now, and of those before, which are read here.
     pub(super) fn dated(&self, given: &Survey, asker: &dyn Asker) -> Result<Dated, AnswerError> {
         let mut now = given.clone().choose(&self.choose)?.on_one_device();

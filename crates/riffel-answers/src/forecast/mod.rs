@@ -88,7 +88,7 @@ pub struct TrackForecast {
     /// That no rail is known to wear as the case does; none where growth goes by what was measured.
     unlikely_wear: Option<Message>,
     /// Why the records do not tell how the rails grow, where they might.
-    without_growth: Option<Message>,
+    pub without_growth: Option<Message>,
     /// What is to be said of the records.
     pub warnings: Vec<Message>,
 }
@@ -170,7 +170,7 @@ impl TrackForecast {
     }
 
     /// Contact fatigue beside wear along the waves of the leading rail, at the end of the forecast; empty without fatigue among the laws.
-    pub(crate) fn cracks(&self) -> Vec<CrackedWave> {
+    pub fn cracks(&self) -> Vec<CrackedWave> {
         CrackedWave::all(&self.leading().forecast, &self.on, self.until())
     }
 

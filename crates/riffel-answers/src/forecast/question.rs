@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use jiff::civil::Date;
-use riffel_case::Case;
-use riffel_case::traffic::Traffic;
+use riffel::roughness::LevelLimit;
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::{Case, Variant};
 use riffel_keys::say;
-use riffel_rail::Survey;
+use riffel_rail::{GroundRail, LimitTable, Survey};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
@@ -65,11 +66,32 @@ impl ForecastQuestion {
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
     pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
+        let (mut answer, dated) = self.dated_on(case, GroundSource::read, asker)?;
+        if let Some(dated) = &dated {
+            answer.wear = self.wear(dated, case, &answer)?;
+        }
+        Ok(answer)
+    }
+
+    /// The same without a fit of the wear coefficient, of a rail that may be ground to the limit itself.
+    ///
+    /// # Errors
+    /// Those of [`answer_on`](Self::answer_on).
+    pub fn forecast_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
+        Ok(self.dated_on(case, GroundSource::at_most, asker)?.0)
+    }
+
+    /// The forecast with the records that it begins with.
+    fn dated_on(
+        &self,
+        case: &Case,
+        ground: fn(&GroundSource, &(LimitTable, LevelLimit), &dyn Asker) -> Result<Option<GroundRail>>,
+        asker: &dyn Asker,
+    ) -> Result<(TrackForecast, Option<Dated>)> {
         let survey = self.spectra.read(asker)?;
-        let traffic = self.traffic.as_ref().ok_or_else(|| left_out("--traffic", "given"))?;
-        let traffic = Arc::unwrap_or_clone(traffic.value(Traffic::read)?);
+        let traffic = self.traffic()?;
         let limit = level_limit(&self.limit)?;
-        let ground = self.ground.read(&limit, asker)?;
+        let ground = ground(&self.ground, &limit, asker)?;
         let dated = survey.as_ref().map(|survey| self.spectra.dated(survey, asker)).transpose()?;
         let step = asker.begin(say!(progress_traffic), traffic.file.vehicle.len());
         let request = ForecastRequest {
@@ -81,12 +103,30 @@ impl ForecastQuestion {
             date: self.date.or(dated.as_ref().and_then(|dated| dated.date)),
         };
         let answer = TrackForecast::new(case, request, &step);
-        let mut answer = answer.map_err(|error| self.of_arguments(case, survey.as_deref(), error))?;
-        drop(step);
-        if let Some(dated) = &dated {
-            answer.wear = self.wear(dated, case, &answer)?;
-        }
-        Ok(answer)
+        let answer = answer.map_err(|error| self.of_arguments(case, survey.as_deref(), error))?;
+        Ok((answer, dated))
+    }
+
+    /// The fit of the wear coefficient to the latest of the spectrum and of the record before it, with the passages between them, or else
+    /// those of so many days.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] for days under a traffic of unknown amount, those of [`WearReport::new`].
+    pub fn wear_on(&self, case: &Case, days: Option<f64>, asker: &dyn Asker) -> Result<WearReport> {
+        let (_, limit) = level_limit(&self.limit)?;
+        let on = self.traffic()?.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
+        let passages = self.spectra.passages_between.or_else(|| on.passages_in(days?)).ok_or_else(|| {
+            let days = days.map_or("left out".to_owned(), |days| days.to_string());
+            let rule = "given with a traffic that says under [line] passages_per_day or mgt_per_year";
+            AnswerError::argument("--days", days, rule)
+        })?;
+        let (earlier, places, now) = self.spectra.latest_of_both(passages, asker)?;
+        Ok(WearReport::since(&earlier, places.as_ref(), &now, (case, &on), Some(&limit), passages)?)
+    }
+
+    fn traffic(&self) -> Result<Traffic> {
+        let traffic = self.traffic.as_ref().ok_or_else(|| left_out("--traffic", "given"))?;
+        Ok(Arc::unwrap_or_clone(traffic.value(Traffic::read)?))
     }
 
     /// The same of the case that is to be read, told.

@@ -36,11 +36,30 @@ impl GroundSource {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a rail that is not below the limit, [`AnswerError::Case`] with the file at fault.
-    pub fn read(&self, (table, limit): &(LimitTable, LevelLimit), asker: &dyn Asker) -> Result<Option<GroundRail>> {
-        let refuse = |argument, value: &str, rule| AnswerError::argument(argument, value, rule);
+    pub fn read(&self, limit: &(LimitTable, LevelLimit), asker: &dyn Asker) -> Result<Option<GroundRail>> {
+        let ground = self.at_most(limit, asker)?;
+        match (&self.ground, &ground) {
+            (Some(name), Some(rail)) if GroundRail::is_table(name) && rail.spectrum == *limit.1.spectrum() => {
+                let rule = "smoother than --limit, which is the same table: choose another limit, or --from-limit \"-6 dB\" to begin \
+                            below it";
+                Err(AnswerError::argument("--ground", name, rule))
+            }
+            _ => Ok(ground),
+        }
+    }
+
+    /// The same for a rail that may be ground to the limit itself.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read) but for its rule.
+    pub(crate) fn at_most(
+        &self,
+        (table, limit): &(LimitTable, LevelLimit),
+        asker: &dyn Asker,
+    ) -> Result<Option<GroundRail>> {
         if let Some(decibels) = &self.from_limit {
             let below = GroundRail::below(&table.edition, limit, decibels);
-            return below.map(Some).map_err(|rule| refuse("--from-limit", decibels, rule));
+            return below.map(Some).map_err(|rule| AnswerError::argument("--from-limit", decibels, rule));
         }
         let Some(name) = &self.ground else {
             return Ok(None);
@@ -50,17 +69,7 @@ impl GroundSource {
             let (latest, _) = survey.latest();
             return Ok(Some(GroundRail { spectrum: latest.mean(), words: Message::verbatim(name) }));
         }
-        let ground = GroundRail::of_table(name)?;
-        match ground.spectrum == *limit.spectrum() {
-            true => Err(refuse(
-                "--ground",
-                name,
-                "smoother than --limit, which is the same table: choose another limit, or --from-limit \"-6 dB\" to begin \
-                 below it"
-                    .to_owned(),
-            )),
-            false => Ok(Some(ground)),
-        }
+        Ok(Some(GroundRail::of_table(name)?))
     }
 
     /// An error of an answer, of the argument that gave a spectrum without a band in the window of the case.

@@ -16,6 +16,10 @@ from riffel import _riffel
 from riffel._spectra import levels_of
 
 
+IN_MEMORY = (_riffel.Case, _riffel.CurvingCase, _riffel.Record, _riffel.Traffic)
+"""What stands in a question in place of a file."""
+
+
 def ask(name: str, question: Mapping[str, Any]) -> Any:
     """The answer to a question of the program, by its keys.
 
@@ -61,7 +65,12 @@ def ask(name: str, question: Mapping[str, Any]) -> Any:
 
 def answer(name: str, question: Mapping[str, Any]) -> tuple[Any, list[tuple[str, str]], list[str]]:
     """The answer to a question, ids and sentences of what is unusual about the question, and remarks of the answer."""
-    return _riffel.ask(name, {key: plain(value, key) for key, value in question.items() if value is not None})
+    return _riffel.ask(name, keys_of(question))
+
+
+def keys_of(question: Mapping[str, Any]) -> dict[str, Any]:
+    """The keys of a question that are given, in the types of JSON or as what stands in memory."""
+    return {key: plain(value, key) for key, value in question.items() if value is not None}
 
 
 def plain(value: Any, name: str) -> Any:
@@ -83,7 +92,7 @@ def plain(value: Any, name: str) -> Any:
         return value.strftime("%Y-%m-%d")
     if isinstance(value, float) and not math.isfinite(value):
         raise ValueError(f"{name} is {value}, but must be finite")
-    if value is None or isinstance(value, (str, int, float, _riffel.Case, _riffel.CurvingCase, _riffel.Record)):
+    if value is None or isinstance(value, (str, int, float, *IN_MEMORY)):
         return value
     kind = type(value).__name__
     raise TypeError(f"`{name}` is of type {kind}, but must be a number, a string, a bool, a list or a dict")

@@ -123,8 +123,8 @@ def comparison(outcomes: Sequence[Mapping[str, Any]], title: str | None) -> xr.D
     )
 
 
-def horizon(passages: Any, mgt: Any, months: Any, with_traffic: bool) -> dict[str, Floats]:
-    """How far to look ahead, by one measure; none where the traffic alone says it."""
+def horizon(passages: Any, mgt: Any, months: Any, with_traffic: bool) -> tuple[str, Floats]:
+    """How far to look ahead, by one measure; a year where the traffic alone says it."""
     measures = {"passages": passages, "mgt": mgt, "months": months}
     given = {name: array(value, name, "ratio", least=OR_ZERO) for name, value in measures.items() if value is not None}
     if len(given) > 1:
@@ -132,9 +132,4 @@ def horizon(passages: Any, mgt: Any, months: Any, with_traffic: bool) -> dict[st
     # The wheel of the case alone does not say how often it comes.
     if not given and not with_traffic:
         raise ValueError("passages, mgt or months is missing: say how far to look ahead")
-    return given
-
-
-def ground_in_words(ground: str | None, from_limit: str | float | None) -> tuple[str | None, str | None]:
-    """What a rail will be ground to, as words."""
-    return ground, None if from_limit is None else str(from_limit)
+    return next(iter(given.items()), ("months", np.array([12.0])))

@@ -153,7 +153,7 @@ def evolve(
     case: _riffel.Case,
     surface: tuple[float, float] | tuple[float, float, Any],
     periodic: bool,
-    traffic: str | dict[str, Any] | tuple[float, float] | None,
+    traffic: _riffel.Traffic,
     passages: int,
     step: float | None,
     contact_filter: bool,

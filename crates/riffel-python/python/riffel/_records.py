@@ -60,58 +60,11 @@ def checked_spectra(record: Any, name: str) -> list[Any] | None:
     return None
 
 
-def checked_levels(record: Levels, name: str) -> tuple[str, Any]:
-    """What the extension takes where heights alone are not enough."""
-    if isinstance(record, (str, os.PathLike)):
-        return os.fspath(record), os.fspath(record)
-    spectra = checked_spectra(record, name)
-    if spectra is None:
+def levels_in_question(record: Levels, name: str) -> str | _riffel.Record:
+    """The same where heights alone are not enough."""
+    if not isinstance(record, (str, os.PathLike)) and checked_spectra(record, name) is None:
         raise ValueError(
             f"{name} is of type {type(record).__name__}, but must be a DataArray over wavelength, a sequence of these or"
             " a file"
         )
-    return name, spectra
-
-
-def checked_dates(dates: Sequence[Date], records: int) -> list[str | None]:
-    """A date for each record, or none at all."""
-    if isinstance(dates, (str, datetime.date)):
-        raise ValueError(f"dates is {dates!r}, but must be a sequence of dates")
-    if len(dates) == 0:
-        return [None] * records
-    if len(dates) != records:
-        raise ValueError(
-            f"dates has {len(dates)} values, but must be {records} dates, one for each of earlier and one for that of now"
-        )
-    if records == 1:
-        raise ValueError("dates are for rails with earlier records, but earlier is empty")
-    return [_date(date, f"dates[{index}]") for index, date in enumerate(dates)]
-
-
-def dated_levels(
-    spectrum: xr.DataArray, earlier: Sequence[xr.DataArray], dates: Sequence[Date]
-) -> tuple[tuple[Any, Any], list[tuple[Any, Any]], list[str]]:
-    """Levels of now, those of before, and the dates of all."""
-    if isinstance(earlier, xr.DataArray):
-        raise ValueError("earlier is a DataArray, but must be a sequence of these, the oldest first")
-    given = checked_dates(dates, len(earlier) + 1)
-    dated = [date for date in given if date is not None]
-    if len(dated) == 0 and len(earlier) > 0:
-        raise ValueError("dates is empty, but must be the dates of the earlier spectra and of spectrum, the oldest first")
-    before = [levels_of(one, f"earlier[{index}]") for index, one in enumerate(earlier)]
-    return levels_of(spectrum, "spectrum"), before, dated
-
-
-def _date(value: Any, name: str) -> str:
-    if isinstance(value, np.datetime64):
-        value = value.astype("datetime64[D]").item()
-    if isinstance(value, datetime.datetime):
-        value = value.date()
-    if isinstance(value, str):
-        try:
-            return _riffel.read_date(value)
-        except ValueError as error:
-            raise ValueError(f"{name} is {value!r}, but must be a date as in 2026-01-31: {error}") from None
-    if not isinstance(value, datetime.date):
-        raise ValueError(f"{name} is {value!r}, but must be a date as in 2026-01-31")
-    return value.isoformat()
+    return record_in_question(record, name, None)

@@ -12,12 +12,9 @@ _Complexes: TypeAlias = npt.NDArray[np.complex128]
 _Stretches: TypeAlias = Sequence[tuple[float, _Floats]]
 _Levels: TypeAlias = tuple[_Floats, _Floats, _Floats]
 _Spectra: TypeAlias = Sequence[tuple[_Floats, _Floats]]
-_Dates: TypeAlias = tuple[tuple[_Floats, _Floats], _Spectra, Sequence[str]]
 _Dominant: TypeAlias = tuple[float, float, float, float, float, float | None, float | None]
-_Traffic: TypeAlias = str | dict[str, Any] | tuple[float, float]
 _Roughness: TypeAlias = (
-    str
-    | tuple[float, Sequence[tuple[str, _Stretches]]]
+    tuple[float, Sequence[tuple[str, _Stretches]]]
     | Sequence[tuple[Sequence[tuple[str, str]], tuple[_Floats, _Floats]]]
 )
 _Layout: TypeAlias = tuple[str | None, float | None, str | None, str | None]
@@ -111,28 +108,16 @@ class CurvingCase:
     @property
     def title(self) -> str | None: ...
 
+class Traffic:
+    """A traffic in memory, in place of a file."""
+
+    def __init__(self, case: Case, given: str | dict[str, Any] | tuple[float, float] | None) -> None: ...
+
 def si(text: str, kind: str) -> float: ...
 def axis(min: float, max: float, points: int) -> _Floats: ...
-def forecast(
-    case: Case,
-    measured: _Dates | None,
-    ground: tuple[str | None, str | None],
-    traffic: _Traffic | None,
-    passages: _Floats | None,
-    mgt: _Floats | None,
-    months: _Floats | None,
-    limit: str,
-) -> dict[str, Any]: ...
-def fit_wear(
-    case: Case,
-    earlier: tuple[str, _Roughness],
-    later: tuple[str, _Roughness],
-    passages: float | None,
-    days: float | None,
-    traffic: _Traffic | None,
-    limit: str,
-) -> dict[str, Any]: ...
-def line_growth(case: Case, traffic: _Traffic | None) -> dict[str, Any]: ...
+def forecast(question: dict[str, Any], measure: str, values: _Floats) -> dict[str, Any]: ...
+def fit_wear(question: dict[str, Any], days: float | None) -> dict[str, Any]: ...
+def line_growth(case: Case, traffic: Traffic | None) -> dict[str, Any]: ...
 def wheels_of_curve(case: Case) -> tuple[dict[str, Any], list[_Floats], list[_Floats | None]]: ...
 def simulate(
     case: Case,
@@ -149,7 +134,7 @@ def evolve(
     case: Case,
     surface: tuple[float, float] | tuple[float, float, _Floats],
     periodic: bool,
-    traffic: _Traffic | None,
+    traffic: Traffic,
     passages: int,
     step: float | None,
     contact_filter: bool,
@@ -206,7 +191,6 @@ def compare_with_limit(wavelengths: _Floats, levels: _Floats, limit: str) -> _Le
 def energy_mean(spectra: _Spectra) -> _Levels: ...
 def dominant_of_profile(stretches: _Stretches, spacing: float) -> list[_Dominant]: ...
 def dominant_of_spectra(spectra: _Spectra) -> list[_Dominant]: ...
-def read_date(text: str) -> str: ...
 def read_roughness(
     path: str, layout: _Layout
 ) -> tuple[

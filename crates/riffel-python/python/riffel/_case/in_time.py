@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from riffel import _passage
+from riffel import _passage, _riffel
 from riffel._case.keys import KeysOfCase
 from riffel._quantities import Quantity, scalar
 from riffel._traffic import Traffic, traffic_or_speed
@@ -190,7 +190,7 @@ class CaseInTime(KeysOfCase):
             self._case,
             _passage.checked_surface(profile, spacing, sinusoid),
             periodic,
-            traffic_or_speed(traffic, speed, speed_deviation),
+            _riffel.Traffic(self._case, traffic_or_speed(traffic, speed, speed_deviation)),
             int(passages),
             None if step is None else scalar(step, "step", "length"),
             contact_filter,

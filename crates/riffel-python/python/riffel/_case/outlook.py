@@ -9,10 +9,10 @@ from typing import Any
 import xarray as xr
 
 from riffel import _forecast, _riffel
-from riffel._ask import ask
+from riffel._ask import ask, keys_of
 from riffel._case.keys import KeysOfCase
 from riffel._quantities import Quantity, scalar
-from riffel._records import Date, Levels, checked_levels, dated_levels
+from riffel._records import Date, Levels, levels_in_question
 from riffel._traffic import Traffic, file_or_keys, traffic_or_speed
 
 
@@ -97,17 +97,22 @@ class OutlookOfCase(KeysOfCase):
         >>> met.attrs["grinding_interval_passages"]
         0.0
         """
-        horizon = _forecast.horizon(passages, mgt, months, traffic is not None)
-        found = _riffel.forecast(
-            self._case,
-            None if spectrum is None else dated_levels(spectrum, earlier, dates),
-            _forecast.ground_in_words(ground, from_limit),
-            traffic_or_speed(traffic, speed, speed_deviation),
-            horizon.get("passages"),
-            horizon.get("mgt"),
-            horizon.get("months"),
-            limit,
-        )
+        measure, values = _forecast.horizon(passages, mgt, months, traffic is not None)
+        if len(earlier) > 0 and len(dates) == 0:
+            raise ValueError("dates is empty, but must be the dates of the earlier spectra and of spectrum, the oldest first")
+        question = {
+            "case": self,
+            "spectrum": spectrum,
+            "earlier": earlier,
+            "dates": dates,
+            "traffic": _riffel.Traffic(self._case, traffic_or_speed(traffic, speed, speed_deviation)),
+            "ground": ground,
+            "from_limit": from_limit,
+            "limit": limit,
+            # Of no account: levels are asked for at the values of the measure, which may be zero.
+            "passages": 1.0,
+        }
+        found = _riffel.forecast(keys_of(question), measure, values)
         return _forecast.forecast(found, limit, self.title)
 
     def line_growth(self, traffic: Traffic | None = None) -> dict[str, Any]:
@@ -132,7 +137,8 @@ class OutlookOfCase(KeysOfCase):
         >>> growth["usual_traffic_of"], [round(3.6 * speed) for speed in growth["speeds_m_per_s"]]
         ('metro', [40, 70])
         """
-        return _riffel.line_growth(self._case, None if traffic is None else file_or_keys(traffic))
+        given = None if traffic is None else _riffel.Traffic(self._case, file_or_keys(traffic))
+        return _riffel.line_growth(self._case, given)
 
     def remedies(self, traffic: Traffic | None = None, *, costs: Mapping[str, float] | None = None) -> dict[str, Any]:
         """What would slow growth under the traffic of the line, the remedy that helps most first.
@@ -294,12 +300,12 @@ class OutlookOfCase(KeysOfCase):
         given = {name: scalar(value, name, "ratio") for name, value in between.items() if value is not None}
         if len(given) != 1:
             raise ValueError("give one of passages and days: how much traffic there was between the measurements")
-        return _riffel.fit_wear(
-            self._case,
-            checked_levels(earlier, "earlier"),
-            checked_levels(later, "later"),
-            given.get("passages"),
-            given.get("days"),
-            traffic_or_speed(traffic, speed, speed_deviation),
-            limit,
-        )
+        question = {
+            "case": self,
+            "spectrum": levels_in_question(later, "later"),
+            "earlier": [levels_in_question(earlier, "earlier")],
+            "passages_between": given.get("passages"),
+            "traffic": _riffel.Traffic(self._case, traffic_or_speed(traffic, speed, speed_deviation)),
+            "limit": limit,
+        }
+        return _riffel.fit_wear(keys_of(question), given.get("days"))
