@@ -7,7 +7,7 @@ use riffel::diagnosis::{Instrument, TrafficSpeeds};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Frequency, Kind, Quantity, Speed};
-use riffel_keys::{Message, question, say};
+use riffel_keys::{Message, say};
 use riffel_rail::history::SpectraChoice;
 use riffel_rail::{RailRecord, RoughnessFile};
 use schemars::JsonSchema;
@@ -15,7 +15,8 @@ use serde::Deserialize;
 
 use super::{Diagnosis, DiagnosisSettings};
 use crate::question::{
-    AsWritten, Asker, CaseSource, EarlierRecords, Question, RecordLayout, Rule, Source, choose_nothing, positive,
+    AsWritten, Asker, CaseSource, EarlierRecords, Question, RecordLayout, Rule, Source, called, choose_nothing,
+    positive,
 };
 use crate::{Answer, AnswerError, Result};
 
@@ -39,14 +40,8 @@ impl DiagnoseQuestion {
     pub(crate) fn diagnosis(&self, asker: &dyn Asker) -> Result<Diagnosis> {
         let case = self.case.read(asker)?;
         let file = self.roughness.value(|path| self.rail.layout.read(path, asker))?;
-        self.rail.diagnosis(&case, called(&self.roughness), &file, asker)
+        self.rail.diagnosis(&case, called(self.roughness.name()), &file, asker)
     }
-}
-
-/// What a record is called: the path of its file, or its name in memory.
-fn called(record: &Source<RoughnessFile>) -> &Path {
-    let path = record.name();
-    question::key_of(path).filter(|_| question::is_value(path)).unwrap_or(path)
 }
 
 /// How a measured rail is held against a case.
@@ -113,7 +108,7 @@ impl DiagnosedRail {
         let earlier = self.earlier.earlier.iter().zip(&files).enumerate();
         let earlier: Vec<RailRecord<'_>> = earlier
             .map(|(place, (source, file))| RailRecord {
-                name: called(source),
+                name: called(source.name()),
                 date: dates.get(place).copied(),
                 roughness: (&**file).into(),
             })

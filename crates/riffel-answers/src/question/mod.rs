@@ -38,6 +38,7 @@ pub use rail_records::{EarlierRecords, History, KeptRecords, RecordLayout, posit
 pub(crate) use rail_records::{choose_nothing, date_of};
 pub use rule::Rule;
 pub use source::Source;
+pub(crate) use source::called;
 pub use threads::on_threads;
 
 use crate::{Answer, AnswerError, QUESTIONS, QUESTIONS_OF_THE_PAGE, Result};

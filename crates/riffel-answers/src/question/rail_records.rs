@@ -12,6 +12,7 @@ use riffel_rail::{Elapsed, Layout, LengthUnit, RailDates, ReaderFormat, RecordPa
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
+use super::source::called;
 use super::{Asker, Rule, Source};
 use crate::{AnswerError, Result};
 
@@ -95,7 +96,7 @@ impl RecordLayout {
     /// # Errors
     /// Those of [`read`](Self::read), and [`AnswerError::Case`] where a profile has no spectrum.
     pub fn survey(&self, path: &Path, asker: &dyn Asker) -> Result<Survey> {
-        Ok(Survey::of(path, self.read_growing(path, asker)?)?)
+        Ok(Survey::of(called(path), self.read_growing(path, asker)?)?)
     }
 
     /// What grows of a rail: a file without single defects, unless they are kept.
@@ -214,7 +215,7 @@ impl EarlierRecords {
         let chosen = |source: &Source<RoughnessFile>| {
             let file = source.value(|path| layout.read(path, asker))?;
             let file = layout.growing(Arc::unwrap_or_clone(file));
-            Ok(Survey::of(source.name(), file)?.choose(choose)?)
+            Ok(Survey::of(called(source.name()), file)?.choose(choose)?)
         };
         Ok(History {
             surveys: self.earlier.iter().map(chosen).collect::<Result<_>>()?,

@@ -17,6 +17,11 @@ pub enum Source<T> {
     Given(Arc<T>),
 }
 
+/// Name of what stands under a path: the path of its file, or its name in memory.
+pub(crate) fn called(path: &Path) -> &Path {
+    question::key_of(path).filter(|_| question::is_value(path)).unwrap_or(path)
+}
+
 impl<T> Source<T> {
     /// The path, if it is to be read.
     pub fn path(&self) -> Option<&Path> {
