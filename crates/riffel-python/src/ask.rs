@@ -13,6 +13,7 @@ use riffel_keys::Message;
 use riffel_keys::question::Held;
 use serde_json::{Map, Value};
 
+use crate::axlebox::AxleBoxRun;
 use crate::case::Case;
 use crate::curving::CurvingCase;
 use crate::errors::of_answer;
@@ -51,6 +52,8 @@ impl<'py> InMemory<'py> {
         } else if let Ok(record) = value.cast::<Record>() {
             let Record { name, file } = record.get();
             self.0.hold(name, file.clone())
+        } else if let Ok(run) = value.cast::<AxleBoxRun>() {
+            self.0.hold("run", run.get().0.clone())
         } else if let Ok(traffic) = value.cast::<Traffic>() {
             self.0.hold(key, traffic.get().0.clone())
         } else if let Ok(list) = value.cast::<PyList>() {

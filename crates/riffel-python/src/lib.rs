@@ -37,7 +37,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::ask::ask;
     #[pymodule_export]
-    use crate::axlebox::axlebox;
+    use crate::axlebox::AxleBoxRun;
     #[pymodule_export]
     use crate::calibrate::{LogPosterior, calibrate, draws};
     #[pymodule_export]
@@ -67,7 +67,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::simulate::{evolve, on_smooth_rail, simulate};
     #[pymodule_export]
-    use crate::study::{Study, merge_study, sobol_indices, study_summary};
+    use crate::study::{Study, sobol_indices, study_summary};
     #[pymodule_export]
     use crate::traffic::Traffic;
     #[pymodule_export]

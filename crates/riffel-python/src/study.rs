@@ -1,6 +1,6 @@
 //! Studies: plans, chunks and what they say together.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
@@ -246,17 +246,6 @@ impl Study {
 pub(crate) fn study_summary(py: Python<'_>, folder: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let summary = interruptible(py, move || ResultFolder::open(&folder).and_then(|(_, folder)| folder.summary()))?;
     as_dict(py, &summary.map_err(of_study)?)
-}
-
-/// Copy the finished chunks of folders into one; chunks copied, there already, and missing.
-#[pyfunction]
-pub(crate) fn merge_study(py: Python<'_>, into: PathBuf, folders: Vec<PathBuf>) -> PyResult<(u64, u64, Vec<u64>)> {
-    let report = interruptible(py, move || {
-        let folders: Vec<&Path> = folders.iter().map(PathBuf::as_path).collect();
-        ResultFolder::merge(&into, &folders)
-    })?
-    .map_err(of_study)?;
-    Ok((report.copied, report.there_already, report.missing))
 }
 
 /// First-order and total indices of each parameter with their intervals: rows of value, low and high.

@@ -154,7 +154,7 @@ def test_what_is_wrong_is_said(felt: Signal, tmp_path: Path) -> None:
         (0.1 * felt + 1.0, plain, "as gravity is in g"),
         (np.zeros(felt.size), plain, "never|keeps|drops|faster"),
         ({"left": felt, "right": felt[1:]}, plain, "right has 79999 values, but left has 80000"),
-        (felt, {**plain, "longest": "15 mm"}, "at least twice shortest"),
+        (felt, {**plain, "longest": "15 mm"}, "at least twice --shortest"),
         (sound, {}, "a WAV file has no units"),
         (sound, {"channels": channels[:1]}, "has 2 channels, but --channels names 1"),
         (sound, {"channels": ["acceleration_left=50", channels[1]]}, "no unit known here"),

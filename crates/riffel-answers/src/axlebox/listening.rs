@@ -1,6 +1,7 @@
 //! A file of accelerations, heard piece by piece.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, WheelPattern};
 use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum, ThirdOctave, WavelengthBand};
@@ -151,7 +152,7 @@ impl Longest {
 /// Hear a file, which may go on where another ended; what was found wrong in it, its longest piece, and its end.
 pub(super) fn listen(
     case: &Case,
-    (path, file): &(PathBuf, AxleBoxFile),
+    (path, file): &(PathBuf, Arc<AxleBoxFile>),
     limits: &[LimitTable],
     request: &AxleBoxRequest,
     progress: &dyn Fn(usize),

@@ -7,6 +7,7 @@ mod question;
 mod wheels;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use riffel::axlebox::RunSettings;
 use riffel::contact::ContactFilter;
@@ -163,7 +164,7 @@ impl AxleBoxAnswer {
     /// apart.
     pub fn new(
         case: &Case,
-        files: &[(PathBuf, AxleBoxFile)],
+        files: &[(PathBuf, Arc<AxleBoxFile>)],
         limits: &[LimitTable],
         request: &AxleBoxRequest,
         progress: &dyn Fn(usize),
@@ -196,7 +197,7 @@ impl AxleBoxAnswer {
 
     fn judged(
         case: &Case,
-        files: &[(PathBuf, AxleBoxFile)],
+        files: &[(PathBuf, Arc<AxleBoxFile>)],
         limits: &[LimitTable],
         request: &AxleBoxRequest,
         heard: Vec<Heard>,

@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{AxleBoxAnswer, AxleBoxRequest};
-use crate::question::{AsWritten, Asker, CaseSource, Question, Source, positive};
+use crate::question::{AsWritten, Asker, CaseSource, Question, Source, called, positive};
 use crate::{Answer, AnswerError, Result};
 
 /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
@@ -99,7 +99,10 @@ impl Question for AxleBoxQuestion {
         let (layout, request) = (self.layout(asker)?, self.request()?);
         let limits = LimitTable::named(&self.limit)?;
         let case = CaseSource::new(self.case.clone(), self.set.clone()).read(asker)?;
-        let open = |path: &PathBuf| Ok((path.clone(), AxleBoxFile::open(path, &layout)?));
+        let open = |path: &PathBuf| {
+            let file = Source::File(path.clone()).value(|path| AxleBoxFile::open(path, &layout))?;
+            Ok((called(path).to_owned(), file))
+        };
         let files = self.file.iter().map(open).collect::<Result<Vec<_>>>()?;
         let sizes = self.file.iter().filter_map(|path| std::fs::metadata(path).ok());
         let size: u64 = sizes.map(|file| file.len()).sum();

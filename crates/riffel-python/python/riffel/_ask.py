@@ -16,7 +16,7 @@ from riffel import _riffel
 from riffel._spectra import levels_of
 
 
-IN_MEMORY = (_riffel.Case, _riffel.CurvingCase, _riffel.Record, _riffel.Traffic)
+IN_MEMORY = (_riffel.AxleBoxRun, _riffel.Case, _riffel.CurvingCase, _riffel.Record, _riffel.Traffic)
 """What stands in a question in place of a file."""
 
 

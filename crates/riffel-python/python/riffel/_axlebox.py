@@ -9,6 +9,7 @@ from typing import TypeAlias
 import numpy.typing as npt
 import xarray as xr
 
+from riffel import _riffel
 from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, real, scalar
 
 AxleBoxRun: TypeAlias = (
@@ -17,37 +18,29 @@ AxleBoxRun: TypeAlias = (
 """A file, several files, or accelerations in m/s² of one channel or of several by name."""
 
 
-def checked_run(run: AxleBoxRun) -> list[str] | list[tuple[str, Floats]]:
-    """Paths, or channels by name."""
+def run_in_question(
+    run: AxleBoxRun, rate: Quantity | None, speed: Quantities | None, odometer: Quantities | None
+) -> list[str] | _riffel.AxleBoxRun:
+    """Files of a run, or its arrays in their place."""
     if isinstance(run, (str, os.PathLike)):
-        return [os.fspath(run)]
-    if isinstance(run, Mapping):
-        return [(str(name), real(values, f"run[{name!r}]")) for name, values in run.items()]
+        run = [run]
     if isinstance(run, (list, tuple)) and run and all(isinstance(one, (str, os.PathLike)) for one in run):
+        if odometer is not None or not (speed is None or is_scalar(speed)):
+            raise ValueError("a speed for each sample and an odometer go with arrays; files have columns of their own")
         return [os.fspath(path) for path in run]
-    return [("rail", real(run, "run"))]
-
-
-def checked_place(
-    run: list[str] | list[tuple[str, Floats]],
-    rate: Quantity | None,
-    speed: Quantities | None,
-    odometer: Quantities | None,
-) -> tuple[float | None, tuple[float | None, Floats | None, Floats | None]]:
-    """Samples per second, and constant speed, speeds or odometer."""
-    of_files = isinstance(run[0], str)
-    if not of_files:
-        if rate is None:
-            raise ValueError("rate is missing: arrays have no times, give the samples per second")
-        if (speed is None) == (odometer is None):
-            raise ValueError("speed and odometer: give one of the two")
-    elif odometer is not None or not (speed is None or is_scalar(speed)):
-        raise ValueError("a speed for each sample and an odometer go with arrays; files have columns of their own")
-    per_second = None if rate is None else scalar(rate, "rate", "frequency")
+    if isinstance(run, Mapping):
+        channels = [(str(name), real(values, f"run[{name!r}]")) for name, values in run.items()]
+    else:
+        channels = [("rail", real(run, "run"))]
+    if rate is None:
+        raise ValueError("rate is missing: arrays have no times, give the samples per second")
+    if (speed is None) == (odometer is None):
+        raise ValueError("speed and odometer: give one of the two")
+    place: float | Floats | tuple[Floats]
     if odometer is not None:
-        return per_second, (None, None, real(odometer, "odometer"))
-    if speed is None:
-        return per_second, (None, None, None)
-    if is_scalar(speed):
-        return per_second, (scalar(speed, "speed", "speed"), None, None)
-    return per_second, (None, array(speed, "speed", "speed", least=-float("inf")), None)
+        place = (real(odometer, "odometer"),)
+    elif is_scalar(speed):
+        place = scalar(speed, "speed", "speed")
+    else:
+        place = array(speed, "speed", "speed", least=-float("inf"))
+    return _riffel.AxleBoxRun(channels, scalar(rate, "rate", "frequency"), place)

@@ -108,6 +108,13 @@ class CurvingCase:
     @property
     def title(self) -> str | None: ...
 
+class AxleBoxRun:
+    """Accelerations of axle boxes in memory, in place of a file."""
+
+    def __init__(
+        self, channels: Sequence[tuple[str, _Floats]], rate: float, place: float | _Floats | tuple[_Floats]
+    ) -> None: ...
+
 class Traffic:
     """A traffic in memory, in place of a file."""
 
@@ -139,17 +146,6 @@ def evolve(
     step: float | None,
     contact_filter: bool,
 ) -> tuple[dict[str, Any], list[int], _Floats, float, list[str]]: ...
-def axlebox(
-    case: Case,
-    run: Sequence[str] | Sequence[tuple[str, _Floats]],
-    rate: float | None,
-    place: tuple[float | None, _Floats | None, _Floats | None],
-    channels: Sequence[str],
-    within: tuple[float, float, float, float],
-    contact_filter: bool,
-    keep_defects: bool,
-    limits: Sequence[str],
-) -> dict[str, Any]: ...
 def calibrate(
     plan: str, folder: str, tables: list[str], traffic: str | None, restart: bool
 ) -> tuple[list[str], list[str], dict[str, Any] | None]: ...
@@ -234,7 +230,6 @@ class Study:
     ) -> tuple[list[tuple[float | str, float | str]], list[tuple[float, float]], float]: ...
 
 def study_summary(folder: str) -> dict[str, Any]: ...
-def merge_study(into: str, folders: list[str]) -> tuple[int, int, list[int]]: ...
 def sobol_indices(
     values: _Floats, parameters: int, confidence: float, resamples: int, seed: int
 ) -> tuple[list[list[float]], list[list[float]], float, int]: ...

@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 
 from riffel import _riffel
+from riffel._ask import ask
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -372,7 +373,7 @@ def merge_studies(into: Folder, folders: Sequence[Folder]) -> list[int]:
     ValueError
         For folders of different plans, or a damaged chunk; nothing is written then.
     """
-    _, _, missing = _riffel.merge_study(os.fspath(into), [os.fspath(folder) for folder in folders])
+    missing: list[int] = ask("study merge", {"into": into, "from": folders})["missing"]
     return missing
 
 

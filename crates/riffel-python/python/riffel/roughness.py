@@ -16,7 +16,6 @@ import xarray as xr
 
 from riffel import _riffel
 from riffel._datasets import WAVELENGTH
-from riffel._layout import layout
 from riffel._quantities import Floats, Quantity, real, scalar
 from riffel._spectra import levels, levels_of, spectrum_array
 
@@ -159,8 +158,9 @@ def read(
     >>> {str(rail): f"{float(abs(profile[rail]).max()):.1e} m" for rail in profile}
     {'column 2': '2.0e-05 m'}
     """
-    given = layout(format, spacing, height_unit, position_unit)
-    profile, spectra, warnings = _riffel.read_roughness(os.fspath(path), given)
+    step = None if spacing is None else scalar(spacing, "spacing", "length")
+    layout = (None if format is None else os.fspath(format), step, height_unit, position_unit)
+    profile, spectra, warnings = _riffel.read_roughness(os.fspath(path), layout)
     arrays = [spectrum_array(found).assign_attrs(dict(labels)) for labels, found in spectra]
     return Roughness(None if profile is None else _profile(*profile), arrays, warnings)
 

@@ -352,7 +352,7 @@ fn runs_without_a_stretch_are_refused_in_german_too() {
         let head = "time_s;acceleration_left_m_per_s2;speed_km_per_h\n";
         std::fs::write(&path, head.to_owned() + &rows.collect::<String>()).unwrap();
         let file = AxleBoxFile::open(&path, &AxleBoxLayout::default()).unwrap();
-        let files = [(path.clone(), file)];
+        let files = [(path.clone(), file.into())];
         let answer = AxleBoxAnswer::new(&case(), &files, &[], &AxleBoxRequest::default(), &|_| ());
         let Err(AnswerError::Case(CaseError::Data { message, .. })) = answer else {
             panic!("{english}");

@@ -32,7 +32,7 @@ fn welds_are_listed_and_raise_no_level() {
         let place = AxleBoxPlace::Constant(journey.speed);
         let file = AxleBoxFile::of_arrays("run", channels, journey.rate, place).unwrap();
         let request = AxleBoxRequest { keep_defects, ..AxleBoxRequest::default() };
-        let files = [("run".into(), file)];
+        let files = [("run".into(), file.into())];
         AxleBoxAnswer::new(&case, &files, &LimitTable::all(), &request, &|_| ()).unwrap()
     };
     let [smooth, left_out, kept] =

@@ -42,7 +42,7 @@ fn heard(channels: &[(&str, &dyn Fn(f64) -> f64)]) -> AxleBoxAnswer {
     });
     let place = AxleBoxPlace::Constant(journey.speed);
     let file = AxleBoxFile::of_arrays("run", heard.collect(), journey.rate, place).unwrap();
-    let (files, limits) = ([("run".into(), file)], LimitTable::all());
+    let (files, limits) = ([("run".into(), file.into())], LimitTable::all());
     AxleBoxAnswer::new(&case, &files, &limits, &AxleBoxRequest::default(), &|_| ()).unwrap()
 }
 

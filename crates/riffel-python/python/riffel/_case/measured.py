@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riffel import _riffel
 from riffel._ask import ask
-from riffel._axlebox import AxleBoxRun, checked_place, checked_run
+from riffel._axlebox import AxleBoxRun, run_in_question
 from riffel._case.keys import KeysOfCase
-from riffel._quantities import Quantities, Quantity, array, scalar
+from riffel._quantities import Quantities, Quantity, array
 from riffel._records import Date, RailRecord, record_in_question
 from riffel._speeds import Speeds, ranges
 from riffel._traffic import Traffic
@@ -206,28 +205,23 @@ class MeasuredOnCase(KeysOfCase):
         >>> [rail["name"] for rail in found["rails"]]
         ['left']
         """
-        given = checked_run(run)
-        rate_hz, place = checked_place(given, rate, speed, odometer)
-        within = (
-            scalar(shortest, "shortest", "length"),
-            scalar(longest, "longest", "length"),
-            scalar(slowest, "slowest", "speed"),
-            scalar(block, "block", "length"),
-        )
-        if within[1] < 2.0 * within[0]:
-            raise ValueError(f"longest is {longest}, but must be at least twice shortest")
-        limits = [limit] if isinstance(limit, str) else list(limit)
-        return _riffel.axlebox(
-            self._case,
-            given,
-            rate_hz,
-            place,
-            list(channels),
-            within,
-            bool(contact_filter),
-            bool(keep_defects),
-            limits,
-        )
+        given = run_in_question(run, rate, speed, odometer)
+        of_files = {"rate": rate, "speed": speed} if isinstance(given, list) else {}
+        question = {
+            "file": given,
+            "case": self,
+            "channels": channels,
+            "shortest": shortest,
+            "longest": longest,
+            "slowest": slowest,
+            "contact_filter": bool(contact_filter),
+            "keep_defects": bool(keep_defects),
+            "limit": limit,
+            "block": block,
+            **of_files,
+        }
+        found: dict[str, Any] = ask("axlebox", question)
+        return found
 
     def noise(
         self,
