@@ -16,6 +16,7 @@ use serde_json::{Map, Value};
 use crate::axlebox::AxleBoxRun;
 use crate::case::Case;
 use crate::curving::CurvingCase;
+use crate::document::sentences;
 use crate::errors::of_answer;
 use crate::interrupt::interruptible;
 use crate::records::Record;
@@ -113,7 +114,7 @@ pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict
     let named = question::known(name).map_err(of_answer)?;
     let ((document, own), on_question) = Asked::new(named, question)?.answer(py, |keys, asker| {
         let answer = named.answer(keys, asker)?;
-        let own = answer.remarks().iter().map(ToString::to_string).collect();
+        let own = sentences(answer.remarks());
         Ok((answer.value(), own))
     })?;
     let on_question = on_question.iter().map(|remark| (remark.id(), remark.to_string()));

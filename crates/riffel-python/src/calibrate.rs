@@ -10,7 +10,7 @@ use riffel_calibrate::{CalibrationError, Folder, Measured, Plan};
 use riffel_study::Stop;
 
 use crate::case::Case;
-use crate::document::document;
+use crate::document::{document, sentences};
 use crate::errors::{of_calibration, of_case, wrong};
 use crate::interrupt::{interruptible, stoppable};
 
@@ -43,9 +43,8 @@ pub(crate) fn calibrate(
             false => None,
         };
         let of_models = models.as_ref().map_or(&[][..], Answer::remarks);
-        let remarks = plan.remarks.iter().chain(of_models);
-        let remarks = remarks.map(ToString::to_string).collect();
-        let doubts = summary.doubts().iter().map(ToString::to_string).collect();
+        let remarks = sentences(plan.remarks.iter().chain(of_models));
+        let doubts = sentences(&summary.doubts());
         Ok((remarks, doubts, models))
     };
     // Finished parts of chains stay for a restart.

@@ -6,19 +6,13 @@ use pyo3::types::PyDict;
 use riffel::forecast::{ForecastBand, Reach};
 use riffel_answers::forecast::{ForecastHorizon, ForecastQuestion, HardenedWave};
 use riffel_answers::question::{of, of_keys};
-use riffel_keys::Message;
 
 use crate::array::owned;
 use crate::ask::Asked;
-use crate::document::document;
+use crate::document::{document, sentences};
 use crate::errors::{of_answer, wrong};
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
-
-/// Messages as English sentences.
-fn in_words<'a>(messages: impl IntoIterator<Item = &'a Message>) -> Vec<String> {
-    messages.into_iter().map(ToString::to_string).collect()
-}
 
 /// A measure of the horizon by its key.
 fn horizon(measure: &str) -> PyResult<fn(f64) -> ForecastHorizon> {
@@ -63,7 +57,7 @@ pub(crate) fn forecast<'py>(
     let linear = forecast.linear_range(bands);
     let result = PyDict::new(py);
     let mgt: Vec<f64> = passages.iter().map(|&passages| on.growth.mgt(passages)).collect();
-    result.set_item("findings", in_words(&answer.damage_in_words().collect::<Vec<_>>()))?;
+    result.set_item("findings", sentences(&answer.damage_in_words().collect::<Vec<_>>()))?;
     result.set_item("hardening", document(py, &HardenedWave::all(forecast))?)?;
     result.set_item("cracks", document(py, &answer.cracks())?)?;
     result.set_item("passages", passages.into_pyarray(py))?;
@@ -88,7 +82,7 @@ pub(crate) fn forecast<'py>(
     result.set_item("passages_per_day", on.passages_per_day)?;
     result.set_item("linear_force_ratio", linear.force_ratio)?;
     result.set_item("linear_passages", linear.passages)?;
-    result.set_item("remarks", in_words(on.remarks.iter().chain(&answer.without_growth)))?;
+    result.set_item("remarks", sentences(on.remarks.iter().chain(&answer.without_growth)))?;
     Ok(result)
 }
 

@@ -69,15 +69,14 @@ impl Record {
                     .map(|(name, stretches)| Ok::<_, PyErr>(Rail { name, stretches: profiles(&stretches, spacing)? }));
                 RoughnessFile::Profile(riffel_rail::Record::of_rails(rails.collect::<PyResult<_>>()?, spacing))
             }
-            GivenRoughness::Spectra(spectra) => RoughnessFile::Spectra(labelled(&spectra)?, Vec::new()),
+            GivenRoughness::Spectra(spectra) => {
+                let spectra = spectra.into_iter().map(|(labels, (wavelengths, levels))| {
+                    let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
+                    Ok::<_, PyErr>(LabelledSpectrum { labels, spectrum })
+                });
+                RoughnessFile::Spectra(spectra.collect::<PyResult<_>>()?, Vec::new())
+            }
         };
         Ok(Self { name, file: Arc::new(file) })
     }
-}
-
-fn labelled(spectra: &[LabelledLevels<'_>]) -> PyResult<Vec<LabelledSpectrum>> {
-    let labelled = spectra.iter().map(|(labels, (wavelengths, levels))| {
-        Ok(LabelledSpectrum { labels: labels.clone(), spectrum: spectrum(&owned(wavelengths), &owned(levels))? })
-    });
-    labelled.collect()
 }

@@ -11,11 +11,11 @@ use riffel::roughness::{
     AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, Profile, RailAnalysis, RmsLimit, Spectrum, SpikeCriterion,
     WHEEL_RADIUS, WavelengthBand,
 };
-use riffel_keys::Message;
 use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
 use crate::array::owned;
 use crate::arrays_of_rails::{Stretch, profiles, spectrum};
+use crate::document::sentences;
 use crate::errors::{of_answer, of_case, of_physics, wrong};
 use crate::interrupt::interruptible;
 use crate::records::{GivenLayout, read};
@@ -297,10 +297,6 @@ pub(crate) fn dominant_of_spectra(
     Ok(named(&dominant_levels(&spectra.collect::<PyResult<Vec<_>>>()?)))
 }
 
-fn in_english(messages: &[Message]) -> Vec<String> {
-    messages.iter().map(ToString::to_string).collect()
-}
-
 /// A file: its spacing and rails where it holds profiles, else its labelled spectra; and warnings.
 #[pyfunction]
 pub(crate) fn read_roughness<'py>(
@@ -321,14 +317,14 @@ pub(crate) fn read_roughness<'py>(
                     .map(|stretch| (stretch.start(), stretch.heights().to_vec().into_pyarray(py)));
                 (rail.name, stretches.collect())
             });
-            (Some((record.spacing, rails.collect())), Vec::new(), in_english(&record.warnings))
+            (Some((record.spacing, rails.collect())), Vec::new(), sentences(&record.warnings))
         }
         RoughnessFile::Spectra(spectra, warnings) => {
             let spectra = spectra.into_iter().map(|record| {
                 let levels = levels(py, &record.spectrum);
                 (record.labels, levels)
             });
-            (None, spectra.collect(), in_english(&warnings))
+            (None, spectra.collect(), sentences(&warnings))
         }
     })
 }

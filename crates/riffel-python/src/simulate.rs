@@ -9,11 +9,10 @@ use riffel_answers::simulate::{
     Course, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest,
     SmoothRailAnswer, Surface,
 };
-use riffel_keys::Message;
 
 use crate::array::owned;
 use crate::case::Case;
-use crate::document::document;
+use crate::document::{document, sentences};
 use crate::errors::{of_answer, of_physics};
 use crate::interrupt::interruptible;
 use crate::traffic::Traffic;
@@ -74,10 +73,6 @@ fn arrays<'py>(py: Python<'py>, courses: &[Course]) -> PyResult<Bound<'py, PyDic
     Ok(arrays)
 }
 
-fn words(remarks: &[Message]) -> Vec<String> {
-    remarks.iter().map(ToString::to_string).collect()
-}
-
 /// The course over a rail by name, and what else is told of it.
 #[pyfunction]
 pub(crate) fn simulate<'py>(
@@ -109,7 +104,7 @@ pub(crate) fn simulate<'py>(
             told.set_item("contact_loss_fraction", answer.extremes.contact_loss_fraction)?;
             told.set_item("minimum_normal_force", answer.extremes.minimum_normal_force_n)?;
             told.set_item("maximum_normal_force", answer.extremes.maximum_normal_force_n)?;
-            told.set_item("remarks", words(&answer.run.own_remarks))?;
+            told.set_item("remarks", sentences(&answer.run.own_remarks))?;
             arrays(py, &answer.run.courses)?
         }
         Rail::Profile(profile) => {
@@ -126,7 +121,7 @@ pub(crate) fn simulate<'py>(
             told.set_item("contact_loss_fraction", answer.extremes.contact_loss_fraction)?;
             told.set_item("minimum_normal_force", answer.extremes.minimum_normal_force_n)?;
             told.set_item("maximum_normal_force", answer.extremes.maximum_normal_force_n)?;
-            told.set_item("remarks", words(&answer.run.own_remarks))?;
+            told.set_item("remarks", sentences(&answer.run.own_remarks))?;
             if answer.run.contacts.len() > 1 {
                 told.set_item("contacts", document(py, &answer.run.contacts)?)?;
             }
@@ -147,7 +142,7 @@ pub(crate) fn on_smooth_rail<'py>(
     let answer = case.compute(py, move |case| SmoothRailAnswer::new(case, speed, step))?;
     let answer = answer.map_err(of_answer)?;
     let courses = arrays(py, &answer.run.courses)?;
-    Ok((courses, document(py, &answer)?, words(&answer.run.own_remarks)))
+    Ok((courses, document(py, &answer)?, sentences(&answer.run.own_remarks)))
 }
 
 /// What `riffel simulate --passages --json` prints; passages of the profiles that are kept, their heights \[m\] and spacing
@@ -195,5 +190,5 @@ pub(crate) fn evolve<'py>(
     let count = answer.profiles[0].heights_m.len();
     let heights: Vec<f64> = answer.profiles.into_iter().flat_map(|profile| profile.heights_m).collect();
     let heights = heights.into_pyarray(py).reshape([stages.len(), count])?;
-    Ok((document, stages, heights, answer.spacing, words(&answer.run.own_remarks)))
+    Ok((document, stages, heights, answer.spacing, sentences(&answer.run.own_remarks)))
 }

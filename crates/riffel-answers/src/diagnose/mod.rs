@@ -175,7 +175,7 @@ impl Diagnosis {
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for speeds not above zero.
-    pub fn usual_speeds(case: &Case) -> Result<(TrafficSpeeds, Message), riffel::Error> {
+    fn usual_speeds(case: &Case) -> Result<(TrafficSpeeds, Message), riffel::Error> {
         let usual = UsualTraffic::of(case);
         let [slowest, fastest] = usual.speeds;
         let sentence = say!(speeds_of_the_usual_traffic, traffic = usual.in_words());

@@ -72,7 +72,9 @@ impl MeasuredSpectra {
         now.history = None;
         let path = self.spectrum.as_ref().and_then(Source::path);
         let mut history = self.earlier.read(path, &self.layout, &[], asker)?;
-        let (earlier, _) = history.surveys.remove(0).latest();
+        let earlier = history.surveys.into_iter().next();
+        let earlier = earlier.ok_or_else(|| AnswerError::argument("--earlier", "left out", "given"))?;
+        let (earlier, _) = earlier.latest();
         history.surveys = vec![earlier.clone()];
         let now = history.before(now, Some(passages));
         Ok((earlier, history.places, now))

@@ -66,7 +66,7 @@ impl ForecastQuestion {
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
     pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
-        let (mut answer, dated) = self.dated_on(case, GroundSource::read, asker)?;
+        let (mut answer, dated) = self.dated_on(case, |limit| self.ground.read(limit, asker), asker)?;
         if let Some(dated) = &dated {
             answer.wear = self.wear(dated, case, &answer)?;
         }
@@ -78,20 +78,20 @@ impl ForecastQuestion {
     /// # Errors
     /// Those of [`answer_on`](Self::answer_on).
     pub fn forecast_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
-        Ok(self.dated_on(case, GroundSource::at_most, asker)?.0)
+        Ok(self.dated_on(case, |limit| self.ground.at_most(limit, asker), asker)?.0)
     }
 
     /// The forecast with the records that it begins with.
     fn dated_on(
         &self,
         case: &Case,
-        ground: fn(&GroundSource, &(LimitTable, LevelLimit), &dyn Asker) -> Result<Option<GroundRail>>,
+        ground: impl FnOnce(&(LimitTable, LevelLimit)) -> Result<Option<GroundRail>>,
         asker: &dyn Asker,
     ) -> Result<(TrackForecast, Option<Dated>)> {
         let survey = self.spectra.read(asker)?;
         let traffic = self.traffic()?;
         let limit = level_limit(&self.limit)?;
-        let ground = ground(&self.ground, &limit, asker)?;
+        let ground = ground(&limit)?;
         let dated = survey.as_ref().map(|survey| self.spectra.dated(survey, asker)).transpose()?;
         let step = asker.begin(say!(progress_traffic), traffic.file.vehicle.len());
         let request = ForecastRequest {

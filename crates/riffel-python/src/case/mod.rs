@@ -22,7 +22,7 @@ use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
 use riffel_case::{CaseContact, DrawnSupports};
 
 use crate::array::owned;
-use crate::document::document;
+use crate::document::{document, sentences};
 use crate::errors::{of_case, wrong};
 use crate::given::{self, CallableReceptance};
 use crate::interrupt::{interruptible, interruptible_while};
@@ -159,7 +159,7 @@ impl Case {
 
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.case.remarks.iter().map(ToString::to_string).collect()
+        sentences(&self.case.remarks)
     }
 
     /// Wavelengths of the window.

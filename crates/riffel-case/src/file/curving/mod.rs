@@ -267,25 +267,15 @@ pub enum ProfileOrientation {
 }
 
 impl ProfileOrientation {
-    /// All, with their names.
-    pub const ALL: [(&str, Self); 5] = [
-        ("found", Self::Found),
-        ("as-written", Self::AsWritten),
-        ("mirrored", Self::Mirrored),
-        ("upside-down", Self::UpsideDown),
-        ("turned", Self::Turned),
-    ];
-
     /// Its name.
     pub fn name(self) -> &'static str {
-        let known = Self::ALL.into_iter().find(|(_, known)| *known == self);
-        known.map_or("", |(name, _)| name)
-    }
-
-    /// The orientation of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        let found = Self::ALL.into_iter().find(|(known, _)| *known == name);
-        found.map(|(_, orientation)| orientation)
+        match self {
+            Self::Found => "found",
+            Self::AsWritten => "as-written",
+            Self::Mirrored => "mirrored",
+            Self::UpsideDown => "upside-down",
+            Self::Turned => "turned",
+        }
     }
 }
 
