@@ -179,6 +179,7 @@ mod tests {
         let (mut one, mut other) = (Held::default(), Held::default());
         let paths = [one.hold("held", Arc::new(json!({ "a": 1 }))), other.hold("held", Arc::new(2.5_f64))];
         assert_eq!(paths.each_ref().map(|path| path.to_str().unwrap()), ["question:held", "question:held#2"]);
+        assert_eq!(paths.each_ref().map(|path| key_of(path).unwrap().to_str().unwrap()), ["held"; 2]);
         assert_eq!(as_toml(&paths[0]).unwrap().unwrap(), b"a = 1\n");
         assert_eq!((value(&paths[1]).as_deref(), as_toml(&paths[1]).is_none()), (Some(&2.5), true));
         drop(one);
