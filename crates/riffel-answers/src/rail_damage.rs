@@ -65,6 +65,7 @@ fn after_grinding(case: &Case, traffic: Option<&Traffic>) -> Result<TrackForecas
         horizon: ForecastHorizon::Months(MONTHS),
         limit: (table, limit),
         date: None,
+        tells_spreads: false,
     };
     TrackForecast::new(case, request, &|_| ())
 }

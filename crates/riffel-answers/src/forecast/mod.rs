@@ -17,9 +17,9 @@ use jiff::ToSpan;
 use jiff::civil::Date;
 use riffel::forecast::{ForecastBand, Reach, TrafficGrowth, WearSpread};
 use riffel::roughness::LevelLimit;
-use riffel_case::Case;
 use riffel_case::file::CurveRail;
 use riffel_case::traffic::{DAYS_PER_MONTH, SpreadEffect, Traffic, TrafficOnCase, bands_of};
+use riffel_case::{Case, Variant};
 use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
@@ -56,6 +56,8 @@ pub struct ForecastRequest {
     pub limit: (LimitTable, LevelLimit),
     /// Date of the spectrum.
     pub date: Option<Date>,
+    /// Whether to find what each spread over the wheels does to growth, which takes growth without it as well.
+    pub tells_spreads: bool,
 }
 
 /// The future of the rails of a track under one traffic.
@@ -115,11 +117,14 @@ impl TrackForecast {
     /// [`AnswerError::OutsideWindow`] where no rail has a band in the window of the case, and
     /// [`AnswerError::NoPassagesPerDay`] for months where the traffic does not say how much of it there is.
     pub fn new(case: &Case, request: ForecastRequest, progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
-        let ForecastRequest { traffic, survey, ground, horizon, limit: (table, limit), date } = request;
+        let ForecastRequest { traffic, survey, ground, horizon, limit: (table, limit), date, tells_spreads } = request;
         horizon.check()?;
         let wear_spread = wear_spread(case);
         let (case, bands) = (&case.sharing_parts(), bands_of(case));
-        let (on, spreads) = traffic.on_with_effects(case, &bands, progress)?;
+        let (on, spreads) = match tells_spreads {
+            true => traffic.on_with_effects(case, &bands, progress)?,
+            false => (traffic.on(case, &bands, &Variant::none(""), progress)?, Vec::new()),
+        };
         let (survey, measured_on) = match survey.map(Survey::latest) {
             Some((survey, date)) => (Some(survey), date),
             None => (None, None),

@@ -66,19 +66,19 @@ impl ForecastQuestion {
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
     pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
-        let (mut answer, dated) = self.dated_on(case, |limit| self.ground.read(limit, asker), asker)?;
+        let (mut answer, dated) = self.dated_on(case, |limit| self.ground.read(limit, asker), true, asker)?;
         if let Some(dated) = &dated {
             answer.wear = self.wear(dated, case, &answer)?;
         }
         Ok(answer)
     }
 
-    /// The same without a fit of the wear coefficient, of a rail that may be ground to the limit itself.
+    /// The same without a fit of the wear coefficient and without what each spread does, of a rail that may be ground to the limit itself.
     ///
     /// # Errors
     /// Those of [`answer_on`](Self::answer_on).
     pub fn forecast_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
-        Ok(self.dated_on(case, |limit| self.ground.at_most(limit, asker), asker)?.0)
+        Ok(self.dated_on(case, |limit| self.ground.at_most(limit, asker), false, asker)?.0)
     }
 
     /// The forecast with the records that it begins with.
@@ -86,6 +86,7 @@ impl ForecastQuestion {
         &self,
         case: &Case,
         ground: impl FnOnce(&(LimitTable, LevelLimit)) -> Result<Option<GroundRail>>,
+        tells_spreads: bool,
         asker: &dyn Asker,
     ) -> Result<(TrackForecast, Option<Dated>)> {
         let survey = self.spectra.read(asker)?;
@@ -101,6 +102,7 @@ impl ForecastQuestion {
             horizon: self.horizon(),
             limit,
             date: self.date.or(dated.as_ref().and_then(|dated| dated.date)),
+            tells_spreads,
         };
         let answer = TrackForecast::new(case, request, &step);
         let answer = answer.map_err(|error| self.of_arguments(case, survey.as_deref(), error))?;

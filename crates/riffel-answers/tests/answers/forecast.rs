@@ -52,6 +52,7 @@ fn forecast_of(
         horizon,
         limit: (table, levels),
         date: None,
+        tells_spreads: true,
     };
     TrackForecast::new(case, request, &|_| ())
 }
