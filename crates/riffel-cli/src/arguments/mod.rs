@@ -19,7 +19,7 @@ pub(crate) use figures::{Figures, ModelArgument};
 pub(crate) use page::Page;
 pub(crate) use question::AskedQuestion;
 
-/// Place in the help of options that every command has: below its own, above `--help`, which clap puts at 999.
+/// Place in the help of the first option that every command has: below its own, above `--help`, which clap puts at 999.
 const BELOW_OWN: usize = 900;
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
@@ -40,11 +40,11 @@ pub(crate) struct Arguments {
     quiet: bool,
 
     /// Print notes in full.
-    #[arg(short, long, global = true, display_order = BELOW_OWN)]
+    #[arg(short, long, global = true, display_order = BELOW_OWN + 1)]
     verbose: bool,
 
     /// Language of reports, findings, notes and errors of a case, en, de or fr; help, data, JSON and most heads are English.
-    #[arg(long, global = true, display_order = BELOW_OWN, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true,
+    #[arg(long, global = true, display_order = BELOW_OWN + 2, value_name = "LANGUAGE", default_value = "en", hide_possible_values = true,
           value_parser = languages())]
     language: Language,
 }
