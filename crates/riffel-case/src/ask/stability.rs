@@ -9,7 +9,7 @@ use crate::parts::short_waves::shorter_than_patch;
 
 impl Case {
     /// Whether the loop oscillates without any profile at a speed \[m/s\], by
-    /// [`Loop::stability`]. None for the loop of one wheel and one
+    /// [`Loop::stability`](riffel::Loop::stability). None for the loop of one wheel and one
     /// axis, which never does, and where the phase cannot be followed, for want of any loss or of measured frequencies.
     ///
     /// Oscillations beyond the range of the model of the track do not count.
