@@ -1,7 +1,7 @@
-//! What every case says, to the last bit, for moves of the house that must not change it.
+//! What every case says, to the last bit, for changes of structure that must not change results.
 //!
-//! `RIFFEL_CAPTURE=/somewhere cargo test -p riffel-case --test case capture -- --ignored` writes one file for each case; two such folders,
-//! from before and after a change, are compared by `diff --recursive`.
+//! `RIFFEL_CAPTURE=/somewhere cargo test --release -p riffel-case --test case capture -- --ignored` writes one file for each case in some
+//! seven minutes on two cores; two such folders, from before and after a change, are compared by `diff --recursive`.
 
 use std::fmt::Write as _;
 use std::fs;
