@@ -1,4 +1,4 @@
-//! Numerical methods, each once.
+//! Numerical methods that several laws share.
 
 pub(crate) mod chebyshev;
 pub(crate) mod cubic;
