@@ -14,7 +14,7 @@ import { Noise } from './noise.js';
 import { caseTitle, inSentences, inWords, once, said } from './messages.js';
 import { remember, remembered } from './remembered.js';
 import { underWay } from './sent-files.js';
-import { Fault, Line, askOnce, discard, json, send } from './server.js';
+import { Fault, Line, askOnce, askReport, discard, json, send } from './server.js';
 import { currentLanguage, fileSize, number, power, range, t, translate } from './words.js';
 
 /** The name of a file before a sentence that does not begin with it. */
@@ -243,8 +243,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     if (!answer) return false;
     report.disabled = true;
     try {
-      const { page } = await json(await askOnce('/api/ask/report', reportQuestion(), { 'Accept-Language': currentLanguage() }));
-      save(new Blob([page], { type: 'text/html' }), `${file.name.replace(/\.\w+$/, '')}-report.html`);
+      save(await askReport(reportQuestion(), currentLanguage()), `${file.name.replace(/\.\w+$/, '')}-report.html`);
     } finally {
       report.disabled = false;
     }

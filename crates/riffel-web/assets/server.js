@@ -117,6 +117,12 @@ export async function askOnce(path, body, headers) {
   }
 }
 
+/** A report in a language, as a page to be saved. */
+export async function askReport(question, language) {
+  const { page } = await json(await askOnce('/api/ask/report', question, { 'Accept-Language': language }));
+  return new Blob([page], { type: 'text/html' });
+}
+
 /** Let the program remove a file that was sent. */
 export const discard = (upload) => askOnce('/api/upload/remove', { upload });
 

@@ -2,7 +2,7 @@
 
 import { element } from './elements.js';
 import { PROJECT, inWords, read, written } from './project.js';
-import { askOnce, json, work } from './server.js';
+import { askOnce, askReport, json, work } from './server.js';
 import { currentLanguage, t } from './words.js';
 
 export function save(blob, name) {
@@ -45,8 +45,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     // Of the measured rail if there is one, else of the case alone.
     report: async () => {
       if (await measure.saveReport()) return;
-      const answer = await askOnce('/api/ask/report', { case: state.keys, traffic: traffic.givenFile }, { 'Accept-Language': currentLanguage() });
-      save(await answer.blob(), `${fileName(state)}-report.html`);
+      save(await askReport({ case: state.keys, traffic: traffic.givenFile }, currentLanguage()), `${fileName(state)}-report.html`);
     },
     nominal: async () => replace({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }, t('started_over')),
   };

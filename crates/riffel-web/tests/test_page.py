@@ -298,6 +298,7 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
         page.page.click("#report")
     download.value.save_as(tmp_path / "report.html")
     report = (tmp_path / "report.html").read_text()
+    assert report.startswith("<!DOCTYPE html>")
     assert "trolley.csv" in report and "record.csv" not in report
     assert download.value.suggested_filename == "trolley-report.html"
     page.page.click("#tab-explore")
@@ -437,6 +438,7 @@ def test_a_report_without_a_measured_rail_is_that_of_the_case(page, tmp_path):
     assert download.value.suggested_filename == "br-main-line-tangent-track-report.html"
     download.value.save_as(tmp_path / "report.html")
     report = (tmp_path / "report.html").read_text()
+    assert report.startswith("<!DOCTYPE html>")
     assert "Growth map</h2>" in report and "no roughness was given" in report
     assert "riffel-serve" not in report
 
