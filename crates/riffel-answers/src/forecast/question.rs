@@ -73,7 +73,7 @@ impl ForecastQuestion {
         Ok(answer)
     }
 
-    /// The same without a fit of the wear coefficient and without what each spread does, of a rail that may be ground to the limit itself.
+    /// Forecast without a fit of the wear coefficient and without the effect of each spread; a rail may be ground to the limit itself.
     ///
     /// # Errors
     /// Those of [`answer_on`](Self::answer_on).

@@ -5,7 +5,7 @@
 pub enum Files {
     /// Nowhere: a document and words are enough.
     None,
-    /// Nowhere: the answer is one text, which is a document for a question in JSON alone.
+    /// Nowhere: the answer is one text; asked in JSON, it is a document.
     Text,
     /// In the folder of `output`, or else one that is named after the first file and the question.
     Named,

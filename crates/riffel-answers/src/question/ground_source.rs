@@ -48,7 +48,7 @@ impl GroundSource {
         }
     }
 
-    /// The same for a rail that may be ground to the limit itself.
+    /// Ground rail of the question, which may lie at the limit itself.
     ///
     /// # Errors
     /// Those of [`read`](Self::read) but for its rule.

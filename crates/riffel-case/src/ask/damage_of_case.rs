@@ -19,24 +19,24 @@ impl Case {
         damage.is_some_and(|damage| damage.laws != [DamageLaw::Wear])
     }
 
-    /// Whether the case says it.
+    /// Whether the case says the shear yield of its rail.
     pub fn has_shear_yield(&self) -> bool {
         let keys = self.file.damage.as_ref();
         keys.is_some_and(|keys| keys.shear_yield.is_some() || keys.grade.is_some())
     }
 
-    /// The limit against which its demand is measured.
+    /// Name of the limit against which the demand of the case is measured.
     pub fn limit_name(&self) -> LimitName {
         let keys = self.file.damage.as_ref();
         keys.map_or_else(LimitName::default, |keys| keys.limit)
     }
 
-    /// A limit of the pressure under its contact.
+    /// Limit of the pressure under the contact of the case.
     pub fn shakedown_limit(&self, name: LimitName) -> ShakedownLimit {
         self.shakedown_limit_of(name, self.hertz)
     }
 
-    /// The same under another ellipse.
+    /// Limit of the pressure under another ellipse.
     pub fn shakedown_limit_of(&self, name: LimitName, hertz: HertzContact) -> ShakedownLimit {
         self.keys.shakedown_limit(name, hertz)
     }
