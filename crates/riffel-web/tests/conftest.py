@@ -151,6 +151,10 @@ class Page:
             assert time.monotonic() < end, "waited in vain"
             self.page.wait_for_timeout(50)
 
+    def fits(self):
+        """Wait until nothing is wider than the window: charts follow a new width a third of a second later."""
+        self.until(lambda: self.page.evaluate("() => document.documentElement.scrollWidth") <= self.page.viewport_size["width"])
+
     def pause(self):
         """A moment for what must not happen; what must happen is waited for by its state."""
         self.page.wait_for_timeout(300)

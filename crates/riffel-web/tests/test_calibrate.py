@@ -245,6 +245,6 @@ def test_ranking_waits_for_the_remedies_and_its_german_follows_the_rules_of_acce
         page.keep(f"calibrate-{scheme}", whole=True)
         page.page.set_viewport_size({"width": 390, "height": 844})
         page.settle()
-        assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 390
+        page.fits()
         page.keep(f"calibrate-phone-{scheme}", whole=True)
     page.close(complaints=len(page.complaints))

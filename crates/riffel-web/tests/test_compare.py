@@ -216,7 +216,7 @@ def test_variants_fit_a_phone(open_page, locale):
     keep_with(page, contact__friction="0.3")
     page.page.click("#sweep-friction")
     page.until(lambda: "0.6" in page.text("#sweep-table") or "0,6" in page.text("#sweep-table"))
-    assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    page.fits()
     assert ("Now" if locale == "en-GB" else "Jetzt") in page.text("#compare-first")
     page.close()
 

@@ -179,7 +179,7 @@ def test_a_project_is_saved_and_opened(file, tmp_path):
 def test_german_narrow_and_dark(browser, path):
     file = File(browser, path, locale="de-DE", viewport={"width": 360, "height": 740}, color_scheme="dark")
     assert "Datei" in file.text("#elsewhere")
-    assert file.page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    file.fits()
     file.keep("file-narrow", whole=True)
     file.close()
 

@@ -117,7 +117,7 @@ def test_a_limit_of_ones_own_is_told_in_months(open_page, tmp_path):
     assert 0 < months < 12
     page.until(lambda: f"sind in {months:.3g} Monaten erreicht".replace(".", ",") in page.text("#noise-outlook"))
     page.until(lambda: [curve["y"] for curve in data(page, "noise-course") if curve["name"] == "Grenze"] == [[limit, limit]])
-    assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    page.fits()
     page.settle()
     page.keep("noise-dark-360", whole=True)
     # Every measure in the language of the page.

@@ -22,7 +22,7 @@ def test_a_first_visit_chooses_line_vehicle_and_track(open_page):
     page = open_page(visited=None, viewport={"width": 360, "height": 780}, locale="de-DE")
     assert page.page.locator("#start").is_visible()
     assert keys(page) == case("main-line")
-    assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    page.fits()
     # Titles, not names, in the language of the page; those of a line are chosen with it.
     chosen = lambda: [page.page.locator(f"#start-{what}").evaluate("(menu) => menu.selectedOptions[0].textContent") for what in ("line", "vehicle", "track")]
     assert chosen() == ["Hauptstrecke", "Angetriebenes Reisezugfahrzeug von Huo & Dai (2019) (50 t)", "60E1 · " + chosen()[2][7:]]
