@@ -7,7 +7,7 @@ use riffel::feedback::{Contact, Hubs};
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
 };
-use riffel::wheelset::{Motion, Wheelset};
+use riffel::wheelset::Motion;
 use riffel::{Direction, ElasticMaterial, HertzContact, Loop, Rail, Receptance, STEEL_DENSITY};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 
@@ -116,23 +116,21 @@ impl CheckedKeys {
     }
 
     /// The loop of wheelsets, whose normal forces turn with the wave where the case says so.
-    fn with_direction_of_wheelsets(&self, feedback: Loop, wheelset: &Arc<CaseWheelset>) -> Result<Loop, CaseError> {
-        /// Any: whether it is told does not depend on it \[rad/s\].
-        const FREQUENCY: f64 = 1e3;
+    fn with_direction_of_wheelsets(&self, feedback: Loop, wheelset: &CaseWheelset) -> Result<Loop, CaseError> {
         let Some(keys) = &self.file.wheelset else {
             return Ok(feedback);
         };
         if !keys.normal_direction {
             return Ok(feedback);
         }
-        if wheelset.hubs(FREQUENCY).is_none() {
+        let Some(hubs) = wheelset.with_hubs() else {
             return Err(self.text.keys.invalid(
                 "wheelset.normal_direction",
                 say!(is_true_but_wheelset_model_tells, model = keys.model.name()),
                 say!(choose_wheelset_model_rigid_or_flexible),
             ));
-        }
-        Ok(feedback.with_normal_direction(Hubs::OfWheelsets(wheelset.clone())))
+        };
+        Ok(feedback.with_normal_direction(Hubs::OfWheelsets(hubs)))
     }
 
     /// The contact of the first wheel with one rail, which is under study or not.

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use riffel::Complex64;
 use riffel::wheelset::{
-    ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, RememberingWheelset, RigidWheelset, Wheelset,
+    ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, RememberingWheelset, RigidWheelset,
+    Wheelset, WheelsetWithHubs,
 };
 use riffel_keys::{Message, fixed, say};
 
@@ -32,16 +32,26 @@ impl Wheelset for CaseWheelset {
         }
     }
 
-    fn hubs(&self, angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
+    fn free_at_contacts(&self) -> [[f64; 6]; 6] {
         match self {
-            Self::Rigid(wheelset) => wheelset.hubs(angular_frequency),
-            Self::Flexible(wheelset) => wheelset.hubs(angular_frequency),
-            Self::Modal(..) | Self::Measured(_) => None,
+            Self::Rigid(wheelset) => wheelset.free_at_contacts(),
+            Self::Flexible(wheelset) => wheelset.free_at_contacts(),
+            Self::Modal(wheelset, _) => wheelset.free_at_contacts(),
+            Self::Measured(wheelset) => wheelset.free_at_contacts(),
         }
     }
 }
 
 impl CaseWheelset {
+    /// The wheelset with the receptances of its hubs; `None` if its model does not describe them.
+    pub(crate) fn with_hubs(&self) -> Option<Arc<dyn WheelsetWithHubs>> {
+        match self {
+            Self::Rigid(wheelset) => Some(Arc::new(*wheelset)),
+            Self::Flexible(wheelset) => Some(Arc::new((**wheelset).clone())),
+            Self::Modal(..) | Self::Measured(_) => None,
+        }
+    }
+
     /// Lowest and highest frequency \[Hz\] at which it is known; from zero to infinity but for a measured one.
     pub fn frequency_range(&self) -> (f64, f64) {
         match self {

@@ -44,14 +44,14 @@ pub(super) struct Answer<N> {
     pub(super) growth_by_profile: N,
     /// What its energies at the rail point add to Ŵ₁ of the mean growth, per normal force \[1/N\].
     pub(super) growth_by_load: N,
-    /// The same per creepage \[-\].
+    /// Growth per creepage \[-\].
     pub(super) growth_by_creepage: [N; 2],
-    /// The same per shift on the wheel \[1/m\].
+    /// Growth per shift on the wheel \[1/m\].
     pub(super) growth_by_shift: N,
 }
 
 impl Answers {
-    /// Those of a loop at no more wavelengths \[m\] than lanes.
+    /// Answers of a loop at no more wavelengths \[m\] than lanes.
     pub(super) fn new(of: &Loop, wavelengths: &[f64], lanes: usize) -> Self {
         let last = wavelengths.len() - 1;
         let of_lane = |lane: usize| wavelengths[lane.min(last)];
@@ -79,7 +79,7 @@ impl Answers {
         &self.wavenumbers
     }
 
-    /// Those of each contact, in their order.
+    /// Answers of each contact, in their order.
     #[inline(always)]
     pub(super) fn of_contacts<S: Simd>(&self) -> impl Iterator<Item = Answer<Vector<S>>> {
         let (contacts, _) = Vector::<S>::row(&self.numbers).as_chunks::<NUMBERS>();

@@ -1,5 +1,7 @@
 //! A wheel at fixed wavelengths and one speed after the other.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
 use super::{ClosedForm, Derivatives, LineGroup, Loop};
@@ -21,7 +23,7 @@ pub(crate) struct AtPlace {
 
 enum AtWavelength {
     /// In closed form with the derivatives of its contact.
-    Closed(Box<(ClosedForm, Derivatives)>),
+    Closed(Box<(Arc<ClosedForm>, Derivatives)>),
     General(Loop),
 }
 
@@ -36,7 +38,7 @@ impl AtSpeeds {
                 feedback: match feedback.closed_form() {
                     Some(closed) => {
                         let derivatives = closed.contact.derivatives(wavelength);
-                        AtWavelength::Closed(Box::new((closed, derivatives)))
+                        AtWavelength::Closed(Box::new((closed.clone(), derivatives)))
                     }
                     None => AtWavelength::General(feedback.clone()),
                 },

@@ -29,11 +29,11 @@ pub struct Contact {
     pub rolling: Arc<dyn RollingContact>,
     /// What holds or frees the surfaces along the rail and across it: compliant where track and wheel say how they yield.
     pub motion: [Motion<()>; 2],
-    /// How it moves across the profiles; none where it stays.
+    /// How it moves across the profiles; `None` if it stays.
     pub moving: Option<MovingContact>,
     /// Phase between dissipation at the wheel and at a point of the rail.
     pub place_of_wear: PlaceOfWear,
-    /// The geometry of the waves on its rail; none where that has no part in the loop.
+    /// The geometry of the waves on its rail; `None` if that has no part in the loop.
     pub wave: Option<WaveGeometry>,
     /// Law of wear.
     pub wear: EnergyWear,
@@ -149,7 +149,7 @@ impl Contact {
         self.derivatives_of(&self.rolling.response(wavelength), wavelength)
     }
 
-    /// Those of a response that is known.
+    /// Derivatives of a response that is known.
     pub(super) fn derivatives_of(&self, response: &ContactResponse, wavelength: f64) -> Derivatives {
         let lag = self.place_of_wear.lag(wavelength);
         let wavenumber = 2.0 * PI / wavelength;
@@ -279,9 +279,9 @@ pub(crate) struct Derivative {
     pub(crate) force: [Complex64; 2],
     /// Energy left on a metre of rail at the wheel.
     pub(crate) energy: Complex64,
-    /// The same at a point of the rail, as the law of wear takes it.
+    /// Energy left at a point of the rail, as the law of wear takes it.
     pub(crate) at_rail: Complex64,
-    /// The same as it is dissipated.
+    /// Energy left at a point of the rail, as it is dissipated.
     pub(crate) dissipated: Complex64,
     /// Energy at a point of the rail that wears as much as all damages whose rate does not depend on the amplitude.
     pub(crate) growth: Complex64,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::wheelset::Wheelset;
+use crate::wheelset::WheelsetWithHubs;
 use crate::{Rail, Receptance};
 
 /// How the hubs of the wheels move along the rail under a force through their centres.
@@ -33,29 +33,41 @@ use crate::{Rail, Receptance};
 pub enum Hubs {
     /// Of a wheel without a partner \[m/N\].
     Lone(Arc<dyn Receptance>),
-    /// Of wheelsets that tell it, alike wherever they stand.
-    OfWheelsets(Arc<dyn Wheelset>),
+    /// Of wheelsets, alike wherever they stand.
+    OfWheelsets(Arc<dyn WheelsetWithHubs>),
 }
 
 impl Hubs {
     /// Displacement of each wheel at its place, a distance along the rail \[m\] and the rail, per force through the hub of each
     /// \[m/N\], by rows.
     pub(super) fn between(&self, angular_frequency: f64, speed: f64, places: &[(f64, Rail)]) -> Vec<Complex64> {
-        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
         match self {
-            Self::Lone(receptance) => {
-                let own = receptance.receptance(angular_frequency, speed);
-                let entry = |(at, from)| if at == from { own } else { Complex64::ZERO };
-                pairs.map(entry).collect()
-            }
-            Self::OfWheelsets(wheelset) => {
-                let own = wheelset.hubs(angular_frequency).unwrap_or_default();
-                let entry = |((along, rail), (from, of)): ((f64, Rail), (f64, Rail))| match along == from {
-                    true => own[rail as usize][of as usize],
-                    false => Complex64::ZERO,
-                };
-                pairs.map(entry).collect()
-            }
+            Self::Lone(receptance) => alone(receptance.receptance(angular_frequency, speed), places),
+            Self::OfWheelsets(wheelset) => on_axles(wheelset.hubs(angular_frequency), places),
         }
     }
+
+    /// Part A \[1/kg\] of [`between`](Self::between), −A/ω² for ω → 0.
+    pub(super) fn free(&self, places: &[(f64, Rail)]) -> Vec<f64> {
+        match self {
+            Self::Lone(receptance) => alone(receptance.free(), places),
+            Self::OfWheelsets(wheelset) => on_axles(wheelset.free_hubs(), places),
+        }
+    }
+}
+
+/// Numbers between places by rows, of wheels that do not feel each other.
+fn alone<T: Copy + Default>(own: T, places: &[(f64, Rail)]) -> Vec<T> {
+    let pairs = places.iter().flat_map(|at| places.iter().map(move |from| at == from));
+    pairs.map(|same| if same { own } else { T::default() }).collect()
+}
+
+/// Numbers between places by rows, of wheels that feel the other one on their axle.
+fn on_axles<T: Copy + Default>(own: [[T; 2]; 2], places: &[(f64, Rail)]) -> Vec<T> {
+    let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
+    let entry = |((along, rail), (from, of)): ((f64, Rail), (f64, Rail))| match along == from {
+        true => own[rail as usize][of as usize],
+        false => T::default(),
+    };
+    pairs.map(entry).collect()
 }

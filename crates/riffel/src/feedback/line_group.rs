@@ -11,7 +11,7 @@ use crate::receptance::Structure;
 use crate::vector::lanes_of;
 use crate::wanted::check;
 
-/// As many wavelengths as a vector register holds, under one wheel at several places of the track: what depends on the wavelength
+/// Wavelengths, as many as a vector register holds, under one wheel at several places of the track: what depends on the wavelength
 /// or the frequency alone is done once for all places.
 pub(crate) struct LineGroup {
     wavelengths: Vec<f64>,
@@ -21,10 +21,10 @@ pub(crate) struct LineGroup {
 }
 
 impl LineGroup {
-    /// Groups of the wavelengths \[m\] for the loops of a wheel at places, with their weights; none where a loop has a closed form,
+    /// Groups of the wavelengths \[m\] for the loops of a wheel at places, with their weights; `None` if a loop has a closed form,
     /// which is faster.
     pub(crate) fn all(places: &[(Loop, f64)], wavelengths: &[f64]) -> Option<Vec<Self>> {
-        let closed = |(feedback, _): &(Loop, f64)| feedback.closed_form().is_some();
+        let closed = |(feedback, _): &(Loop, f64)| feedback.is_along_one_axis();
         if places.iter().any(closed) {
             return None;
         }
@@ -86,6 +86,10 @@ impl Remembered {
 impl Structure for Remembered {
     fn cross_receptance(&self, w: f64, speed: f64, at: Place, from: Place) -> Complex64 {
         self.of.cross_receptance(w, speed, at, from)
+    }
+
+    fn free(&self, places: &[Place]) -> Vec<f64> {
+        self.of.free(places)
     }
 
     fn receptance_matrix(&self, w: f64, speed: f64, places: &[Place], matrix: &mut [Complex64]) {

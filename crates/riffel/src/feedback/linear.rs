@@ -63,7 +63,7 @@ impl Equations {
         rows[index * self.width + self.size + column].into()
     }
 
-    /// The same in one lane.
+    /// Unknown in one lane.
     pub(super) fn unknown_of_lane(&self, index: usize, column: usize, lane: usize) -> Complex64 {
         self.entry(index, self.size + column, lane)
     }
@@ -237,7 +237,7 @@ mod tests {
     use proptest::prelude::*;
     use pulp::Arch;
 
-    /// As wide as any register here, and not a multiple of a panel.
+    /// Lanes as wide as any register here, and not a multiple of a panel.
     const LANES: usize = 8;
     const SIZE: usize = 7;
     const COLUMNS: usize = 2;

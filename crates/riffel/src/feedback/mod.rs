@@ -81,13 +81,15 @@ pub struct Loop {
     amplitude: f64,
     /// How hubs move where the normal force turns with the wave.
     hubs: Option<Hubs>,
+    /// The closed form, if the loop has one.
+    closed: Option<Arc<ClosedForm>>,
 }
 
 /// How the interference of several wheels is read: over the wavelength it is a comb of the step λ²/l for wheels at the
 /// distance l, finer than any wear pattern resolves whose wavelength or wheelbase varies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Comb {
-    /// As it is: every wheel meets the profile at the phase of its place.
+    /// Interference at its full resolution: every wheel meets the profile at the phase of its place.
     #[default]
     Resolved,
     /// Its mean over the phase: each wheelset is excited by the profile under itself alone, with all others on the rail.
@@ -119,7 +121,14 @@ impl Loop {
                 return Err(range("place of a wheel", contact.along, "m", rule));
             }
         }
-        Ok(Self { track, wheels, contacts, position: 0.0, comb: Comb::default(), amplitude, hubs: None })
+        let comb = Comb::default();
+        Ok(Self { track, wheels, contacts, position: 0.0, comb, amplitude, hubs: None, closed: None }.decided())
+    }
+
+    /// The loop with its closed form found again, after a change of what that contains.
+    fn decided(self) -> Self {
+        let closed = ClosedForm::of(&self).map(Arc::new);
+        Self { closed, ..self }
     }
 
     /// The loop with its first wheel at another place of the track \[m\], counted from a support where there are some.
@@ -135,14 +144,13 @@ impl Loop {
     }
 
     /// The loop in which the normal forces turn with the slope of the wave, see [`Hubs`]; it counts where a wheel yields along the rail.
-    pub fn with_normal_direction(mut self, hubs: Hubs) -> Self {
-        self.hubs = Some(hubs);
-        self
+    pub fn with_normal_direction(self, hubs: Hubs) -> Self {
+        Self { hubs: Some(hubs), ..self }.decided()
     }
 
-    /// The same with normal forces that stay upright, on hubs that move.
+    /// Loop with normal forces that stay upright, on hubs that move.
     pub fn without_normal_direction(self) -> Self {
-        Self { hubs: None, ..self }
+        Self { hubs: None, ..self }.decided()
     }
 
     /// How hubs move where normal forces turn with the wave.
@@ -155,7 +163,7 @@ impl Loop {
         for contact in &mut self.contacts {
             contact.wave = None;
         }
-        self
+        self.decided()
     }
 
     /// The loop with laws of damage for each contact; none: wear alone.
@@ -163,7 +171,7 @@ impl Loop {
         for contact in &mut self.contacts {
             contact.damage = of(contact);
         }
-        self
+        self.decided()
     }
 
     /// The loop whose contacts wear so many times as much.
@@ -175,7 +183,7 @@ impl Loop {
         for contact in &mut self.contacts {
             contact.wear = contact.wear.times(factor);
         }
-        Ok(self)
+        Ok(self.decided())
     }
 
     /// The loop without flow that hardens.
@@ -198,22 +206,22 @@ impl Loop {
     /// [`Error::OutOfRange`] unless it is above zero.
     pub fn with_amplitude(self, amplitude: f64) -> Result<Self, Error> {
         Error::unless_positive("amplitude", amplitude, "m")?;
-        Ok(Self { amplitude, ..self })
+        Ok(Self { amplitude, ..self }.decided())
     }
 
     /// The loop on another track.
     pub fn with_track(self, track: Arc<dyn Structure>) -> Self {
-        Self { track, ..self }
+        Self { track, ..self }.decided()
     }
 
     /// The loop with other contacts on the same track and wheels.
     ///
     /// # Errors
-    /// As of [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self, Error> {
         let Self { track, wheels, position, comb, amplitude, hubs, .. } = self;
         let feedback = Self::new(track, wheels, contacts, amplitude)?;
-        Ok(Self { hubs, ..feedback.at_position(position).with_comb(comb) })
+        Ok(Self { hubs, ..feedback.at_position(position).with_comb(comb) }.decided())
     }
 
     /// The contacts, that of the first wheel on the rail under study first.
@@ -226,10 +234,10 @@ impl Loop {
         self.amplitude
     }
 
-    /// The state of the loop at the wavelength \[m\] and speed \[m/s\], both positive. Its numbers are none where the
+    /// State of the loop at the wavelength \[m\] and speed \[m/s\], both positive. Its numbers are NaN if the
     /// equations are singular.
     pub fn at(&self, wavelength: f64, speed: f64) -> LoopState {
-        if let Some(closed) = self.closed_form() {
+        if let Some(closed) = &self.closed {
             return closed.at(wavelength, speed);
         }
         check();
@@ -273,14 +281,14 @@ impl Loop {
 
     /// Whether it is that of one wheel which is held across an even rail, and only moves down and turns.
     pub fn is_along_one_axis(&self) -> bool {
-        self.closed_form().is_some()
+        self.closed.is_some()
     }
 
-    pub(crate) fn closed_form(&self) -> Option<ClosedForm> {
-        ClosedForm::of(self)
+    pub(crate) fn closed_form(&self) -> Option<&Arc<ClosedForm>> {
+        self.closed.as_ref()
     }
 
-    /// Receptance matrices of track and wheel at the first contact \[m/N\], in the axes x, y, z of the track; none where a wheel follows
+    /// Receptance matrices of track and wheel at the first contact \[m/N\], in the axes x, y, z of the track; `None` if a wheel follows
     /// every oscillation of the tangential force, which no receptance tells.
     pub fn receptances(&self, angular_frequency: f64, speed: f64) -> Option<[[[Complex64; 3]; 3]; 2]> {
         let motion = &self.contacts[0].motion;
@@ -308,7 +316,7 @@ impl Loop {
         system.together()
     }
 
-    /// The same, of track and wheels together and of the wheels alone.
+    /// Receptances of track and wheels together, and of the wheels alone, between all contacts by rows \[m/N\].
     pub(crate) fn receptances_with_those_of_wheels(&self, angular_frequency: f64, speed: f64) -> [Vec<Complex64>; 2] {
         let mut system = System::new(self);
         system.receptances(self, angular_frequency, speed);
@@ -316,29 +324,24 @@ impl Loop {
         [system.together(), system.of_wheels().collect()]
     }
 
-    /// A \[1/kg\] of H → −A/ω² at ω → 0, of the wheels that nothing holds: their masses, and inertias over the square of the
-    /// rolling radius. Between all contacts in their axes, by rows.
+    /// Part A \[1/kg\] of the receptances of the wheels, H → −A/ω² for ω → 0, see [`Structure::free`]. Between all contacts in
+    /// their axes, by rows.
     pub(crate) fn free_motion(&self) -> Vec<f64> {
-        let mut system = System::new(self);
-        free_of(|w| {
-            system.receptances(self, w, 1.0);
-            system.turn_axes(self);
-            system.of_wheels().collect()
-        })
+        System::new(self).free_wheels(self)
     }
 
-    /// Receptances of the hubs along the rail \[m/N\] between all contacts, by rows; none where normal forces stay upright.
+    /// Receptances of the hubs along the rail \[m/N\] between all contacts, by rows; `None` if normal forces stay upright.
     pub(crate) fn hub_receptances(&self, angular_frequency: f64, speed: f64) -> Option<Vec<Complex64>> {
-        let places = self.contacts.iter();
-        let places: Vec<(f64, Rail)> = places.map(|contact| (contact.along, contact.rail)).collect();
-        let hubs = self.hubs.as_ref()?;
-        Some(hubs.between(angular_frequency, speed, &places))
+        Some(self.hubs.as_ref()?.between(angular_frequency, speed, &self.places_of_wheels()))
     }
 
-    /// A \[1/kg\] of the hubs, as of [`free_motion`](Self::free_motion).
+    /// Part A \[1/kg\] of the receptances of the hubs, as [`free_motion`](Self::free_motion) of those of the wheels.
     pub(crate) fn free_hubs(&self) -> Option<Vec<f64>> {
-        self.hubs.as_ref()?;
-        Some(free_of(|w| self.hub_receptances(w, 1.0).unwrap_or_default()))
+        Some(self.hubs.as_ref()?.free(&self.places_of_wheels()))
+    }
+
+    fn places_of_wheels(&self) -> Vec<(f64, Rail)> {
+        self.contacts.iter().map(|contact| (contact.along, contact.rail)).collect()
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
@@ -369,8 +372,7 @@ impl Loop {
 
     /// Ŵ₁ of the mean growth at a wavelength and a speed, for a search that turns the loop many times.
     pub(crate) fn normalized_dissipation(&self) -> impl Fn(f64, f64) -> Complex64 + Sync + '_ {
-        let closed = self.closed_form();
-        move |wavelength, speed| match &closed {
+        move |wavelength, speed| match &self.closed {
             Some(closed) => closed.normalized_dissipation(wavelength, speed),
             None => {
                 check();
@@ -380,31 +382,6 @@ impl Loop {
             }
         }
     }
-}
-
-/// A \[1/kg\] of receptances −A/ω² at ω → 0, which are told at an angular frequency \[rad/s\].
-fn free_of(mut receptances: impl FnMut(f64) -> Vec<Complex64>) -> Vec<f64> {
-    /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
-    const SLOW: f64 = 0.3;
-    /// \[1/kg\]: what springs and rounding leave.
-    const NOTHING: f64 = 1e-9;
-    // Springs leave powers of ω²: the polynomial through one, four and nine times the same, at zero.
-    const SHARES: [(f64, f64); 3] = [(1.0, 1.5), (2.0, -0.6), (3.0, 0.1)];
-    let mut free = Vec::new();
-    for (times, share) in SHARES {
-        let w = times * SLOW;
-        let values = receptances(w);
-        free.resize(values.len(), 0.0);
-        for (free, value) in free.iter_mut().zip(values) {
-            *free -= share * w * w * value.re;
-        }
-    }
-    for free in &mut free {
-        if free.abs() < NOTHING {
-            *free = 0.0;
-        }
-    }
-    free
 }
 
 impl From<&Loop> for Loop {

@@ -23,7 +23,7 @@ pub struct OneWheel {
     pub contact: Arc<dyn RollingContact>,
     /// Phase between dissipation at the wheel and at a point of the rail.
     pub place_of_wear: PlaceOfWear,
-    /// The geometry of the waves on the rail; none where that has no part in the loop.
+    /// The geometry of the waves on the rail; `None` if that has no part in the loop.
     pub wave: Option<WaveGeometry>,
     /// Law of wear.
     pub wear: EnergyWear,
@@ -35,25 +35,25 @@ impl Loop {
     /// The loop of one wheel [along one axis](Self::is_along_one_axis) with another rotation of it; any other as it is.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn with_rotation(self, rotation: Motion) -> Result<Self, Error> {
         let Some(closed) = self.closed_form() else {
             return Ok(self);
         };
-        let damage = closed.contact.damage.clone();
+        let contact = closed.contact.clone();
         let turned = OneWheel {
-            track: closed.track,
-            wheel: closed.wheel,
+            track: closed.track.clone(),
+            wheel: closed.wheel.clone(),
             rotation,
-            contact_stiffness: closed.contact.stiffness,
-            contact: closed.contact.rolling,
-            place_of_wear: closed.contact.place_of_wear,
-            wave: closed.contact.wave,
-            wear: closed.contact.wear,
+            contact_stiffness: contact.stiffness,
+            contact: contact.rolling,
+            place_of_wear: contact.place_of_wear,
+            wave: contact.wave,
+            wear: contact.wear,
             amplitude: closed.amplitude,
         };
         let turned = Self { hubs: self.hubs, ..turned.close()? };
-        Ok(turned.with_damage(|_| damage.clone()))
+        Ok(turned.with_damage(|_| contact.damage.clone()))
     }
 }
 
@@ -61,7 +61,7 @@ impl OneWheel {
     /// The loop closed.
     ///
     /// # Errors
-    /// Those of [`Loop::new`].
+    /// Errors of [`Loop::new`].
     pub fn close(self) -> Result<Loop, Error> {
         let along = match self.rotation {
             Motion::Compliant(_) => Motion::Compliant(()),

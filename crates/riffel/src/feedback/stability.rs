@@ -33,7 +33,7 @@ pub struct Stability {
     /// Frequency \[Hz\] of the oscillation that grows, as squeal or as stick and slip, the highest where there are several; none
     /// where the loop is stable.
     pub frequency: Option<f64>,
-    /// How fast it grows \[1/s\]: its amplitude as the exponential of this times the time. None where the loop is stable, or
+    /// How fast it grows \[1/s\]: its amplitude as the exponential of this times the time. `None` if the loop is stable, or
     /// where the root is not found.
     pub growth_rate: Option<f64>,
     /// Each oscillation that grows, the highest first; those that are not found are missing.

@@ -61,11 +61,11 @@ pub struct ContactState {
     /// Growth rate of the profile of its rail per passage of this wheel \[-\], positive where corrugation grows; none
     /// on a smooth rail.
     pub growth_rate: Option<f64>,
-    /// What the wave's own geometry does; none where it has no part.
+    /// What the wave's own geometry does; `None` if it has no part.
     pub wave: Option<WaveState>,
-    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`](super::Hubs); none where they stay.
+    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`](super::Hubs); `None` if they stay.
     pub slip_by_direction: Option<Complex64>,
-    /// What laws of damage say; none where wear is alone.
+    /// What laws of damage say; `None` if wear is alone.
     pub damage: Option<DamageState>,
 }
 

@@ -25,7 +25,7 @@ pub(super) struct Turn<'a> {
     /// Receptances H of track and wheels together, by rows; zero by unknowns that are no forces. In a loop in which a contact moves the
     /// fourth row of a contact is θ − u_t/R_t, and its fourth column is by the moment of a shift.
     pub(super) receptances: &'a [f64],
-    /// −ik T N of each contact and excitation, by rows: the slip that the direction of the normal forces makes; none where they stay.
+    /// −ik T N of each contact and excitation, by rows: the slip that the direction of the normal forces makes; `None` if they stay.
     pub(super) direction: Option<&'a [f64]>,
     /// Made here and solved.
     pub(super) equations: &'a mut Equations,

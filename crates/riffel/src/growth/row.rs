@@ -65,7 +65,7 @@ struct Columns {
     slip: SplitComplex,
     /// Ŵ₁ of all damage whose rate does not depend on the amplitude.
     growth: Output,
-    /// What the other laws take; none where there are none.
+    /// What the other laws take; `None` if there are none.
     clipped: Option<Box<Clipped>>,
 }
 
@@ -75,9 +75,9 @@ struct Output {
     by_force: SplitComplex,
     /// (e_P Q_ξ − e_ξ Q_P) Δ/(μP₀ξ₀), likewise.
     by_speed: SplitComplex,
-    /// e_ξ Δ/(μP₀ξ₀); none where normal forces do not turn with the wave. What slip that makes of itself cancels from the column by speed.
+    /// e_ξ Δ/(μP₀ξ₀); `None` if normal forces do not turn with the wave. What slip that makes of itself cancels from the column by speed.
     by_creepage: Option<SplitComplex>,
-    /// Of the wave's own geometry e_r Δ/(μP₀ξ₀) and (e_r Q_ξ − e_ξ Q_r) Δ/(μP₀ξ₀), r the profile; none where it has no part.
+    /// Of the wave's own geometry e_r Δ/(μP₀ξ₀) and (e_r Q_ξ − e_ξ Q_r) Δ/(μP₀ξ₀), r the profile; `None` if it has no part.
     wave: Option<[SplitComplex; 2]>,
 }
 
@@ -162,7 +162,7 @@ impl RowEvaluator {
     pub fn new(feedback: impl Into<Loop>, wavelengths: &[f64]) -> Self {
         let feedback = feedback.into();
         Self(match feedback.closed_form() {
-            Some(closed) => Kind::Tiles(Box::new(Tiles::new(closed, wavelengths))),
+            Some(closed) => Kind::Tiles(Box::new(Tiles::new((**closed).clone(), wavelengths))),
             None => Kind::AllAxes(AllAxes::new(feedback, wavelengths)),
         })
     }
@@ -173,7 +173,7 @@ impl RowEvaluator {
         /// Points from which a table of some thousand receptances is a small part of the work.
         const WORTH_A_TABLE: usize = 20_000;
         let feedback = feedback.into();
-        if let Some(mut closed) = feedback.closed_form()
+        if let Some(closed) = feedback.closed_form()
             && closed.track.worth_tabulating()
             && wavelengths.len() * speeds.len() >= WORTH_A_TABLE
         {
@@ -181,8 +181,8 @@ impl RowEvaluator {
             let (slowest, fastest) = ends(speeds);
             let lowest = 2.0 * PI * slowest / longest;
             let highest = 2.0 * PI * fastest / shortest;
-            let source = closed.track.clone();
-            closed.track = Arc::new(Tabulated::new(source, lowest, highest, TABLE_TOLERANCE));
+            let track = Tabulated::new(closed.track.clone(), lowest, highest, TABLE_TOLERANCE);
+            let closed = ClosedForm { track: Arc::new(track), ..(**closed).clone() };
             return Self(Kind::Tiles(Box::new(Tiles::new(closed, wavelengths))));
         }
         Self::new(feedback, wavelengths)

@@ -9,6 +9,7 @@ mod decay_rate;
 mod euler_bernoulli;
 mod extremum;
 mod free_beam;
+mod free_motion;
 mod irregular;
 mod lateral_resonance;
 mod mass_on_rail;
@@ -38,6 +39,7 @@ pub(crate) use decay_rate::one_sided_places;
 pub use euler_bernoulli::EulerBernoulliBeam;
 pub use extremum::Extremum;
 pub use free_beam::FreeBeam;
+pub(crate) use free_motion::free_of;
 pub use irregular::{IrregularTrack, IrregularWaves};
 pub use mass_on_rail::MassOnRail;
 pub use measured::MeasuredReceptance;
@@ -77,6 +79,13 @@ pub trait Receptance: Send + Sync {
         receptances.set(&frequencies.angular, |w| self.receptance(w, speed));
     }
 
+    /// Part A \[1/kg\] of the receptance, H → −A/ω² for ω → 0: the motion that nothing holds.
+    ///
+    /// Provided, from the receptance at three low frequencies, for a structure that only its receptance describes.
+    fn free(&self) -> f64 {
+        free_of(|w| vec![self.receptance(w, 1.0)])[0]
+    }
+
     /// True where the receptance depends on frequency alone and one evaluation costs more than an
     /// interpolation: a large map then works from a [`Tabulated`] copy.
     fn worth_tabulating(&self) -> bool {
@@ -96,7 +105,7 @@ pub trait CrossReceptance: Receptance {
     /// exchanged.
     fn cross_receptance(&self, angular_frequency: f64, from: f64, to: f64) -> Complex64;
 
-    /// The same from one place to several, in their order.
+    /// Displacements per force from one place to several, in their order.
     ///
     /// Provided, so that a track whose waves serve all places finds them once.
     fn cross_receptances(&self, angular_frequency: f64, from: f64, to: &[f64]) -> Vec<Complex64> {

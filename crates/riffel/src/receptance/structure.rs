@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use super::Receptance;
+use super::{Receptance, free_of};
 use crate::{Direction, Place, Rail};
 
 /// Joint of the loop: a structure that answers at one place to a force at another, along any axis.
@@ -15,7 +15,7 @@ pub trait Structure: Send + Sync {
     /// ω > 0 \[rad/s\] under a load that travels at the given speed \[m/s\].
     fn cross_receptance(&self, angular_frequency: f64, speed: f64, at: Place, from: Place) -> Complex64;
 
-    /// The receptances along each axis of a structure that has them alone; none where axes or places feel each other.
+    /// Receptances along each axis; `None` if axes or places of the structure are coupled.
     fn uncoupled(&self) -> Option<&Uncoupled> {
         None
     }
@@ -39,6 +39,18 @@ pub trait Structure: Send + Sync {
             *entry = self.cross_receptance(angular_frequency, speed, at, from);
         }
     }
+
+    /// Part A \[1/kg\] of the receptance matrix of the places, H → −A/ω² for ω → 0, by rows: the masses of a structure that nothing
+    /// holds, and its inertias over the square of the rolling radius.
+    ///
+    /// Provided, from the receptances at three low frequencies, for a structure that only they describe.
+    fn free(&self, places: &[Place]) -> Vec<f64> {
+        free_of(|w| {
+            let mut matrix = vec![Complex64::ZERO; places.len() * places.len()];
+            self.receptance_matrix(w, 1.0, places, &mut matrix);
+            matrix
+        })
+    }
 }
 
 /// A structure whose axes do not feel each other and which answers at the place of the force alone: a wheel without a
@@ -53,20 +65,34 @@ pub struct Uncoupled {
     pub vertical: Option<Arc<dyn Receptance>>,
 }
 
+impl Uncoupled {
+    fn along(&self, direction: Direction) -> &Option<Arc<dyn Receptance>> {
+        match direction {
+            Direction::Longitudinal => &self.longitudinal,
+            Direction::Lateral => &self.lateral,
+            Direction::Vertical => &self.vertical,
+        }
+    }
+}
+
 impl Structure for Uncoupled {
     fn uncoupled(&self) -> Option<&Uncoupled> {
         Some(self)
     }
 
     fn cross_receptance(&self, angular_frequency: f64, speed: f64, at: Place, from: Place) -> Complex64 {
-        let axis = match at.direction {
-            Direction::Longitudinal => &self.longitudinal,
-            Direction::Lateral => &self.lateral,
-            Direction::Vertical => &self.vertical,
-        };
-        match axis {
+        match self.along(at.direction) {
             Some(receptance) if at == from => receptance.receptance(angular_frequency, speed),
             _ => Complex64::ZERO,
         }
+    }
+
+    fn free(&self, places: &[Place]) -> Vec<f64> {
+        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
+        let entry = |(at, from): (Place, Place)| match self.along(at.direction) {
+            Some(receptance) if at == from => receptance.free(),
+            _ => 0.0,
+        };
+        pairs.map(entry).collect()
     }
 }

@@ -27,7 +27,7 @@ pub use flexible::{
 pub use measured::{MeasuredEntry, MeasuredWheelset, Violation};
 pub use modal::{ElasticMode, ModalWheelset};
 pub use motion::Motion;
-pub use port::{ContactReceptances, Port, Wheelset};
+pub use port::{ContactReceptances, Port, Wheelset, WheelsetWithHubs};
 pub use remembering::RememberingWheelset;
 pub use rigid::{RigidBody, RigidWheelset};
 pub use rigid_inertia::RigidInertia;

@@ -79,7 +79,7 @@ impl ModalWheelset {
         Ok(Self { rigid, modes, residual: [[0.0; 6]; 6] })
     }
 
-    /// The same with a residual compliance \[m/N\] at the contacts, `[at][from]`.
+    /// Wheelset with a residual compliance \[m/N\] at the contacts, `[at][from]`.
     ///
     /// # Errors
     /// [`Error::Measurement`] with the number of the row unless it is finite and symmetric to 1e-6 of its largest entry.
@@ -140,5 +140,10 @@ impl Wheelset for ModalWheelset {
             }
         }
         receptances
+    }
+
+    /// Elastic modes and what stands for those left out spring back.
+    fn free_at_contacts(&self) -> [[f64; 6]; 6] {
+        self.rigid.map_or([[0.0; 6]; 6], |rigid| rigid.free_at_contacts())
     }
 }

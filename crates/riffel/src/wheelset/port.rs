@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::receptance::Structure;
+use crate::receptance::{Structure, free_of};
 use crate::{Direction, Place, Rail};
 
 /// A contact of a wheelset and one of its axes.
@@ -57,11 +57,23 @@ pub trait Wheelset: Send + Sync {
     /// The loop wants the displacement under the force of the *wheel on the rail*, u_w = −H f.
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances;
 
-    /// Displacement along the rail of the wheels at the contacts per force along it through their hubs \[m/N\], `[at][from]`, left and
-    /// right: such a force does not turn them. None of a wheelset that does not tell it.
-    fn hubs(&self, _angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
-        None
+    /// Part A \[1/kg\] of the receptances, H → −A/ω² for ω → 0: of the motions that no suspension holds, the spin among them.
+    ///
+    /// Provided, from the receptances at three low frequencies, for a wheelset that only they describe.
+    fn free_at_contacts(&self) -> [[f64; 6]; 6] {
+        let free = free_of(|w| self.receptances(w).into_iter().flatten().collect());
+        std::array::from_fn(|at| std::array::from_fn(|from| free[6 * at + from]))
     }
+}
+
+/// A wheelset whose hubs move along the rail under forces through them, which do not turn its wheels.
+pub trait WheelsetWithHubs: Send + Sync {
+    /// Displacement along the rail of the wheels at the contacts per force along it through their hubs \[m/N\], `[at][from]`, left and
+    /// right.
+    fn hubs(&self, angular_frequency: f64) -> [[Complex64; 2]; 2];
+
+    /// Part A \[1/kg\] of [`hubs`](Self::hubs), −A/ω² for ω → 0.
+    fn free_hubs(&self) -> [[f64; 2]; 2];
 }
 
 impl<W: Wheelset + ?Sized> Wheelset for Arc<W> {
@@ -69,8 +81,8 @@ impl<W: Wheelset + ?Sized> Wheelset for Arc<W> {
         (**self).receptances(angular_frequency)
     }
 
-    fn hubs(&self, angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
-        (**self).hubs(angular_frequency)
+    fn free_at_contacts(&self) -> [[f64; 6]; 6] {
+        (**self).free_at_contacts()
     }
 }
 
@@ -94,5 +106,15 @@ impl<W: Wheelset> Structure for W {
                 *entry = if at.along == from.along { row_of_all[Port::of(from).index()] } else { Complex64::ZERO };
             }
         }
+    }
+
+    fn free(&self, places: &[Place]) -> Vec<f64> {
+        let free = self.free_at_contacts();
+        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
+        let entry = |(at, from): (Place, Place)| match at.along == from.along {
+            true => free[Port::of(at).index()][Port::of(from).index()],
+            false => 0.0,
+        };
+        pairs.map(entry).collect()
     }
 }

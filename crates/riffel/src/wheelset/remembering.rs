@@ -3,8 +3,6 @@
 use std::collections::HashMap;
 use std::sync::{PoisonError, RwLock};
 
-use num_complex::Complex64;
-
 use super::{ContactReceptances, Wheelset};
 
 /// Most frequencies that are remembered: 40 MB.
@@ -44,14 +42,16 @@ impl<W: Wheelset> Wheelset for RememberingWheelset<W> {
         receptances
     }
 
-    fn hubs(&self, angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
-        self.of.hubs(angular_frequency)
+    fn free_at_contacts(&self) -> [[f64; 6]; 6] {
+        self.of.free_at_contacts()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use num_complex::Complex64;
 
     use super::*;
 

@@ -2,8 +2,8 @@
 
 use num_complex::Complex64;
 
-use super::section::SectionReceptances;
-use super::{ContactGeometry, ContactReceptances, RigidMotion, Suspension, Wheelset};
+use super::section::{Between, SectionReceptances};
+use super::{ContactGeometry, ContactReceptances, RigidMotion, Suspension, Wheelset, WheelsetWithHubs};
 use crate::{Direction, Error};
 
 /// Mass and moments of inertia of a wheelset, which is symmetric about the line of its axle and about its middle.
@@ -49,7 +49,7 @@ impl RigidWheelset {
         Ok(Self { body, contacts: contacts.checked()?, suspension: None })
     }
 
-    /// The same on a primary suspension.
+    /// Wheelset on a primary suspension.
     pub fn with_suspension(self, suspension: Suspension) -> Self {
         Self { suspension: Some(suspension), ..self }
     }
@@ -87,8 +87,18 @@ impl Wheelset for RigidWheelset {
         sections.at_contacts(self.contacts.rolling_radius)
     }
 
-    fn hubs(&self, angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
-        Some(self.sections(angular_frequency).forward)
+    fn free_at_contacts(&self) -> [[f64; 6]; 6] {
+        self.body.free_at_contacts(self.contacts, self.suspension.as_ref())
+    }
+}
+
+impl WheelsetWithHubs for RigidWheelset {
+    fn hubs(&self, angular_frequency: f64) -> Between {
+        self.sections(angular_frequency).forward
+    }
+
+    fn free_hubs(&self) -> [[f64; 2]; 2] {
+        self.body.free_hubs(self.contacts, self.suspension.as_ref())
     }
 }
 
@@ -101,14 +111,58 @@ impl RigidWheelset {
             None => Complex64::ZERO,
         };
         let arm = self.suspension.map_or(0.0, |suspension| suspension.half_spacing().powi(2));
-        let [forward, sideward, downward] =
-            Direction::ALL.map(|direction| (inertia(self.body.mass) + springs(direction)).inv());
         let turning = |direction| (inertia(self.body.roll_inertia) + arm * springs(direction)).inv();
-        let roll = turning(Direction::Vertical);
-        let yaw = turning(Direction::Longitudinal);
-        let spin = inertia(self.body.spin_inertia).inv();
+        let motions = RigidMotions {
+            along: Direction::ALL.map(|direction| (inertia(self.body.mass) + springs(direction)).inv()),
+            roll: turning(Direction::Vertical),
+            yaw: turning(Direction::Longitudinal),
+            spin: inertia(self.body.spin_inertia).inv(),
+        };
+        motions.sections(self.contacts)
+    }
+}
 
-        let places = self.contacts.places();
+impl RigidBody {
+    /// Part A of the receptances of a wheelset with this body, see [`Wheelset::free_at_contacts`].
+    pub(super) fn free_at_contacts(&self, contacts: ContactGeometry, suspension: Option<&Suspension>) -> [[f64; 6]; 6] {
+        let sections = self.free_motions(suspension).sections(contacts);
+        sections.at_contacts(contacts.rolling_radius).map(|row| row.map(|entry| entry.re))
+    }
+
+    /// Part A of the receptances of its hubs along the rail, see [`WheelsetWithHubs::free_hubs`].
+    pub(super) fn free_hubs(&self, contacts: ContactGeometry, suspension: Option<&Suspension>) -> [[f64; 2]; 2] {
+        let sections = self.free_motions(suspension).sections(contacts);
+        sections.forward.map(|row| row.map(|entry| entry.re))
+    }
+
+    /// Acceleration by force or moment in each motion that neither springs nor dampers of a suspension hold; zero in the others.
+    fn free_motions(&self, suspension: Option<&Suspension>) -> RigidMotions {
+        let free = |direction, inertia: f64| match suspension.map(|suspension| suspension.along(direction)) {
+            None | Some([0.0, 0.0]) => Complex64::from(inertia.recip()),
+            Some(_) => Complex64::ZERO,
+        };
+        RigidMotions {
+            along: Direction::ALL.map(|direction| free(direction, self.mass)),
+            roll: free(Direction::Vertical, self.roll_inertia),
+            yaw: free(Direction::Longitudinal, self.roll_inertia),
+            spin: Complex64::from(self.spin_inertia.recip()),
+        }
+    }
+}
+
+/// Answers of the motions of a rigid wheelset, each to its own force or moment.
+struct RigidMotions {
+    /// Along x, y and z.
+    along: [Complex64; 3],
+    roll: Complex64,
+    yaw: Complex64,
+    spin: Complex64,
+}
+
+impl RigidMotions {
+    fn sections(self, contacts: ContactGeometry) -> SectionReceptances {
+        let Self { along: [forward, sideward, downward], roll, yaw, spin } = self;
+        let places = contacts.places();
         let between =
             |receptance: &dyn Fn(f64, f64) -> Complex64| places.map(|at| places.map(|from| receptance(at, from)));
         SectionReceptances {

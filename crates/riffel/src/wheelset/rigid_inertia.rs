@@ -27,7 +27,7 @@ impl RigidInertia {
         Ok(Self { per_mass: -rolling_radius * rolling_radius / inertia, inertia })
     }
 
-    /// The same of a wheel whose hub moves along the rail as a mass \[kg\], too: H = −(R²/I_w + 1/m)/ω².
+    /// Wheel whose hub moves along the rail as a mass \[kg\], too: H = −(R²/I_w + 1/m)/ω².
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless it is positive.
@@ -60,5 +60,9 @@ impl Receptance for RigidInertia {
 
     fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
         receptances.set(&frequencies.reciprocal, |reciprocal| Complex64::from(self.per_mass * reciprocal * reciprocal));
+    }
+
+    fn free(&self) -> f64 {
+        -self.per_mass
     }
 }

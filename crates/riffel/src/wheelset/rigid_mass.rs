@@ -40,4 +40,8 @@ impl Receptance for RigidMass {
         let per_mass = -self.mass.recip();
         receptances.set(&frequencies.reciprocal, |reciprocal| Complex64::from(per_mass * reciprocal * reciprocal));
     }
+
+    fn free(&self) -> f64 {
+        self.mass.recip()
+    }
 }

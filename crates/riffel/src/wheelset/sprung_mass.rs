@@ -50,4 +50,8 @@ impl Receptance for SprungMass {
         let spring = Complex64::new(self.stiffness, angular_frequency * self.damping);
         spring.inv() - 1.0 / (self.mass * angular_frequency * angular_frequency)
     }
+
+    fn free(&self) -> f64 {
+        self.mass.recip()
+    }
 }

@@ -9,7 +9,7 @@ use riffel::growth::RowEvaluator;
 use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Structure, Uncoupled};
 use riffel::wheelset::{
     Axle, ContactGeometry, Disc, FlexibleWheelset, Motion, RigidBody, RigidInertia, RigidMass, RigidWheelset, Segment,
-    Wheelset,
+    Wheelset, WheelsetWithHubs,
 };
 use riffel::{
     Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, Rail, Receptance,
@@ -70,7 +70,7 @@ fn one_wheel(ratio: f64, on_waves: bool, mass: f64) -> OneWheel {
     }
 }
 
-/// The same, its normal force along the normal of the wave.
+/// Loop of which the normal force is along the normal of the wave.
 fn turned(ratio: f64, on_waves: bool, mass: f64) -> Loop {
     let feedback = one_wheel(ratio, on_waves, mass).close().unwrap();
     feedback.with_normal_direction(Hubs::Lone(rigid(mass)))
@@ -196,7 +196,7 @@ proptest! {
         let flexible = FlexibleWheelset::new(axle, vec![disc(-0.75), disc(0.75)], contacts).unwrap();
         let rigid = RigidWheelset::new(flexible.rigid_body(), contacts).unwrap();
         let w = std::f64::consts::TAU * frequency;
-        let (one, other) = (flexible.hubs(w).unwrap(), rigid.hubs(w).unwrap());
+        let (one, other) = (flexible.hubs(w), rigid.hubs(w));
         for (at, from) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
             close(one[at][from], other[at][from], 1e-5);
         }

@@ -100,7 +100,7 @@ impl System {
             wheels: vec![Complex64::ZERO; places_count * places_count],
             receptances: vec![0.0; 2 * size * size * lanes],
             equations: Equations::new(size, columns, lanes),
-            hubs: (of.contacts.iter()).map(|contact| (contact.along, contact.rail)).collect(),
+            hubs: of.places_of_wheels(),
             direction: (of.hubs.as_ref()).map(|_| vec![0.0; 2 * count * columns * lanes]),
             excitation,
             creepages: vec![0.0; 2 * 2 * of.contacts.len() * lanes],
@@ -143,7 +143,7 @@ impl System {
         self.number(&self.dissipation, 0, lane)
     }
 
-    /// The same with all damage whose rate depends on the amplitude, at the wavelength \[m\] of the lane.
+    /// Ŵ₁ of the mean growth with all damage whose rate depends on the amplitude, at the wavelength \[m\] of the lane.
     pub(crate) fn equivalent(&mut self, of: &Loop, wavelength: f64, speed: f64, lane: usize) -> Complex64 {
         let mut sum = self.normalized_dissipation(lane);
         if !of.depends_on_amplitude() {
@@ -249,7 +249,7 @@ impl System {
         }
     }
 
-    /// The same where all contacts stay.
+    /// Gather the receptances of contacts that stay.
     fn gather_forces(&mut self, lane: usize) {
         let (lanes, size) = (self.lanes, self.size());
         let rows = self.receptances.chunks_exact_mut(2 * lanes * size);
@@ -418,6 +418,14 @@ impl System {
     pub(super) fn together(&self) -> Vec<Complex64> {
         let both = self.track.iter().zip(&self.wheels);
         both.map(|(track, wheels)| track + wheels).collect()
+    }
+
+    /// Part A \[1/kg\] of the receptances of the wheels, −A/ω² for ω → 0, in the axes of the contacts by rows.
+    pub(super) fn free_wheels(&self, of: &Loop) -> Vec<f64> {
+        let free = of.wheels.free(&self.on_wheels);
+        let mut free: Vec<Complex64> = free.into_iter().map(Complex64::from).collect();
+        turn_axes(of, &mut free);
+        free.into_iter().map(|entry| entry.re).collect()
     }
 
     /// Receptances of the wheels at the point asked last, by rows.

@@ -22,7 +22,7 @@ use rod::RodSection;
 use square::Square;
 
 use super::section::{Between, SectionReceptances};
-use super::{ContactGeometry, ContactReceptances, RigidBody, Suspension, Wheelset};
+use super::{ContactGeometry, ContactReceptances, RigidBody, Suspension, Wheelset, WheelsetWithHubs};
 use crate::{Direction, Error};
 
 /// An elastic axle with rigid discs: wheels, brake discs, gear, axle boxes; free, or on its primary suspension.
@@ -59,7 +59,7 @@ struct Motions {
     /// Nodes over the left and the right contact.
     contacts: [usize; 2],
     vertical: Chain<BeamSection, 2>,
-    /// None where it is like the vertical plane.
+    /// `None` if it is like the vertical plane.
     horizontal: Option<Chain<BeamSection, 2>>,
     torsion: Chain<RodSection, 1>,
     stretch: Chain<RodSection, 1>,
@@ -74,7 +74,7 @@ impl FlexibleWheelset {
         Self::build(axle, discs, contacts, None)
     }
 
-    /// The same on a primary suspension.
+    /// Wheelset on a primary suspension.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if its springs are not on the axle.
@@ -249,10 +249,20 @@ impl Wheelset for FlexibleWheelset {
         sections.at_contacts(self.contacts.rolling_radius)
     }
 
-    fn hubs(&self, angular_frequency: f64) -> Option<Between> {
+    fn free_at_contacts(&self) -> [[f64; 6]; 6] {
+        self.rigid_body().free_at_contacts(self.contacts, self.suspension.as_ref())
+    }
+}
+
+impl WheelsetWithHubs for FlexibleWheelset {
+    fn hubs(&self, angular_frequency: f64) -> Between {
         let motions = &self.motions;
         let bending = motions.horizontal.as_ref().unwrap_or(&motions.vertical);
-        Some(entry(&bending.between(motions.contacts, angular_frequency), 0, 0))
+        entry(&bending.between(motions.contacts, angular_frequency), 0, 0)
+    }
+
+    fn free_hubs(&self) -> [[f64; 2]; 2] {
+        self.rigid_body().free_hubs(self.contacts, self.suspension.as_ref())
     }
 }
 
