@@ -163,7 +163,7 @@ fn one_wavelength(across: usize) -> Result<(f64, f64), Failure> {
     Ok((seconds, response.by_longitudinal.force[0].norm()))
 }
 
-/// The same by oscillations of creepage and of load, followed in time on one grid: two diameters until the
+/// Response to oscillations of creepage and of load, followed in time on one grid: two diameters until the
 /// start is forgotten, and one wave.
 fn followed(across: usize) -> Result<(f64, f64), Failure> {
     const SHARE: f64 = 0.05;

@@ -13,7 +13,7 @@ fn main() {
     println!("cargo::rustc-env=RIFFEL_VERSION={long}");
 }
 
-/// Commit and date, as in `1a2b3c4d5 2026-01-31`; none where this is no checkout of the project or git is not there.
+/// Commit and date, as in `1a2b3c4d5 2026-01-31`; `None` if this is no checkout of the project or git is not there.
 fn commit() -> Option<String> {
     // A published package may lie in the repository of somebody else, whose commit says nothing.
     if Path::new(".cargo_vcs_info.json").exists() {

@@ -62,7 +62,7 @@ impl WorstError {
         self.compare_beside(expected.norm(), got, expected);
     }
 
-    /// The same, relative to a size of the caller's.
+    /// Compare relative to a size of the caller's.
     pub(crate) fn compare_beside(&mut self, size: f64, got: Complex64, expected: Complex64) {
         let error = (got - expected).norm() / size;
         // NaN must not pass for small.

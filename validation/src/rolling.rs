@@ -23,7 +23,7 @@ fn hertz(load: f64) -> HertzContact {
     HertzContact::exact(steel, 0.46, 0.23, load).expect("a contact")
 }
 
-/// The same, cut into elements.
+/// Contact cut into elements.
 fn contact(load: f64, across: usize) -> HalfSpace {
     HalfSpace::new(hertz(load), 0.4, across).expect("a grid")
 }
@@ -347,7 +347,7 @@ struct Misses {
     of_scale: f64,
     /// Relative to the larger of the response and a tenth of that value; but for the next.
     of_modulus: f64,
-    /// The same of the energy at the rail by load.
+    /// Response of the energy at the rail by load.
     at_rail_by_load: f64,
 }
 

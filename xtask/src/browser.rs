@@ -89,7 +89,7 @@ fn chromium() -> Result<PathBuf, String> {
         })
 }
 
-/// Install a package of Debian, where this user may; none where not.
+/// Install a package of Debian, where this user may; `None` if not.
 fn install(package: &str) -> Option<()> {
     let install = ["install", "--yes", "--quiet", "--no-install-recommends", package];
     for arguments in [&["update", "--quiet"][..], &install] {

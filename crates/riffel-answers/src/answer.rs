@@ -38,7 +38,7 @@ pub enum ResultFile<'a> {
 }
 
 impl ResultFile<'_> {
-    /// Those of tables that are not for readers alone.
+    /// Result files of tables that are not for readers alone.
     pub(crate) fn tables(tables: Vec<Table>) -> impl Iterator<Item = Self> {
         tables.into_iter().filter(Table::has_file).map(Self::Table)
     }
@@ -52,7 +52,7 @@ pub struct OwnText<'a> {
     pub text: Cow<'a, str>,
     /// What becomes of a file that is there.
     pub existing: Existing,
-    /// What is said when it is written; none where it goes before the files of a folder.
+    /// What is said when it is written; `None` if it goes before the files of a folder.
     pub written: Option<Message>,
 }
 

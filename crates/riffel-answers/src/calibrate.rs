@@ -95,7 +95,7 @@ impl LogEvidence {
         })
     }
 
-    /// The same with what it hangs on.
+    /// Evidence in words, with the range and the number of its runs.
     pub(crate) fn in_words(&self) -> Message {
         let Self { value, range, runs } = *self;
         let [low, high] = range.map(|it| fixed(it, 2));

@@ -7,7 +7,7 @@ pub fn sentence(message: &Message, language: Language) -> String {
     message.capitalised(language) + "."
 }
 
-/// The same as a message.
+/// Message that begins as a sentence of its own.
 pub(crate) fn as_sentence(message: &Message) -> Message {
     say!(sentence, words = Value::Capital(message.clone().into()))
 }

@@ -18,7 +18,7 @@ pub struct Cause {
     pub mechanism: &'static str,
     #[serde(skip)]
     kind: MechanismKind,
-    /// Frequency of the resonance; none where none is near.
+    /// Frequency of the resonance; `None` if none is near.
     pub resonance_hz: Option<f64>,
     /// The wavelength.
     pub wavelength_m: f64,
@@ -35,7 +35,7 @@ pub struct Cause {
 }
 
 impl Cause {
-    /// Of growth at a wavelength \[m\] between the slowest and the fastest speed of a traffic \[m/s\]; none where the wheel of the case
+    /// Of growth at a wavelength \[m\] between the slowest and the fastest speed of a traffic \[m/s\]; `None` if the wheel of the case
     /// makes none.
     pub(crate) fn of(case: &Case, wavelength: f64, [slowest, fastest]: [f64; 2]) -> Option<Self> {
         /// Speeds at which growth is looked for.
@@ -129,7 +129,7 @@ fn sentence(wavelength: f64, speed: f64, found: Option<(MechanismKind, f64)>) ->
 }
 
 /// Whether the fastest wavelengths of the slowest and the fastest trains keep a frequency more than a length, with the sentence on it;
-/// none where one of them has no crest, or the speeds are too near to tell.
+/// `None` if one of them has no crest, or the speeds are too near to tell.
 fn frequency_kept(case: &Case, speeds: [f64; 2]) -> Option<(bool, Message)> {
     /// Ratio of the speeds below which nothing can be told.
     const TOO_NEAR: f64 = 1.1;

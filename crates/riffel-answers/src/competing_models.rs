@@ -18,10 +18,10 @@ pub struct CompetingModels {
 }
 
 impl CompetingModels {
-    /// Compare the models of a plan, whose chains go to a folder beside those of the plan; none where `sample` was stopped.
+    /// Compare the models of a plan, whose chains go to a folder beside those of the plan; `None` if `sample` was stopped.
     ///
     /// # Errors
-    /// Those of [`Comparison::of`].
+    /// Errors of [`Comparison::of`].
     pub fn new(
         plan: &Plan,
         chains: &Chains,

@@ -16,7 +16,7 @@ pub(crate) fn as_pairs<S: Serializer>(values: &[Complex64], serializer: S) -> Re
     pairs(values).serialize(serializer)
 }
 
-/// The same of matrices.
+/// Real and imaginary parts of matrices, for `serialize_with`.
 pub(crate) fn as_matrices<const N: usize, S: Serializer>(
     matrices: &[[[Complex64; N]; N]],
     serializer: S,

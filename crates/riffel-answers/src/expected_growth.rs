@@ -11,7 +11,7 @@ use crate::{AnswerError, Banded, PosteriorDraws, Result, wear_spread};
 /// Growth of the level that a traffic is expected to make.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExpectedRates {
-    /// In each band \[dB a year\]; none where the case has no wave in it, or its rate means nothing.
+    /// In each band \[dB a year\]; `None` if the case has no wave in it, or its rate means nothing.
     pub of_bands: Vec<Option<Banded>>,
     /// Why rates mean nothing, if some do.
     pub without_rate: Option<Message>,
@@ -21,7 +21,7 @@ impl ExpectedRates {
     /// Medians with bands over the draws of a calibration that have a rate in a band, under its traffic, or else the usual one.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn over(draws: &PosteriorDraws, bands: &[[f64; 2]], progress: &(dyn Fn(usize) + Sync)) -> Result<Self> {
         let growth = draws.drawn.par_iter().map(|drawn| {
             let growth = Self::new(&drawn.case, drawn.traffic.as_ref(), bands);
@@ -42,7 +42,7 @@ impl ExpectedRates {
     /// Growth in bands of wavelength \[m\] under a traffic, or else under the usual one of the line: in each band that of its fastest
     /// wave, which the band follows in the end.
     ///
-    /// Its band is that of the wear coefficient, none where growth does not go by it; a rate holds while it needs less than the mean
+    /// Its band is that of the wear coefficient, null if growth does not go by it; a rate holds while it needs less than the mean
     /// wear (`amplitude_limit_m` of a forecast).
     ///
     /// # Errors

@@ -13,15 +13,15 @@ use crate::{Banded, LineGrowth, wear_spread};
 /// The time in which the first band rises from what grinding leaves to the limit, as a decision over a calibration has it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GrindingInterval {
-    /// None where no band is there within the longest interval, 20 years.
+    /// `None` if no band is there within the longest interval, 20 years.
     pub months: Option<f64>,
-    /// With the bands of the wear coefficient, whose ends may lie beyond the longest interval; none where growth does not go by it, or
+    /// With the bands of the wear coefficient, whose ends may lie beyond the longest interval; `None` if growth does not go by it, or
     /// no band grows.
     pub months_banded: Option<Banded>,
 }
 
 impl GrindingInterval {
-    /// Under a traffic on a case, or on what a variant made of it; none where it is not known how many axles run, or where no
+    /// Under a traffic on a case, or on what a variant made of it; `None` if it is not known how many axles run, or where no
     /// time follows from the fastest.
     pub(crate) fn new(case: &Case, growth: &LineGrowth) -> Option<Self> {
         if growth.fastest.is_some_and(|fastest| !fastest.has_times()) {

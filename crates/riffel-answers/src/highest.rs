@@ -25,7 +25,7 @@ pub struct Highest {
 }
 
 impl Highest {
-    /// Of a course of growth at one speed \[m/s\]; none where nothing grows.
+    /// Of a course of growth at one speed \[m/s\]; `None` if nothing grows.
     pub(crate) fn of(course: &GrowthCourse, speed: f64) -> Option<Self> {
         let place = course.highest();
         let (wavelength, rate) = (course.wavelengths[place], course.rates[place]);

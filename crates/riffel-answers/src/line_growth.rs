@@ -26,9 +26,9 @@ pub struct LineGrowth {
     pub passages_per_day: Option<f64>,
     /// Frequency \[Hz\] at which the loop of a vehicle oscillates by itself, if one does: growth rates mean nothing then.
     pub unstable_frequency_hz: Option<f64>,
-    /// What grows fastest; none where nothing grows.
+    /// What grows fastest; `None` if nothing grows.
     pub fastest: Option<FastestGrowth>,
-    /// What that follows; none where nothing grows under the wheel of the case.
+    /// What that follows; `None` if nothing grows under the wheel of the case.
     pub cause: Option<Cause>,
     /// The answer in sentences, and whether growth is faster than any that was seen.
     pub remarks: Vec<Message>,
@@ -53,7 +53,7 @@ pub struct FastestGrowth {
     pub growth_rate_per_passage: f64,
     /// Axle passages in which its amplitude doubles.
     pub doubling_passages: f64,
-    /// The same with the bands of the wear coefficient; none where growth does not go by it.
+    /// Passages in which the amplitude doubles, with the bands of the wear coefficient; `None` if growth does not go by it.
     pub doubling_passages_banded: Option<Banded>,
     /// It grows faster than any railway known: wavelengths and order hold, the rate does not, so no months follow.
     pub faster_than_known: bool,
@@ -62,7 +62,7 @@ pub struct FastestGrowth {
     pub oscillates: bool,
     /// Months of that, if it is known how many axles run and the rate has a meaning.
     pub doubling_months: Option<f64>,
-    /// The same with its bands.
+    /// Months in which the amplitude doubles, with their bands.
     pub doubling_months_banded: Option<Banded>,
 }
 
@@ -217,7 +217,7 @@ impl FastestGrowth {
         self.time_beside(self)
     }
 
-    /// The same in the unit of another, so that both can be compared at a glance.
+    /// Time of doubling in the unit of another, so that both can be compared at a glance.
     pub(crate) fn time_beside(&self, other: &Self) -> Message {
         if self.oscillates {
             return say!(oscillates_by_itself);

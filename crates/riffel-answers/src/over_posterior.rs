@@ -173,12 +173,12 @@ impl NumberOverPosterior {
 }
 
 impl OverPosterior {
-    /// A number of what has a title or else a place in a list; none where no draw has it.
+    /// A number of what has a title or else a place in a list; `None` if no draw has it.
     pub fn number_of(&self, list: &str, title: &str, place: usize, name: &str) -> Option<&NumberOverPosterior> {
         self.number(&format!("{list}[{title}].{name}")).or_else(|| self.number(&format!("{list}[{place}].{name}")))
     }
 
-    /// A number by its name; none where no draw has it.
+    /// A number by its name; `None` if no draw has it.
     pub fn number(&self, name: &str) -> Option<&NumberOverPosterior> {
         let place = self.numbers.binary_search_by(|it| it.name.as_str().cmp(name));
         Some(&self.numbers[place.ok()?])

@@ -31,7 +31,7 @@ pub fn parameters(case: &Case) -> String {
     parameters_in(case, Language::English)
 }
 
-/// The same without the amplitude of the profile, for pictures of a rail that has another.
+/// Parameters without the amplitude of the profile, for pictures of a rail that has another.
 pub(crate) fn parameters_on_rail(case: &Case) -> String {
     written(case, Language::English, None)
 }

@@ -21,7 +21,7 @@ const MONTHS: f64 = 12.0;
 pub struct RailDamage {
     /// The limits of shakedown, with the operating point over a wave.
     pub shakedown: ShakedownAnswer,
-    /// Months after which a rail that was ground has the cracks: a year, or where the forecast ends before; none where wear is alone.
+    /// Months after which a rail that was ground has the cracks: a year, or where the forecast ends before; `None` if wear is alone.
     pub months: Option<f64>,
     /// Along the waves of every band; empty where fatigue is not among the laws of the case.
     pub cracks: Vec<CrackedWave>,

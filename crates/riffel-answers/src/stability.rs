@@ -8,9 +8,9 @@ use serde::Serialize;
 pub(crate) struct StabilityDocument {
     /// Two for each such oscillation; zero where the loop is stable.
     unstable_roots: usize,
-    /// That of the highest; none where the loop is stable.
+    /// That of the highest; `None` if the loop is stable.
     frequency_hz: Option<f64>,
-    /// Of its amplitude in time; none where the loop is stable, or the root is not found.
+    /// Of its amplitude in time; `None` if the loop is stable, or the root is not found.
     growth_rate_per_s: Option<f64>,
     /// Each of them, the highest first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -26,7 +26,7 @@ struct Root {
     counts: bool,
 }
 
-/// The same at one of several speeds.
+/// Stability at one of several speeds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct StabilityAtSpeed {
     speed_m_per_s: f64,

@@ -69,7 +69,7 @@ pub struct StabilityMap {
 pub struct StabilityPoint {
     speed_m_per_s: f64,
     friction: f64,
-    /// Two for each oscillation that grows; none where it cannot be told.
+    /// Two for each oscillation that grows; `None` if it cannot be told.
     unstable_roots: Option<usize>,
     /// Of the highest such oscillation.
     frequency_hz: Option<f64>,

@@ -34,11 +34,11 @@ pub struct Column {
 pub enum Values {
     /// Words.
     Words(Vec<Message>),
-    /// Numbers as documents have them, in the fewest digits that tell them, 1.0 and 1e-7; none where there is nothing.
+    /// Numbers as documents have them, in the fewest digits that tell them, 1.0 and 1e-7; `None` if there is nothing.
     Exact(Vec<Option<f64>>),
-    /// Numbers as they are, such as nominal frequencies and rates of 10⁻⁷; none where there is nothing.
+    /// Numbers as they are, such as nominal frequencies and rates of 10⁻⁷; `None` if there is nothing.
     Plain(Vec<Option<f64>>),
-    /// Numbers to so many digits after the point in a file and before a reader; none where there is nothing.
+    /// Numbers to so many digits after the point in a file and before a reader; empty cells where there is nothing.
     Fixed {
         /// The numbers.
         values: Vec<Option<f64>>,
@@ -125,7 +125,7 @@ impl Column {
         Self::words("", head, words)
     }
 
-    /// Numbers for readers alone, to so many digits after the point; none where there is nothing.
+    /// Numbers for readers alone, to so many digits after the point; empty cells where there is nothing.
     pub fn digits<T: Into<Option<f64>>>(head: Message, digits: usize, values: impl Iterator<Item = T>) -> Self {
         let cells = values.map(|value| match value.into() {
             Some(value) => number_alone(format_args!("{value:.digits$}")),
@@ -252,7 +252,7 @@ impl Table {
     /// Write it as CSV.
     ///
     /// # Errors
-    /// Those of the file.
+    /// Errors of the file.
     pub fn csv(&self, file: impl Write) -> io::Result<()> {
         let named = || self.columns.iter().filter(|column| !column.name.is_empty());
         let row = |row| named().map(|column| column.values.in_file(row)).collect::<Vec<String>>();

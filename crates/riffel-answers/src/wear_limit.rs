@@ -46,7 +46,7 @@ impl WearLimitDocument {
     }
 }
 
-/// That no rail is known to wear so little or so much, so that rates and times of growth are as far off; none where rails do, or where
+/// That no rail is known to wear so little or so much, so that rates and times of growth are as far off; `None` if rails do, or where
 /// the wear was measured.
 pub fn unlikely_wear(case: &Case, wear: MeanWear) -> Option<Message> {
     /// Millimetres under 100 MGT, from straight track to the high rails of tight curves: the lists of `docs/src/forecast.md`.
@@ -73,7 +73,7 @@ pub fn for_whom(case: &Case) -> Message {
     }
 }
 
-/// How well the wear coefficient is known that growth goes by, before a measurement tells more; none where other damage has a part,
+/// How well the wear coefficient is known that growth goes by, before a measurement tells more; `None` if other damage has a part,
 /// which does not go with it.
 pub(crate) fn wear_spread(case: &Case) -> Option<WearSpread> {
     (!case.has_other_damage()).then(|| case.wear_spread())

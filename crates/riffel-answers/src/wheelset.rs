@@ -137,7 +137,7 @@ impl WheelsetAnswer {
         Table { name: "receptance", columns }
     }
 
-    /// Shapes of the lowest modes along the axle, bending and torsion; none where there is no model of an axle.
+    /// Shapes of the lowest modes along the axle, bending and torsion; `None` if there is no model of an axle.
     fn shapes(&self) -> Option<LineFigure> {
         let CaseWheelset::Flexible(flexible) = &*self.wheelset else {
             return None;

@@ -22,7 +22,7 @@ impl InUse {
     /// else has it; where the file system has no locks nobody is kept out.
     ///
     /// # Errors
-    /// Those of [`place`], and what the system says.
+    /// Errors of [`place`], and what the system says.
     pub fn take(folder: &Path, name: &str, shared: bool) -> io::Result<Option<Self>> {
         fs::create_dir_all(folder)?;
         let path = place(folder, name)?;

@@ -21,7 +21,7 @@ impl Together {
     /// None yet; what a killed process left is removed.
     ///
     /// # Errors
-    /// Those of [`place`], and what the system says.
+    /// Errors of [`place`], and what the system says.
     pub fn new_in(folder: &Path) -> io::Result<Self> {
         let name = format!("{PREFIX}results");
         match fs::remove_dir_all(place(folder, &name)?) {
@@ -35,7 +35,7 @@ impl Together {
     /// Write one of them.
     ///
     /// # Errors
-    /// Those of [`place`], and what the system says.
+    /// Errors of [`place`], and what the system says.
     pub fn write(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
         place(&self.folder, name)?;
         write(self.made.path(), name, bytes)

@@ -70,7 +70,7 @@ pub fn kind(file: FileType) -> &'static str {
 /// Write a file below a folder of results under another name beside its place, in folders that are made if need be, and rename it.
 ///
 /// # Errors
-/// Those of [`place`], and what the system says.
+/// Errors of [`place`], and what the system says.
 pub fn write(folder: &Path, name: &str, bytes: &[u8]) -> io::Result<()> {
     let path = place(folder, name)?;
     let persisted = half_written(&path, bytes)?.persist(path);
@@ -109,7 +109,7 @@ fn half_written(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
 /// Rename a whole file to its place below a folder of results.
 ///
 /// # Errors
-/// Those of [`place`], and what the system says.
+/// Errors of [`place`], and what the system says.
 pub fn put(file: &Path, folder: &Path, name: &str) -> io::Result<()> {
     fs::rename(file, place(folder, name)?)
 }

@@ -87,7 +87,7 @@ fn prior_draw(posterior: &Posterior, density: &Potential<'_>, random: &mut Xoshi
 }
 
 impl Chain {
-    /// A chain at the highest of the tops that it finds from its own draws of the prior, or a little beside; none where the
+    /// A chain at the highest of the tops that it finds from its own draws of the prior, or a little beside; `None` if the
     /// case takes no draw of the prior.
     pub(crate) fn begin(posterior: &Posterior, seed: u64, index: u64, warmup: u64) -> Option<Self> {
         let scale: Vec<f64> = posterior.parameters().iter().map(|it| it.prior.variance().sqrt()).collect();
@@ -203,7 +203,7 @@ impl Chain {
         statistics
     }
 
-    /// Transitions under the density of an emulator; none where the emulator does not reach.
+    /// Transitions under the density of an emulator; `None` if the emulator does not reach.
     ///
     /// Source: Liu (2001), *Monte Carlo Strategies in Scientific Computing*, section 9.4.3: transitions that are reversible under
     /// another density, kept with the probability that the ratio of the two densities asks.
@@ -289,7 +289,7 @@ impl Chain {
         numbers
     }
 
-    /// The chain of [`numbers`](Self::numbers) in a space of some dimensions; none where they are not as many.
+    /// The chain of [`numbers`](Self::numbers) in a space of some dimensions; `None` if they are not as many.
     pub(crate) fn of_numbers(numbers: &[f64], size: usize, (seed, index, warmup): (u64, u64, u64)) -> Option<Self> {
         let mut rest = numbers;
         let mut take = |count: usize| -> Option<Vec<f64>> {

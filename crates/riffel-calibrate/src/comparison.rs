@@ -15,10 +15,10 @@ use crate::plan::Plan;
 
 /// Least difference of ln densities that tells two models apart, however small its error.
 const LEAST_NATS: f64 = 4.0;
-/// The same in standard errors.
+/// Least difference that tells two models apart, in standard errors.
 const LEAST_ERRORS: f64 = 2.0;
 
-/// Draws the chains of a folder, for the model of a title; none where it was stopped.
+/// Draws the chains of a folder, for the model of a title; `None` if it was stopped.
 pub type Sampler<'a> = dyn Fn(&Folder<'_>, &str) -> Result<Option<Chains>, CalibrationError> + Sync + 'a;
 
 /// Models of the same data.
@@ -52,7 +52,7 @@ impl Comparison {
     /// cannot be trusted.
     ///
     /// # Errors
-    /// Those of the folders and of `sample`; [`CalibrationError::Plan`]. None where `sample` was stopped.
+    /// Errors of the folders and of `sample`; [`CalibrationError::Plan`]. `None` if `sample` was stopped.
     pub fn of(
         plan: &Plan,
         chains: &Chains,

@@ -128,7 +128,7 @@ impl U1 {
         self.posterior_of(self.levels(dates))
     }
 
-    /// The same of all dates, whose data are simulated with errors so many times as large as those that are said of them.
+    /// Posterior of all dates, whose data are simulated with errors so many times as large as those that are said of them.
     pub(crate) fn posterior_of_errors(&self, times: f64) -> Posterior {
         let levels = self.levels(&[0, 1, 2]);
         self.posterior_of(Levels { times, ..levels })

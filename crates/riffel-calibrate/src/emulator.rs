@@ -44,7 +44,7 @@ struct Polynomials {
     terms: Vec<(usize, usize)>,
     /// Factors by terms, for all data in turn.
     by_term: Vec<f64>,
-    /// The same by data.
+    /// Factors by data.
     by_datum: Vec<f64>,
     /// Number of data.
     data: usize,
@@ -69,7 +69,7 @@ impl Seen {
 }
 
 impl Emulator {
-    /// For draws about a middle with the covariance LLᵀ of their `spread`. None where the model refuses too many of them.
+    /// For draws about a middle with the covariance LLᵀ of their `spread`. `None` if the model refuses too many of them.
     pub(crate) fn train(
         posterior: &Posterior,
         (middle, spread): (&[f64], &Matrix),
@@ -80,7 +80,7 @@ impl Emulator {
         blocks.map(Self)
     }
 
-    /// ln of the density and its gradient as the polynomials have them; none where the priors or they themselves end.
+    /// ln of the density and its gradient as the polynomials have them; `None` if the priors or they themselves end.
     pub(crate) fn at(&self, posterior: &Posterior, place: &[f64]) -> Option<Point> {
         let seen: Vec<Seen> = self.0.iter().map(|it| it.seen(posterior, place)).collect();
         let known = posterior.with_predictions(place, &self.predict(&seen))?;

@@ -37,7 +37,7 @@ pub(crate) struct Ensemble {
 }
 
 impl Ensemble {
-    /// Walkers at draws of the priors; none where the case takes too few of these.
+    /// Walkers at draws of the priors; `None` if the case takes too few of these.
     pub(crate) fn begin(posterior: &Posterior, seed: u64, index: u64, warmup: u64) -> Option<Self> {
         let mut random = random(seed, index, u64::MAX);
         let begin = |_| {
@@ -116,7 +116,7 @@ impl Ensemble {
         [self.done as f64].into_iter().chain(walkers).collect()
     }
 
-    /// The ensemble of [`numbers`](Self::numbers) of a posterior; none where they are not as many.
+    /// The ensemble of [`numbers`](Self::numbers) of a posterior; `None` if they are not as many.
     pub(crate) fn of_numbers(
         numbers: &[f64],
         posterior: &Posterior,

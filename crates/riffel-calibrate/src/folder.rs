@@ -82,7 +82,7 @@ fn check(folder: &Path) -> Result<(), CalibrationError> {
     }
 }
 
-/// Names in a folder, none where it is not there.
+/// Names in a folder; empty if it is not there.
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());

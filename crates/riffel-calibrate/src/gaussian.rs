@@ -59,7 +59,7 @@ impl Diagonal {
 }
 
 impl Gaussian {
-    /// None where the noise is not positive definite.
+    /// `None` if the noise is not positive definite.
     pub(crate) fn new(noise: Matrix, parts: Vec<Matrix>) -> Option<Self> {
         let lower = noise.cholesky()?;
         let diagonal = match &parts[..] {
@@ -81,7 +81,7 @@ impl Gaussian {
         Some(Self { noise, parts, diagonal })
     }
 
-    /// Of residuals, data minus predictions, for sizes σ. None where the sizes are beyond numbers.
+    /// Of residuals, data minus predictions, for sizes σ. `None` if the sizes are beyond numbers.
     pub(crate) fn density(&self, residuals: &[f64], sizes: &[f64]) -> Option<Density> {
         let norm = -0.5 * residuals.len() as f64 * (2.0 * PI).ln();
         if let Some(diagonal) = &self.diagonal {
@@ -114,7 +114,7 @@ impl Gaussian {
         })
     }
 
-    /// The same of some of the data.
+    /// Density of some of the data.
     pub(crate) fn picked(&self, rows: &[usize]) -> Option<Self> {
         let picked = |matrix: &Matrix| Matrix::of(rows.len(), |i, j| matrix.at(rows[i], rows[j]));
         let parts = self.parts.iter().map(picked);

@@ -22,7 +22,7 @@ pub struct Score {
     pub log_density: f64,
     /// Its standard error by the number of draws.
     pub error: f64,
-    /// k̂ of the weights that leave the group out; none where chains were drawn without it.
+    /// k̂ of the weights that leave the group out; `None` if chains were drawn without it.
     pub shape: Option<f64>,
     /// Whether density and error are to be trusted: by the shape and by how many draws count.
     pub is_told: bool,

@@ -30,7 +30,7 @@ pub struct Direction {
     pub information: f64,
     /// Part of each value, in standard deviations of its prior.
     pub parts: Vec<f64>,
-    /// Powers of the values whose product it is, that of the largest part first and one; none where a value may be zero or below.
+    /// Powers of the values whose product it is, that of the largest part first and one; empty if a value may be zero or below.
     pub powers: Vec<(String, f64)>,
     /// Standard deviation of ln of that product after the data.
     pub spread: f64,

@@ -19,14 +19,14 @@ pub(crate) struct Known {
 }
 
 impl Normal {
-    /// x after y = Σ x_i a_i + ε; `noise` is L of the covariance LLᵀ of ε. None where the data leave an x that nothing is known of.
+    /// x after y = Σ x_i a_i + ε; `noise` is L of the covariance LLᵀ of ε. `None` if the data leave an x that nothing is known of.
     pub(crate) fn after(known: &[Known], columns: &[Vec<f64>], noise: &Matrix, data: &[f64]) -> Option<Self> {
         let white = |vector: &[f64]| noise.forward(vector.to_vec());
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| white(column)).collect();
         Self::least_squares(known, &columns, &white(data))
     }
 
-    /// The same for errors that are independent, of variance one.
+    /// Solution for errors that are independent, of variance one.
     pub(crate) fn least_squares(known: &[Known], columns: &[Vec<f64>], data: &[f64]) -> Option<Self> {
         let precision = Matrix::of(known.len(), |i, j| {
             let before = if i == j { known[i].precision } else { 0.0 };

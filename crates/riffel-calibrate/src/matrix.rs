@@ -47,7 +47,7 @@ impl Matrix {
         Self::of(self.size, |row, column| dot(self.row(row), other.row(column)))
     }
 
-    /// L of LLᵀ; none where it is not positive definite.
+    /// L of LLᵀ; `None` if it is not positive definite.
     pub(crate) fn cholesky(&self) -> Option<Self> {
         let mut lower = Self::of(self.size, |_, _| 0.0);
         for row in 0..self.size {

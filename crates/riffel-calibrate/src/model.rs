@@ -187,7 +187,7 @@ impl Speeds {
         }
     }
 
-    /// Speeds with weights that sum to one; none where a wheel would stand.
+    /// Speeds with weights that sum to one; `None` if a wheel would stand.
     fn nodes(&self) -> Option<Vec<(f64, f64)>> {
         let mut nodes: Vec<(f64, f64)> = match self {
             Self::Listed(listed) => listed.clone(),
@@ -212,7 +212,7 @@ impl Speeds {
 pub(crate) struct View {
     /// With what differs for these data.
     pub(crate) case: Case,
-    /// The same for each vehicle, with its own keys.
+    /// Cases of the vehicles, each with its own keys.
     pub(crate) wheels: Vec<Case>,
     /// Which of the parameters act.
     pub(crate) acting: Vec<usize>,
@@ -371,7 +371,7 @@ impl<'a> Trial<'a> {
         Ok(rates.into_iter().map(|rate| rate.re).collect())
     }
 
-    /// The same of complex amplitudes, of waves along the direction of travel.
+    /// Growth rates of complex amplitudes, of waves along the direction of travel.
     pub(crate) fn complex_growth_rates(&self, view: usize, lines: &[f64]) -> Result<Vec<Complex64>, String> {
         let mut rates = vec![Complex64::ZERO; lines.len()];
         for (index, vehicle) in self.model.vehicles.iter().enumerate() {

@@ -13,7 +13,7 @@ const DIVERGES: f64 = 1000.0;
 /// Most doublings of a trajectory.
 const DEEPEST: u32 = 10;
 
-/// ln of a density and its gradient; none where it is zero.
+/// ln of a density and its gradient; `None` if it is zero.
 pub(crate) type Potential<'a> = dyn Fn(&[f64]) -> Option<(f64, Vec<f64>)> + 'a;
 
 /// A place with its density.
@@ -110,7 +110,7 @@ pub(crate) fn transition(
 }
 
 impl Place {
-    /// A place under a density; none where it is zero.
+    /// A place under a density; `None` if it is zero.
     pub(crate) fn of(density: &Potential<'_>, at: &[f64]) -> Option<Self> {
         let (log_density, gradient) = density(at)?;
         let at = at.to_vec();

@@ -38,7 +38,7 @@ struct Residuals {
 
 impl Residuals {
     /// r_i = (S⁻¹r)_i/√(S⁻¹)_ii of some of the data: each beside what the others of these say of it, in its standard deviations
-    /// (Sundararajan & Keerthi 2001). None where sizes are beyond numbers.
+    /// (Sundararajan & Keerthi 2001). `None` if sizes are beyond numbers.
     fn standardised(&self, some: &[usize]) -> Option<Vec<f64>> {
         let covariance = Matrix::of(some.len(), |i, j| self.covariance.at(some[i], some[j]));
         let inverse = covariance.cholesky()?.inverse_of_square();

@@ -90,7 +90,7 @@ impl Posterior {
             .collect()
     }
 
-    /// ln likelihood of all data for values in SI; none where the case refuses them.
+    /// ln likelihood of all data for values in SI; `None` if the case refuses them.
     pub(crate) fn log_likelihood_of_all(&self, values: &[f64]) -> Option<f64> {
         let blocks = self.log_likelihood(values).ok()?;
         Some(blocks.iter().map(|(_, value)| value).sum())
@@ -198,7 +198,7 @@ impl Posterior {
         Some((point, densities))
     }
 
-    /// The same as [`log_density`](Self::log_density) with its gradient.
+    /// Value of [`log_density`](Self::log_density) with its gradient.
     pub fn at(&self, place: &[f64]) -> Option<Point> {
         if !self.prior(place).0.is_finite() {
             return None;
@@ -225,7 +225,7 @@ impl Posterior {
         point.is_finite().then_some(point)
     }
 
-    /// Derivative of the ln likelihood of some blocks by one z; none where a step leads out of the model.
+    /// Derivative of the ln likelihood of some blocks by one z; `None` if a step leads out of the model.
     fn slope(
         &self,
         (place, here): (&[f64], &Trial<'_>),
@@ -294,7 +294,7 @@ impl Placed {
         self.at.iter().copied().chain(densities).collect()
     }
 
-    /// Those of [`numbers`](Self::numbers) one after the other, in a space of some dimensions.
+    /// States of [`numbers`](Self::numbers) one after the other, in a space of some dimensions.
     pub(crate) fn all(numbers: &[f64], size: usize) -> Option<Vec<Self>> {
         let placed = numbers.chunks_exact(size + 2);
         let of = |numbers: &[f64]| Self {

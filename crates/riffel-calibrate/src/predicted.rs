@@ -26,7 +26,7 @@ pub struct Predicted {
     pub of: Option<f64>,
     /// Frequencies \[Hz\], wavelengths \[m\], or of wear million gross tonnes.
     pub at: Vec<f64>,
-    /// As it was measured.
+    /// Values that were measured.
     pub observed: Vec<f64>,
     /// Below which 5, 50 and 95 % of what might have been measured lie, with errors and with what the model misses.
     pub quantiles: Vec<[f64; 3]>,

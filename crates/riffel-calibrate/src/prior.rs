@@ -25,7 +25,7 @@ pub enum Prior {
 }
 
 impl Prior {
-    /// The prior, cut off at the ends of a range that can be computed. None where nothing is left.
+    /// The prior, cut off at the ends of a range that can be computed. `None` if nothing is left.
     pub fn within(distribution: Distribution, [low, high]: [f64; 2]) -> Option<Self> {
         let mut cut = distribution;
         let (Distribution::Uniform { min, max }

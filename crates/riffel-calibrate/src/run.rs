@@ -43,7 +43,7 @@ pub enum Progress {
 /// A chain on its way.
 #[derive(Default)]
 struct Going {
-    /// Those of the warm-up among them.
+    /// Draws, those of the warm-up among them.
     draws: Vec<Draw>,
     /// None before its first draw.
     state: Option<Sampling>,
@@ -57,7 +57,7 @@ impl Folder<'_> {
         self.plan.file.sampler.left_out() + self.plan.file.sampler.draws
     }
 
-    /// Draw until every chain is whole, on the current rayon pool; none where a wish to stop came between. Chains of a thousand draws
+    /// Draw until every chain is whole, on the current rayon pool; `None` if a wish to stop came between. Chains of a thousand draws
     /// and more that allow no conclusion go on, up to sixteen times their draws.
     ///
     /// Draws do not depend on the number of threads, nor on whether a chain was stopped on its way.
@@ -93,7 +93,7 @@ impl Folder<'_> {
         }
     }
 
-    /// A chain after so many draws more; none where a wish to stop came between.
+    /// A chain after so many draws more; `None` if a wish to stop came between.
     fn longer(
         &self,
         mut chain: Going,

@@ -18,7 +18,7 @@ pub(crate) enum Sampling {
 }
 
 impl Sampling {
-    /// The chain of a number; none where the case takes no draw of the priors. A population is led to the posterior at once, and is
+    /// The chain of a number; `None` if the case takes no draw of the priors. A population is led to the posterior at once, and is
     /// only on its way where a wish to stop comes between.
     pub(crate) fn begin(posterior: &Posterior, sampler: &SamplerFile, index: u64, stop: &Stop) -> Option<Self> {
         let seed = sampler.seed;
@@ -50,7 +50,7 @@ impl Sampling {
         }
     }
 
-    /// The chain of [`numbers`](Self::numbers); none where they are not as many.
+    /// The chain of [`numbers`](Self::numbers); `None` if they are not as many.
     pub(crate) fn of_numbers(
         numbers: &[f64],
         posterior: &Posterior,

@@ -149,7 +149,7 @@ impl Simulated {
     }
 }
 
-/// The rank of each value; none where all draws say the same.
+/// The rank of each value; `None` if all draws say the same.
 type Ranks = Vec<Option<usize>>;
 
 /// The limits of the bands of dated levels; none without such data.
@@ -211,7 +211,7 @@ fn ranks(
     Ok(Some(truth.iter().enumerate().map(rank).collect()))
 }
 
-/// How many draws lie below the truth; among those that equal it, it lies anywhere, at a share of them. None where all are the same.
+/// How many draws lie below the truth; among those that equal it, it lies anywhere, at a share of them. `None` if all are the same.
 fn rank(draws: &[f64], truth: f64, share: f64) -> Option<usize> {
     let below = draws.iter().filter(|it| **it < truth).count();
     let equal = draws.iter().filter(|it| **it == truth).count();

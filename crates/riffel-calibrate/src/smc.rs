@@ -28,7 +28,7 @@ pub(crate) struct Population {
 }
 
 impl Population {
-    /// So many, led from draws of the priors to the posterior by powers of the likelihood; none where the case takes too few draws
+    /// So many, led from draws of the priors to the posterior by powers of the likelihood; `None` if the case takes too few draws
     /// of the priors. Where a wish to stop comes between, it is on its way.
     ///
     /// Source: Del Moral, Doucet & Jasra (2006), J. R. Stat. Soc. B 68, with the powers that leave half of the population of effect
@@ -82,7 +82,7 @@ impl Population {
         own.into_iter().chain(rest).collect()
     }
 
-    /// The population of [`numbers`](Self::numbers) in a space of some dimensions; none where they are not as many.
+    /// The population of [`numbers`](Self::numbers) in a space of some dimensions; `None` if they are not as many.
     pub(crate) fn of_numbers(numbers: &[f64], size: usize) -> Option<Self> {
         let ([log_evidence, acceptance], rest) = numbers.split_first_chunk()?;
         Some(Self { log_evidence: *log_evidence, acceptance: *acceptance, rest: Placed::all(rest, size)? })

@@ -34,7 +34,7 @@ pub struct Marginal {
     pub standard_deviation: f64,
     /// Values below which 5, 25, 50, 75 and 95 % lie.
     pub quantiles: [f64; 5],
-    /// The same of the prior.
+    /// Quantiles of the prior.
     pub prior_quantiles: [f64; 5],
     /// R̂ of rank-normalised split chains.
     pub rhat: f64,
@@ -126,7 +126,7 @@ fn moments(chains: &[Vec<f64>]) -> (f64, f64) {
 }
 
 impl Summary {
-    /// Why the chains allow no conclusion, a sentence for each reason; none where they do.
+    /// Why the chains allow no conclusion, a sentence for each reason; empty if they do.
     pub fn doubts(&self) -> Vec<Message> {
         let mut doubts = Vec::new();
         for marginal in &self.marginals {

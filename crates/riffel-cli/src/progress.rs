@@ -14,7 +14,7 @@ use crate::messages::{is_for_a_program, is_quiet, language, say, tell_progress};
 
 /// Time from one line to the next where there is no terminal, as in the log of a cluster.
 const LINE_EVERY: Duration = Duration::from_secs(10);
-/// The same where a program reads it.
+/// Time from one line to the next if a program reads them.
 const TOLD_EVERY: Duration = Duration::from_millis(300);
 
 /// A bar on a terminal once the work has taken a second; elsewhere a line every ten seconds, but none into a pipe that has

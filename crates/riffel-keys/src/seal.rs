@@ -23,7 +23,7 @@ pub fn is_sealed() -> bool {
 /// Open a file to read it.
 ///
 /// # Errors
-/// Those of [`File::open`]; [`io::ErrorKind::PermissionDenied`] in a sealed process for a path that leaves the present
+/// Errors of [`File::open`]; [`io::ErrorKind::PermissionDenied`] in a sealed process for a path that leaves the present
 /// folder, whether or not there is such a file.
 pub fn open(path: &Path) -> io::Result<File> {
     if is_sealed() && !stays_here(path) {

@@ -160,7 +160,7 @@ pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec
 /// The text of a file of keys (TOML), which is UTF-8 by definition; `what` it is in errors.
 ///
 /// # Errors
-/// As [`read_bounded`]; [`CaseError::Data`] with line and byte if it is not UTF-8, and what it looks like.
+/// Errors of [`read_bounded`]; [`CaseError::Data`] with line and byte if it is not UTF-8, and what it looks like.
 pub fn read_keys(path: &Path, what: &'static str) -> Result<String, CaseError> {
     let bytes = read_bounded(path, what, LARGEST_KEYS)?;
     if bytes.iter().all(u8::is_ascii_whitespace) {

@@ -23,7 +23,7 @@ impl Exponents {
         Self { kilogram, metre, second, radian: 0 }
     }
 
-    /// Those of an angle.
+    /// Unit of an angle.
     const ANGLE: Self = Self { radian: 1, ..Self::new(0, 0, 0) };
 
     /// True for the unit of a quantity with exponents `own`. The radian may be left out beside other units: 1/m is

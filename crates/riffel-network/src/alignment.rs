@@ -37,7 +37,7 @@ impl Alignment {
     /// to 20 m the smallest of those that correlate best. Windows that show nothing go with the nearest that does.
     ///
     /// # Errors
-    /// Those of the files.
+    /// Errors of the files.
     pub(crate) fn of(store: &Store, survey: &SurveyRecord, reference: &SurveyRecord) -> Result<Self, NetworkError> {
         let resolution = store.resolution()?;
         let cell = |place: f64| (place / resolution).round() as i64;

@@ -44,11 +44,11 @@ pub struct SectionGrowth {
     pub expected_growth_db_per_year: Option<ExpectedGrowth>,
     /// RMS over limit at the last date.
     pub rms_over_limit: f64,
-    /// The same without single places, which grinding does not take off.
+    /// RMS over limit without single places, which grinding does not take off.
     pub lasting_over_limit: f64,
     /// What makes it rough, where it is over its limit; whether it was ground, where it is within.
     pub kind: Option<DefectKind>,
-    /// Months from the last date until the limit is reached as the level grows; 0 where it is reached, none where it does not
+    /// Months from the last date until the limit is reached as the level grows; 0 where it is reached, `None` if it does not
     /// grow by more than the surveys scatter.
     pub months_to_limit: Option<f64>,
     /// Between what months by 80 %, by the scatter of the surveys or by what is expected; an end that may never come is infinite.
@@ -102,7 +102,7 @@ impl SectionGrowth {
 /// instrument than that of the last, where both are named: what two differ by is no growth, and no day has both.
 ///
 /// # Errors
-/// Those of the files; [`NetworkError::Nothing`] where no line has two surveys.
+/// Errors of the files; [`NetworkError::Nothing`] where no line has two surveys.
 pub fn growth(
     store: &Store,
     judgement: &Judgement,
@@ -128,7 +128,7 @@ pub fn growth(
 /// Each section in each band, line by line, rail by rail and place by place.
 ///
 /// # Errors
-/// As [`growth`].
+/// Errors of [`growth`].
 pub(crate) fn growth_by_band(
     store: &Store,
     judgement: &Judgement,
@@ -352,7 +352,7 @@ fn by_others(surveys: &[SurveyRecord]) -> Option<String> {
 /// rails of other names than those before; a sentence for each line.
 ///
 /// # Errors
-/// Those of the files.
+/// Errors of the files.
 pub fn left_out_of_growth(store: &Store, between: Option<[Date; 2]>) -> Result<Vec<String>, NetworkError> {
     let names = |survey: &SurveyRecord| -> Vec<String> { survey.rails.iter().map(|rail| rail.name.clone()).collect() };
     // Names of one survey that none of the others has, with its date.

@@ -17,7 +17,7 @@ pub struct Judgement {
     pub limit: String,
     /// Bands of the store.
     pub bands: Vec<WavelengthBand>,
-    /// Limit of the RMS in each band \[m\]; none where the table says nothing.
+    /// Limit of the RMS in each band \[m\]; `None` if the table says nothing.
     limits: Vec<Option<f64>>,
     /// Share of a section that may be over its limit.
     pub(crate) share: f64,
@@ -63,7 +63,7 @@ pub(crate) struct SectionInBand {
     pub(crate) band: usize,
     /// RMS that no more than the share allowed exceeds, over its limit: a section is over it where that is above 1.
     pub(crate) ratio: f64,
-    /// The same without single places.
+    /// RMS over limit without single places.
     pub(crate) lasting: f64,
     /// Whether these are told.
     tells_places: bool,
@@ -72,7 +72,7 @@ pub(crate) struct SectionInBand {
 }
 
 impl SectionInBand {
-    /// What makes it rough; none where it is within its limit.
+    /// What makes it rough; `None` if it is within its limit.
     pub(crate) fn kind(&self) -> Option<DefectKind> {
         (self.ratio > 1.0).then_some(match (self.lasting > 1.0, self.joints) {
             _ if !self.tells_places => DefectKind::Unknown,
@@ -114,7 +114,7 @@ impl Judgement {
         })
     }
 
-    /// The same with the growth that is expected in each band of a line, or of every line: it stands beside what surveys show, and
+    /// Judgement with the growth that is expected in each band of a line, or of every line: it stands beside what surveys show, and
     /// in its place where they show nothing.
     ///
     /// # Errors

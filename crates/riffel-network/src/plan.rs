@@ -50,7 +50,7 @@ pub enum Aim {
     /// The worst sections.
     #[default]
     WorstFirst,
-    /// As much track below its limit as the money reaches.
+    /// Sections that bring as much track below its limit as the money reaches.
     MostTrack,
 }
 

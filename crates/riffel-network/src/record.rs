@@ -58,7 +58,7 @@ pub struct RailRecord {
     pub(crate) array: String,
     /// Cells that are measured, in one band or more.
     pub measured: u64,
-    /// Where its welds, joints and squats are, in order \[m\]; none where the survey does not say it.
+    /// Where its welds, joints and squats are, in order \[m\]; `None` if the survey does not say it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub defects_m: Option<Vec<f64>>,
 }

@@ -25,7 +25,7 @@ pub struct Section {
     pub rms: Vec<f64>,
     /// RMS \[m\] by which it grows: without single places where cells are short enough to tell them.
     pub(crate) growing: Vec<f64>,
-    /// The same with the cell before, with the cell behind and with both: a place that an odometer moves over an end is in it then.
+    /// RMS \[m\] by which it grows, with the cell before, with the cell behind and with both: a place that an odometer moves over an end is in it then.
     pub(crate) growing_around: Vec<[f64; 3]>,
     /// RMS of its cells in each band \[m\] that no more than a share of them exceed: by this a section is over its limit or
     /// within.
@@ -63,7 +63,7 @@ impl Sections {
         Self::placed(store, survey, rail, length, SHARE, &Alignment::default(), None)
     }
 
-    /// The same with the share that may be rougher, with places moved to those of another survey, and of cells between two places alone.
+    /// Sections with the share that may be rougher, with places moved to those of another survey, and of cells between two places alone.
     pub(crate) fn placed(
         store: &Store,
         survey: &SurveyRecord,

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Longest single place \[m\]: corrugation of the shortest waves lasts for tens of them.
 pub(crate) const LONGEST_PLACE: f64 = 2.0;
-/// The same of one that the survey names: its filters ring beside it, and cells cut it in three.
+/// Longest single place that the survey names \[m\]: its filters ring beside it, and cells cut it in three.
 const LONGEST_NAMED: f64 = 4.0;
 /// How wide it may seem in metres or in cells, as its energy over its highest mean square: a place of 2 m, or one that the edges of cells
 /// cut in halves, with a little noise.

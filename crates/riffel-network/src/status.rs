@@ -30,14 +30,14 @@ pub struct LineStatus {
     pub ends_m: [f64; 2],
     /// Length that is measured of each rail by the latest \[m\].
     pub measured_m: Vec<(String, f64)>,
-    /// RMS over all that is measured by the latest, in each band \[m\]; none where nothing is.
+    /// RMS over all that is measured by the latest, in each band \[m\]; `None` if nothing is.
     pub rms_m: Vec<Option<f64>>,
 }
 
 /// Lines, dates, kilometres and the RMS of the latest survey.
 ///
 /// # Errors
-/// Those of the files.
+/// Errors of the files.
 pub fn status(store: &Store) -> Result<Status, NetworkError> {
     let (resolution, bands) = (store.resolution()?, store.bands()?);
     let surveys = store.surveys()?;

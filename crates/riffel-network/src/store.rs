@@ -134,7 +134,7 @@ impl Store {
         Ok(record)
     }
 
-    /// RMS \[m\] of a chunk of cells of a rail, band by band; none where nothing is known.
+    /// RMS \[m\] of a chunk of cells of a rail, band by band; `None` if nothing is known.
     pub(crate) fn chunk(
         &self,
         survey: &SurveyRecord,

@@ -72,7 +72,7 @@ impl StripChart {
     /// each. Memory: a row for each section of each survey.
     ///
     /// # Errors
-    /// Those of the files; [`NetworkError::Value`] for a line or rail that the store does not have, and a section shorter than a
+    /// Errors of the files; [`NetworkError::Value`] for a line or rail that the store does not have, and a section shorter than a
     /// cell.
     pub fn new(
         store: &Store,

@@ -45,7 +45,7 @@ impl Store {
     /// The latest survey of each line, or the latest up to a day.
     ///
     /// # Errors
-    /// As [`surveys`](Self::surveys).
+    /// Errors of [`surveys`](Self::surveys).
     pub fn latest(&self, until: Option<Date>) -> Result<Vec<SurveyRecord>, NetworkError> {
         let mut latest: Vec<SurveyRecord> = Vec::new();
         let surveys = self.surveys()?.into_iter();

@@ -8,7 +8,7 @@ const REPEATED: f64 = 7.0 / 365.2425;
 const LEAST_SCATTER: f64 = 0.5;
 /// Standard deviations of an interval of 95 %.
 const INTERVAL: f64 = 2.0;
-/// The same of one end of 80 %.
+/// Standard deviations of one end of an interval of 80 %.
 const OF_80: f64 = 1.281_551_565_545;
 /// Standard deviation over the median deviation of a normal distribution.
 const OF_MEDIAN: f64 = 1.4826;

@@ -42,7 +42,7 @@ pub struct WorstPlace {
 /// ahead as they grow; then those over it by joints and other single places; then all others.
 ///
 /// # Errors
-/// Those of the files; [`NetworkError::Value`] for a section shorter than a cell.
+/// Errors of the files; [`NetworkError::Value`] for a section shorter than a cell.
 pub fn worst(
     store: &Store,
     judgement: &Judgement,

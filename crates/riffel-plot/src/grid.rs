@@ -16,7 +16,7 @@ impl Grid {
         self.values[j * self.x.len() + i]
     }
 
-    /// The same map with at most `limit` points along each axis, first and last point kept.
+    /// Map with at most `limit` points along each axis, first and last point kept.
     pub(crate) fn thinned(&self, limit: usize) -> Grid {
         let columns = thinned_indices(self.x.len(), limit);
         let rows = thinned_indices(self.y.len(), limit);

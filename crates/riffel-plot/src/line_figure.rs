@@ -114,12 +114,12 @@ impl Series {
         Self { label: label.into(), x, y, ..Self::default() }
     }
 
-    /// The same in a style.
+    /// Curve in a style.
     pub fn styled(self, style: LineStyle) -> Self {
         Self { style, ..self }
     }
 
-    /// The same in a colour.
+    /// Curve in a colour.
     pub fn colored(self, color: Rgb) -> Self {
         Self { color: Some(color), ..self }
     }
@@ -140,7 +140,7 @@ impl LineFigure {
         }
     }
 
-    /// The same with its panels arranged otherwise.
+    /// Figure with its panels arranged otherwise.
     pub fn arranged(self, arrangement: Arrangement) -> Self {
         Self { arrangement, ..self }
     }
@@ -168,12 +168,12 @@ impl LinePanel {
         }
     }
 
-    /// The same below some words.
+    /// Panel with a line of words above it.
     pub fn titled(self, subtitle: impl Into<String>) -> Self {
         Self { subtitle: subtitle.into(), ..self }
     }
 
-    /// The same on axes of a spacing each.
+    /// Panel with a spacing for each axis.
     pub fn scaled(self, x_scale: Scale, y_scale: Scale) -> Self {
         Self { x_scale, y_scale, ..self }
     }

@@ -163,7 +163,7 @@ impl MapPanel {
         Grid { x: self.wavelength_m.clone(), y: self.speed_m_per_s.clone(), values: self.values.clone() }
     }
 
-    /// The steps of the colours, none where nothing grows.
+    /// The steps of the colours, `None` if nothing grows.
     pub(crate) fn steps(&self) -> Option<Steps> {
         let least = self.scale_end.or_else(|| self.strongest_growth());
         Steps::new(least, self.level_count)

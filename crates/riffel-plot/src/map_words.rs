@@ -7,7 +7,7 @@ pub struct MapWords {
     pub wavelength: String,
     /// The axis of speeds on the left \[km/h\].
     pub speed_km_per_h: String,
-    /// The same on the right \[m/s\].
+    /// Axis of speeds on the right \[m/s\].
     pub speed_m_per_s: String,
     /// Marks of the ridge.
     pub ridge: String,

@@ -28,7 +28,7 @@ pub(crate) fn interruptible<T: Send + 'static>(
     done.ok_or_else(ended)
 }
 
-/// The same for work that keeps what it has before it ends: after a signal it is asked to `stop`.
+/// Result of work that keeps what it has before it ends: after a signal it is asked to `stop`.
 ///
 /// A thread of rayon and not of its own: work in parallel begins there anyway, and is not handed on once more.
 pub(crate) fn stoppable<T: Send + 'static>(

@@ -123,7 +123,7 @@ fn typical_step(positions: &[f64]) -> (f64, bool) {
 struct Unevenness {
     /// Root mean square of the distances from local straight lines, over the step.
     deviation: f64,
-    /// The same where it comes of rounding alone.
+    /// Root mean square of the distances that come of rounding alone.
     rounding: f64,
     /// Ratio of long to short local steps.
     along: f64,

@@ -136,7 +136,7 @@ pub(super) fn day_numbers<'a>(head: &str, mut cells: impl Iterator<Item = &'a st
 }
 
 impl NoDate {
-    /// The same with the head of its column, if it has one.
+    /// Column with its head, if it has one.
     pub(super) fn of(self, head: &str) -> Self {
         let message = match head {
             "" => self.message,

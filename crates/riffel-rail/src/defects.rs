@@ -53,7 +53,7 @@ impl RoughnessFile {
 }
 
 impl Record {
-    /// As [`RoughnessFile::without_defects`].
+    /// Rail of [`RoughnessFile::without_defects`].
     pub fn without_defects(mut self) -> Self {
         let clean = |rail: &mut Rail| {
             let clean = CleanRail::new(std::mem::take(&mut rail.stretches));

@@ -29,7 +29,7 @@ impl GroundRail {
     /// The levels of a limit table, such as those that grinding has to meet, by name or file.
     ///
     /// # Errors
-    /// Those of [`LimitTable::find`], and for a table that is not one of levels.
+    /// Errors of [`LimitTable::find`], and for a table that is not one of levels.
     pub fn of_table(name: &str) -> Result<Self, CaseError> {
         let table = LimitTable::find(name)?;
         match table.limit {

@@ -92,7 +92,7 @@ impl LimitTable {
     /// The tables of some names, each as by [`find`](Self::find); without names all that come with Riffel.
     ///
     /// # Errors
-    /// Those of [`find`](Self::find).
+    /// Errors of [`find`](Self::find).
     pub fn named(names: &[String]) -> Result<Vec<Self>, CaseError> {
         match names {
             [] => Ok(Self::all()),

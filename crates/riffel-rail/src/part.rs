@@ -95,7 +95,7 @@ impl Record {
     /// This part of the record.
     ///
     /// # Errors
-    /// As [`RecordPart::of_rails`].
+    /// Errors of [`RecordPart::of_rails`].
     pub fn part(mut self, path: &Path, part: &RecordPart) -> Result<Self, CaseError> {
         if let Some(name) = &part.rail {
             // Columns are in the order of the rails, again for each record.
@@ -129,7 +129,7 @@ impl RoughnessFile {
     /// This part of what the file holds.
     ///
     /// # Errors
-    /// As [`RecordPart::of_rails`]; also for a rail of a table that does not name its rails, or a place in a
+    /// Errors of [`RecordPart::of_rails`]; also for a rail of a table that does not name its rails, or a place in a
     /// table.
     pub fn part(self, path: &Path, part: &RecordPart) -> Result<Self, CaseError> {
         match self {
@@ -146,7 +146,7 @@ impl RecordPart {
     /// The spectra of the rail.
     ///
     /// # Errors
-    /// As [`RoughnessFile::part`].
+    /// Errors of [`RoughnessFile::part`].
     pub fn of_spectra(&self, path: &Path, spectra: Vec<LabelledSpectrum>) -> Result<Vec<LabelledSpectrum>, CaseError> {
         if let Some((name, position)) =
             [("--from", self.from), ("--to", self.to)].into_iter().find_map(|(name, position)| Some((name, position?)))

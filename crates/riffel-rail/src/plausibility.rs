@@ -71,7 +71,7 @@ pub fn unlike_a_rail(rails: &[Rail]) -> Option<Message> {
     Some(refusal.message)
 }
 
-/// The same of one-third-octave levels \[dB re 1 µm\].
+/// Message on one-third-octave levels \[dB re 1 µm\] that are unlike a rail.
 pub fn levels_unlike_a_rail(levels: impl Iterator<Item = f64>) -> Option<Message> {
     let refusal = check_levels(levels).err()?;
     Some(refusal.message)

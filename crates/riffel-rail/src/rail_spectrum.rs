@@ -5,7 +5,7 @@ use riffel::roughness::Spectrum;
 /// The levels of a rail.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RailSpectrum {
-    /// Its name; none where rails are not named.
+    /// Its name; `None` if rails are not named.
     pub rail: Option<String>,
     /// Its levels now.
     pub spectrum: Spectrum,

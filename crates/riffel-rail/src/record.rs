@@ -158,7 +158,7 @@ fn size(column: &Column) -> f64 {
 struct Labelled {
     /// What tells its rails from those of other records; empty where there is one only.
     rail: String,
-    /// The same with the date, where there are several.
+    /// Words that tell its rails apart, with the date if there are several.
     words: String,
     date: Option<Date>,
     rows: NumberRows,
@@ -383,7 +383,7 @@ impl RailReader<'_> {
         (stretch.start - length, heights)
     }
 
-    /// The same, resampled in even steps.
+    /// First position and heights \[m\], resampled in even steps.
     fn assemble_uneven(&self, stretch: &Stretch, positions: &[f64]) -> (f64, Vec<f64>) {
         let rows = || stretch.rows.iter().flat_map(|(_, rows)| rows.clone());
         let mut places: Vec<f64> = rows().map(|row| positions[row]).collect();

@@ -19,7 +19,7 @@ use crate::refusal::Refusal;
 const WAVELENGTH: &str = "wavelength|lambda|λ|wellenlaenge|wellenlänge|longueur|longitud|lunghezza|golflengte";
 /// Names of the column of levels.
 const LEVEL: &str = "level|db|pegel|niveau|roughness";
-/// Names of what lies about the levels of a rail, and is none where there are others.
+/// Names of what lies about the levels of a rail, and is no level if there are others.
 const EXTREME: &str = "min|max|minimum|maximum";
 
 /// Where a table of spectra has its wavelengths and levels.

@@ -24,13 +24,13 @@ pub struct WheelRoughness {
 }
 
 impl WheelRoughness {
-    /// The table of a name; none where no table has it.
+    /// The table of a name; `None` if no table has it.
     pub fn find(name: &str) -> Option<Self> {
         let mut tables = Self::all().into_iter();
         tables.find(|table| table.name.eq_ignore_ascii_case(name))
     }
 
-    /// The levels of the table of a name, or else of a file, with what they are called; none where there is neither.
+    /// The levels of the table of a name, or else of a file, with what they are called; `None` if there is neither.
     ///
     /// # Errors
     /// [`CaseError`] for a file that holds no roughness.

@@ -56,7 +56,7 @@ impl Study {
     /// A study from the text of a plan with a case in another place than the plan says.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn parse(name: &str, text: &str, case: &Path) -> Result<Self, StudyError> {
         Self::of(Plan::parse(name, text, case)?)
     }

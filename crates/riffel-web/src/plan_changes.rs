@@ -13,7 +13,7 @@ use crate::fault::Fault;
 const CHAINS: i64 = 4;
 const WARMUP: i64 = 500;
 const DRAWS: i64 = 1500;
-/// The same draws each time.
+/// Seed of the draws, one for all times.
 const SEED: i64 = 1;
 
 /// What is changed of a plan.

@@ -19,7 +19,7 @@ const MOST_WAITING: usize = 128;
 /// Time for one request, waiting included.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 
-/// The same for work on files, which takes longer.
+/// Most requests that wait for work on files, which takes longer.
 const MOST_FILES_WAITING: usize = 8;
 const FILE_TIME_LIMIT: Duration = Duration::from_secs(600);
 

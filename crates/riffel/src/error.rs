@@ -44,7 +44,7 @@ pub enum Error {
         quantity: &'static str,
         /// Its value \[-\].
         value: f64,
-        /// The same quantity at the maximum \[-\].
+        /// Value of the quantity at the maximum \[-\].
         maximum: f64,
     },
 

@@ -28,7 +28,7 @@ impl MeanWear {
         self.depth * Self::HUNDRED_MILLION_TONNES / self.axle_mass
     }
 
-    /// Amplitude \[m\] beyond which a growth rate per passage cannot last; none where nothing grows.
+    /// Amplitude \[m\] beyond which a growth rate per passage cannot last; `None` if nothing grows.
     pub fn amplitude_limit(self, growth_rate: f64) -> Option<f64> {
         (growth_rate > 0.0 && self.bounds_growth).then(|| self.depth / growth_rate)
     }

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 /// first-level cache.
 pub const TILE: usize = 64;
 
-/// As many real numbers.
+/// Real numbers of one tile.
 pub type Tile = [f64; TILE];
 
 /// A tile of complex numbers as two tiles of real ones, which vector instructions read without

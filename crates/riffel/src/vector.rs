@@ -2,7 +2,7 @@
 
 use pulp::{Arch, Simd, WithSimd, bytemuck};
 
-/// As many complex numbers as a vector register has lanes, their parts apart.
+/// Complex numbers, as many as a vector register has lanes, their parts apart.
 #[derive(Clone, Copy)]
 pub(crate) struct Vector<S: Simd> {
     pub(crate) re: S::f64s,
@@ -19,7 +19,7 @@ impl<S: Simd> Vector<S> {
         S::as_simd_f64s(values).0.as_chunks().0
     }
 
-    /// The same to write to.
+    /// Row of parts to write to.
     #[inline(always)]
     pub(crate) fn row_mut(values: &mut [f64]) -> &mut [Parts<S>] {
         S::as_mut_simd_f64s(values).0.as_chunks_mut().0

@@ -18,7 +18,7 @@ pub struct EnergyWear {
     coefficient: f64,
     density: f64,
     width: f64,
-    /// How a coefficient changes about the mean state; none where wear is in proportion to energy alone.
+    /// How a coefficient changes about the mean state; `None` if wear is in proportion to energy alone.
     regime: Option<WearRegime>,
 }
 
@@ -78,7 +78,7 @@ impl EnergyWear {
         Self { regime: Some(regime), ..self }
     }
 
-    /// How its wear answers beside energy; none where it is in proportion to energy alone.
+    /// How its wear answers beside energy; `None` if it is in proportion to energy alone.
     pub(crate) fn regime(&self) -> Option<WearRegime> {
         self.regime
     }

@@ -11,8 +11,8 @@ use crate::{EnergyWear, Error, HertzContact, STEEL_DENSITY};
 /// How regimes of wear meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WearCorners {
-    /// As twin discs are drawn (the USFD law): a slope, a plateau, a slope. On the plateau a wave is answered by its load alone,
-    /// h₁/h₀ = ⅔P₁/P₀.
+    /// Corners as results of twin discs are drawn (the USFD law): a slope, a plateau, a slope. On the plateau a wave is answered by
+    /// its load alone, h₁/h₀ = ⅔P₁/P₀.
     Sharp,
     /// The corner at 10.4 N/mm² by a fourth power, that at 77.2 over 5 N/mm².
     Rounded,

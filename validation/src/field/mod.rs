@@ -73,7 +73,7 @@ pub struct SiteDocument {
     /// With the wave's own geometry, if the case has it.
     #[serde(flatten)]
     pub predicted: Predicted,
-    /// The same without the wave's own geometry.
+    /// Prediction without the wave's own geometry.
     pub without_wave_geometry: Predicted,
     /// Nothing must grow there.
     pub null_case: bool,

@@ -46,7 +46,7 @@ pub struct AxleBoxRequest {
 }
 
 impl Default for AxleBoxRequest {
-    /// As [`RunSettings::at_rate`], in blocks of 10 m.
+    /// Settings of [`RunSettings::at_rate`], in blocks of 10 m.
     fn default() -> Self {
         let run = RunSettings::at_rate(1.0);
         Self {
@@ -141,7 +141,7 @@ pub struct AxleBoxAnswer {
     pub wheels: Vec<WheelMark>,
     /// What the reader should know.
     pub remarks: Vec<Message>,
-    /// Those of the case, for the figure.
+    /// Parameters of the case, for the figure.
     #[serde(skip)]
     parameters: String,
     #[serde(skip)]

@@ -49,7 +49,7 @@ pub(super) type Piece = (usize, FeltProfile, Option<WheelPattern>);
 /// rail are compared, but for one that is a multiple of another, which is no second axle box.
 ///
 /// # Errors
-/// Those of [`WheelPattern::take_off`].
+/// Errors of [`WheelPattern::take_off`].
 pub(super) fn taken_off(
     case: &Case,
     finished: Vec<(usize, FeltProfile)>,

@@ -31,7 +31,7 @@ pub struct Comparison {
 pub struct Outcome {
     /// Its title.
     pub title: String,
-    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay, or the variant gives
+    /// What the variant holds of the mean state, by vehicle: each kind once; empty if friction and load stay, or the variant gives
     /// the mean state itself; told as [`held_name`](Self::held_name).
     #[serde(rename = "hold", serialize_with = "held_name")]
     pub held: Vec<Hold>,
@@ -47,7 +47,7 @@ pub struct Outcome {
     /// Relative to the case as it is; null where that does not grow, or the variant does not act.
     change_of_fastest_growth: Option<f64>,
     /// Frequency \[Hz\] that the strongest branch of the ridge follows, for the wheel of the case over the speeds of
-    /// its map; none where nothing grows.
+    /// its map; `None` if nothing grows.
     #[serde(rename = "ridge_frequency_hz")]
     pub ridge_frequency: Option<f64>,
     ridge_highest: Option<HighestOfRidge>,
@@ -78,7 +78,7 @@ pub struct Outcome {
     /// case as it is, and there are no rails.
     #[serde(skip)]
     pub untold: bool,
-    /// The rails under this traffic, the one that leads first; none where no spectrum was given.
+    /// The rails under this traffic, the one that leads first; empty if no spectrum was given.
     #[serde(skip)]
     pub rails: Vec<RailForecast>,
 }
@@ -303,12 +303,12 @@ impl Outcome {
         }
     }
 
-    /// The rail that leads, see [`RailForecast::of_rails`]; none where no spectrum was given.
+    /// The rail that leads, see [`RailForecast::of_rails`]; `None` if no spectrum was given.
     pub fn leading(&self) -> Option<&RailForecast> {
         self.rails.first()
     }
 
-    /// When the rail that leads reaches the limit; none where no spectrum or no limit was given.
+    /// When the rail that leads reaches the limit; `None` if no spectrum or no limit was given.
     pub fn reach(&self) -> Option<Reach> {
         self.leading()?.reach
     }
@@ -335,7 +335,7 @@ impl Outcome {
         name_of(&self.held)
     }
 
-    /// Change of the fastest growth from that of the case as it is, as a part of it; none where that does not grow
+    /// Change of the fastest growth from that of the case as it is, as a part of it; `None` if that does not grow
     /// or this does not act, or is not told.
     pub fn change_from(&self, base: &Self) -> Option<f64> {
         (base.fastest.rate > 0.0 && self.effect.acts() && !self.untold)

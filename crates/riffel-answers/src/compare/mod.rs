@@ -43,7 +43,7 @@ pub struct CompareRequest {
     pub ground: Option<GroundRail>,
     /// The limit of levels, with the table it is from.
     pub limit: (LimitTable, LevelLimit),
-    /// The same over the draws of a calibration, where one was given.
+    /// Comparison over the draws of a calibration, if one was given.
     pub over_posterior: Option<OverPosterior>,
 }
 
@@ -51,7 +51,7 @@ pub struct CompareRequest {
 #[derive(Serialize)]
 pub struct CompareAnswer {
     riffel_version: &'static str,
-    /// As it is.
+    /// Case without any variant.
     #[serde(serialize_with = "inputs")]
     case: Case,
     /// Speeds of the traffic, or its title, in words.
@@ -69,10 +69,10 @@ pub struct CompareAnswer {
     /// The outcomes, the case as it is first.
     #[serde(flatten)]
     pub comparison: Comparison,
-    /// The same over the draws of a calibration, where one was given.
+    /// Comparison over the draws of a calibration, if one was given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub over_posterior: Option<OverPosterior>,
-    /// How well the wear coefficient is known that growth goes by; none where other damage has a part.
+    /// How well the wear coefficient is known that growth goes by; `None` if other damage has a part.
     #[serde(skip)]
     pub wear_spread: Option<WearSpread>,
     /// What was asked to be held.
@@ -234,7 +234,7 @@ impl CompareAnswer {
         self.leading().and_then(own).into_iter().collect()
     }
 
-    /// The rail that leads in the case as it is; none where no spectrum was given.
+    /// The rail that leads in the case as it is; `None` if no spectrum was given.
     pub fn leading(&self) -> Option<&RailForecast> {
         self.comparison.base().leading()
     }

@@ -9,7 +9,7 @@ use crate::{OverPosterior, PosteriorDraws, Result};
 /// Every variant in every draw, under the traffic of the calibration, or else that of the request.
 ///
 /// # Errors
-/// Those of [`CompareAnswer::new`].
+/// Errors of [`CompareAnswer::new`].
 pub fn compare_over(
     draws: &PosteriorDraws,
     request: &CompareRequest,
@@ -24,7 +24,7 @@ pub fn compare_over(
     })
 }
 
-/// The same in sentences, of each variant.
+/// Sentences on each variant over the draws.
 pub(super) fn in_words(answer: &CompareAnswer, over: &OverPosterior) -> Vec<Message> {
     let mut sentences = Vec::new();
     for (place, outcome) in answer.comparison.outcomes.iter().enumerate() {

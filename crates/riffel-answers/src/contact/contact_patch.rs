@@ -22,9 +22,9 @@ pub struct ContactPatch {
 struct SteadyForces {
     /// Along and across the rail.
     force_n: [f64; 2],
-    /// None where the law does not tell it.
+    /// `None` if the law does not tell it.
     spin_moment_nm: Option<f64>,
-    /// With the work of the spin moment; none where there is spin and the law does not tell it.
+    /// With the work of the spin moment; `None` if there is spin and the law does not tell it.
     dissipation_j_per_m: Option<f64>,
 }
 

@@ -34,7 +34,7 @@ pub struct CurveQuestion {
 }
 
 impl CurveQuestion {
-    /// The radii that are listed \[m\]; none where none are.
+    /// The radii that are listed \[m\]; `None` if none are.
     fn radii(&self, case: &CurvingCase) -> Result<Option<Vec<f64>>> {
         let wrong = |value: String, rule: String| AnswerError::argument("--radius", value, rule);
         let listed: Vec<f64> = self.radius.iter().map(AsWritten::si).collect();
@@ -128,7 +128,7 @@ impl CurveAnswer {
         Ok(answer)
     }
 
-    /// The same with the vehicle of the case, which takes most of the time, in its own curve alone.
+    /// Answer for the vehicle of the case, which takes most of the time, in its own curve alone.
     ///
     /// # Errors
     /// [`CaseError`] where no equilibrium is found.

@@ -26,7 +26,7 @@ impl DecideAnswer {
     /// Rank the actions of a plan over its chains.
     ///
     /// # Errors
-    /// Those of [`Decision::of`].
+    /// Errors of [`Decision::of`].
     pub fn new(plan: &Plan, chains: &Chains) -> Result<Self, CalibrationError> {
         let doubts = chains.summary(plan).doubts().len();
         let cost = plan.file.cost.as_ref();

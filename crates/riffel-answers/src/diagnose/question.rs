@@ -36,7 +36,7 @@ impl DiagnoseQuestion {
     /// The diagnosis of the roughness.
     ///
     /// # Errors
-    /// Those of [`DiagnosedRail::diagnosis`], and [`AnswerError::Case`] with the case at fault.
+    /// Errors of [`DiagnosedRail::diagnosis`], and [`AnswerError::Case`] with the case at fault.
     pub(crate) fn diagnosis(&self, asker: &dyn Asker) -> Result<Diagnosis> {
         let case = self.case.read(asker)?;
         let file = self.roughness.value(|path| self.rail.layout.read(path, asker))?;

@@ -20,7 +20,7 @@ pub struct Sideband {
 }
 
 impl Sideband {
-    /// As a sideband of the nearest higher wave on the same length of rail, if it may be one.
+    /// Sideband of the nearest higher wave on the same length of rail, if this wave may be one.
     pub(super) fn new(one: &Measured, all: &[Measured], mechanisms: &[Mechanism]) -> Option<Self> {
         let spacing = mechanisms.iter().find_map(|mechanism| match (mechanism.kind, &mechanism.prediction) {
             (MechanismKind::SupportSpacing, Prediction::Orders { length, .. }) => Some(*length),

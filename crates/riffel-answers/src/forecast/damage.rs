@@ -15,7 +15,7 @@ pub struct HardenedWave {
     pub wavelength_m: f64,
     /// −D_h Re(u₁/Δ) of its line that comes nearest to running away: above one that outgrows hardening.
     pub runaway_number: f64,
-    /// What flow multiplies the band by until it rests; none where it runs away.
+    /// What flow multiplies the band by until it rests; `None` if it runs away.
     pub hardened_wave_ratio: Option<f64>,
 }
 
@@ -34,7 +34,7 @@ pub struct CrackedWave {
     pub wear_m_per_passage: f64,
     /// What a crack grows by in a passage now, less the wear.
     pub crack_growth_m_per_passage: f64,
-    /// The same in a month, where the traffic says how much of it there is.
+    /// Growth of the crack in a month, if the traffic says how much of it there is.
     pub crack_growth_mm_per_month: Option<f64>,
     /// Length of a crack at the end of the forecast that begins with none.
     pub crack_length_m: f64,
@@ -45,7 +45,7 @@ fn nominal(band: &ForecastBand) -> f64 {
 }
 
 impl HardenedWave {
-    /// Those of all bands in which something flows and hardens.
+    /// Damage of all bands in which something flows and hardens.
     pub fn all(forecast: &Forecast) -> Vec<Self> {
         let waves = forecast.bands().iter().filter_map(|band| {
             let end = band.hardening()?;
@@ -86,7 +86,7 @@ impl HardenedWave {
 }
 
 impl CrackedWave {
-    /// Those of all bands after some passages; empty where fatigue is not among the laws.
+    /// Cracks of all bands after some passages; empty if fatigue is not among the laws.
     pub fn all(forecast: &Forecast, on: &TrafficOnCase, passages: f64) -> Vec<Self> {
         let per_month = on.passages_per_month();
         let bands = forecast.bands().iter();

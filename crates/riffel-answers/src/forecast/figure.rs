@@ -76,7 +76,7 @@ pub(super) fn figure(answer: &TrackForecast, case: &Case, language: Language) ->
         .arranged(Arrangement::Stacked)
 }
 
-/// Length of cracks over the passages at the phases of the wave where they become longest; none where none
+/// Length of cracks over the passages at the phases of the wave where they become longest; `None` if none
 /// grows.
 fn crack_panel(answer: &TrackForecast, until: f64, language: Language) -> Option<LinePanel> {
     const STEPS: u32 = 24;

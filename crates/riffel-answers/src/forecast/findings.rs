@@ -31,7 +31,7 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
 }
 
 impl TrackForecast {
-    /// Between how many months the leading rail reaches its limit by 80 %; none where it is over it now or never reaches it.
+    /// Between how many months the leading rail reaches its limit by 80 %; `None` if it is over it now or never reaches it.
     pub(crate) fn months_80(&self) -> Option<[f64; 2]> {
         let rail = self.leading();
         let crossings = self.crossings(rail);

@@ -84,10 +84,10 @@ pub struct TrackForecast {
     pub date: Option<Date>,
     /// The wear coefficient of two measurements, where there is an earlier one.
     pub wear: Option<WearReport>,
-    /// How well the wear coefficient is known that growth goes by; none where growth goes by what was measured, or by other damage
+    /// How well the wear coefficient is known that growth goes by; `None` if growth goes by what was measured, or by other damage
     /// than wear.
     pub wear_spread: Option<WearSpread>,
-    /// That no rail is known to wear as the case does; none where growth goes by what was measured.
+    /// That no rail is known to wear as the case does; `None` if growth goes by what was measured.
     unlikely_wear: Option<Message>,
     /// Why the records do not tell how the rails grow, where they might.
     pub without_growth: Option<Message>,

@@ -24,7 +24,7 @@ impl PosteriorForecast {
     /// The forecast of a plan over its chains, so many months from the last date on.
     ///
     /// # Errors
-    /// Those of [`Forecast::of`].
+    /// Errors of [`Forecast::of`].
     pub fn new(
         plan: &Plan,
         chains: &Chains,

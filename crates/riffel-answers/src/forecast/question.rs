@@ -76,7 +76,7 @@ impl ForecastQuestion {
     /// Forecast without a fit of the wear coefficient and without the effect of each spread; a rail may be ground to the limit itself.
     ///
     /// # Errors
-    /// Those of [`answer_on`](Self::answer_on).
+    /// Errors of [`answer_on`](Self::answer_on).
     pub fn forecast_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
         Ok(self.dated_on(case, |limit| self.ground.at_most(limit, asker), false, asker)?.0)
     }
@@ -131,10 +131,10 @@ impl ForecastQuestion {
         Ok(Arc::unwrap_or_clone(traffic.value(Traffic::read)?))
     }
 
-    /// The same of the case that is to be read, told.
+    /// Answer for the case that is still to be read.
     ///
     /// # Errors
-    /// Those of [`answer_on`](Self::answer_on).
+    /// Errors of [`answer_on`](Self::answer_on).
     pub(crate) fn told(&self, asker: &dyn Asker) -> Result<ForecastAnswer> {
         let case = self.case.read(asker)?;
         let spectrum = self.spectra.spectrum.as_ref().map(|spectrum| spectrum.name().display().to_string());

@@ -66,7 +66,7 @@ impl RailStart {
     }
 
     /// Why no months follow from how the rail grows under a traffic: as the model says, that oscillates by itself or grows faster than
-    /// any railway known. None where they do.
+    /// any railway known. `None` if they do.
     pub(crate) fn without_time(&self, forecast: &Forecast, on: &TrafficOnCase) -> Option<Message> {
         if self.growth.is_some() {
             return None;
@@ -77,7 +77,7 @@ impl RailStart {
 }
 
 /// Why no months follow from some growth rates of a model under a traffic: its loop oscillates by itself, or one is faster than any
-/// railway known. None where they do.
+/// railway known. `None` if they do.
 pub(crate) fn rates_without_time(on: &TrafficOnCase, mut rates: impl Iterator<Item = f64>) -> Option<Message> {
     if let Some(frequency) = on.unstable {
         return Some(say!(rates_of_unstable_loop, frequency = fixed(frequency, 0)));
@@ -100,7 +100,7 @@ impl RailStart {
             .or_else(|| survey.without_common_instrument())
     }
 
-    /// The same of records of which it is known alone whether they have dates.
+    /// Reason why records tell of no rail how it grows, if it is only known whether they have dates.
     pub(crate) fn without_dates(
         starts: &[Self],
         has_dates: bool,
@@ -161,7 +161,7 @@ pub struct RailForecast {
     pub start: RailStart,
     /// Its forecast.
     pub forecast: Forecast,
-    /// When its first band reaches the limit; none where no limit was given.
+    /// When its first band reaches the limit; `None` if no limit was given.
     pub reach: Option<Reach>,
 }
 
@@ -207,7 +207,7 @@ impl RailForecast {
         Ok(found)
     }
 
-    /// Why no months follow from how the rail grows under a traffic; none where they do.
+    /// Why no months follow from how the rail grows under a traffic; `None` if they do.
     pub fn without_time(&self, on: &TrafficOnCase) -> Option<Message> {
         self.start.without_time(&self.forecast, on)
     }
@@ -223,14 +223,14 @@ impl RailForecast {
     }
 
     /// The band that grows fastest on it as it was measured, and what part of that a model has there, within a tenth of the wavelength;
-    /// none where no growth was measured, or the case is of the other rail.
+    /// `None` if no growth was measured, or the case is of the other rail.
     pub(super) fn model_beside(&self, model: &TrafficGrowth) -> Option<(&MeasuredBand, f64)> {
         let own = self.grown().filter(|_| self.start.is_of_case)?;
         let near = model.fastest_near(own.band.wavelength())?;
         Some((own, DECIBELS * near / own.slope))
     }
 
-    /// The band that grows fastest on it as it was measured; none where none grows, or no growth was measured.
+    /// The band that grows fastest on it as it was measured; `None` if none grows, or no growth was measured.
     fn grown(&self) -> Option<&MeasuredBand> {
         let fastest = self.start.growth.as_ref()?.fastest();
         fastest.filter(|own| own.slope > 0.0)

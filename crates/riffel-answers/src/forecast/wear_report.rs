@@ -87,7 +87,7 @@ impl WearReport {
     /// several rails that of the case, or else the one that leads under a limit. It begins where that rail was last ground.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn since(
         oldest: &Survey,
         places: Option<&[Survey; 2]>,

@@ -79,7 +79,7 @@ impl ObservationCount {
         Self { count: observations.len(), outside_window: observations.iter().filter(outside).count() }
     }
 
-    /// As in "3 observations, 1 outside the map".
+    /// Number of observations in words, "3 observations, 1 outside the map".
     fn sentence(self) -> Message {
         let all = say!(so_many_observations, count = self.count);
         match self.outside_window {
@@ -170,7 +170,7 @@ impl MapAnswer {
         }
     }
 
-    /// The same with what was observed on it.
+    /// Map with what was observed on it.
     #[must_use]
     pub fn with_observations(self, marks: Vec<Observation>) -> Self {
         Self { observations: Some(ObservationCount::new(&self.case, &marks)), marks, ..self }

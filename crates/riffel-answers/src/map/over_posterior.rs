@@ -22,7 +22,7 @@ pub fn growth_over(draws: &PosteriorDraws, progress: &(dyn Fn(usize) + Sync)) ->
     })
 }
 
-/// The same in sentences.
+/// Sentences on the growth over the draws.
 pub fn growth_in_words(growth: &OverPosterior) -> Vec<Message> {
     let number = |name: &str| growth.number(&format!("under_traffic.fastest.{name}"));
     let rate = number("growth_rate_per_passage");

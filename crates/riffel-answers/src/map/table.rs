@@ -48,7 +48,7 @@ const OUTPUTS: [MapOutput; 3] = [
 /// One row for each point of the map; `progress` is told of each speed that is written.
 ///
 /// # Errors
-/// Those of the file.
+/// Errors of the file.
 pub fn map_csv(map: &GrowthMap, file: &mut impl Write, progress: impl Fn(usize)) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     let outputs = OUTPUTS.iter().map(|output| output.column);

@@ -294,7 +294,7 @@ impl ModelGrowth {
 }
 
 impl ComplexPlane {
-    /// Over the frequencies \[Hz\] at one speed \[m/s\], both ends included; none where supports are not discrete.
+    /// Over the frequencies \[Hz\] at one speed \[m/s\], both ends included; `None` if supports are not discrete.
     fn of(on: &ModelOnCase, [lowest, highest]: [f64; 2], speed: f64) -> Option<Self> {
         let places = on.over_support_and_mid_span()?;
         let step = (highest - lowest) / (PLANE_POINTS - 1) as f64;

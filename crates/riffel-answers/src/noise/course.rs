@@ -25,14 +25,14 @@ pub struct Course {
     pub total_dba: Vec<f64>,
     /// Highest level that is allowed \[dB(A)\].
     pub limit_dba: Option<f64>,
-    /// Months until the level reaches the limit; none where it does not.
+    /// Months until the level reaches the limit; `None` if it does not.
     pub months_to_limit: Option<f64>,
     /// The time looked ahead goes beyond the linear range of growth, where the course ends.
     pub beyond_linear_range: bool,
 }
 
 impl Course {
-    /// The level of a train while the rail changes under traffic, none where no months follow from how it grows, and remarks on its
+    /// The level of a train while the rail changes under traffic, `None` if no months follow from how it grows, and remarks on its
     /// growth; wavelengths outside the map of the case keep their level.
     pub(super) fn new(
         case: &Case,

@@ -52,7 +52,7 @@ pub struct NoiseAnswer {
     pub lower_bound_up_to_hz: Option<f64>,
     /// Over the passage of the train.
     pub level: Levels,
-    /// The same with the roughness of before; null where none was given.
+    /// Levels under the roughness of before; null if none was given.
     pub before: Option<Levels>,
     /// What has changed since before, over the bands that both have; null where there is nothing to compare.
     pub since: Option<Since>,
@@ -68,7 +68,7 @@ pub struct NoiseAnswer {
     pub course: Option<Course>,
     /// Nominal centres of the bands that are not known.
     pub left_out_hz: Vec<f64>,
-    /// The same over the draws of a calibration, where one was given.
+    /// Levels over the draws of a calibration, if one was given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub over_posterior: Option<OverPosterior>,
     /// What the reader should know.
@@ -98,7 +98,7 @@ impl NoiseAnswer {
     }
 }
 
-/// Levels of the parts in bands and over all of them; none where a part radiates nothing.
+/// Levels of the parts in bands and over all of them; null if a part radiates nothing.
 #[derive(Debug, Serialize)]
 pub struct Levels {
     /// Rail, by band.

@@ -122,7 +122,7 @@ impl NoiseQuestion {
     /// The answer on the case and over draws in memory, under the traffic of the calibration where the question has none.
     ///
     /// # Errors
-    /// Those of [`answer`](Self::answer).
+    /// Errors of [`answer`](Self::answer).
     pub fn answer_over(&self, draws: Option<&PosteriorDraws>, asker: &dyn Asker) -> Result<NoiseAnswer> {
         let train = Train::new(self, asker)?;
         let case = self.case.read(asker)?;

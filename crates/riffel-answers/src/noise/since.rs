@@ -27,7 +27,7 @@ pub struct Since {
 }
 
 impl Since {
-    /// The change between two states; none where no band is known of both.
+    /// The change between two states; `None` if no band is known of both.
     pub(super) fn between(before: &Energies, now: &Energies) -> Option<Self> {
         let common = [before.within(now), now.within(before)];
         let [then, after] = common.each_ref().map(|it| it.a_weighted(Part::Total));

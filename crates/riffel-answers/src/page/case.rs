@@ -14,7 +14,7 @@ pub(crate) struct Question {
 struct Answer {
     /// The keys as they were written.
     keys: toml::Table,
-    /// The same as a case file.
+    /// Keys as the text of a case file.
     toml: String,
     /// Every key, with presets and defaults.
     complete: riffel_case::file::CaseFile,

@@ -23,7 +23,7 @@ const FINEST_GRID: u64 = HalfSpace::DEFAULT_ELEMENTS as u64;
 pub enum CaseText {
     /// The text of a case file.
     Toml(String),
-    /// The same keys as JSON, quantities with their units in strings.
+    /// Keys as JSON, quantities with their units in strings.
     Keys(toml::Table),
 }
 

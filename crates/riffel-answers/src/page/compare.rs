@@ -75,7 +75,7 @@ enum UnderTraffic {
     Answered {
         #[serde(flatten)]
         growth: Box<LineGrowth>,
-        /// In what it doubles, "5 to 14 months"; none where nothing grows.
+        /// In what it doubles, "5 to 14 months"; `None` if nothing grows.
         doubles_in: Option<Message>,
     },
     Refused {

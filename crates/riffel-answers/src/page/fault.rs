@@ -161,7 +161,7 @@ impl Fault {
         }
     }
 
-    /// The same fault of something that the form does not show.
+    /// Fault of something that the form does not show.
     #[must_use]
     pub fn without_key(self, what: &str) -> Self {
         let message = match *self.message {

@@ -51,7 +51,7 @@ struct Row {
     what: Message,
     unit: Message,
     measured: Value,
-    /// Median and bands of 50 and 80 % of the samples; none where nothing grows in most.
+    /// Median and bands of 50 and 80 % of the samples; `None` if nothing grows in most.
     predicted: Option<Value>,
     inside: bool,
     source: String,

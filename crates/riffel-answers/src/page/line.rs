@@ -29,7 +29,7 @@ enum Purpose {
 struct Answer<'a> {
     #[serde(flatten)]
     growth: &'a LineGrowth,
-    /// In what the fastest doubles; none where nothing grows.
+    /// In what the fastest doubles; `None` if nothing grows.
     doubles_in: Option<Message>,
     notes: &'a [Message],
     card: Option<Card>,

@@ -64,10 +64,10 @@ pub trait Question {
     /// A [`Fault`] of the case or of the question.
     fn answer(&self) -> Result<Reply, Fault>;
 
-    /// The same; what takes seconds tells how many of its steps are done, and how many there are.
+    /// Answer that reports its progress: what takes seconds tells how many of its steps are done, and how many there are.
     ///
     /// # Errors
-    /// As of [`Self::answer`].
+    /// Errors of [`Self::answer`].
     fn answer_telling(&self, _tell: Tell<'_>) -> Result<Reply, Fault> {
         self.answer()
     }

@@ -29,7 +29,7 @@ struct Answer {
     remarks: Vec<Message>,
 }
 
-/// The same wave by the linear loop, at the same places.
+/// Wave of the linear loop at the same places.
 #[derive(Serialize)]
 struct Linear {
     normal_force_n: Vec<f64>,
@@ -81,7 +81,7 @@ impl crate::page::Question for Question {
     }
 }
 
-/// The same error without the option of the program, of which the page has none.
+/// Error without the option of the program, of which the page has none.
 fn refused(error: AnswerError) -> Fault {
     match error {
         AnswerError::Case(CaseError::Physics { error, .. }) => Fault::bad(Message::from(&error)),

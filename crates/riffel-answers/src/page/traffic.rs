@@ -58,7 +58,7 @@ impl Traffic {
     /// The traffic file.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read), and a [`Fault`] for one that cannot be written.
+    /// Errors of [`read`](Self::read), and a [`Fault`] for one that cannot be written.
     pub fn toml(&self) -> Result<String, Fault> {
         let file = self.read()?.file;
         toml::to_string(&file).map_err(|error| Fault::bad(format!("the traffic cannot be written: {error}")))

@@ -24,9 +24,9 @@ pub struct PointRequest {
     pub speed: f64,
     /// Whether to tell what growth answers to there.
     pub sensitivity: bool,
-    /// How many neighbours on each side, 1/λ ± n/d, to let grow with the wave; none where it is not asked.
+    /// How many neighbours on each side, 1/λ ± n/d, to let grow with the wave; `None` if it is not asked.
     pub neighbours: Option<usize>,
-    /// Supports at drawn distances to grow on too; none where it is not asked.
+    /// Supports at drawn distances to grow on too; `None` if it is not asked.
     pub irregular: Option<DrawnSupports>,
 }
 
@@ -50,13 +50,13 @@ pub struct PointAnswer {
     /// That growth is faster than any seen on a railway, under as many axles as usually run on such a line.
     #[serde(skip_serializing_if = "Option::is_none")]
     reported_growth: Option<Message>,
-    /// What growth answers to, the strongest first; none where it was not asked.
+    /// What growth answers to, the strongest first; `None` if it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     sensitivity: Option<Vec<Sensitivity>>,
-    /// Growth of the wave with its neighbours; none where it was not asked.
+    /// Growth of the wave with its neighbours; `None` if it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     with_neighbours: Option<Neighbours>,
-    /// Growth along supports at drawn distances; none where it was not asked.
+    /// Growth along supports at drawn distances; `None` if it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     irregular_supports: Option<IrregularSupports>,
     #[serde(skip)]

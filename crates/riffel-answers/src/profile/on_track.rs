@@ -36,7 +36,7 @@ pub struct OnTrackAnswer {
     remarks: Vec<Message>,
 }
 
-/// Equivalent conicity at an amplitude; none where no motion between the flanges has it.
+/// Equivalent conicity at an amplitude; null if no motion between the flanges has it.
 struct ConicityAtAmplitude {
     /// Half of peak to peak \[m\].
     amplitude: f64,
@@ -49,14 +49,14 @@ struct ConicityAtAmplitude {
 #[derive(Serialize)]
 struct Conicities {
     amplitude_m: Vec<f64>,
-    /// As the axle rolls.
+    /// Rules for an axle that rolls.
     #[serde(flatten)]
     rolling: Rules,
     /// By the definition of EN 15302: the axle stays level.
     en_15302: Rules,
 }
 
-/// By the three rules; none where no motion has the amplitude.
+/// By the three rules; null if no motion has the amplitude.
 #[derive(Serialize)]
 struct Rules {
     klingel: Vec<Option<f64>>,

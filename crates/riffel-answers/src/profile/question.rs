@@ -78,7 +78,7 @@ enum Alignment {
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 enum Orientation {
-    /// As the shape tells.
+    /// Orientation found from the shape.
     Found,
     /// x to the field side, y upward.
     AsWritten,

@@ -18,7 +18,7 @@ pub struct UnderLoadAnswer {
     normal_force_n: f64,
     /// By lateral shift, left before right.
     contacts: Vec<ContactDocument>,
-    /// The same under pressure, the left contact and the right one.
+    /// Contacts under pressure, the left one and the right one.
     #[serde(skip)]
     pressed: Vec<(WheelsetContact, [Pressed; 2])>,
     /// Of the patches and of the case.
@@ -26,7 +26,7 @@ pub struct UnderLoadAnswer {
     remarks: Vec<Message>,
 }
 
-/// A contact on the contact plane and on the rail's own surface, which may have none where a profile ends.
+/// A contact on the contact plane and on the rail's own surface; the latter has none if the profile ends there.
 struct Pressed {
     flat: LoadedContact,
     conformal: Option<LoadedContact>,
@@ -50,12 +50,12 @@ struct ContactDocument {
     equivalent_semi_axes_m: [f64; 2],
     /// Turn of the rail from one side of the patch to the other.
     turn_of_rail_rad: Option<f64>,
-    /// On the rail, which is curved across, in the place of the contact plane; the width is along its arc. None where a profile
+    /// On the rail, which is curved across, in the place of the contact plane; the width is along its arc. `None` if a profile
     /// ends.
     conformal: Option<ConformalDocument>,
     /// Kik and Piotrowski.
     fast: PatchDocument,
-    /// None where a curvature at the first touch is not positive.
+    /// `None` if a curvature at the first touch is not positive.
     hertz: Option<PatchDocument>,
 }
 

@@ -38,7 +38,7 @@ impl<D: Dimension> AsWritten<D> {
     /// The values of a list, each as by [`within`](Self::within).
     ///
     /// # Errors
-    /// Those of [`within`](Self::within).
+    /// Errors of [`within`](Self::within).
     pub fn all_within(list: &[Self], argument: &'static str, asker: &dyn Asker) -> Result<Vec<f64>> {
         list.iter().map(|quantity| quantity.within(argument, asker)).collect()
     }

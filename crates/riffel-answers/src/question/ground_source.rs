@@ -51,7 +51,7 @@ impl GroundSource {
     /// Ground rail of the question, which may lie at the limit itself.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read) but for its rule.
+    /// Errors of [`read`](Self::read) but for its rule.
     pub(crate) fn at_most(
         &self,
         (table, limit): &(LimitTable, LevelLimit),

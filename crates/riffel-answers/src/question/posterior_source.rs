@@ -52,7 +52,7 @@ pub fn finished_of(is_case: &dyn Fn(&Path) -> bool, folder: &Path) -> Result<(Pl
 /// An answer over the draws, if there are any.
 ///
 /// # Errors
-/// Those of `answer`.
+/// Errors of `answer`.
 pub fn over(
     draws: Option<&PosteriorDraws>,
     asker: &dyn Asker,

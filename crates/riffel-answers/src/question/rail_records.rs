@@ -94,7 +94,7 @@ impl RecordLayout {
     /// The spectra of a file, those of a profile computed.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read), and [`AnswerError::Case`] where a profile has no spectrum.
+    /// Errors of [`read`](Self::read), and [`AnswerError::Case`] where a profile has no spectrum.
     pub fn survey(&self, path: &Path, asker: &dyn Asker) -> Result<Survey> {
         Ok(Survey::of(called(path), self.read_growing(path, asker)?)?)
     }
@@ -203,7 +203,7 @@ impl EarlierRecords {
     /// The records, each as it is chosen, beside the one of now in a file.
     ///
     /// # Errors
-    /// Those of [`check`](Self::check) and [`RecordLayout::survey`].
+    /// Errors of [`check`](Self::check) and [`RecordLayout::survey`].
     pub fn read(
         &self,
         now: Option<&Path>,
@@ -230,7 +230,7 @@ impl EarlierRecords {
     /// The latest of a survey as it is chosen, with the records that are named beside it, each with its date.
     ///
     /// # Errors
-    /// Those of [`read`](Self::read), and [`AnswerError::Argument`] for records without dates.
+    /// Errors of [`read`](Self::read), and [`AnswerError::Argument`] for records without dates.
     pub fn of_dates(
         &self,
         survey: Survey,

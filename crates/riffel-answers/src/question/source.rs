@@ -41,7 +41,7 @@ impl<T: Send + Sync + 'static> Source<T> {
     /// The value, by `read` if it stands in a file.
     ///
     /// # Errors
-    /// Those of `read`.
+    /// Errors of `read`.
     pub fn value<E>(&self, read: impl FnOnce(&Path) -> Result<T, E>) -> Result<Arc<T>, E> {
         match self {
             Self::File(path) => question::value(path).map_or_else(|| read(path).map(Arc::new), Ok),

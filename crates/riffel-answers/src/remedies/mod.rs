@@ -21,11 +21,11 @@ use step::{Step, in_words, steps};
 #[derive(Serialize)]
 pub struct RemediesAnswer {
     riffel_version: &'static str,
-    /// As it is.
+    /// Growth of the case without any remedy.
     pub under_traffic: LineGrowth,
-    /// As it is; none where it is not known how many axles run.
+    /// Grinding interval of the case without any remedy; `None` if it is not known how many axles run.
     pub grinding_interval: Option<GrindingInterval>,
-    /// What the remedies do; none where nothing grows.
+    /// What the remedies do; empty if nothing grows.
     pub remedies: Vec<Remedy>,
     /// What is no remedy here, and why.
     pub left_out: Vec<LeftOut>,
@@ -44,12 +44,12 @@ pub struct Remedy {
     pub changes: Vec<Change>,
     /// Of the growth rate of the fastest wavelength, relative to the case as it is; −1 where nothing grows.
     pub change_of_fastest_growth: f64,
-    /// What then grows fastest; none where nothing does.
+    /// What then grows fastest; `None` if nothing does.
     pub fastest: Option<FastestGrowth>,
     /// In what growth then doubles, in the unit of the case as it is.
     #[serde(skip)]
     pub doubles_in: Message,
-    /// From one grinding to the next; none where it is not known how many axles run.
+    /// From one grinding to the next; `None` if it is not known how many axles run.
     pub grinding_interval: Option<GrindingInterval>,
     /// That it is longer than in the case as it is.
     pub months_gained: Option<f64>,
@@ -145,7 +145,7 @@ impl RemediesAnswer {
         Ok(answer)
     }
 
-    /// The same with costs by the ids of remedies: what lengthens the grinding interval and has a cost comes first, by the months that
+    /// Answer with costs by the ids of remedies: what lengthens the grinding interval and has a cost comes first, by the months that
     /// it gains for that; all else follows by its effect. The cost of a remedy that is left out here stands aside.
     ///
     /// # Errors
@@ -177,7 +177,7 @@ impl RemediesAnswer {
         UsualTraffic::of(case).traffic().map_or(0, |usual| steps(case, &usual).len())
     }
 
-    /// What helps most, in one sentence; none where nothing grows, or the loop oscillates by itself.
+    /// What helps most, in one sentence; `None` if nothing grows, or the loop oscillates by itself.
     pub fn helps_most(&self) -> Option<Message> {
         self.under_traffic.fastest.filter(|fastest| !fastest.oscillates)?;
         let best = self.remedies.iter().min_by(|a, b| a.by_effect(b));

@@ -15,7 +15,7 @@ use serde::Serialize;
 /// Growth is highest where phases have turned, some per cent beside the resonance that turns them; the resonances of one
 /// track lie farther apart than this. The share is a choice: a branch beyond it has no name rather than a wrong one.
 pub(crate) const NEAR: f64 = 0.10;
-/// The same for natural modes of the wheelset, which have little damping and lie closer together.
+/// Share of the frequency for natural modes of the wheelset, which have little damping and lie closer together.
 const NEAR_MODE: f64 = 0.05;
 /// Branches whose frequencies are nearer to one another by ratio are pieces of one line: a map of coarse speeds parts it, and so
 /// do lines that cross it.
@@ -23,19 +23,19 @@ const ONE: f64 = 1.02;
 /// Branches named in a sentence after the strongest.
 const NAMED: usize = 3;
 
-/// Frequency \[Hz\] of the strongest branch; None where nothing grows, or where the window holds no crest of it but a
+/// Frequency \[Hz\] of the strongest branch; `None` if nothing grows, or where the window holds no crest of it but a
 /// flank alone, whose frequency is that of the edge.
 pub fn best_fit_frequency(ridge: &Ridge) -> Option<f64> {
     let strongest = ridge.branches.first()?;
     (!strongest.only_at_edge()).then(|| strongest.frequency())
 }
 
-/// The ridge of a loop of the case over the wavelengths of which growth is told; of none where the contact averages all out.
+/// The ridge of a loop of the case over the wavelengths of which growth is told; an empty one if the contact averages all out.
 pub fn ridge_of(case: &Case, feedback: &Loop) -> Ridge {
     ridge_in(case, feedback, [case.wavelength, case.speed])
 }
 
-/// The same in a window of wavelengths and speeds.
+/// Ridge in a window of wavelengths and speeds.
 pub fn ridge_in(case: &Case, feedback: &Loop, [wavelength, speed]: [Axis; 2]) -> Ridge {
     let told = case.told_of(wavelength);
     told.map_or_else(Ridge::nothing, |told| Ridge::search(feedback, told, speed))
@@ -174,7 +174,7 @@ fn share(ratio: f64) -> Value {
     }
 }
 
-/// The resonance that a frequency \[Hz\] is named by; none where none is near.
+/// The resonance that a frequency \[Hz\] is named by; `None` if none is near.
 pub(crate) fn nearest(resonances: &[(MechanismKind, f64)], frequency: f64) -> Option<(MechanismKind, f64)> {
     let distance = |resonance: &(MechanismKind, f64)| (resonance.1 / frequency - 1.0).abs();
     let named = resonances.iter().copied();
@@ -204,7 +204,7 @@ pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
     of_track.chain(modes_of_axle(case, highest)).collect()
 }
 
-/// Natural frequencies up to one \[Hz\] at which the axle of a wheelset twists or bends; none where modes cannot be told apart so high.
+/// Natural frequencies up to one \[Hz\] at which the axle of a wheelset twists or bends; empty if modes cannot be told apart so high.
 pub(crate) fn modes_of_axle(case: &Case, highest: f64) -> Vec<(MechanismKind, f64)> {
     let modes = case.wheelset.as_deref().and_then(|wheelset| case.wheelset_modes(wheelset, highest).ok());
     let named = modes.iter().flatten().filter_map(|mode| {

@@ -36,7 +36,7 @@ pub(crate) struct GroundSection {
 }
 
 impl GroundSection {
-    /// Those of a rail, without its name.
+    /// Rows of a rail, without its name.
     pub(crate) fn of_rail(rail: &RailAnswer) -> impl Iterator<Item = Self> {
         rail.sections.iter().map(|section| Self {
             rail: None,

@@ -186,7 +186,7 @@ impl ProfileAnswer {
         })
     }
 
-    /// The same, with what lies along the line.
+    /// Answer with what lies along the line.
     #[must_use]
     pub fn beside(mut self, along: Vec<LinePlace>) -> Self {
         for section in &mut self.sections_judged {

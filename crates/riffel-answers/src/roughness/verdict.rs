@@ -68,7 +68,7 @@ pub(crate) struct SectionOverLevels {
 }
 
 impl SectionOverLevels {
-    /// Those of a rail, the worst first.
+    /// Verdicts of a rail, the worst first.
     fn all(limit: &LevelLimit, analysis: &RailAnalysis) -> Vec<Self> {
         let sections = analysis.section_spectra.iter().filter_map(|section| {
             let compared = limit.compare(&section.spectrum);

@@ -235,7 +235,7 @@ fn mean_forces(case: &Case) -> [f64; 3] {
     [forces.longitudinal, forces.lateral, case.hertz.normal_force()]
 }
 
-/// Where the contact stands over one wave; none where the wheel bridges its troughs.
+/// Where the contact stands over one wave; `None` if the wheel bridges its troughs.
 fn along(case: &Case, state: &LoopState, amplitude: f64) -> Option<Vec<OperatingPoint>> {
     /// Degrees from one point to the next.
     const STEP: u32 = 10;

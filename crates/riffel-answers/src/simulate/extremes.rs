@@ -30,7 +30,7 @@ impl Extremes {
         (fixed(1e-3 * self.minimum_normal_force_n, 2), fixed(1e-3 * self.maximum_normal_force_n, 2), contact)
     }
 
-    /// The same as a sentence.
+    /// Extremes of the normal force as a sentence.
     pub(super) fn sentence(self) -> Message {
         let (least, largest, contact) = self.words();
         say!(normal_force_between, least, largest, contact)

@@ -8,7 +8,7 @@ use riffel_rail::{Rail, unlike_a_rail};
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
 const WORTH_A_REMARK: f64 = 1e-4;
 
-/// The same for track and wheels together, whose errors meet: a twentieth of a per cent rms leaves some 10⁻³ of a harmonic.
+/// Share for track and wheels together, whose errors meet: a twentieth of a per cent rms leaves some 10⁻³ of a harmonic.
 const WORTH_A_REMARK_TOGETHER: f64 = 2.5e-7;
 
 /// That heights are unlike a rail: they may be in another unit.

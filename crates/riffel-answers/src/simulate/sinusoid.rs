@@ -40,7 +40,7 @@ pub struct SinusoidAnswer {
     step_m: f64,
     /// Those n = 0 … 5 of the first contact.
     pub harmonics: Vec<HarmonicDocument>,
-    /// Those of the energy that a place of the rail receives, of a transient contact.
+    /// Harmonics of the energy that a place of the rail receives from a transient contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy_at_rail_j_per_m: Option<[[f64; 2]; 6]>,
     /// Loss of contact and normal forces of the first contact.

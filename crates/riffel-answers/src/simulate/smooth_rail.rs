@@ -24,7 +24,7 @@ pub struct SmoothRailAnswer {
     rolled_s: f64,
     /// With which all forces repeat themselves; none at rest.
     frequency_hz: Option<f64>,
-    /// In the half-plane of growing oscillations; none where the phase of the linear loop cannot be followed.
+    /// In the half-plane of growing oscillations; `None` if the phase of the linear loop cannot be followed.
     linear_unstable_roots: Option<usize>,
     /// That grows in the linear loop.
     linear_frequency_hz: Option<f64>,

@@ -69,7 +69,7 @@ pub struct StressMaximumDocument {
     pub depth: &'static str,
     /// Over p₀; the largest shear stress by Tresca.
     pub value_over_p0: f64,
-    /// The same in Pa.
+    /// Stress in Pa.
     pub value_pa: f64,
     /// Place.
     pub x_over_a: f64,

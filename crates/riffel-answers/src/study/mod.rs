@@ -173,7 +173,7 @@ impl SensitivityAnswer {
         })
     }
 
-    /// Sobol indices; none where the design does not give them.
+    /// Sobol indices; `None` if the design does not give them.
     fn indices_figure(&self) -> Option<BarFigure> {
         let mut analyses = self.analyses.iter();
         analyses.any(|analysis| analysis.indices.is_some()).then(|| figure::indices(&self.study, &self.analyses))

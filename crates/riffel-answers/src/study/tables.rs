@@ -62,7 +62,7 @@ pub(super) fn at(analysis: &Analysis, outputs: &Result<Vec<f64>, String>) -> Mes
     }
 }
 
-/// The same as a message.
+/// Value of a parameter as a message.
 fn value(parameter: &Parameter, value: &ParameterValue) -> Message {
     match value {
         ParameterValue::Number(_) => number_alone(with_unit(parameter, value)),

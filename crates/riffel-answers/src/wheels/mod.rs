@@ -24,7 +24,7 @@ const SAME_ANGLE: f64 = 1e-6;
 #[derive(Serialize)]
 pub struct WheelsAnswer {
     riffel_version: &'static str,
-    /// As it is, with its own wheel.
+    /// Case with the wheel that it has itself.
     #[serde(rename = "inputs", serialize_with = "inputs")]
     case: Case,
     /// Above zero to the right.
@@ -47,7 +47,7 @@ pub struct WheelsAnswer {
 /// One wheel, and what the loop says of it.
 #[derive(Serialize)]
 pub struct WheelAnswer {
-    /// As in "wheelset 1, low rail".
+    /// Name of the wheel, "wheelset 1, low rail".
     #[serde(skip)]
     pub name: String,
     /// 1 leads.
@@ -163,7 +163,7 @@ impl WheelsAnswer {
     }
 
     /// The wheel under which corrugation grows fastest under the traffic of the curve, on a contact that carries at least half of its
-    /// normal forces; none where nothing grows.
+    /// normal forces; `None` if nothing grows.
     pub fn fastest(&self) -> Option<(&WheelAnswer, Highest)> {
         let growing = self.carrying().filter_map(|(wheel, _)| Some((wheel, wheel.highest?)));
         growing.max_by(|(_, one), (_, other)| one.rate.total_cmp(&other.rate))

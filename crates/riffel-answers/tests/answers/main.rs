@@ -23,7 +23,7 @@ fn case(text: &str, overrides: &[&str]) -> Case {
     Case::parse("case.toml", text, &overrides).unwrap()
 }
 
-/// The same with few points of the map.
+/// Case of a text with few points of the map.
 fn coarse(text: &str, overrides: &[&str]) -> Case {
     let window = ["map.wavelength.points=21", "map.speed.points=5"];
     case(text, &[&window, overrides].concat())

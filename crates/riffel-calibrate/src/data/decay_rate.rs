@@ -18,7 +18,7 @@ use crate::nuts::uniform;
 
 /// Frequencies of a band.
 const LINES: u32 = 16;
-/// The same for slopes.
+/// Frequencies of a band for slopes.
 const FEW_LINES: u32 = 4;
 
 /// Decay rates of one-third octaves: ln DR_b ~ t_ν(ln DR_b of the model, √(s_b² + σ²)), bands independent. Where the grid of

@@ -4,7 +4,7 @@ use riffel::Complex64;
 
 /// Most lines that are compared one by one: a posterior of so many is drawn within a minute.
 const MOST: usize = 100;
-/// The same of each place where there are many: ten for each of the rail on its pads, the track on its bed and two modes between.
+/// Most lines of each place if there are many: ten for each of the rail on its pads, the track on its bed and two modes between.
 const MOST_OF_A_PLACE: usize = 40;
 /// Squares over variances of two means that noise brings: once in three thousand. Below it they do not choose what is taken together,
 /// or neighbours that err alike would be, and their means err by more than their errors say.
@@ -77,7 +77,7 @@ pub(super) fn joined(lines: &[Line]) -> Vec<Band> {
     joined_to(lines, most.max(2 * places.len()))
 }
 
-/// The same to so many bands, more than places.
+/// Lines joined to so many bands, more than places.
 pub(super) fn joined_to(lines: &[Line], most: usize) -> Vec<Band> {
     let single = |row: usize, phase: f64| Joining {
         rows: vec![row],
@@ -200,7 +200,7 @@ mod tests {
         assert!((sum / count - 1.0).abs() < 4.0 * f64::sqrt(2.0 / count), "{}", sum / count);
     }
 
-    /// As many lines as there may be, or fewer, stay as they are, in their order; those of two places never meet.
+    /// Lines stay as they are, in their order, if they are no more than there may be; those of two places never meet.
     #[test]
     fn few_lines_and_places_stay_apart() {
         let line = |row: u32| Line {

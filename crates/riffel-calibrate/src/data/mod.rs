@@ -34,7 +34,7 @@ pub(crate) trait Block: Send + Sync {
     /// What the model says of each datum, in the order of the data.
     fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String>;
 
-    /// The same by fewer evaluations of the model, where that is good enough for the slopes by which a sampler steers; none where
+    /// Prediction by fewer evaluations of the model, good enough for the slopes by which a sampler steers; `None` if
     /// [`predict`](Self::predict) is as quick.
     fn predict_coarsely(&self, _trial: &Trial<'_>) -> Option<Result<Vec<f64>, String>> {
         None
@@ -45,7 +45,7 @@ pub(crate) trait Block: Send + Sync {
         None
     }
 
-    /// ln of the density of the data for predictions and sizes of what the model misses; none where these are beyond numbers.
+    /// ln of the density of the data for predictions and sizes of what the model misses; `None` if these are beyond numbers.
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
         self.gaussian()?.density(&differences(&self.observed(), predicted), sizes)
     }
@@ -59,7 +59,7 @@ pub(crate) trait Block: Send + Sync {
     /// What each datum is and where it was measured, in the order of the predictions.
     fn places(&self) -> Vec<Place>;
 
-    /// ln of the density of each datum given all others of the block; none where it is beyond numbers.
+    /// ln of the density of each datum given all others of the block; `None` if it is beyond numbers.
     fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
         self.gaussian()?.of_each(&differences(&self.observed(), predicted), sizes)
     }
@@ -70,14 +70,14 @@ pub(crate) trait Block: Send + Sync {
         Some(sums(predicted, &errors))
     }
 
-    /// The same with other data, in the order of the predictions; none where their errors are beyond numbers.
+    /// Block with other data, in the order of the predictions; `None` if their errors are beyond numbers.
     fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>>;
 
     /// Covariance of the errors of the data, what the model misses among them, where each datum is the mean of so many
     /// measurements.
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix;
 
-    /// The data with what one measurement more adds; none where it repeats the same, so that their mean counts.
+    /// The data with what one measurement more adds; `None` if it repeats the same, so that their mean counts.
     fn once_more(&self) -> Option<Box<dyn Block>> {
         None
     }
@@ -93,7 +93,7 @@ pub(crate) trait Block: Send + Sync {
         None
     }
 
-    /// A group given the rest of the data; none where its density is beyond numbers.
+    /// A group given the rest of the data; `None` if its density is beyond numbers.
     fn given_rest(&self, group: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Given> {
         let residuals = differences(&self.observed(), predicted);
         let covariance = self.covariance(sizes, 1.0);

@@ -33,7 +33,7 @@ pub(crate) enum Travel {
 pub(crate) struct Comparison<'a> {
     /// The rail of files with several.
     pub(crate) rail: Option<&'a str>,
-    /// None where it is not known, and waves tell how they grow, but not how they move.
+    /// `None` if it is not known, and waves tell how they grow, but not how they move.
     pub(crate) travel: Option<Travel>,
     /// Standard deviation of the gain that the lines of a date share \[dB\].
     pub(crate) common_error: f64,

@@ -108,7 +108,7 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
 /// The rows of a table with a column of numbers and one of names.
 ///
 /// # Errors
-/// Those of [`read`].
+/// Errors of [`read`].
 pub(crate) fn named(path: &Path, columns: &[&str]) -> Result<Vec<(f64, String)>, CaseError> {
     let text = text(path)?;
     let find = |names: &[String]| {
@@ -150,7 +150,7 @@ impl Numbers {
     /// The columns of a table of some kind, those that it may have in the order of the kind.
     ///
     /// # Errors
-    /// Those of [`read`], and where the instrument changes along the passages or the gross mass.
+    /// Errors of [`read`], and where the instrument changes along the passages or the gross mass.
     pub(crate) fn of(path: &Path, kind: Kind) -> Result<Self, CaseError> {
         let numbers = read(path, kind.columns(), kind.other_columns())?;
         let mut columns = kind.columns().iter().zip(&numbers.needed);

@@ -24,7 +24,7 @@ pub(crate) struct Wear {
 }
 
 impl Wear {
-    /// None where a factor of one leaves no error.
+    /// `None` if a factor of one leaves no error.
     ///
     /// # Errors
     /// [`CaseError::Read`], or [`CaseError::Data`] with the line, the column and the rule.

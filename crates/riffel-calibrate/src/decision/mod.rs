@@ -55,7 +55,7 @@ pub struct ActionOutcome {
     pub mean_cost_per_year: f64,
     /// 5, 25, 50, 75 and 95 % of the draws.
     pub cost_per_year: [f64; 5],
-    /// The same of what it saves against leaving all as it is.
+    /// Quantiles of what it saves against leaving all as it is.
     pub saving_per_year: [f64; 5],
     /// That the interval is longer than if all is left as it is.
     pub probability_longer: f64,
@@ -69,7 +69,7 @@ pub struct ActionOutcome {
     pub breaks: Breaks,
 }
 
-/// Probabilities that an action breaks what is asked; none where that is not asked.
+/// Probabilities that an action breaks what is asked; `None` if that is not asked.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Breaks {
     /// That it costs more than the budget.
@@ -92,7 +92,7 @@ impl Breaks {
 /// Months until a limit is reached.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Months {
-    /// 5, 25, 50, 75 and 95 % of the draws; none where that share does not reach it within the horizon.
+    /// 5, 25, 50, 75 and 95 % of the draws; `None` if that share does not reach it within the horizon.
     pub quantiles: [Option<f64>; 5],
     /// That it is not reached within the horizon.
     pub probability_never: f64,

@@ -10,7 +10,7 @@ use crate::file::{CompareFile, HoldOutFile};
 use crate::model::{Role, VehicleKey};
 
 impl Plan {
-    /// The same plan without what no draw follows from.
+    /// Plan without what no draw follows from.
     fn again(&self, change: impl FnOnce(&mut Table)) -> Result<Self, CaseError> {
         let mut source = self.source.clone();
         OF_OTHERS.iter().for_each(|key| source.remove(key));
@@ -120,7 +120,7 @@ impl Plan {
         Ok(vec![self.held_out(written, &all)?])
     }
 
-    /// The same with the names of the data of each block.
+    /// What is left out, with the names of the data of each block.
     ///
     /// # Errors
     /// [`CaseError`] where nothing can be left out.

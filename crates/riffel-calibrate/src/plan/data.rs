@@ -248,7 +248,7 @@ impl Reading<'_> {
         Ok(Box::new(block))
     }
 
-    /// None where a factor of one leaves no error.
+    /// `None` if a factor of one leaves no error.
     fn wear(&mut self, index: usize) -> Result<Option<Box<dyn Block>>, CaseError> {
         let view = self.view(index)?;
         let path = beside(self.folder, &self.file.data[index].file);

@@ -22,7 +22,7 @@ pub(crate) struct Action {
     pub(crate) title: String,
     /// Of investment and upkeep, each year.
     pub(crate) annual: f64,
-    /// Months from one grinding to the next; none where the limit asks for it.
+    /// Months from one grinding to the next; `None` if the limit asks for it.
     pub(crate) every: Option<f64>,
     pub(crate) changes: Option<Variant>,
     /// Hours for which it closes the line each year, without those of grinding.
@@ -45,7 +45,7 @@ pub(crate) enum PlannedData {
     Parameter(usize, f64),
 }
 
-/// What an action must hold to; none where nothing is asked.
+/// Limits that an action must keep; none if nothing is asked.
 pub(crate) struct Constraints {
     /// Most that it costs a year.
     pub(crate) budget: Option<f64>,

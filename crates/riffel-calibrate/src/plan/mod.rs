@@ -78,7 +78,7 @@ impl Plan {
         Self::of_text(path, text_file::read_keys(path, "plan")?)
     }
 
-    /// The same of its text, as if it stood at a path.
+    /// Plan of a text, read as if it stood at a path.
     fn of_text(path: &Path, text: String) -> Result<Self, CaseError> {
         let source = KeyFile::parse(&path.display().to_string(), &text)?;
         let mut plan = Self::of(path, text, source)?;

@@ -36,7 +36,7 @@ impl Measured<'_> {
     /// the case.
     ///
     /// # Errors
-    /// Those of [`Plan::read`] and [`Plan::usual`].
+    /// Errors of [`Plan::read`] and [`Plan::usual`].
     pub fn plan_for(&self, folder: &Path) -> Result<Plan, CaseError> {
         match self.tables {
             [] => Plan::read(self.case),
@@ -129,7 +129,7 @@ impl Kind {
         matches!(self, Self::DatedLevels | Self::AxleBox | Self::PassBy | Self::DatedProfiles | Self::Wear)
     }
 
-    /// What models usually miss of it; none where all levels share their error.
+    /// What models usually miss of it; `None` if all levels share their error.
     fn usual_discrepancy(self) -> Option<&'static str> {
         let usual = match self {
             Self::FrequencyResponse => "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 0.15 } }",

@@ -51,14 +51,14 @@ fn posterior_of_hammer_and_decay() {
     check("a-hammer-and-decay", SamplerKind::Nuts, (1000, 1000), 0.1);
 }
 
-/// The same, and the decision on it. More draws: one in some hundred lies far out at hard pads, on which their deviation hangs.
+/// Three dates, and the decision on them. More draws: one in some hundred lies far out at hard pads, on which their deviation hangs.
 #[test]
 fn posterior_of_three_dates() {
     let (plan, chains) = check("b-three-dates", SamplerKind::Nuts, (1000, 2500), 0.1);
     check_three_dates(&plan, &chains);
 }
 
-/// The same.
+/// All data together.
 #[test]
 fn posterior_of_all_together() {
     check("c-all-together", SamplerKind::Nuts, (600, 1000), 0.1);
@@ -72,7 +72,7 @@ fn posterior_of_three_dates_by_walkers() {
     check("b-three-dates", SamplerKind::Ensemble, (1000, 1500), 0.15);
 }
 
-/// The same of hammer and decay rates.
+/// Walkers on hammer and decay rates.
 #[test]
 #[ignore = "minutes"]
 fn posterior_of_hammer_and_decay_by_walkers() {

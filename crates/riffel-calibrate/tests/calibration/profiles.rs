@@ -126,7 +126,7 @@ fn profiles_that_grew_by_the_case_are_those_it_expects() {
     assert!(off > 2e-3 && off < 0.03, "{off} of {count}");
 }
 
-/// The same rail measured against the direction of travel says the same, and without a direction only how waves grow.
+/// A rail measured against the direction of travel says the same, and without a direction only how waves grow.
 #[test]
 fn the_direction_of_travel_turns_the_drift() {
     let rails = rail(&truth(), 11, 0.1);

@@ -26,7 +26,7 @@ pub struct CaseContact {
     pub hertz: HertzContact,
     /// The mean state that the case asks for.
     pub mean: MeanState,
-    /// The creep law of the case; none where that is Kalker's exact theory.
+    /// The creep law of the case; `None` if that is Kalker's exact theory.
     pub law: Option<Arc<dyn CreepLaw>>,
     /// What the reader should know about the validity of the models of the contact.
     pub remarks: Vec<Message>,
@@ -37,7 +37,7 @@ pub struct CaseContact {
 pub struct SteadyContact {
     /// Creepages and forces.
     pub rolling: MeanRolling,
-    /// Moment of the creep tractions about the normal \[Nm\]; none where the law does not tell it.
+    /// Moment of the creep tractions about the normal \[Nm\]; `None` if the law does not tell it.
     pub spin_moment: Option<f64>,
 }
 
@@ -47,7 +47,7 @@ impl SteadyContact {
         Self { rolling: half_space.steady(state), spin_moment: Some(state.spin_moment()) }
     }
 
-    /// Energy dissipated per metre of rail, ξ·Q + φM \[J/m\]; none where there is spin and the law does not tell its moment.
+    /// Energy dissipated per metre of rail, ξ·Q + φM \[J/m\]; `None` if there is spin and the law does not tell its moment.
     pub fn energy_per_metre(&self) -> Option<f64> {
         let spin = self.rolling.creepages.spin;
         let of_spin = match self.spin_moment {

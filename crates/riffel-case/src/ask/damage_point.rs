@@ -51,7 +51,7 @@ pub struct DamagePoint {
     /// Net growth of a crack per passage: that of fatigue less what wear takes of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crack_growth_m: Option<f64>,
-    /// The same along the wave; cracks grow on crests where its real part is above zero.
+    /// Growth of a crack along the wave; cracks grow on crests where its real part is above zero.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crack_growth_1: Option<[f64; 2]>,
     /// −D_h Re(u₁/Δ): above one the wave outgrows hardening.

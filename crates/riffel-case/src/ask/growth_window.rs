@@ -9,7 +9,7 @@ use crate::parts::short_waves::shortest_not_averaged;
 
 impl Case {
     /// The wavelengths of the map of which the fastest growth is told: without those that the contact averages out, shorter than
-    /// one and a half of its lengths, where its response does not have that filter. None where all of them are.
+    /// one and a half of its lengths, where its response does not have that filter. `None` if all of them are.
     pub fn growth_window(&self) -> Option<Axis> {
         self.told_of(self.wavelength)
     }
@@ -29,7 +29,7 @@ impl Case {
         told.or_else(|| growth.fastest(0.0))
     }
 
-    /// Those of another window.
+    /// Wavelengths of another window of which growth is told.
     pub fn told_of(&self, window: Axis) -> Option<Axis> {
         let shortest = self.shortest_told();
         if window.min() >= shortest {

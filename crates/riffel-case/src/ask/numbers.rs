@@ -106,7 +106,7 @@ impl Case {
     /// for those that are set without the text: some twenty times as fast.
     ///
     /// # Errors
-    /// As of [`edit`](Self::edit).
+    /// Errors of [`edit`](Self::edit).
     pub fn with_numbers(&self, numbers: &[(&str, f64)]) -> Result<LoopOnTrack, CaseError> {
         if let Some(keys) = self.keys_with_numbers(numbers) {
             let (feedback, track) = keys.loop_and_track()?;
@@ -119,7 +119,7 @@ impl Case {
     /// The case with other numbers of keys that its mean state may follow from, without the remarks that take time.
     ///
     /// # Errors
-    /// As of [`edit`](Self::edit).
+    /// Errors of [`edit`](Self::edit).
     pub fn settled(&self, numbers: &[(&str, f64)]) -> Result<Self, CaseError> {
         let numbers = numbers.iter();
         let settings: Vec<_> = numbers.map(|(key, value)| ((*key).to_owned(), Value::Float(*value))).collect();
@@ -155,7 +155,7 @@ impl Case {
         std::iter::once(from.rail.name()).chain(side).collect()
     }
 
-    /// None where a key is not known here, or a curve, a wheelset or the wear may depend on one.
+    /// `None` if a key is not known here, or a curve, a wheelset or the wear may depend on one.
     fn keys_with_numbers(&self, numbers: &[(&str, f64)]) -> Option<CheckedKeys> {
         let file = &self.keys.file;
         let dependent = file.wheelset.is_some()
@@ -195,7 +195,7 @@ impl Case {
 }
 
 impl LoopOnTrack {
-    /// As [`Case::places`].
+    /// Loops and weights of [`Case::places`].
     pub fn places(&self) -> Vec<(Loop, f64)> {
         self.track.places(&self.feedback)
     }

@@ -59,7 +59,7 @@ impl Case {
         MassOnRail::new(self.unsprung_mass()?, rail, rail_mass, support, contact).ok()
     }
 
-    /// Mass \[kg\] that a contact feels of the wheel, or of the wheelset whose other wheel is free; none where no key tells it.
+    /// Mass \[kg\] that a contact feels of the wheel, or of the wheelset whose other wheel is free; `None` if no key tells it.
     fn unsprung_mass(&self) -> Option<f64> {
         if let (Some(wheelset), Some(keys)) = (&self.wheelset, &self.file.wheelset) {
             return wheelset.mass_at_contact(0.5 * keys.contact_spacing.si());

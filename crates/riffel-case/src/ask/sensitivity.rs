@@ -125,7 +125,7 @@ fn quantities(keys: &Table) -> Vec<(&'static CaseKey, f64)> {
         .collect()
 }
 
-/// The derivative by a parameter; none where it cannot be moved, or moves nothing.
+/// The derivative by a parameter; `None` if it cannot be moved, or moves nothing.
 fn relative(
     key: &str,
     unit: &'static str,
@@ -140,7 +140,7 @@ fn relative(
     (elasticity.abs() > error).then(|| Sensitivity { key: key.to_owned(), unit, value, derivative, elasticity, error })
 }
 
-/// Derivative of a function of a size and its error by central differences, extrapolated; none where the function is not
+/// Derivative of a function of a size and its error by central differences, extrapolated; `None` if the function is not
 /// known about the value.
 ///
 /// The error is no less than what the roundings of the function make of a difference over the smallest step used.

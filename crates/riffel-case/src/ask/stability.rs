@@ -27,7 +27,7 @@ impl Case {
         self.remarks.iter().filter(other).cloned().chain(own).collect()
     }
 
-    /// The same where one wavelength \[m\] is asked about as well, which may lie outside the map.
+    /// Remarks if one wavelength \[m\] is asked about as well, which may lie outside the map.
     pub fn remarks_at_point(&self, wavelength: f64, speed: f64) -> Vec<Message> {
         let mut remarks = self.remarks_at(speed);
         let short = shorter_than_patch(self.hertz, wavelength);

@@ -161,7 +161,7 @@ impl CheckedKeys {
         self.physics("contact.longitudinal_radius", hertz.curved(curvature))
     }
 
-    /// The geometry of waves under a contact; none where it has no part.
+    /// The geometry of waves under a contact; `None` if it has no part.
     pub(crate) fn wave(&self, hertz: HertzContact) -> Result<Option<WaveGeometry>, CaseError> {
         if !self.feels_waves() {
             return Ok(None);

@@ -14,7 +14,7 @@ use crate::keys::checked_keys::CheckedKeys;
 use crate::parts::track::Track;
 
 impl CheckedKeys {
-    /// The keys of damage: as written, or those of wear alone where a law of wear is written; none where neither is.
+    /// The keys of damage: as written, or those of wear alone where a law of wear is written; `None` if neither is.
     pub(crate) fn damage_keys(&self) -> Option<DamageKeys> {
         let law = self.text.is_written("wear.law");
         let of_wear = || law.then(DamageKeys::default);
@@ -32,7 +32,7 @@ impl CheckedKeys {
         }
     }
 
-    /// The laws of damage under a contact; none where wear is alone and nothing is said of it.
+    /// The laws of damage under a contact; `None` if wear is alone and nothing is said of it.
     pub(super) fn damage(
         &self,
         hertz: HertzContact,

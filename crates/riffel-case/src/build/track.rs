@@ -171,7 +171,7 @@ impl CheckedKeys {
         Some(beam.pinned_pinned_frequency(spacing, 1) / std::f64::consts::TAU)
     }
 
-    /// Vertical bending stiffness of the rail \[N m²\]; none where no key tells it.
+    /// Vertical bending stiffness of the rail \[N m²\]; `None` if no key tells it.
     pub(crate) fn vertical_bending_stiffness(&self) -> Option<f64> {
         let beam = self.beam(self.steel().ok()?, Direction::Vertical).ok()?;
         Some(beam.bending_stiffness())

@@ -40,7 +40,7 @@ impl Case {
     /// The case with values of its keys, after all it was read with; otherwise as [`with`](Self::with).
     ///
     /// # Errors
-    /// As of [`edit`](Self::edit).
+    /// Errors of [`edit`](Self::edit).
     pub fn with_settings(&self, settings: &[Setting]) -> Result<Self, CaseError> {
         let mut text = self.unfilled.clone();
         text.write(settings)?;

@@ -7,7 +7,7 @@ use crate::file::CreepLawName;
 use crate::file::{ContactDynamics, Rotation, TrackModel, WheelsetModel};
 
 impl Case {
-    /// Why a key of the case, dotted, cannot change growth under traffic; none where it may.
+    /// Why a key of the case, dotted, cannot change growth under traffic; `None` if it may.
     pub fn idle_because(&self, key: &str) -> Option<Message> {
         let (table, inner) = key.split_once('.').unwrap_or((key, ""));
         let file = &self.file;

@@ -16,16 +16,16 @@ pub(crate) struct KeptState {
     steady: MeanRolling,
     /// Friction times load μP₀ \[N\] after it.
     limit: f64,
-    /// What holds it; none where it is what the case gives.
+    /// What holds it; `None` if it is what the case gives.
     setting: Option<Setting>,
 }
 
 impl KeptState {
-    /// On the wheel that the settings `own` make of that of the case, in a window; none where friction and load
+    /// On the wheel that the settings `own` make of that of the case, in a window; `None` if friction and load
     /// stay, or the variant gives the mean state itself.
     ///
     /// # Errors
-    /// Those of [`Case::with`] for the wheel before the change; force or ratio of a creepage that is not along the rail
+    /// Errors of [`Case::with`] for the wheel before the change; force or ratio of a creepage that is not along the rail
     /// alone, for no tractive ratio brings it back.
     pub(crate) fn of(
         variant: &Variant,

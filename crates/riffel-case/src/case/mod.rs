@@ -49,7 +49,7 @@ pub struct Case {
     pub hertz: HertzContact,
     /// The mean state of rolling.
     pub steady: MeanRolling,
-    /// The creep law; none where that is Kalker's exact theory.
+    /// The creep law; `None` if that is Kalker's exact theory.
     pub law: Option<Arc<dyn CreepLaw>>,
     /// The wheelset; none for a lone wheel.
     pub wheelset: Option<Arc<CaseWheelset>>,
@@ -78,7 +78,7 @@ impl Case {
     /// [`read`](Self::read) a case file, and give keys values.
     ///
     /// # Errors
-    /// As [`read`](Self::read), and as [`edit`](Self::edit) for the settings.
+    /// Errors of [`read`](Self::read), and as [`edit`](Self::edit) for the settings.
     pub fn read_with(path: &Path, settings: &[Setting]) -> Result<Self, CaseError> {
         Self::read_text(path, |text| text.write(settings))
     }
@@ -182,7 +182,7 @@ impl Case {
         self.in_window(text, Window::Map)
     }
 
-    /// The same with settings after those it was read with, where wavelengths and speeds are those of a vehicle and no
+    /// Case with settings after those it was read with, where wavelengths and speeds are those of a vehicle and no
     /// map's.
     pub(crate) fn of_vehicle(&self, sets: &[&[Setting]]) -> Result<Self, CaseError> {
         self.in_window(self.text_with(sets)?, Window::Traffic)
@@ -379,7 +379,7 @@ impl Case {
         known
     }
 
-    /// The same of the wheelset.
+    /// Range of the wheelset.
     fn known_wheelset(&self) -> Option<(&'static str, (f64, f64))> {
         let wheelset = self.wheelset.as_ref()?;
         Some(("wheelset.file", wheelset.frequency_range()))
@@ -396,7 +396,7 @@ impl Case {
     /// The tables of curving of the case, with overrides after those it was read with.
     ///
     /// # Errors
-    /// As [`CurvingCase::read`].
+    /// Errors of [`CurvingCase::read`].
     pub fn curving(&self, overrides: &[String]) -> Result<CurvingCase, CaseError> {
         let mut text = self.unfilled.clone();
         text.apply(overrides)?;

@@ -87,7 +87,7 @@ impl Variant {
     /// Read changes from TOML; `name` is shown in errors.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = case_keys(name, text)?;
         if let Some(Value::Array(_)) = source.table().get("vehicle") {
@@ -135,7 +135,7 @@ impl Variant {
         self.settings.iter().map(|(key, _)| &**key)
     }
 
-    /// What it holds of the mean state, from the keys of a vehicle before the change to those after it; none where
+    /// What it holds of the mean state, from the keys of a vehicle before the change to those after it; `None` if
     /// friction and load stay, or the file gives the mean state itself.
     pub(crate) fn holds(&self, before: &CaseFile, after: &CaseFile) -> Option<Hold> {
         let given = self.keys().any(|key| MEAN_STATE.contains(&key));

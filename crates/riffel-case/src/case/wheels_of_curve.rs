@@ -17,7 +17,7 @@ pub struct WheelsOfCurve {
 
 /// A contact of a wheel of a vehicle in its curve.
 pub struct WheelOfCurve {
-    /// As the equilibrium has it, told from this contact.
+    /// State of the wheel in the equilibrium, described from this contact.
     pub state: WheelState,
     /// Low or high.
     pub rail: CurveRail,
@@ -28,7 +28,7 @@ pub struct WheelOfCurve {
 }
 
 impl WheelOfCurve {
-    /// As in "wheelset 1, low rail", or "wheelset 1, high rail, flange".
+    /// Name of the wheel, "wheelset 1, low rail", or "wheelset 1, high rail, flange".
     pub fn in_words(&self) -> Message {
         let number = number(self.state.wheelset);
         let wheel = match self.rail {
@@ -43,14 +43,14 @@ impl WheelOfCurve {
         }
     }
 
-    /// The same in English.
+    /// Name of the wheel in English.
     pub fn name(&self) -> String {
         self.in_words().to_string()
     }
 }
 
 impl Case {
-    /// Every wheel of the vehicle that `contact.from` names, as if it were asked for; none where the case takes its mean state from
+    /// Every wheel of the vehicle that `contact.from` names, as if it were asked for; `None` if the case takes its mean state from
     /// no curve. All keys but `contact.from.wheelset`, `contact.from.rail`, `contact.from.contact` and `wheelset.rail` stay.
     ///
     /// # Errors

@@ -77,7 +77,7 @@ impl CurvingCase {
     /// folder.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
         Self::build(name, Path::new(""), text, overrides)
     }
@@ -133,7 +133,7 @@ impl CurvingCase {
     /// The case with one more override `key=value`.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn with(&self, assignment: &str) -> Result<Self, CaseError> {
         let mut text = self.text.clone();
         text.apply(&[assignment.to_owned()])?;

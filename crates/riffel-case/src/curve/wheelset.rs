@@ -146,7 +146,7 @@ impl CurvingCase {
     /// EN 15302 has it, and of one that rolls as both wheels touch.
     ///
     /// # Errors
-    /// As [`wheelset_on_track`](Self::wheelset_on_track), and where the centred wheelset does not touch both rails.
+    /// Errors of [`wheelset_on_track`](Self::wheelset_on_track), and where the centred wheelset does not touch both rails.
     pub fn radius_differences(&self, wheelset: &WheelsetOnTrack) -> Result<[RadiusDifference; 2], CaseError> {
         let [_, right] = self.rolling_radii();
         let farthest = farthest(wheelset);

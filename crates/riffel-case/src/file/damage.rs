@@ -86,7 +86,7 @@ pub enum DamageLawName {
 }
 
 impl DamageLawName {
-    /// As it is written.
+    /// Name in a case file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wear => "wear",

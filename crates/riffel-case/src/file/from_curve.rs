@@ -34,7 +34,7 @@ pub enum Patch {
     /// That of the profiles themselves under load, exact on elements: its stiffness, place and angle, and an ellipse like it for
     /// the laws of creep.
     NonElliptic,
-    /// The same on the rail's own surface, which is curved across, in the place of the contact plane.
+    /// Contact on the rail's own surface, which is curved across, in the place of the contact plane.
     Conformal,
 }
 
@@ -64,7 +64,7 @@ impl CurveRail {
         }
     }
 
-    /// As it is written.
+    /// Name in a case file.
     pub fn name(self) -> &'static str {
         match self {
             Self::Low => "low",

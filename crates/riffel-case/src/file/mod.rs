@@ -176,7 +176,7 @@ pub enum WearLaw {
     TgammaArea,
     /// The USFD law: Tγ/A in the same regimes with its sharp corners, mild, a plateau, catastrophic.
     Usfd,
-    /// The same smooth between the regimes: that of `tgamma-area`.
+    /// USFD law made smooth between the regimes, that of `tgamma-area`.
     UsfdSmooth,
     /// Archard's law by a map of sliding speed and pressure, smooth between its regimes; its numbers are recalled, not looked up.
     ArchardMap,

@@ -10,7 +10,7 @@ pub fn settings(table: &Table) -> Vec<Setting> {
     settings_until(table, |_| false)
 }
 
-/// The same, where some keys have tables as their values.
+/// Keys of a table with their values, if some keys have tables as their values.
 pub(crate) fn settings_until(table: &Table, is_key: impl Fn(&str) -> bool) -> Vec<Setting> {
     fn walk(parent: &str, table: &Table, is_key: &dyn Fn(&str) -> bool, found: &mut Vec<Setting>) {
         for (key, value) in table {

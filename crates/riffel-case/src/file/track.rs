@@ -44,7 +44,7 @@ pub struct Track {
 pub enum TrackModel {
     /// Infinite rail without support under a stationary load.
     FreeBeam,
-    /// The same under a moving load; on pads if `pad` is given, on pads, sleepers and ballast if
+    /// Infinite rail under a moving load; on pads if `pad` is given, on pads, sleepers and ballast if
     /// `ballast` is given, spread evenly.
     MovingBeam,
     /// Rail on pads, spread evenly; needs `support_spacing` and `pad`.

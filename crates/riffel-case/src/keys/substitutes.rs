@@ -19,7 +19,7 @@ use crate::parts::wheelset::BuiltWheelset;
 #[derive(Clone)]
 pub struct GivenReceptance {
     pub(crate) receptance: Arc<dyn Receptance>,
-    /// The same where it is a table.
+    /// Table of the receptance, if it is one.
     pub(crate) table: Option<Arc<MeasuredReceptance>>,
     pub(crate) remarks: Vec<Message>,
 }

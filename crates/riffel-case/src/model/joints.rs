@@ -96,7 +96,7 @@ impl Serialize for Joints {
 /// Rail and supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum TrackJoint {
-    /// As in the case.
+    /// Track of the case.
     Own,
     /// The paper's rail, without supports.
     FreeBeam,
@@ -104,7 +104,7 @@ pub(crate) enum TrackJoint {
     Continuous,
     /// On the supports of the case at discrete places.
     Discrete,
-    /// The same, growth in the mean over the bay.
+    /// Track of the case on discrete supports, growth in the mean over the bay.
     DiscreteMean,
     /// Ground that does not move.
     Rigid,
@@ -113,13 +113,13 @@ pub(crate) enum TrackJoint {
 /// Wheel or wheelset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum WheelJoint {
-    /// As in the case.
+    /// Wheel or wheelset of the case.
     Own,
     /// One wheel: a mass that turns so.
     Alone(Rotation),
     /// That of the case; where it has none, two of its wheels on a rigid axle.
     Wheelset,
-    /// The same, turning evenly.
+    /// Wheelset of the case that turns evenly.
     EvenlyTurningWheelset,
     /// One with an elastic axle, on the rail under study.
     ElasticWheelset,
@@ -132,7 +132,7 @@ pub(crate) enum WheelJoint {
 /// Steady creepage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CreepageJoint {
-    /// As in the case.
+    /// Steady creepage of the case.
     Own,
     /// Of the size of the case, along the rail alone.
     AlongTheRail,
@@ -158,7 +158,7 @@ pub(crate) enum ContactJoint {
 /// Phase between dissipation and wear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PlaceOfWearJoint {
-    /// As in the case, or as the exact contact resolves it.
+    /// Phase of the case, or that which the exact contact resolves.
     Own,
     /// Later than at the wheel centre, as in the figures of the paper.
     Lag,
@@ -189,7 +189,7 @@ impl Joints {
         wear: WearJoint::Energy,
     };
 
-    /// The same with one joint as in others.
+    /// Joints with one joint of others.
     #[must_use]
     pub fn with(self, joint: Joint, of: Self) -> Self {
         let mut changed = self;

@@ -118,7 +118,7 @@ impl ModelOnCase {
         }
     }
 
-    /// The same at wavelengths \[m\], in the mean over the speeds of a traffic.
+    /// Growth rates at wavelengths \[m\], in the mean over the speeds of a traffic.
     pub fn mean_growth_rates(&self, wavelengths: &[f64], speeds: &SpeedDistribution) -> Vec<f64> {
         let mean = MeanGrowth::compute(&self.places(), wavelengths, speeds);
         let rates = wavelengths.iter().zip(mean.rates);
@@ -138,7 +138,7 @@ impl ModelOnCase {
         filter.map(|filter| filter.amplitude(2.0 * PI / wavelength, 0.0)).product()
     }
 
-    /// The loop over a support and in mid-span; none where supports are not discrete.
+    /// The loop over a support and in mid-span; `None` if supports are not discrete.
     pub fn over_support_and_mid_span(&self) -> Option<[Loop; 2]> {
         let structure = self.case.track.structure.clone()?;
         let bay = Bay::new(&self.case.feedback, structure)?;

@@ -22,7 +22,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
     not_given: &[],
 };
 
-/// The same on waves that have a shape.
+/// Exact contact on waves that have a shape.
 pub(super) static WITH_WAVES: FieldModel = FieldModel {
     name: "riffel-wave-geometry",
     title: "Riffel, exact contact and wave geometry",

@@ -32,7 +32,7 @@ pub struct Track {
     pub support: Option<Support>,
     /// Mass of the rail per length \[kg/m\]; none for a measurement.
     pub rail_mass: Option<f64>,
-    /// Angular frequency \[rad/s\] at which the rail bends with nodes at its supports; none where the
+    /// Angular frequency \[rad/s\] at which the rail bends with nodes at its supports; `None` if the
     /// model does not know it: without discrete supports, or without the shear of the rail.
     pub pinned_pinned: Option<f64>,
     /// What the reader of the case should know.

@@ -9,7 +9,7 @@ pub(crate) enum Window {
     Map,
     /// Bands of the spectrum at the speeds of a vehicle.
     Traffic,
-    /// The same of a wheel whose remarks nobody reads: those of another wheel of its vehicle stand for all, and none are made.
+    /// Bands of a wheel whose remarks nobody reads: those of another wheel of its vehicle stand for all, and none are made.
     BesideAnother,
 }
 

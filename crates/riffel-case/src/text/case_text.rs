@@ -36,7 +36,7 @@ pub(crate) struct CaseText {
 /// A file of keys of a case, or of some of them, the axes of its map and its measured wear written as tables.
 ///
 /// # Errors
-/// As [`KeyFile::parse`].
+/// Errors of [`KeyFile::parse`].
 pub fn case_keys(name: &str, text: &str) -> Result<KeyFile, CaseError> {
     let mut keys = KeyFile::parse(name, text)?;
     spread_axes(&mut keys);

@@ -50,7 +50,7 @@ impl Traffic {
     /// The traffic with some keys changed, checked as [`read`](Self::read) does.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn edit(&self, change: impl FnOnce(&mut TrafficFile)) -> Result<Self, CaseError> {
         let mut file = self.file.clone();
         change(&mut file);
@@ -63,7 +63,7 @@ impl Traffic {
     /// Read traffic from TOML; `name` is shown in errors. Files that it names are relative to the present folder.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = KeyFile::parse(name, text)?;
         is_a_traffic(&source)?;
@@ -143,7 +143,7 @@ impl Traffic {
     /// Traffic of keys that are not written anywhere; `name` is shown in errors.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn of_keys(name: &str, file: &TrafficFile) -> Result<Self, CaseError> {
         // Digits hold every bit of a number, and a traffic file has nothing that TOML cannot say.
         Self::parse(name, &toml::to_string(file).unwrap_or_default())

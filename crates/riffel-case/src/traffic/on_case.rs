@@ -22,7 +22,7 @@ pub struct TrafficOnCase {
     pub wear_coefficient: f64,
     /// Axle passages a day, if the file says how much traffic there is.
     pub passages_per_day: Option<f64>,
-    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
+    /// What the variant holds of the mean state, by vehicle: each kind once; empty if friction and load stay.
     pub held: Vec<Hold>,
     /// What the reader should know about the validity of the models.
     pub remarks: Vec<Message>,
@@ -124,7 +124,7 @@ impl Traffic {
     /// The case whose wear coefficient gives the wear that was measured under this traffic, as it is, if one was.
     ///
     /// # Errors
-    /// As [`on`](Self::on), and where nothing slides.
+    /// Errors of [`on`](Self::on), and where nothing slides.
     pub fn wearing_as_measured<'a>(&self, case: &'a Case) -> Result<Cow<'a, Case>, CaseError> {
         let bands = bands_of(case);
         let [band, ..] = &bands[..] else {

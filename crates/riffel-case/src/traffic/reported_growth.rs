@@ -38,7 +38,7 @@ pub fn reported_growth(case: &Case, wavelength: f64, rate: f64, passages_per_day
     })
 }
 
-/// The same of the band that grows fastest.
+/// Remark on the band that grows fastest.
 pub(super) fn remark(case: &Case, growth: &TrafficGrowth, passages_per_day: f64) -> Option<Message> {
     let bands = growth.bands().iter().enumerate();
     let (band, rate) = bands.map(|(place, band)| (band, growth.band_rate(place))).max_by(|a, b| a.1.total_cmp(&b.1))?;

@@ -12,7 +12,7 @@ use crate::file::setting::{Setting, settings, settings_until};
 /// What is spread over the wheels of a vehicle besides its speed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Spreads {
-    /// Of the contacts across the rail, from the line under study \[m\]; none where all run on it.
+    /// Of the contacts across the rail, from the line under study \[m\]; `None` if all run on it.
     pub(super) lateral_position: Option<Distribution>,
     /// Of keys of the case.
     pub(super) of_keys: Vec<SpreadOfKey>,
@@ -93,7 +93,7 @@ pub struct SpreadEffect {
     pub vehicle: String,
     /// What is spread: `speed`, `wheel_radius`, `load`, `friction`, `lateral_position` or a key of the case.
     pub what: String,
-    /// The fastest growth without this spread, every wheel at its mean, over that with it; none where nothing grows with it.
+    /// The fastest growth without this spread, every wheel at its mean, over that with it; `None` if nothing grows with it.
     pub reduction: Option<f64>,
 }
 

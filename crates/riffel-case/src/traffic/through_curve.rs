@@ -39,7 +39,7 @@ pub(super) struct ThroughCurve {
 }
 
 impl Traffic {
-    /// The curve of a vehicle with values of some of its wheels; none where it brings no curve.
+    /// The curve of a vehicle with values of some of its wheels; `None` if it brings no curve.
     pub(super) fn through_curve(
         &self,
         index: usize,

@@ -156,7 +156,7 @@ impl Vehicle {
         !matches!(self.curve, None | Some(CurveOfVehicle::OfCase(false)))
     }
 
-    /// The same at speeds spread evenly over a range \[m/s\]: a normal distribution of their mean and standard deviation, or one
+    /// Traffic at speeds spread evenly over a range \[m/s\]: a normal distribution of their mean and standard deviation, or one
     /// by one where that would reach below standstill.
     #[must_use]
     pub fn at_even_speeds(mut self, [slowest, fastest]: [f64; 2]) -> Self {

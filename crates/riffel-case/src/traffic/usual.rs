@@ -131,7 +131,7 @@ impl UsualTraffic {
     /// The case over the lines of its bands and these speeds, wearing as was measured: what growth under the traffic is told from.
     ///
     /// # Errors
-    /// As [`Traffic::on`].
+    /// Errors of [`Traffic::on`].
     pub fn case_under(&self, case: &Case) -> Result<Case, CaseError> {
         let traffic = self.traffic()?;
         let case = traffic.wearing_as_measured(case)?;

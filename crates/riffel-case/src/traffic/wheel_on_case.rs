@@ -37,7 +37,7 @@ impl Traffic {
         all_alike.then(|| first.or(of_case)).ok_or_else(differ)
     }
 
-    /// What a vehicle has for a key, if anything; none where it is spread, or the vehicle has none of that kind.
+    /// What a vehicle has for a key, if anything; `None` if it is spread, or the vehicle has none of that kind.
     fn own_value(&self, index: usize, key: &str) -> Option<Option<f64>> {
         let number = |value: &Value| match value {
             Value::Float(number) => Some(*number),

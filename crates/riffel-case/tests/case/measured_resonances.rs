@@ -16,7 +16,7 @@ fn model(position: &str) -> Case {
     Case::read(&path, &[format!("track.position={position}")]).unwrap()
 }
 
-/// The same case on its own receptance, at even lines `step` \[Hz\] apart, with scatter of a part of the modulus.
+/// Case on its own receptance, at even lines `step` \[Hz\] apart, with scatter of a part of the modulus.
 fn measured(model: &Case, step: f64, scatter: f64) -> Case {
     let mut table = "frequency_hz,re,im\n".to_owned();
     let mut state = 7u64;

@@ -80,7 +80,7 @@ fn sections_are_told_with_what_lies_there() {
     assert_eq!(document["along"].as_array().unwrap().len(), 2);
 }
 
-/// The same rail in other clothes gives the same levels.
+/// A rail in other clothes gives the same levels.
 #[test]
 fn layouts_do_not_matter() {
     let sandbox = Sandbox::new();

@@ -44,7 +44,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// The same with their bytes, by name.
+/// Files below a folder with their bytes, by name.
 fn bytes(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let name = |path: &PathBuf| path.strip_prefix(folder).unwrap().to_owned();
     files(folder).iter().map(|path| (name(path), fs::read(path).unwrap())).collect()

@@ -26,7 +26,7 @@ const DEEPEST: usize = 16;
 pub struct KeyFile {
     text: Arc<Text>,
     table: Table,
-    /// Dotted key → the override that set it last; none where the program did.
+    /// Dotted key → the override that set it last; `None` if the program did.
     overrides: HashMap<String, Option<String>>,
 }
 
@@ -83,7 +83,7 @@ impl KeyFile {
     /// [`name`](Self::name), [`text`](Self::text), [`table`](Self::table) and [`overrides`](Self::overrides).
     ///
     /// # Errors
-    /// As [`parse`](Self::parse).
+    /// Errors of [`parse`](Self::parse).
     pub fn restore(name: &str, text: &str, keys: &str, overrides: &[(String, String)]) -> Result<Self, CaseError> {
         Ok(Self {
             table: Self::parse(name, keys)?.table,
@@ -299,7 +299,7 @@ impl KeyFile {
     /// does not read.
     ///
     /// # Errors
-    /// As [`deserialize`](Self::deserialize).
+    /// Errors of [`deserialize`](Self::deserialize).
     pub fn deserialize_or<T: DeserializeOwned>(&self, own: impl Fn(&str) -> Option<CaseError>) -> Result<T, CaseError> {
         serde_path_to_error::deserialize(self.table.clone()).map_err(|error| {
             let path = error.path().to_string();

@@ -138,7 +138,7 @@ impl Message {
         Self { values, ..self }
     }
 
-    /// As data: `id`, `text` in the language, `values` by their names.
+    /// Data of the message: `id`, `text` in the language, `values` by their names.
     pub fn document(&self, language: Language) -> serde_json::Value {
         let values = self.values.iter();
         let values = values.map(|(name, value)| ((*name).to_owned(), value.document(language)));

@@ -56,7 +56,7 @@ impl Value {
         }
     }
 
-    /// As data: numbers as numbers, other messages with their own id and values.
+    /// Data of the value: numbers as numbers, other messages with their own id and values.
     pub(super) fn document(&self, language: Language) -> serde_json::Value {
         match self {
             Self::Text(text)
@@ -113,7 +113,7 @@ pub fn fixed(value: f64, digits: usize) -> Value {
     Value::Number(decimal(value, digits))
 }
 
-/// The same as text.
+/// Text of a number with so many digits after the decimal mark.
 pub fn decimal(value: f64, digits: usize) -> String {
     let written = format!("{value:.digits$}");
     // A little below zero is no minus zero.
@@ -129,7 +129,7 @@ pub fn significant(value: f64, digits: usize) -> Value {
     Value::Number(significant_digits(value, digits))
 }
 
-/// The same as text.
+/// Text of a number rounded to so many significant digits.
 pub fn significant_digits(value: f64, digits: usize) -> String {
     if !value.is_finite() || value == 0.0 {
         return decimal(value, 0);

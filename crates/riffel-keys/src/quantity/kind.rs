@@ -52,7 +52,7 @@ impl Kind {
     /// [`read`](Self::read), with number and unit as they were written.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub(crate) fn read_written(&self, text: &str) -> Result<WrittenQuantity, QuantityError> {
         self.read_one(text).map_err(|error| match self.read_range(text) {
             Some(_) => self.refuse(text, QuantityProblem::Range),

@@ -60,7 +60,7 @@ pub(super) fn leave_out_marks(values: &mut [f64]) -> Option<Marked> {
     Some(marked)
 }
 
-/// Which marks stand off all other values; None where there is no mark at all, or nothing else.
+/// Which marks stand off all other values; `None` if there is no mark at all, or nothing else.
 fn far_marks(values: &[f64]) -> Option<impl Fn(f64) -> bool + use<>> {
     if !values.iter().any(|&value| is_mark(value)) {
         return None;

@@ -15,7 +15,7 @@ const EXACT: [f64; 23] = [
 const FOOT: f64 = 0.3048;
 const MILE: f64 = 5280.0 * FOOT;
 
-/// A number at the beginning of `text` written in plain digits, and the bytes it takes. None where there
+/// A number at the beginning of `text` written in plain digits, and the bytes it takes. `None` if there
 /// is none, or where it needs more care than [`number`] of the whole cell gives: exponents, more digits
 /// than a double holds.
 ///

@@ -66,7 +66,7 @@ impl Form {
         matches!(self.spacing, Spacing::Uneven)
     }
 
-    /// First value and step of the abscissa; none where it is uneven.
+    /// First value and step of the abscissa; `None` if it is uneven.
     pub(super) fn even(&self) -> Option<(f64, f64)> {
         match self.spacing {
             Spacing::Even { minimum, increment } => Some((minimum, increment)),

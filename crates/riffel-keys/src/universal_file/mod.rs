@@ -271,7 +271,7 @@ impl Axis {
     }
 }
 
-/// SI units in one unit of an axis: by its label, or by the units of the file where it has none. None where the label does
+/// SI units in one unit of an axis: by its label, or by the units of the file where it has none. `None` if the label does
 /// not fit the dimensions, which are those of `exponents`; `per_si` is how many of the file's units make one of SI.
 pub fn unit_size(axis: &Axis, exponents: Exponents, per_si: f64) -> Option<f64> {
     if !axis.has_unit() {

@@ -32,7 +32,7 @@ pub struct Signal {
     pub function: Function,
     /// How many points it has.
     pub points: usize,
-    /// First value and step of the abscissa in the units of the file; none where it is uneven.
+    /// First value and step of the abscissa in the units of the file; `None` if it is uneven.
     pub even: Option<(f64, f64)>,
     form: Form,
     /// How binary values are encoded, and the bytes of each number of a point.

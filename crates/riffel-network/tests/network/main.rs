@@ -93,7 +93,7 @@ fn a_long_kilometre_is_kept() -> Result<(), NetworkError> {
     Ok(())
 }
 
-/// The same survey again changes no byte; another one is refused, and takes the place of the first if asked to. What a
+/// A survey that is stored again changes no byte; another one is refused, and takes the place of the first if asked to. What a
 /// process left half when it was killed is not believed, and is removed.
 #[test]
 fn surveys_are_there_whole_once_or_not_at_all() -> Result<(), NetworkError> {

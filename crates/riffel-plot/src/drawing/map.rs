@@ -36,10 +36,10 @@ impl MapFigure {
         self.picture_with(&MapWords::default())
     }
 
-    /// The same with words of its own, as in another language.
+    /// Picture with words of its own, such as those of another language.
     ///
     /// # Errors
-    /// Those of [`picture`](Self::picture).
+    /// Errors of [`picture`](Self::picture).
     pub fn picture_with(&self, words: &MapWords) -> Result<Picture, PlotError> {
         self.check()?;
         let labels = self.observation_labels();

@@ -145,7 +145,7 @@ impl Picture {
         picture
     }
 
-    /// The same with the numbers of axes and the like written with another decimal mark.
+    /// Picture with another decimal mark in the numbers of its axes.
     #[must_use]
     pub fn with_decimal_mark(mut self, mark: &str) -> Self {
         for shape in &mut self.shapes {

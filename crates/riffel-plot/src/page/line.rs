@@ -15,7 +15,7 @@ impl LineFigure {
     /// it needs and loads nothing. Identical data give identical text.
     ///
     /// # Errors
-    /// As [`picture`](LineFigure::picture).
+    /// Errors of [`picture`](LineFigure::picture).
     pub fn html(&self) -> Result<String, PlotError> {
         html_of_stages(&[("", self)])
     }

@@ -20,7 +20,7 @@ impl MapFigure {
     /// it needs and loads nothing. Identical data give identical text.
     ///
     /// # Errors
-    /// As [`picture`](MapFigure::picture).
+    /// Errors of [`picture`](MapFigure::picture).
     pub fn html(&self) -> Result<String, PlotError> {
         html(self)
     }

@@ -352,7 +352,7 @@ impl Case {
         })
     }
 
-    /// Frequency of the P2 resonance in closed form \[Hz\]; none where the case has none.
+    /// Frequency of the P2 resonance in closed form \[Hz\]; `None` if the case has none.
     fn p2_closed_form(&self) -> Option<f64> {
         let closed = self.case.p2_closed_form()?;
         Some(closed.angular_frequency() / std::f64::consts::TAU)

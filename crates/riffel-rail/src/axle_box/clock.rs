@@ -35,7 +35,7 @@ pub(super) enum Tick {
 }
 
 impl Clock {
-    /// By the times of some rows \[s\]; none where they do not rise.
+    /// By the times of some rows \[s\]; `None` if they do not rise.
     ///
     /// Method: the median of the differences over an eighth of the rows, which leaps between them do not move.
     pub(super) fn of(times: &[f64]) -> Option<Self> {
@@ -165,7 +165,7 @@ pub(super) struct Regression {
     block: Sums,
     /// Sums over stretches: rows with rows, and rows with times.
     all: (f64, f64),
-    /// The same of each block, with its rows.
+    /// Sums over each block, with its rows.
     blocks: Vec<(f64, f64)>,
     rows: f64,
 }

@@ -16,7 +16,7 @@ pub(super) enum Content {
 }
 
 impl Content {
-    /// The same in units of this many.
+    /// Column in units of this many.
     pub(super) fn scaled(self, scale: f64) -> Self {
         match self {
             Self::Acceleration(unit) => Self::Acceleration(scale * unit),
@@ -88,7 +88,7 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
 /// Ends of heads that are units and no words.
 const UNITS_OF_GRAVITY: [&str; 6] = ["[g]", "(g)", "_g", "[mg]", "(mg)", "_mg"];
 
-/// As metres per second squared are written.
+/// Ways to write metres per second squared.
 const SI: [&str; 8] = ["m/s2", "m/s²", "m/s^2", "m_per_s2", "m_s2", "ms-2", "mps2", "m/s/s"];
 
 fn acceleration(written: &str) -> Option<f64> {

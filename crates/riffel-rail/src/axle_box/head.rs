@@ -90,11 +90,11 @@ impl Counting {
 pub(super) struct Row<'a> {
     /// Of every channel \[m/s²\].
     pub(super) accelerations: &'a [f64],
-    /// \[s\]; none where there are no times.
+    /// \[s\]; `None` if there are no times.
     pub(super) time: Option<f64>,
     /// Speed \[m/s\] or odometer \[m\], whichever the file tells the place by.
     pub(super) place: f64,
-    /// The same by what else the file tells it by.
+    /// Place by what else the file tells it by.
     pub(super) witness: f64,
     /// A number that marks a missing value.
     pub(super) marked: Option<f64>,

@@ -3,7 +3,7 @@
 /// When and where a run ended, so that the next file can go on from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunEnd {
-    /// \[s\]; none where there are no times.
+    /// \[s\]; `None` if there are no times.
     pub time: Option<f64>,
     /// \[m\].
     pub position: f64,

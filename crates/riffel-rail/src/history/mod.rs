@@ -27,7 +27,7 @@ pub struct Measured {
     pub gone: bool,
     /// Its levels in time, where there are two records or more.
     pub course: Option<Course>,
-    /// The same course on mean energies, where the levels are means of several spectra.
+    /// Levels in time on mean energies, if the levels are means of several spectra.
     pub energy_levels: Option<Vec<f64>>,
     /// Level of every rail at the first place, or in the record where the wavelength stands out most, where there are
     /// several rails \[dB re 1 µm\].

@@ -208,7 +208,7 @@ fn same_rail<'a>(past: &'a [Rail], rails: &[Rail], index: usize) -> Option<&'a R
     strange.then(|| past.get(index)).flatten()
 }
 
-/// Level of a wavelength at its first place \[dB re 1 µm\], and its standard deviation by chance; None where the
+/// Level of a wavelength at its first place \[dB re 1 µm\], and its standard deviation by chance; `None` if the
 /// rail was not measured there.
 fn level_at(rail: &CleanRail, one: &LocatedWavelength) -> Option<(f64, f64)> {
     let spectrum = if one.all_along {

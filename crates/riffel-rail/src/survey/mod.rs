@@ -186,13 +186,13 @@ impl Survey {
             .unwrap_or_else(|| vec![(String::new(), self.clone())])
     }
 
-    /// The names of the rails, in the order of the file; none where they are not named.
+    /// The names of the rails, in the order of the file; empty if they are not named.
     pub fn rails(&self) -> Vec<String> {
         let rails = self.by_rail().into_iter().map(|(name, _)| name);
         rails.filter(|name| !name.is_empty()).collect()
     }
 
-    /// The records of one rail by any of its names, at all dates; all records without a name, or where rails are not named. None where
+    /// The records of one rail by any of its names, at all dates; all records without a name, or if rails are not named. `None` if
     /// the rail is not among them.
     pub fn of_rail(mut self, rail: Option<&str>) -> Option<Self> {
         let column = self.rail_column().map(str::to_owned);
@@ -287,7 +287,7 @@ impl Survey {
     /// The energy mean of the latest that a file has, its layout told from itself.
     ///
     /// # Errors
-    /// Those of [`RoughnessFile::read`] and [`of`](Self::of).
+    /// Errors of [`RoughnessFile::read`] and [`of`](Self::of).
     pub fn mean_of(path: &Path) -> Result<Spectrum, CaseError> {
         let file = RoughnessFile::read(path, &Layout::default(), &|_| ())?;
         Ok(Self::of(path, file)?.latest().0.mean())

@@ -34,7 +34,7 @@ impl RailDates {
     }
 
     /// The first records since the rails were last ground, with their share of the time from the oldest to now; of rails that were ground
-    /// to the last date those before it, and none where nothing was ground or there are two dates: their change says it.
+    /// to the last date those before it; `None` if nothing was ground or there are two dates: their change says it.
     pub fn since_ground(&self) -> Option<(f64, &Survey)> {
         let means: Vec<Spectrum> = self.dates.iter().map(|(_, survey)| survey.mean()).collect();
         let fall = |pair: &[Spectrum]| {
@@ -47,7 +47,7 @@ impl RailDates {
         (place > 0).then(|| (time / self.dates[0].0, survey))
     }
 
-    /// The growth of a rail by its own dates, or of all rails together without a name, in axle passages; none where days are counted and
+    /// The growth of a rail by its own dates, or of all rails together without a name, in axle passages; `None` if days are counted and
     /// it is not known how many axles run in one, or no band of the rail has two dates since it was ground.
     pub fn growth(&self, rail: Option<&str>, passages_per_day: Option<f64>) -> Option<MeasuredGrowth> {
         let per_unit = match self.elapsed {

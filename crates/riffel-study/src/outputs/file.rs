@@ -22,7 +22,7 @@ pub struct OutputsFile {
     /// The highest of these in each band.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub growth_by_band: Option<BandSet>,
-    /// The same in bands of one's own.
+    /// Highest growth in each band of one's own.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub band: Vec<BandFile>,
     /// Quantities at one wavelength and speed.
@@ -37,7 +37,7 @@ pub struct OutputsFile {
     /// The fastest growth of the window under this traffic, with its wavelength: the keys of a traffic file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub traffic: Option<TrafficFile>,
-    /// The same under the usual traffic of the line of the case.
+    /// Fastest growth under the usual traffic of the line of the case.
     pub usual_traffic: bool,
 }
 

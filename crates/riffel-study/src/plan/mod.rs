@@ -70,7 +70,7 @@ impl Plan {
     /// Read a plan from TOML with a case in another place than the plan says; `name` is shown in errors.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Errors of [`read`](Self::read).
     pub fn parse(name: &str, text: &str, case: &Path) -> Result<(Self, Case, PathBuf), CaseError> {
         let source = KeyFile::parse(name, text)?;
         let file = source.deserialize()?;
@@ -225,7 +225,7 @@ impl Plan {
         self.design.samples().saturating_mul(self.bytes_per_sample())
     }
 
-    /// The same in words, as "3.2 MB".
+    /// Size of all results in words, "3.2 MB".
     pub fn size_in_words(&self) -> String {
         in_words(self.bytes())
     }

@@ -83,7 +83,7 @@ pub(super) fn of(
     }
 }
 
-/// The distribution of a parameter of this kind, which stands at a place such as `parameter[2]`; none where it gives values or a
+/// The distribution of a parameter of this kind, which stands at a place such as `parameter[2]`; `None` if it gives values or a
 /// range, or nothing.
 ///
 /// # Errors

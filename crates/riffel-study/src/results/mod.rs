@@ -271,7 +271,7 @@ impl ResultFolder {
     /// The values of a parameter, sample after sample.
     ///
     /// # Errors
-    /// As [`output`](Self::output).
+    /// Errors of [`output`](Self::output).
     pub fn parameter(&self, key: &str) -> Result<Vec<ParameterValue>, StudyError> {
         self.check_complete()?;
         Ok(match self.read_array(key)? {

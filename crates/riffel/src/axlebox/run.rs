@@ -156,7 +156,7 @@ impl<'a> Run<'a> {
     /// The next sample of some channels, each with its acceleration; whether a segment of any is whole.
     ///
     /// # Errors
-    /// As [`push`](Self::push).
+    /// Errors of [`push`](Self::push).
     pub fn push_each(runs: &mut [Self], accelerations: &[f64], position: f64) -> Result<bool, Error> {
         let mut is_whole = false;
         for (run, &acceleration) in runs.iter_mut().zip(accelerations) {
@@ -169,7 +169,7 @@ impl<'a> Run<'a> {
     /// A gap, or the end: what comes next does not join on.
     ///
     /// # Errors
-    /// As [`push`](Self::push).
+    /// Errors of [`push`](Self::push).
     pub fn interrupt(&mut self) -> Result<(), Error> {
         self.counted.end(&mut self.raw);
         self.smooth()?;

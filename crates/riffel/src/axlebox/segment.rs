@@ -31,7 +31,7 @@ pub(super) struct Segment<'a> {
 }
 
 impl Segment<'_> {
-    /// The roughness felt; none where the segment is shorter than two heights.
+    /// The roughness felt; `None` if the segment is shorter than two heights.
     pub(super) fn felt(
         &self,
         transfer: &AxleBoxTransfer,

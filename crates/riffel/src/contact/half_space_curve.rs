@@ -34,7 +34,7 @@ impl HalfSpaceCurve {
     /// The curve of a contact; the state of steady rolling is one of its places, where value and slope are exact.
     ///
     /// # Errors
-    /// Those of [`HalfSpace::roll`] and [`HalfSpace::response`]; [`Error::NotConverged`] where a force falls or full slip is not reached.
+    /// Errors of [`HalfSpace::roll`] and [`HalfSpace::response`]; [`Error::NotConverged`] where a force falls or full slip is not reached.
     pub fn new(contact: &HalfSpace, state: &HalfSpaceRolling) -> Result<Self, Error> {
         /// Places in creepages at which the cubic of Johnson and Vermeulen slips fully.
         const PLACES: [f64; 20] = [

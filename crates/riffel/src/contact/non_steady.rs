@@ -102,7 +102,7 @@ impl NonSteady {
     /// `longest` \[m\], each derivative to a relative `tolerance` \[-\]; below 1e-4 what the iteration of the response leaves, 1e-5, stands in the way.
     ///
     /// # Errors
-    /// Those of [`HalfSpace::response`]; [`Error::NotConverged`] if 64 intervals of the longest octave do not do. Where those of
+    /// Errors of [`HalfSpace::response`]; [`Error::NotConverged`] if 64 intervals of the longest octave do not do. Where those of
     /// a shorter one do not, the table begins above it, [`known_from`](RollingContact::known_from).
     pub fn new(
         contact: &HalfSpace,

@@ -78,13 +78,13 @@ impl<L: CreepLaw> QuasiStatic<L> {
         }
     }
 
-    /// The same contact on waves, where `law` is that of the wheel of the radius R/(1 + κ).
+    /// Contact on waves; `law` is that of the wheel of the radius R/(1 + κ).
     ///
     /// Method: [`WaveGeometry::derivative`], which for a law in the creepages over ab·C_ii is −F_ξ ξ₀σ₁ − F_η η₀σ₂,
     /// σ_i = −d ln(ab C_ii)/dκ, to 1e-11 of friction (test `curvature_of_a_scaled_law`).
     ///
     /// # Errors
-    /// Those of `law`.
+    /// Errors of `law`.
     pub fn on_waves<M: CreepLaw, E>(self, law: impl Fn(f64) -> Result<M, E>) -> Result<Self, E> {
         const STEP: f64 = 1e-3;
         let steady = self.steady;

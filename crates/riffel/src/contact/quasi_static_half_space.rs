@@ -15,7 +15,7 @@ impl QuasiStaticHalfSpace {
     /// The slopes about a state to the load and what else oscillates.
     ///
     /// # Errors
-    /// Those of [`HalfSpace::response`].
+    /// Errors of [`HalfSpace::response`].
     pub fn new(
         contact: &HalfSpace,
         state: &HalfSpaceRolling,

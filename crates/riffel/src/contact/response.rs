@@ -16,12 +16,12 @@ pub struct ContactResponse {
     pub by_load: ContactDerivative,
     /// By the longitudinal creepage ξ \[-\].
     pub by_longitudinal: ContactDerivative,
-    /// By the lateral creepage η \[-\]; none where the contact does not tell it.
+    /// By the lateral creepage η \[-\]; `None` if the contact does not tell it.
     pub by_lateral: Option<ContactDerivative>,
-    /// By the spin φ \[1/m\]; none where the contact does not tell it.
+    /// By the spin φ \[1/m\]; `None` if the contact does not tell it.
     pub by_spin: Option<ContactDerivative>,
     /// By the curvature κ \[-\] of a [wave](super::WaveGeometry) at constant load and slip speed, where every creepage is c₀(1 + κ);
-    /// none where the contact does not tell it.
+    /// `None` if the contact does not tell it.
     pub by_curvature: Option<ContactDerivative>,
 }
 
@@ -65,7 +65,7 @@ pub struct ContactDerivative {
     /// Energy left on a metre of rail, as the whole patch spends it at this instant \[J/m per unit\].
     pub energy: Complex64,
     /// Energy left at a point of the rail over the whole passage of the patch \[J/m per unit\], relative to the input
-    /// at the instant at which the wheel centre passes the point; none where the contact does not resolve its patch
+    /// at the instant at which the wheel centre passes the point; `None` if the contact does not resolve its patch
     /// and the place of wear is a joint of its own.
     pub energy_at_rail: Option<Complex64>,
     /// What the grid of a contact that is cut into elements may miss; none for a law that has no grid.

@@ -51,7 +51,7 @@ impl WaveGeometry {
         Ok(Self { radius, patch, sliding: None })
     }
 
-    /// The same for a contact that slides everywhere.
+    /// Geometry of a contact that slides everywhere.
     pub fn sliding(mut self, hertz: &HertzContact) -> Self {
         self.sliding = Some(ContactFilter::of(hertz));
         self
@@ -92,7 +92,7 @@ impl WaveGeometry {
         self.radius * wavenumber * wavenumber * share
     }
 
-    /// The same with Φ whatever the response has, by which the patch changes its shape.
+    /// Curvature κ/Δ with Φ whatever the response has, by which the patch changes its shape.
     pub fn patch_curvature(&self, wavenumber: f64) -> f64 {
         self.radius * wavenumber * wavenumber * self.share(wavenumber)
     }
@@ -107,7 +107,7 @@ impl WaveGeometry {
     /// Method: central difference of fourth order; a step of 10⁻³ leaves 10⁻¹¹ of a force.
     ///
     /// # Errors
-    /// Those of `of`.
+    /// Errors of `of`.
     pub fn derivative<const N: usize, E>(step: f64, of: impl Fn(f64) -> Result<[f64; N], E>) -> Result<[f64; N], E> {
         let [near, far] = [1.0, 2.0].map(|steps| Ok([of(steps * step)?, of(-steps * step)?]));
         let ([up, down], [far_up, far_down]) = (near?, far?);

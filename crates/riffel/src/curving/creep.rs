@@ -49,7 +49,7 @@ pub enum LawOnEllipse {
 }
 
 impl Creep {
-    /// The same with a closed law in the place of one that is computed cell by cell; none where it is closed already.
+    /// Creep with a closed law in the place of one that is computed cell by cell; `None` if it is closed already.
     pub(super) fn closed(&self) -> Option<Self> {
         let mut closed = self.clone();
         match &mut closed {

@@ -50,7 +50,7 @@ impl VehicleInCurve {
     /// all threads.
     ///
     /// # Errors
-    /// As [`equilibrium`](Self::equilibrium).
+    /// Errors of [`equilibrium`](Self::equilibrium).
     pub fn equilibria(&self) -> Result<Vec<VehicleState>, Error> {
         let mut states = vec![self.equilibrium()?];
         let others = match self.with_closed_laws() {
@@ -96,7 +96,7 @@ impl VehicleInCurve {
         Err(failure.unwrap_or(Error::NoEquilibrium { reached }))
     }
 
-    /// The vehicle with closed creep laws in the place of those that cost much more; none where it has no other.
+    /// The vehicle with closed creep laws in the place of those that cost much more; `None` if it has no other.
     fn with_closed_laws(&self) -> Option<Self> {
         let [left, right] = &self.creep;
         let closed = [left.closed(), right.closed()];

@@ -7,7 +7,7 @@ pub(super) trait Equations {
     /// What is evaluated at values of the unknowns.
     type Evaluated;
 
-    /// None where the equations are not defined.
+    /// `None` if the equations are not defined.
     fn evaluate(&self, unknowns: &[f64]) -> Option<Self::Evaluated>;
 
     fn residuals(&self, unknowns: &[f64], evaluated: &Self::Evaluated) -> Vec<f64>;
@@ -32,7 +32,7 @@ const MOST_HALVINGS: usize = 24;
 /// rounding there.
 const DIFFERENCE: f64 = 1e-5;
 
-/// A root near a start; none where the method stays above the tolerance. Unknowns are measured by their scales.
+/// A root near a start; `None` if the method stays above the tolerance. Unknowns are measured by their scales.
 ///
 /// Method: Jacobian by central differences, Gaussian elimination with partial pivoting, steps halved until the sum of
 /// squares falls; ends where rounding keeps it from falling. Cost: some evaluations a step and 2N of the part that an

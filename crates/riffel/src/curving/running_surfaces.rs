@@ -29,10 +29,10 @@ pub struct TwoPoints {
 /// They are told over the shift η \[m\] of the wheelset at the level of the rails, positive to the right. As it rolls the axle
 /// goes another way.
 pub trait RunningSurfaces: Send + Sync {
-    /// Where a wheel runs at a shift; none where the wheelset has left the track.
+    /// Where a wheel runs at a shift; `None` if the wheelset has left the track.
     fn position(&self, rail: Rail, shift: f64) -> Option<RollingPosition>;
 
-    /// Lateral shift y of the axle \[m\] at a shift; none where the wheelset has left the track. Surfaces that leave roll out have
+    /// Lateral shift y of the axle \[m\] at a shift; `None` if the wheelset has left the track. Surfaces that leave roll out have
     /// y = η.
     fn axle_shift(&self, shift: f64) -> Option<f64> {
         Some(shift)

@@ -105,7 +105,7 @@ impl WheelState {
         self.track_lateral_force + self.second_contact.map_or(0.0, |second| second.track_lateral_force)
     }
 
-    /// The same wheel told from its other contact, with the one told before as the second; none on one point.
+    /// This wheel described from its second contact point, with the first as its second; `None` if it touches at one point.
     pub fn from_second_contact(self) -> Option<Self> {
         let other = self.second_contact?;
         Some(Self {

@@ -150,7 +150,7 @@ impl ClippedPower {
     }
 }
 
-/// Half the part of a wave above the limit as an angle; none where all lies below.
+/// Half the part of a wave above the limit as an angle; `None` if all lies below.
 fn angle_above(excess: f64, amplitude: f64) -> Option<f64> {
     if excess >= amplitude {
         return (excess > 0.0).then_some(PI);

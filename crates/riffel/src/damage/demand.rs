@@ -83,11 +83,11 @@ impl Demand {
         })
     }
 
-    /// The same under waves whose geometry has a part: over a crest the patch is that of the smaller radius R/(1 + κ), p₀ rises by c κ and
+    /// Demand under waves whose geometry has a part: over a crest the patch is that of the smaller radius R/(1 + κ), p₀ rises by c κ and
     /// with a/b what the ellipse may carry changes. `limit` is that of a contact.
     ///
     /// # Errors
-    /// Those of [`HertzContact::curved`].
+    /// Errors of [`HertzContact::curved`].
     pub fn on_waves(self, hertz: HertzContact, limit: impl Fn(HertzContact) -> ShakedownLimit) -> Result<Self, Error> {
         /// A search for the largest stress leaves 10⁻⁹ of it.
         const STEP: f64 = 1e-2;

@@ -12,7 +12,7 @@ pub struct Flow {
     pub depth: f64,
     /// ⟨X⟩^m over the spread of loads.
     pub law: ClippedPower,
-    /// D_h \[m\]: outflow by which hardening uses up a demand of one; none where flow goes on.
+    /// D_h \[m\]: outflow by which hardening uses up a demand of one; `None` if flow goes on.
     pub hardening_depth: Option<f64>,
 }
 

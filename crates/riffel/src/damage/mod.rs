@@ -81,7 +81,7 @@ pub struct Damage {
     pub demand: Demand,
     /// The laws, each once.
     pub laws: Vec<DamageLaw>,
-    /// Of their rates over the amplitude, by law, as soon as many are asked for; none where a rate is in closed form.
+    /// Of their rates over the amplitude, by law, as soon as many are asked for; `None` if a rate is in closed form.
     tables: OnceLock<Vec<Option<RateTable>>>,
 }
 
@@ -92,7 +92,7 @@ pub(crate) struct Oscillation {
     pub(crate) demand: Complex64,
     /// Energy at a point of the rail \[J/m\], as the law of wear takes it.
     pub(crate) wear: Complex64,
-    /// The same as it is dissipated.
+    /// Energy at a point of the rail as it is dissipated \[J/m\].
     pub(crate) energy: Complex64,
     /// P₁ \[N\].
     pub(crate) load: Complex64,
@@ -130,7 +130,7 @@ impl Damage {
         })
     }
 
-    /// The same without that.
+    /// Damage without flow that hardens.
     pub(crate) fn without_flow_that_hardens(&self) -> Self {
         let keeps = |law: &&DamageLaw| !matches!(law, DamageLaw::Flow(flow) if flow.hardening_depth.is_some());
         let laws = self.laws.iter().filter(keeps).copied().collect();
@@ -325,7 +325,7 @@ pub struct LawState {
     pub name: &'static str,
     /// G = −h₁/Δ per passage: growth and, as its imaginary part, drift.
     pub growth: Complex64,
-    /// Mean depth per passage \[m\]; none where a law takes none away.
+    /// Mean depth per passage \[m\]; `None` if a law takes none away.
     pub mean_depth: Option<f64>,
 }
 
@@ -338,7 +338,7 @@ pub struct CrackState {
     pub damage_1: Complex64,
     /// Net growth of a crack, mean \[m\].
     pub growth: f64,
-    /// The same of the wave, per metre of profile \[-\].
+    /// Net growth of a crack along the wave, per metre of profile \[-\].
     pub growth_1: Complex64,
 }
 

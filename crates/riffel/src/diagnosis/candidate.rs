@@ -136,7 +136,7 @@ pub enum Reason {
 }
 
 impl Candidate {
-    /// As in "growth ridge, wheelset 1, low rail".
+    /// Name of the candidate, "growth ridge, wheelset 1, low rail".
     pub fn name(&self) -> String {
         let of = self.of.as_ref();
         let of = of.map_or_else(String::new, |of| format!(", {of}"));
@@ -326,7 +326,7 @@ mod tests {
         assert!(grinding(Some(&fading)) > grinding(None) && grinding(None) > grinding(Some(&growing)));
     }
 
-    /// The same wave at 5 µm RMS and at 50 µm: no accepted grinding leaves ten times as much.
+    /// A wave at 5 µm RMS and at 50 µm: no accepted grinding leaves ten times as much.
     #[test]
     fn a_high_wave_is_no_mark_of_grinding() {
         let speeds = TrafficSpeeds::new([(30.0, 1.0)]).unwrap();

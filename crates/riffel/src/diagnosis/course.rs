@@ -77,7 +77,7 @@ pub struct Course {
     pub since: usize,
     /// What time is counted in.
     pub unit: TimeUnit,
-    /// The line; none where all but one record are from before the rail was ground.
+    /// The line; `None` if all but one record are from before the rail was ground.
     pub slope: Option<Slope>,
 }
 
@@ -132,7 +132,7 @@ impl Course {
         Some(self.points[before].level - self.points[self.since].level)
     }
 
-    /// Probability that the level rises, for errors that are normal; none where it is not known since the rail was ground.
+    /// Probability that the level rises, for errors that are normal; `None` if it is not known since the rail was ground.
     pub fn probability_of_rise(&self) -> Option<f64> {
         let Slope { mean, scatter } = self.slope?;
         Some(normal::above(-mean / scatter.max(1e-6)))
@@ -151,7 +151,7 @@ impl Course {
     }
 
     /// Time until the level has moved by three times the scatter of one record, in the unit of the course:
-    /// when to measure again. None where the slope is not known better than its own scatter.
+    /// when to measure again. `None` if the slope is not known better than its own scatter.
     pub fn until_visible(&self) -> Option<f64> {
         let (last, slope) = (self.points.last()?.known_scatter(), self.slope?);
         (slope.mean.abs() > slope.scatter).then(|| 3.0 * last / slope.mean.abs())

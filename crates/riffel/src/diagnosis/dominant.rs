@@ -33,7 +33,7 @@ pub struct DominantWavelength {
     pub wavelength: f64,
     /// Where the spectrum is down to half its peak on the short side \[m\]; the edge of a one-third octave.
     pub from: f64,
-    /// The same on the long side \[m\].
+    /// Wavelength on the long side at which the spectrum is down to half its peak \[m\].
     pub to: f64,
     /// Level of all between the two \[dB re 1 µm\].
     pub level: f64,
@@ -94,7 +94,7 @@ impl FineSpectrum {
     /// median of all slopes between them (Theil 1950, Sen 1968): a second peak does not bend it.
     ///
     /// # Errors
-    /// As [`PowerSpectrum::of_record`].
+    /// Errors of [`PowerSpectrum::of_record`].
     pub fn of_record(stretches: &[Profile]) -> Result<Self, Error> {
         /// Longest wavelength asked of the transform \[m\], of which a segment has twenty.
         const LONGEST: f64 = 1.0;
@@ -147,7 +147,7 @@ impl FineSpectrum {
         self.dominant_among(1)
     }
 
-    /// The same where this is one of several spectra: noise has such a peak in one of a hundred sets of so many.
+    /// Dominant wavelengths if this is one of several spectra: noise has such a peak in one of a hundred sets of so many.
     pub(super) fn dominant_among(&self, spectra: usize) -> Vec<DominantWavelength> {
         let excess = |index: usize| self.bands[index].level - self.bands[index].trend;
         let false_peaks = |index: usize| {

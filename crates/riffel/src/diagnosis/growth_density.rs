@@ -11,7 +11,7 @@ const FEW: usize = 3;
 
 /// Growth rate per passage over wavelength, averaged over the speeds of the traffic.
 ///
-/// As a prediction, a wavelength is as likely as it grows: the positive part of the mean growth rate over
+/// Growth rate as a prediction, by which a wavelength is as likely as it grows: the positive part of the mean growth rate over
 /// ln λ, divided by its integral. Real growth is exponential and sharpens this; the linear measure is the
 /// careful one.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +20,7 @@ pub struct GrowthDensity {
     wavelengths: Vec<f64>,
     /// Mean growth rate per passage at each \[-\].
     rates: Vec<f64>,
-    /// The same with its narrow lines, under a few speeds: many blur them.
+    /// Mean growth rate with its narrow lines, under a few speeds: many blur them.
     course: Option<GrowthCourse>,
     /// ∫ of the positive part over ln λ.
     integral: f64,

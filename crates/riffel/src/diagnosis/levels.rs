@@ -13,7 +13,7 @@ const PROMINENT: f64 = 3.0;
 const FALSE_ALARMS: f64 = 0.05;
 
 /// Prominence of a band: its level less that of the line through its neighbours up to half a decade away
-/// with the median of all slopes; None where either side has less than two.
+/// with the median of all slopes; `None` if either side has less than two.
 fn prominence(spectrum: &Spectrum, band: ThirdOctave) -> Option<f64> {
     let own = spectrum.level(band)?;
     let neighbours = |range: std::ops::RangeInclusive<i32>| -> Vec<(f64, f64)> {

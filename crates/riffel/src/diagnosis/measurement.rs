@@ -8,9 +8,9 @@ const WORTH: f64 = 0.05;
 /// What may be measured to tell candidates apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Measurement {
-    /// The same where trains run slower: a constant frequency moves there, a length stays.
+    /// Measurement of the rail where trains run slower: a constant frequency moves there, a length stays.
     OtherSpeed,
-    /// The same again: after so much time the present course moves the level by three times its scatter, where that is known.
+    /// Measurement of the rail again: after so much time the present course moves the level by three times its scatter, where that is known.
     Again(Option<(TimeUnit, f64)>),
     /// That which settles a mechanism.
     Of(MechanismKind),

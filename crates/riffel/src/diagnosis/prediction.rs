@@ -109,7 +109,7 @@ impl Mechanism {
         }
     }
 
-    /// The same of one of several.
+    /// Prediction of one of several.
     pub fn of(mut self, which: impl Into<String>) -> Self {
         self.of = Some(which.into());
         self

@@ -34,7 +34,7 @@ impl TrafficSpeeds {
     /// Speeds from one to another \[m/s\], evenly; one speed where the two are the same.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn between(slowest: f64, fastest: f64) -> Result<Self, Error> {
         /// Enough that their steps are below every spread of a frequency, up to a ratio of three.
         const STEPS: u32 = 60;
@@ -48,7 +48,7 @@ impl TrafficSpeeds {
     /// Speeds of several ranges from one to another \[m/s\], each range as common as any other.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn of_ranges(ranges: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, Error> {
         let mut shares = Vec::new();
         for (slowest, fastest) in ranges {
@@ -57,7 +57,7 @@ impl TrafficSpeeds {
         Self::new(shares)
     }
 
-    /// The same speeds, with growth in the mean over those of a traffic: its normal distribution stands for an even range.
+    /// Speeds with growth in the mean over those of a traffic: its normal distribution stands for an even range.
     #[must_use]
     pub fn growing_under(self, traffic: Self) -> Self {
         Self { of_growth: Some(traffic.shares), ..self }

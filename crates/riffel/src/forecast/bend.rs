@@ -21,7 +21,7 @@ pub(super) struct Bend {
 }
 
 impl Bend {
-    /// Where a sum of waves, of mean squares in m², meets a mean depth of wear \[m\]; none where it never does.
+    /// Where a sum of waves, of mean squares in m², meets a mean depth of wear \[m\]; `None` if it never does.
     ///
     /// A is convex in N, so that it does so once.
     pub(super) fn of(sum: &GrowingSum, depth: f64) -> Option<Self> {
@@ -36,7 +36,7 @@ impl Bend {
         0.5 * (self.amplitude + self.depth * (passages - self.passages)).powi(2)
     }
 
-    /// Axle passages until a mean square \[m²\] beyond it; none where nothing wears.
+    /// Axle passages until a mean square \[m²\] beyond it; `None` if nothing wears.
     pub(super) fn passages_to(&self, mean_square: f64) -> Option<f64> {
         let more = ((2.0 * mean_square).sqrt() - self.amplitude) / self.depth;
         more.is_finite().then_some(self.passages + more)

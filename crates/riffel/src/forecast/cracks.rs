@@ -40,7 +40,7 @@ impl WavePhase {
 pub struct CrackedPhase {
     /// What a passage does there now.
     pub now: WavePhase,
-    /// Length of a crack that began with none \[m\]; wear keeps it at none where it takes off more than grows.
+    /// Length of a crack that began with none \[m\]; wear keeps it at zero if it takes off more than grows.
     pub length: f64,
 }
 
@@ -65,7 +65,7 @@ fn amplitude(index: usize) -> f64 {
 }
 
 impl Cracks {
-    /// Those of a wheel; none where its laws have no fatigue. `states` as in [`MeanGrowth::between`](super::MeanGrowth::between).
+    /// Crack rates of a wheel; `None` if its laws have no fatigue. `states` as in [`MeanGrowth::between`](super::MeanGrowth::between).
     pub(super) fn of(
         states: &[(f64, &[(Loop, f64)])],
         bands: &[ThirdOctave],
@@ -96,7 +96,7 @@ impl Cracks {
         Some(Self { phases: means.values })
     }
 
-    /// The mean by shares, of which those without cracks have none; none where all are so.
+    /// The mean by shares, of which those without cracks have none; `None` if all are so.
     pub(super) fn mean<'a>(parts: impl Iterator<Item = (f64, Option<&'a Self>)>) -> Option<Self> {
         let parts = parts.filter_map(|(share, it)| Some(it?.clone().covering(share)));
         parts.reduce(|mut sum, other| {

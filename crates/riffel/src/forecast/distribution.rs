@@ -26,7 +26,7 @@ pub enum Distribution {
         /// Standard deviation of the logarithm.
         deviation: f64,
     },
-    /// The same density everywhere between two ends.
+    /// Even density between two ends.
     Even {
         /// Lowest.
         low: f64,
@@ -125,7 +125,7 @@ impl Distribution {
         }
     }
 
-    /// The same density from one value to another; one of them where they are the same.
+    /// Even density from one value to another; the value itself if both are equal.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless both are finite and the first is not above the second.

@@ -82,7 +82,7 @@ impl GrowingSum {
         0.5 * self.sums(passages).1
     }
 
-    /// Passages until the mean square reaches a value; none where it never does, 0 where it is there now.
+    /// Passages until the mean square reaches a value; `None` if it never does, 0 where it is there now.
     ///
     /// Newton's method on ln r², from where the first wave alone is there: convex, so it comes down to the
     /// crossing from above without leaving it; to rounding.

@@ -28,7 +28,7 @@ pub(super) struct HardeningWheel {
 pub struct HardeningEnd {
     /// −D_h Re(u₁/Δ) in the mean of the wheels: above one the wave outgrows its hardening.
     pub runaway_number: f64,
-    /// What the wave is multiplied by when flow comes to rest; none where it runs away.
+    /// What the wave is multiplied by when flow comes to rest; `None` if it runs away.
     pub wave_ratio: Option<f64>,
 }
 
@@ -68,7 +68,7 @@ impl HardeningWheel {
         })
     }
 
-    /// The same of some lines under a share of the passages.
+    /// Wheel with some of its lines under a share of the passages.
     pub(super) fn part(&self, lines: std::ops::Range<usize>, share: f64) -> Self {
         Self {
             share: share * self.share,
@@ -86,7 +86,7 @@ impl HardeningWheel {
 
 impl HardeningEnd {
     /// Of a band of lines that are equally high under some wheels: it runs away with the line that does, else its lines end together in the
-    /// mean of their squares. None where nothing flows.
+    /// mean of their squares. `None` if nothing flows.
     pub(super) fn of_band(wheels: &[HardeningWheel], lines: usize) -> Option<Self> {
         let ends = (0..lines).map(|line| Self::of(wheels, line));
         let ends = ends.collect::<Option<Vec<Self>>>()?;
@@ -99,7 +99,7 @@ impl HardeningEnd {
         })
     }
 
-    /// Of a line under some wheels; none where nothing flows.
+    /// Of a line under some wheels; `None` if nothing flows.
     ///
     /// With X = X₀ + u₁ − D/D_h and r = r₀ − D a wave ends where its demand is used up, at r₀/(1 + D_h u₁/Δ); of several wheels each
     /// counts by what flows under it.

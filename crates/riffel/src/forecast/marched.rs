@@ -75,7 +75,7 @@ impl Marched {
         Self { course }
     }
 
-    /// The same where the rail flows and hardens under some wheels, besides `rates` of all else.
+    /// March of a rail that flows and hardens under some wheels, besides `rates` of all else.
     ///
     /// Every line has an amplitude a and a first harmonic D₁ of what has flowed, the band its mean D₀: the demand of a wheel is X = X₀ −
     /// D₀/D_h in the mean and u₁ − D₁/D_h along the wave, and flow is that of [`ClippedPower`](crate::damage::ClippedPower) over the
@@ -132,7 +132,7 @@ impl Marched {
         low.1 + (high.1 - low.1) * (passages - low.0) / (high.0 - low.0)
     }
 
-    /// Passages after which ln r² has come to rest, but for a twentieth of its way; none where it goes on at the end.
+    /// Passages after which ln r² has come to rest, but for a twentieth of its way; `None` if it goes on at the end.
     pub(super) fn rests_after(&self) -> Option<f64> {
         const LEFT: f64 = 0.05;
         const REST: f64 = 1e-4;
@@ -145,7 +145,7 @@ impl Marched {
         (off(&before) <= REST * way).then(|| self.course[moving + 1].0)
     }
 
-    /// Passages until ln r² is there; none where it never is.
+    /// Passages until ln r² is there; `None` if it never is.
     pub(super) fn passages_to(&self, goal: f64) -> Option<f64> {
         let above = self.course.iter().position(|(_, ln)| *ln >= goal)?;
         let high = self.course[above];

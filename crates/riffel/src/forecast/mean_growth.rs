@@ -34,7 +34,7 @@ impl MeanGrowth {
         Self::between(&[(speeds.mean(), places)], wavelengths, speeds)
     }
 
-    /// The same for a wheel whose mean state depends on its speed: its loops at some speeds \[m/s\], rising. Between two of them
+    /// Means for a wheel whose mean state depends on its speed: its loops at some speeds \[m/s\], rising. Between two of them
     /// each counts by its nearness, so that the error is of second order in their distance; beyond the ends the nearest counts.
     ///
     /// Cost: twice that of [`compute`](Self::compute) between speeds.

@@ -48,7 +48,7 @@ fn weights(times: &[f64]) -> Vec<f64> {
 }
 
 impl Dated {
-    /// A band of the records at dates that rise, since its level last fell as by grinding; none where that is one date.
+    /// A band of the records at dates that rise, since its level last fell as by grinding; `None` if that is one date.
     fn new(dates: &[(f64, Vec<Spectrum>)], band: ThirdOctave) -> Option<Self> {
         let known = dates.iter().filter_map(|(time, records)| {
             let levels = records.iter().map(|record| record.level(band));
@@ -82,7 +82,7 @@ impl Dated {
         parts.sum()
     }
 
-    /// Variance of the level of a date by its records, in pairs of the same place or not; none where they are too few.
+    /// Variance of the level of a date by its records, in pairs of the same place or not; `None` if they are too few.
     fn scatter(&self, paired: bool) -> Option<Variance> {
         let counts: Vec<usize> = self.squares.iter().map(Vec::len).collect();
         if counts.iter().any(|count| *count < FEWEST) {

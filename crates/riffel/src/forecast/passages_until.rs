@@ -1,6 +1,6 @@
 //! When something first is so.
 
-/// Axle passages from `least` on after which something is so, which then stays so; none where it is not up to `most`.
+/// Axle passages from `least` on after which something is so, which then stays so; `None` if it is not up to `most`.
 ///
 /// Method: doubling, then bisection to rounding.
 pub(super) fn passages_until(least: f64, most: f64, is_so: impl Fn(f64) -> bool) -> Option<f64> {

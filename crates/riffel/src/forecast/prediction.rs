@@ -65,11 +65,11 @@ pub struct ForecastBand {
     pub sum: GrowingSum,
     /// Its place among the bands of the traffic.
     place: usize,
-    /// Where its rate needs all the wear of the rail; none where it never does, and for a measured rate.
+    /// Where its rate needs all the wear of the rail; `None` if it never does, and for a measured rate.
     bend: Option<Bend>,
     /// Its course where its rates depend on its amplitude.
     marched: Option<Marched>,
-    /// Where flow that hardens takes it by itself; none where nothing hardens.
+    /// Where flow that hardens takes it by itself; `None` if nothing hardens.
     hardening: Option<HardeningEnd>,
 }
 
@@ -78,7 +78,7 @@ pub struct ForecastBand {
 pub struct LinearRange {
     /// |P₁|/P₀ now \[-\].
     pub force_ratio: f64,
-    /// Axle passages until it is one; none where it never is.
+    /// Axle passages until it is one; `None` if it never is.
     pub passages: Option<f64>,
     /// The vehicle that parts first, by its place in the mix; where none does, the one of the largest ratio.
     pub vehicle: usize,
@@ -110,17 +110,17 @@ impl ForecastBand {
         }
     }
 
-    /// Where flow that hardens takes its waves by itself; none where nothing flows and hardens.
+    /// Where flow that hardens takes its waves by itself; `None` if nothing flows and hardens.
     pub fn hardening(&self) -> Option<HardeningEnd> {
         self.hardening
     }
 
-    /// Axle passages after which its level has come to rest, but for a twentieth of its way; none where it goes on.
+    /// Axle passages after which its level has come to rest, but for a twentieth of its way; `None` if it goes on.
     pub fn rests_after(&self) -> Option<f64> {
         self.marched.as_ref().and_then(Marched::rests_after)
     }
 
-    /// Axle passages after which its rate no longer lasts, for it would need more than the mean wear of the rail; none where it
+    /// Axle passages after which its rate no longer lasts, for it would need more than the mean wear of the rail; `None` if it
     /// lasts on, or was measured.
     pub fn bends_after(&self) -> Option<f64> {
         self.bend.map(|bend| bend.passages)
@@ -239,7 +239,7 @@ impl Forecast {
     }
 
     /// What a passage does now at the four [phases](super::WavePhase::NAMES) of the wave in the middle of a band, and how long a crack is after
-    /// some passages in which the wave grows as forecast; none where fatigue is not among the laws.
+    /// some passages in which the wave grows as forecast; `None` if fatigue is not among the laws.
     ///
     /// Its amplitude is √2 of the RMS of the band. Method: steps of a hundredth of the passages, midpoints.
     pub fn cracks(&self, band: &ForecastBand, passages: f64) -> Option<[CrackedPhase; 4]> {
@@ -320,7 +320,7 @@ fn force_of<'a>(
 }
 
 /// Axle passages after which the forces of bands, some of which bend over, are P₀ together; by the exponentials that is after
-/// `least`. None where it is never so, or beyond all traffic.
+/// `least`. `None` if it is never so, or beyond all traffic.
 fn parts_after(bands: &[(&ForecastBand, GrowingSum)], least: f64) -> Option<f64> {
     const MOST: f64 = 1e15;
     let is_beyond = |passages: f64| {

@@ -65,7 +65,7 @@ pub struct FittedBand {
     pub interval: Option<(f64, f64)>,
     /// Change of level by the model with the wear coefficient of the case \[dB\].
     pub predicted: f64,
-    /// The same with the best coefficient \[dB\].
+    /// Change of level by the model with the best coefficient \[dB\].
     pub fitted: f64,
     /// Whether the model says that it grows, so that it was fitted.
     pub grows: bool,

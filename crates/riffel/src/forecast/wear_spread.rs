@@ -44,7 +44,7 @@ impl WearSpread {
         self.within(HALF_OF_80, value)
     }
 
-    /// The same by half.
+    /// Interval in which the value lies by half.
     pub fn band_50(self, value: f64) -> [f64; 2] {
         self.within(0.674_489_750_196_081_7, value)
     }

@@ -30,7 +30,7 @@ pub struct Bay {
 }
 
 impl Bay {
-    /// The loop on a track, which is the vertical one of a loop on all axes; none where supports are not discrete.
+    /// The loop on a track, which is the vertical one of a loop on all axes; `None` if supports are not discrete.
     pub fn new(feedback: impl Into<Loop>, track: Arc<dyn CrossReceptance>) -> Option<Self> {
         Some(Self { spacing: track.support_spacing()?, feedback: feedback.into(), track })
     }

@@ -13,7 +13,7 @@ pub(super) struct Closing<'a> {
     pub(super) by_force: &'a SplitComplex,
     pub(super) by_speed: &'a SplitComplex,
     pub(super) slip: &'a SplitComplex,
-    /// The same two columns of the wave's own geometry.
+    /// Two columns of the wave's own geometry.
     pub(super) wave: Option<&'a [SplitComplex; 2]>,
     /// e_ξ Δ/(μP₀ξ₀) and, by the direction of the normal force, T k²P₀, see [`Hubs`](crate::feedback::Hubs).
     pub(super) direction: Option<[&'a SplitComplex; 2]>,

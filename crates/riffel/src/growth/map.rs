@@ -133,7 +133,7 @@ impl<'a> Grid<'a> {
         tiles
     }
 
-    /// The same into tiles that are there.
+    /// Evaluate into tiles that are there.
     fn evaluate_into(&self, feedback: Loop, tiles: &mut [[Complex64; TILE]]) {
         assert_eq!(tiles.len(), self.tiles(), "tiles of a map");
         tiles.par_iter_mut().enumerate().with_min_len(self.tiles_a_row).for_each_with(

@@ -21,7 +21,7 @@ pub struct GrowthOnIrregularSupports {
     pub places: Vec<f64>,
     /// Growth rate per passage at each.
     pub growth_rates: Vec<f64>,
-    /// The same over a bay of equal supports, from one of them on.
+    /// Growth rate per passage over a bay of equal supports, from one of them on.
     pub even: Vec<f64>,
     /// Where the supports of the stretch stand \[m\].
     pub supports: Vec<f64>,

@@ -71,13 +71,13 @@ impl Energies {
         Some(level).filter(|level| level.is_finite())
     }
 
-    /// Level of a part in each band \[dB\]; none where it radiates nothing.
+    /// Level of a part in each band \[dB\]; `None` if it radiates nothing.
     pub fn levels(&self, part: Part) -> Vec<Option<f64>> {
         let bands = self.bands.iter();
         bands.map(|band| self.level(band.of(part))).collect()
     }
 
-    /// A-weighted level of a part over all bands \[dB(A)\]; none where it radiates nothing.
+    /// A-weighted level of a part over all bands \[dB(A)\]; `None` if it radiates nothing.
     pub fn a_weighted(&self, part: Part) -> Option<f64> {
         let weighted = |band: &BandEnergies| band.of(part) * 10f64.powf(0.1 * a_weighting(band.band.centre()));
         self.level(self.bands.iter().map(weighted).sum())
@@ -90,7 +90,7 @@ impl Energies {
         Self { bands: bands.filter(|band| has(band.band)).collect(), ..*self }
     }
 
-    /// The same with rail and sleepers at some share of their energy.
+    /// Energies with rail and sleepers at some share of theirs.
     pub fn with_track_at(&self, share: f64) -> Self {
         let bands = self.bands.iter().map(|band| BandEnergies {
             rail: share * band.rail,

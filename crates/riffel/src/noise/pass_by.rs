@@ -94,7 +94,7 @@ impl PassBy {
         self.mean_square(air, power) * sum
     }
 
-    /// The same where each wheelset, with the track under it, is a source in the middle of the track that radiates to
+    /// Mean square pressure \[Pa²\] if each wheelset, with the track under it, is a source in the middle of the track that radiates to
     /// the sides as 0.01 + 0.99 sin²φ, the horizontal directivity of the European directive: 10 lg 0.505 = −3 dB over
     /// the passage.
     pub fn of_wheelsets(&self, air: &Air, power: f64) -> f64 {

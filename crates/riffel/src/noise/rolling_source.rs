@@ -17,13 +17,13 @@ const NOMINAL_BAY: f64 = 0.6;
 /// How the rail vibrates away from the wheel.
 #[derive(Clone)]
 pub enum RailDecay<'a> {
-    /// As the model of the track says.
+    /// Decay by the model of the track.
     Track(&'a dyn CrossReceptance),
     /// From what it does under the wheel, at measured decay rates.
     Rates {
         /// Decay rates \[dB/m\] by band.
         rates: Vec<(FrequencyBand, f64)>,
-        /// What the rail does under the wheel at any place; none where it is known at that of the loop alone.
+        /// What the rail does under the wheel at any place; `None` if it is known at that of the loop alone.
         track: Option<&'a dyn CrossReceptance>,
     },
 }
@@ -89,7 +89,7 @@ pub struct BandRadiation {
 }
 
 impl BandRadiation {
-    /// Sound power under a roughness at the same speed; none where the roughness is not known.
+    /// Sound power under a roughness at the same speed; `None` if the roughness is not known.
     ///
     /// # Errors
     /// [`Error`] of the roughness.
@@ -136,7 +136,7 @@ pub struct RollingSource<'a> {
     pub decay: RailDecay<'a>,
     /// The rail as a radiator.
     pub rail: OscillatingCylinder,
-    /// The sleepers as radiators; none where the rail stands on a slab.
+    /// The sleepers as radiators; `None` if the rail stands on a slab.
     pub sleepers: Option<Sleepers>,
     /// The wheel as a radiator that moves as a rigid body.
     pub wheel: OscillatingSphere,
@@ -153,7 +153,7 @@ struct RailAt {
 }
 
 impl RollingSource<'_> {
-    /// Sound power of one wheel on one rail in a band; none where the roughness or the decay of the rail is not known.
+    /// Sound power of one wheel on one rail in a band; `None` if the roughness or the decay of the rail is not known.
     ///
     /// # Errors
     /// [`Error`] of the roughness.
@@ -167,7 +167,7 @@ impl RollingSource<'_> {
         }
     }
 
-    /// What any roughness of a band makes of it at a speed \[m/s\]; none where the decay of the rail is not known.
+    /// What any roughness of a band makes of it at a speed \[m/s\]; `None` if the decay of the rail is not known.
     pub fn radiation(&self, band: FrequencyBand, speed: f64) -> Option<BandRadiation> {
         let rate = match &self.decay {
             RailDecay::Track(_) => None,

@@ -104,7 +104,7 @@ impl WheelModes {
         Ok(Self { modes: ringing.collect::<Result<Vec<Ringing>, Error>>()? })
     }
 
-    /// The same with dampers on the wheel, by which no mode has less than a damping ratio.
+    /// Modes with dampers on the wheel, by which none has less than a damping ratio.
     #[must_use]
     pub fn damped(&self, damping_ratio: f64) -> Self {
         let damped = |mode: &Ringing| Ringing { damping_ratio: mode.damping_ratio.max(damping_ratio), ..mode.clone() };
@@ -164,7 +164,7 @@ impl WheelModes {
 impl Radiated {
     /// Of a function of the frequency \[Hz\], about a natural frequency.
     fn about(natural: f64, power: impl Fn(f64) -> f64) -> Self {
-        /// As far as it is heard \[Hz\].
+        /// Lowest frequency that is heard \[Hz\].
         const LOWEST: f64 = 50.0;
         const HIGHEST: f64 = 10e3;
         // Octaves from the natural frequency.

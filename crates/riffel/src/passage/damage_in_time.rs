@@ -21,7 +21,7 @@ pub struct DamageInTime {
 }
 
 impl DamageInTime {
-    /// That of a contact of a loop; none where wear is alone.
+    /// That of a contact of a loop; `None` if wear is alone.
     pub fn of(feedback: &Loop, contact: &Contact) -> Option<Self> {
         let damage = contact.damage.clone()?;
         (damage.laws != [DamageLaw::Wear]).then(|| Self {
@@ -31,7 +31,7 @@ impl DamageInTime {
         })
     }
 
-    /// Share of its hardening that a point takes on in a passage where it is fastest \[-\]; none where nothing hardens.
+    /// Share of its hardening that a point takes on in a passage where it is fastest \[-\]; `None` if nothing hardens.
     pub(super) fn hardening_rate(&self) -> Option<f64> {
         let flow = self.damage.flow_that_hardens()?;
         let steepest = self.damage.demand.excess().abs() + flow.law.spread();

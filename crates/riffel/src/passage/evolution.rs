@@ -112,7 +112,7 @@ impl Evolution {
         }
     }
 
-    /// The same where so much has flowed and hardened at each height \[m\]; empty for nothing.
+    /// Rail on which so much has flowed and hardened at each height \[m\]; empty for nothing.
     #[must_use]
     pub fn with_outflow(self, outflow: Vec<f64>) -> Self {
         Self { outflow, ..self }
@@ -157,7 +157,7 @@ impl Evolution {
     /// Cost: two marches around the ring, and over the run-in before it, for each of the wheels, on all threads.
     ///
     /// # Errors
-    /// Those of a march, and [`Error::OutOfRange`] for a ring on discrete supports that is not of whole bays;
+    /// Errors of a march, and [`Error::OutOfRange`] for a ring on discrete supports that is not of whole bays;
     /// [`Error::Airborne`] is not among them: a wheel may fly.
     pub fn advance(
         &mut self,

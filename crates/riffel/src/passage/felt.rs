@@ -23,7 +23,7 @@ pub(super) struct Felt {
     pub(super) curvature: f64,
     /// What a contact that answers late makes of the wave under its mean load and slip speed: creep force along the rail \[N\].
     pub(super) force: f64,
-    /// The same of the energy that the place behind it receives \[J/m\].
+    /// Energy that the place behind it receives \[J/m\].
     pub(super) energy: f64,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::Error;
 
-/// Normal force P = C_H δ^{3/2} of the approach δ of two bodies, and none where they part, δ < 0.
+/// Normal force P = C_H δ^{3/2} of the approach δ of two bodies, and zero if they part, δ < 0.
 ///
 /// Made from the normal force P₀ and the linearised stiffness there, so that dP/dδ = k_H at P₀: δ₀ = 3P₀/2k_H,
 /// C_H = P₀/δ₀^{3/2}.

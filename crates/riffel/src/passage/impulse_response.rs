@@ -120,7 +120,7 @@ impl ImpulseResponse {
         self.fractions.iter().map(|fraction| (fraction.pole, fraction.of_term()))
     }
 
-    /// What the place of the load changes; none where the track is even.
+    /// What the place of the load changes; `None` if the track is even.
     pub(super) fn bay(&self) -> Option<&OverSupports> {
         self.bay.as_ref()
     }

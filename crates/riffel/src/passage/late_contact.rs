@@ -149,7 +149,7 @@ impl LateMotion {
         ]);
     }
 
-    /// The same, with load and creepage beside their means.
+    /// Advance with load and creepage beside their means.
     fn advance_by(&mut self, [load, creepage]: [f64; 2]) {
         let inputs = [load, creepage, load, creepage];
         for ((filter, past), input) in self.filters.iter_mut().zip(&mut self.past).zip(inputs) {

@@ -18,7 +18,7 @@ pub struct ContactInTime {
     pub law: Arc<dyn CreepLaw>,
     /// What of load and longitudinal creepage the law is asked about, where the contact answers late.
     pub late: Option<Arc<LateContact>>,
-    /// The geometry of the waves under it; none where that has no part in its motion.
+    /// The geometry of the waves under it; `None` if that has no part in its motion.
     pub wave: Option<WaveInTime>,
     /// The mean state, at which a march begins.
     pub mean: MeanRolling,
@@ -30,7 +30,7 @@ pub struct ContactInTime {
     pub profile: f64,
     /// Along the rail and across it: true where the creepage is held.
     pub held: [bool; 2],
-    /// What damages the rail beside wear; none where wear is alone.
+    /// What damages the rail beside wear; `None` if wear is alone.
     pub damage: Option<DamageInTime>,
 }
 
@@ -82,7 +82,7 @@ impl ContactInTime {
     /// of the wheel's rotation, and held across it.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn of_one_wheel(mean: MeanRolling, stiffness: f64, law: Arc<dyn CreepLaw>) -> Result<Self, Error> {
         Ok(Self {
             spring: HertzSpring::new(mean.normal_force, stiffness)?,
@@ -108,10 +108,10 @@ impl PassageModel {
         self.march_before(step, 0.0)
     }
 
-    /// The same march, the first wheel a distance before one of the supports \[m\], where they are discrete.
+    /// March with the first wheel a distance before one of the supports \[m\], if they are discrete.
     ///
     /// # Errors
-    /// Those of [`march`](Self::march).
+    /// Errors of [`march`](Self::march).
     pub fn march_before(&self, step: f64, distance: f64) -> Result<March<'_>, Error> {
         Error::unless_positive("step", step, "m")?;
         Error::unless_positive("speed", self.speed, "m/s")?;

@@ -92,7 +92,7 @@ impl ImpulseResponse {
         Self::along_bay(&transfer, ahead.collect(), track.spacing())
     }
 
-    /// The same of an answer by its parts, with Ĥ_n(0), n = 1 …, and the support spacing \[m\].
+    /// Response of an answer by its parts, with Ĥ_n(0), n = 1 …, and the support spacing \[m\].
     ///
     /// # Errors
     /// [`Error::NotCausal`] likewise.

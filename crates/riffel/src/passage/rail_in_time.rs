@@ -47,7 +47,7 @@ impl RailInTime {
     /// That of the contacts of a loop under loads that move along a track.
     ///
     /// # Errors
-    /// Those of [`ImpulseResponse::over_supports`].
+    /// Errors of [`ImpulseResponse::over_supports`].
     pub(super) fn over_supports(feedback: &Loop, track: &SpatialMovingLoad) -> Result<Self, Error> {
         /// Of √|H_ii H_jj|: an entry below is rounding.
         const NOTHING: f64 = 1e-6;
@@ -181,7 +181,7 @@ impl RailInTime {
         }
     }
 
-    /// The same back to the axes of the track.
+    /// Turn motions or forces of all contacts back to the axes of the track.
     fn turn_back(&self, values: &mut [f64]) {
         for ([sine, cosine], values) in self.angles.iter().zip(values.chunks_exact_mut(3)) {
             (values[1], values[2]) = (values[1] * cosine + values[2] * sine, values[2] * cosine - values[1] * sine);
@@ -274,7 +274,7 @@ impl<'a> RailMotion<'a> {
         self.scratch = own;
     }
 
-    /// The same in the axes of the track.
+    /// Add the motion in the axes of the track.
     fn add(&mut self, forces: &[f64], displacement: &mut [f64], velocity: &mut [f64]) {
         for (entry, motion) in self.rail.entries.iter().zip(&mut self.motions) {
             let force = forces[entry.column];

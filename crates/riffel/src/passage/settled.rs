@@ -180,7 +180,7 @@ impl PassageModel {
         Err(Error::NotSettled { seconds: PATIENCE, change })
     }
 
-    /// The same of a sinusoid with what the contacts feel of it, on discrete supports at a spacing \[m\].
+    /// Settled state on a sinusoid with what the contacts feel of it, on discrete supports at a spacing \[m\].
     fn settle_over_supports(
         &self,
         profile: Sinusoid,
@@ -238,7 +238,7 @@ fn range(contacts: &[ContactInstant]) -> [f64; 2] {
     [forces.clone().fold(f64::INFINITY, f64::min), forces.fold(f64::NEG_INFINITY, f64::max)]
 }
 
-/// Those of many waves, under a window whose sidelobes are below 3·10⁻⁵ from four lines on (Harris 1978).
+/// Harmonics of many waves, under a window whose sidelobes are below 3·10⁻⁵ from four lines on (Harris 1978).
 fn windowed_harmonics(contacts: &[ContactInstant], steps: usize) -> [Harmonic; 6] {
     const WINDOW: [f64; 4] = [0.35875, -0.48829, 0.14128, -0.01168];
     let length = contacts.len() as f64;

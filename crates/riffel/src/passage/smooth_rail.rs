@@ -76,7 +76,7 @@ impl PassageModel {
     /// a minute at most.
     ///
     /// # Errors
-    /// Those of [`march`](Self::march).
+    /// Errors of [`march`](Self::march).
     pub fn on_smooth_rail(&self, largest_step: f64, growth: Option<f64>) -> Result<SmoothRail, Error> {
         const PATIENCE: f64 = 10.0;
         const MOST_PATIENCE: f64 = 60.0;
@@ -175,7 +175,7 @@ impl PassageModel {
     }
 
     /// That of the shortest time after which all forces are like themselves, as nearly as after any: the first high peak of their
-    /// autocorrelation, with a parabola through it. None where the longest time is shorter than two periods.
+    /// autocorrelation, with a parabola through it. `None` if the longest time is shorter than two periods.
     fn frequency(&self, course: &[Vec<ContactInstant>], step: f64) -> Option<f64> {
         /// Of the highest peak.
         const HIGH: f64 = 0.95;

@@ -59,7 +59,7 @@ impl StructuresInTime {
     /// The end of the fit \[Hz\].
     pub const HIGHEST: f64 = 20e3;
 
-    /// Those of a loop at a speed \[m/s\]; `natural_frequencies` \[rad/s\] of the wheels, as far as they are known, are where
+    /// Structures of a loop at a speed \[m/s\]; `natural_frequencies` \[rad/s\] of the wheels, as far as they are known, are where
     /// the search for poles begins.
     ///
     /// # Errors
@@ -78,7 +78,7 @@ impl StructuresInTime {
         Self::fitted(feedback, &receptances, natural_frequencies)
     }
 
-    /// Those of one wheel that moves down as a mass and turns as a rigid body, under the dead load and the constant torque of its drive,
+    /// Structures of one wheel that moves down as a mass and turns as a rigid body, under the dead load and the constant torque of its drive,
     /// equation (15), or evenly where no rotation is given; its track answers downward alone.
     ///
     /// Range of validity: a wheel without a suspension of its own, so above some 10 Hz.
@@ -98,17 +98,17 @@ impl StructuresInTime {
         }
     }
 
-    /// Those of [one wheel](Self::of_one_wheel) whose normal force turns with the wave, and whose hub moves along the rail as a mass.
+    /// Structures of [one wheel](Self::of_one_wheel) whose normal force turns with the wave, and whose hub moves along the rail as a mass.
     #[must_use]
     pub fn with_normal_direction(self, hub: &RigidMass) -> Self {
         let direction = DirectionInTime { contacts: 1, free: vec![hub.mass().recip()], residues: Vec::new() };
         Self { direction: Some(direction), ..self }
     }
 
-    /// Those of a loop on discrete supports, under wheels that pass them at the speed of the moving load.
+    /// Structures of a loop on discrete supports, under wheels that pass them at the speed of the moving load.
     ///
     /// # Errors
-    /// Those of [`of`](Self::of), and of [`SpatialMovingLoad::harmonics`].
+    /// Errors of [`of`](Self::of), and of [`SpatialMovingLoad::harmonics`].
     pub fn over_supports(
         feedback: &Loop,
         track: &SpatialMovingLoad,
@@ -193,7 +193,7 @@ impl StructuresInTime {
         self.share_cut
     }
 
-    /// The same for structures whose receptance differs by a mean square of the relative error from the one they stand for,
+    /// Structures whose receptance differs by a mean square of the relative error from the one they stand for,
     /// besides what is cut of it.
     #[must_use]
     pub fn with_share_cut(self, share: f64) -> Self {
@@ -205,7 +205,7 @@ impl StructuresInTime {
         self.largest_error
     }
 
-    /// What normal forces do that turn with the waves; none where they stay upright.
+    /// What normal forces do that turn with the waves; `None` if they stay upright.
     pub(super) fn direction(&self) -> Option<&DirectionInTime> {
         self.direction.as_ref()
     }
@@ -234,7 +234,7 @@ struct Transfer {
     /// H + A/ω² of each entry of the upper triangle that is not zero.
     entries: Vec<Entry>,
     free: Vec<f64>,
-    /// The same by forces through the hubs, and its A; none where normal forces stay upright.
+    /// Entries by forces through the hubs, and their A; `None` if normal forces stay upright.
     direction: Option<(Vec<Entry>, Vec<f64>)>,
 }
 

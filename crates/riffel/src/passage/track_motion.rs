@@ -123,7 +123,7 @@ impl TrackMotion {
         displacement
     }
 
-    /// The same, with the speed \[m, m/s\].
+    /// Advance a step, with the speed \[m, m/s\].
     pub(super) fn advance_with_speed(&mut self, force: f64) -> [f64; 2] {
         self.step::<true>(force)
     }

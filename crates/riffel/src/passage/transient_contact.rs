@@ -52,7 +52,7 @@ impl PassageModel {
     /// Cost: 1 ms an element with 32 across, growing with the third power of that; seconds for a wave of some semi-axes.
     ///
     /// # Errors
-    /// Those of `settle`; [`Error::OutOfRange`] on discrete supports, where no wave is like the one before, for a wave of fewer than 40
+    /// Errors of `settle`; [`Error::OutOfRange`] on discrete supports, where no wave is like the one before, for a wave of fewer than 40
     /// elements or more than 4000, for loads that do not move the edge by a tenth of an element, and for elements that are no even number; those of [`TransientRolling`]; [`Error::NotSettled`] after 1024 waves.
     pub fn settle_transient(
         &self,
@@ -182,7 +182,7 @@ struct RollingOverWave {
     contact: TransientRolling,
     /// Normal force and approach at the end of each step.
     loads: Vec<[f64; 2]>,
-    /// Pressures at the end of each step; none where they are those of the load.
+    /// Pressures at the end of each step; `None` if they are those of the load.
     pressed: Option<Vec<PressedOnRail>>,
     /// Load under which the patch is two elements long \[N\].
     least: f64,

@@ -224,7 +224,7 @@ fn moved(s: &[Complex64], values: &[Complex64], poles: &[Complex64]) -> Vec<Comp
     zeros_of_scaling(poles, &solution[..=basis.len()])
 }
 
-/// The same for several functions.
+/// Poles after one move for several functions.
 fn moved_together(s: &[Complex64], functions: &[Sampled<'_>], poles: &[Complex64]) -> Vec<Complex64> {
     let basis = basis(s, poles);
     let count = basis.len();

@@ -38,7 +38,7 @@ struct Late {
 }
 
 impl WaveInTime {
-    /// That of a contact of the linear loop which answers at once; none where the wave's geometry has no part there, and where the contact
+    /// That of a contact of the linear loop which answers at once; `None` if the wave's geometry has no part there, and where the contact
     /// answers late.
     pub fn of(contact: &Contact) -> Option<Self> {
         /// Any: a contact that answers at once answers all waves alike.

@@ -23,7 +23,7 @@ pub struct EquivalentConicity {
 impl EquivalentConicity {
     /// Of the rolling radius difference Δr(y) \[m\], right less left, over the lateral shift \[m\] between two ends, at half
     /// the peak-to-peak amplitude A \[m\]; e \[m\] is the spacing of the contacts, r₀ \[m\] the rolling radius. The motion has
-    /// its middle where wheels of unequal diameter run, and not at y = 0. None where no motion between the ends swings at
+    /// its middle where wheels of unequal diameter run, and not at y = 0. `None` if no motion between the ends swings at
     /// this amplitude.
     ///
     /// On a cone of conicity γ, Δr = 2γy, all three are γ, and so for γ = 0, whose wave has no end. Source: Klingel (1883); the
@@ -107,7 +107,7 @@ impl<F: Fn(f64) -> f64> Swing<F> {
         Some(0.5 * (low + high))
     }
 
-    /// Wavelength of the free motion \[m\], of e r₀ \[m²\]; none where it does not swing back.
+    /// Wavelength of the free motion \[m\], of e r₀ \[m²\]; `None` if it does not swing back.
     fn wavelength(&self, middle: f64, scale: f64) -> Option<f64> {
         let amplitude = self.amplitude;
         // y = middle + A sin τ from each end inward, as far as the speed grows: v² = 2∫ Δr/(e r₀) dy, time ∫ dy/v. From one end

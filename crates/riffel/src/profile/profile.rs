@@ -267,7 +267,7 @@ impl Profile {
         self.at(0.5 * (low + high)).unwrap_or(coarse[place])
     }
 
-    /// The lateral coordinate \[m\] left of the crown at which the curve or the side below its end has a height \[m\]; none where they end
+    /// The lateral coordinate \[m\] left of the crown at which the curve or the side below its end has a height \[m\]; `None` if they end
     /// above.
     pub fn inner_face(&self, height: f64) -> Option<f64> {
         if let Some(face) = self.sides[0].at(height) {
@@ -287,7 +287,7 @@ impl Profile {
         Some(0.5 * (low + high))
     }
 
-    /// Whether a place lies under the curve and between its sides; none where nothing was measured. Height counts downward on a wheel,
+    /// Whether a place lies under the curve and between its sides; `None` if nothing was measured. Height counts downward on a wheel,
     /// whose metal lies above its curve.
     pub(super) fn covers(&self, [x, height]: [f64; 2], is_wheel: bool) -> Option<bool> {
         let up = if is_wheel { -1.0 } else { 1.0 };

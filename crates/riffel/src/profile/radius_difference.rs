@@ -64,7 +64,7 @@ impl RadiusDifference {
         one + (place - index as f64) * (other - one)
     }
 
-    /// Equivalent conicity at an amplitude \[m\]; none where no motion of the table swings so far.
+    /// Equivalent conicity at an amplitude \[m\]; `None` if no motion of the table swings so far.
     pub fn equivalent_conicity(&self, amplitude: f64, contact_spacing: f64) -> Option<EquivalentConicity> {
         let rows_behind = self.rows.len() - 1 - self.middle;
         let range = [-self.step * self.middle as f64, self.step * rows_behind as f64];

@@ -28,7 +28,7 @@ pub enum ProfileAlignment {
 pub struct WornPoint {
     /// The point.
     pub nominal: ProfilePoint,
-    /// Depth across the nominal profile \[m\], positive where metal is missing; none where nothing is measured, as in a gap of the points.
+    /// Depth across the nominal profile \[m\], positive where metal is missing; `None` if nothing is measured, as in a gap of the points.
     pub depth: Option<f64>,
 }
 

@@ -68,7 +68,7 @@ impl WheelDimensions {
     }
 }
 
-/// Wear of a rail at three places of its nominal profile; none where nothing is measured, as in a gap of the points.
+/// Wear of a rail at three places of its nominal profile; `None` if nothing is measured, as in a gap of the points.
 ///
 /// Devices have a depth of their own for W2 (MiniProf 12 mm by default, as Greenwood Engineering publishes): the depth is told with it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -28,7 +28,7 @@ impl Bar {
         Ok(Self { stiffness: material.youngs_modulus() * area, mass_per_length, loss_factor: 0.0, damping: 0.0 })
     }
 
-    /// The same with a loss factor η \[-\]: E becomes E(1 + iη).
+    /// Bar with a loss factor η \[-\]: E becomes E(1 + iη).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if η is negative.
@@ -37,7 +37,7 @@ impl Bar {
         Ok(Self { loss_factor, ..self })
     }
 
-    /// The same with viscous damping c per length \[N s/m²\].
+    /// Bar with viscous damping c per length \[N s/m²\].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if c is negative.

@@ -33,7 +33,7 @@ pub struct ShearSection {
 /// Bα⁴ − (BhK − Jω²)α² + K(1 − Jω²h) = 0, and the displacement at the force is
 /// H = (α₁α₂ + hK) / (2K(α₁ + α₂)), free of cancellation and regular where α₁ = α₂.
 ///
-/// The same beam serves lateral bending, with the second moment about the vertical axis.
+/// It serves lateral bending, with the second moment about the vertical axis.
 ///
 /// Range of validity: cross-sections stay plane; from some 3 kHz the foot of a rail bends on its own,
 /// and lateral bending couples with torsion from some hundred hertz.
@@ -92,7 +92,7 @@ impl Beam {
         })
     }
 
-    /// The same with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
+    /// Beam with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if η is negative.
@@ -101,7 +101,7 @@ impl Beam {
         Ok(Self { loss_factor, ..self })
     }
 
-    /// The same with viscous damping c per length \[N s/m²\].
+    /// Beam with viscous damping c per length \[N s/m²\].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if c is negative.

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 /// of a hammer test is good to.
 const PROMINENCE: f64 = 1.0;
 
-/// The same in scatters of a line: noise of ten thousand lines spans less.
+/// Least height of a peak in scatters of a line: noise of ten thousand lines spans less.
 const PROMINENCE_IN_SCATTERS: f64 = 8.0;
 
 /// Half the power \[dB\].
@@ -21,7 +21,7 @@ pub struct Extremum {
     pub angular_frequency: f64,
     /// Receptance at the line nearest to it \[m/N\].
     pub receptance: Complex64,
-    /// Damping ratio ζ = Δω/2ω \[-\], Δω the width at half power, or at twice the power of a dip. None where the level does not change
+    /// Damping ratio ζ = Δω/2ω \[-\], Δω the width at half power, or at twice the power of a dip. `None` if the level does not change
     /// as far on both sides, or where the width is below two distances of lines.
     pub damping_ratio: Option<f64>,
     /// Distance of the lines there \[rad/s\].

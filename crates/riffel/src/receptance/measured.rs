@@ -64,7 +64,7 @@ impl MeasuredReceptance {
         self.logarithms.iter().map(|logarithm| logarithm.exp()).zip(self.receptances.iter().copied())
     }
 
-    /// The same with the opposite sign: of a displacement that is counted the other way.
+    /// Receptance of the opposite sign, for a displacement that is counted the other way.
     pub fn negated(&self) -> Self {
         let mut negated = self.clone();
         for receptance in &mut negated.receptances {

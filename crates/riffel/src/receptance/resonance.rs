@@ -97,7 +97,7 @@ impl Resonance {
 
     /// The peak of a rail's receptance that belongs to a frequency \[rad/s\] which theory gives for an
     /// undamped or evenly supported track: the nearest, at most `factor` times above or below it.
-    /// None where damping leaves no peak.
+    /// `None` if damping leaves no peak.
     pub fn near(rail: &dyn Receptance, kind: ResonanceKind, expected: f64, factor: f64) -> Option<Self> {
         let distance = |w: f64| (w / expected).ln().abs();
         let angular_frequency =

@@ -25,7 +25,7 @@ impl Layer {
         Ok(Self { stiffness, damping, loss_factor: 0.0 })
     }
 
-    /// The same with a loss factor η \[-\]: k becomes k(1 + iη), at every frequency.
+    /// Layer with a loss factor η \[-\]: k becomes k(1 + iη), at every frequency.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if η is negative.
@@ -88,7 +88,7 @@ impl Support {
         Ok(Self::TwoLayer { pad, sleeper_mass, ballast })
     }
 
-    /// The same support per metre of rail, one every `spacing` \[m\].
+    /// Support per metre of rail, one every `spacing` \[m\].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the spacing is positive.

@@ -41,7 +41,7 @@ struct Cell {
     begin: f64,
     /// √ω at the upper end.
     end: f64,
-    /// Coefficients in t ∈ \[−1, 1\], lowest power first; none where the source is to be asked.
+    /// Coefficients in t ∈ \[−1, 1\], lowest power first; `None` if the source is to be asked.
     polynomial: Option<[Complex64; NODES]>,
 }
 

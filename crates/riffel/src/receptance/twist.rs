@@ -64,7 +64,7 @@ impl Twist {
         Ok(Self { section, warping_stiffness: material.youngs_modulus() * section.warping_constant, loss_factor: 0.0 })
     }
 
-    /// The same with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
+    /// Twist with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if η is negative.

@@ -68,7 +68,7 @@ impl BandStatistics {
     /// of [`BandPass::filter`] and some five nanoseconds a sample and band; parallel.
     ///
     /// # Errors
-    /// As [`BandPass::new`].
+    /// Errors of [`BandPass::new`].
     pub fn of_profile(profile: &Profile, settings: &[BandSettings]) -> Result<Vec<Self>, Error> {
         let samples = profile.heights().len();
         let bands: Vec<WavelengthBand> = settings.iter().map(|settings| settings.band).collect();

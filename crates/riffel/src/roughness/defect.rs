@@ -12,7 +12,7 @@ const BANDS: [(f64, f64); 4] = [(0.02, 1.0), (0.02, 0.06), (0.06, 0.2), (0.2, 1.
 const NEIGHBOURS: f64 = 15.0;
 /// Standard deviations of the rail around it above which a height is no chance: once in a billion.
 const OUTSTANDING: f64 = 6.0;
-/// The same down to which a defect reaches.
+/// Standard deviations of the rail around it down to which a defect reaches.
 const REACHES: f64 = 2.5;
 /// Length of calm rail at which it ends \[m\].
 const CALM: f64 = 0.1;

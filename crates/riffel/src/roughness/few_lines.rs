@@ -25,7 +25,7 @@ const LANES: usize = 8;
 pub(super) struct KeptLines(Mutex<BTreeMap<(usize, usize, usize), Arc<FewLines>>>);
 
 impl KeptLines {
-    /// The lines of parts of so many samples; none where they are so many that a transform takes less time, or have no
+    /// The lines of parts of so many samples; `None` if they are so many that a transform takes less time, or have no
     /// counterpart at negative wavenumbers.
     pub(super) fn of(&self, samples: usize, lines: RangeInclusive<usize>) -> Option<Arc<FewLines>> {
         let (first, last) = (*lines.start(), *lines.end());

@@ -61,7 +61,7 @@ impl Spectrum {
 }
 
 impl RecordLevels {
-    /// As [`Spectrum::of_record`], of bands that lie wholly above the shortest wavelength \[m\].
+    /// Spectrum of [`Spectrum::of_record`] over bands that lie wholly above the shortest wavelength \[m\].
     pub(super) fn new(stretches: &[Profile], shortest: f64, longest: f64, kept: &KeptLines) -> Result<Self, Error> {
         Error::unless_positive("longest wavelength", longest, "m")?;
         let (spacing, record) = spacing_and_longest(stretches)?;

@@ -48,7 +48,7 @@ impl Profile {
         self.heights.len() as f64 * self.spacing
     }
 
-    /// The heights at positions from `from` up to but without `to` \[m\]; None where these are fewer than two.
+    /// The heights at positions from `from` up to but without `to` \[m\]; `None` if these are fewer than two.
     pub fn between(&self, from: f64, to: f64) -> Option<Self> {
         /// Part of a step by which rounding may move a position.
         const ROUNDING: f64 = 1e-3;

@@ -151,7 +151,7 @@ impl Recipe {
     /// `Ok` for a recipe that can be made.
     ///
     /// # Errors
-    /// As [`heights`](Self::heights).
+    /// Errors of [`heights`](Self::heights).
     pub fn check(&self) -> Result<(), Error> {
         Error::unless_positive("length of the profile", self.length, "m")?;
         Error::unless_positive("sample spacing", self.spacing, "m")?;

@@ -66,7 +66,7 @@ impl MeasuredWheelset {
     /// image and does not feel it.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn from_one_wheel(rail: Rail, entries: Vec<(Direction, Direction, MeasuredReceptance)>) -> Result<Self, Error> {
         let opposite = rail.opposite();
         let mut both = Vec::with_capacity(2 * entries.len());
@@ -108,7 +108,7 @@ impl MeasuredWheelset {
         })
     }
 
-    /// The greatest of an error at all lines of all entries that are known to all; none where it is zero.
+    /// Greatest error at the lines of all entries that are known to all; `None` if it is zero.
     fn worst(&self, error: impl Fn(f64) -> (f64, [Port; 2])) -> Option<Violation> {
         let (lowest, highest) = self.frequency_range();
         let lines = self.entries.iter().flat_map(|entry| entry.receptance.lines());

@@ -170,7 +170,7 @@ proptest! {
         }
     }
 
-    /// The same stiffness per metre in ever more supports is the continuous track; the difference
+    /// A stiffness per metre in ever more supports is the continuous track; the difference
     /// falls as the square of the spacing. Loss keeps resonances, where a small shift is a large
     /// difference, away.
     #[test]

@@ -26,7 +26,7 @@ impl EvolutionAnswer {
         )
     }
 
-    /// The same stretch of rail at several stages, with the waves of the bands alone.
+    /// Figure of one stretch of rail at several stages, with the waves of the bands alone.
     pub(super) fn profile_figure(&self) -> LineFigure {
         let stretch = self.stretch();
         let shown = spread(self.profiles.len(), MOST).into_iter();

@@ -12,7 +12,7 @@ use super::EvolutionRequest;
 pub(super) struct Inputs(Map<String, Value>);
 
 impl Inputs {
-    /// Those of a case, presets and defaults filled in. The profile is not among them: it is the first of the run.
+    /// Inputs of a case, presets and defaults filled in. The profile is not among them: it is the first of the run.
     pub(super) fn new(case: &Case, request: &EvolutionRequest) -> Self {
         /// Keys that no number follows from.
         const IDLE: [&str; 7] = ["title", "vehicle", "corrugation", "curve", "bogie", "body", "profiles"];

@@ -18,7 +18,7 @@ use crate::Result;
 /// Waves of a rail that grow as the linear loop says.
 pub(super) struct Linear(Vec<LinearBand>);
 
-/// Those of a band.
+/// Waves of one band.
 pub(super) struct LinearBand {
     pub(super) band: ThirdOctave,
     /// In the waves of the ring.
@@ -45,7 +45,7 @@ impl Linear {
     /// that at places of the bay, each as if the wheels stayed there.
     ///
     /// # Errors
-    /// Those of [`Case::growth_with_neighbours`].
+    /// Errors of [`Case::growth_with_neighbours`].
     pub(super) fn new(vehicles: &[VehicleInTime], bands: &Bands, heights: &[f64], spacing: f64) -> Result<Self> {
         let ring = Profile::new(0.0, spacing, heights.to_vec())?;
         let waves = Evolution::new(&ring).waves();

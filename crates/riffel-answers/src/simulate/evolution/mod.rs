@@ -180,7 +180,7 @@ impl EvolutionRun {
     /// for, or the wheel has been in the air for most of a passage, and none before.
     ///
     /// # Errors
-    /// Those of a march.
+    /// Errors of a march.
     pub fn go_on(&mut self, passages: u64) -> Result<Option<EvolutionAnswer>> {
         let mut state = self.state.clone();
         if self.passages() < passages && !state.reached.is_airborne() {
@@ -319,7 +319,7 @@ pub struct EvolutionAnswer {
     passages: u64,
     /// Worn off everywhere.
     mean_depth_m: f64,
-    /// Wheels before the first passage that is known to have lost contact, of those at the stages; none where none has.
+    /// Wheels before the first passage that is known to have lost contact, of those at the stages; `None` if none has.
     first_contact_loss_passages: Option<u64>,
     /// Mean square of the relative error of the track in time.
     track_share_cut: f64,

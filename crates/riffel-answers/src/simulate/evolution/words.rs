@@ -80,7 +80,7 @@ pub(super) fn sentences(answer: &EvolutionAnswer) -> Vec<Message> {
     supports.into_iter().chain([saturated(&answer.bands)]).chain(lifts).chain(forces(answer)).chain([worn]).collect()
 }
 
-/// Those of the last stage that has any.
+/// Forces of the last stage that has any.
 fn forces(answer: &EvolutionAnswer) -> Option<Message> {
     let stages = &answer.stages;
     let forces = stages.minimum_normal_force_n.iter().zip(&stages.maximum_normal_force_n);

@@ -50,14 +50,14 @@ pub(crate) struct Levels {
     bands: Vec<ThirdOctave>,
     /// Errors of the rows themselves.
     of_rows: Gaussian,
-    /// L of the covariance LLᵀ over the bands of what is missed of growth, for a size of one; none where nothing is.
+    /// L of the covariance LLᵀ over the bands of what is missed of growth, for a size of one; `None` if nothing is.
     missed: Option<Matrix>,
     /// What they were made of.
     measured: MeasuredRail,
 }
 
 impl Levels {
-    /// None where errors are zero within rounding.
+    /// `None` if errors are zero within rounding.
     pub(crate) fn new(measured: &MeasuredRail) -> Option<Self> {
         let MeasuredRail { dated, runs, .. } = measured;
         let bands = measured.bands();
@@ -212,7 +212,7 @@ impl Levels {
     }
 }
 
-/// The rows that are no first level of a band, each with the first levels that it is compared with; none where a band has none.
+/// The rows that are no first level of a band, each with the first levels that it is compared with; `None` if a band has none.
 fn contrasts(rows: &[LevelRow], bands: usize) -> Option<Vec<(usize, Weights)>> {
     let firsts: Vec<usize> =
         (0..bands).map(|band| rows.iter().position(|row| row.is_of(band))).collect::<Option<_>>()?;

@@ -33,10 +33,10 @@ impl Case {
         wheels.at(speed)
     }
 
-    /// The same, stable or not.
+    /// Model of the case in time, stable or not.
     ///
     /// # Errors
-    /// Those of [`in_time`](Self::in_time), but for the last, and discrete supports.
+    /// Errors of [`in_time`](Self::in_time), but for the last, and discrete supports.
     pub fn in_time_without_profile(&self, speed: f64) -> Result<PassageModel, CaseError> {
         if self.track.support_spacing().is_some() {
             let message = "on a smooth rail, wheels on discrete supports never come to rest, so that their limit cycle is not told from what \
@@ -49,7 +49,7 @@ impl Case {
     /// The wheels of [`in_time`](Self::in_time) as those that wear the rail, the only ones and always under traction.
     ///
     /// # Errors
-    /// Those of [`in_time`](Self::in_time), and a motion that forgets nothing in two seconds.
+    /// Errors of [`in_time`](Self::in_time), and a motion that forgets nothing in two seconds.
     pub fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
         self.wheels_in_time()?.passing_wheel(speed)
     }
@@ -70,7 +70,7 @@ impl Case {
 const NEVER_CAUSAL: f64 = 0.5;
 
 impl CaseInTime<'_> {
-    /// The same with all that any speed needs: the structures where the track does not ask for the speed, whose fit takes seconds.
+    /// Case in time with all that any speed needs: the structures if the track does not depend on the speed, whose fit takes seconds.
     pub(crate) fn at_any_speed(self) -> Result<Self, CaseError> {
         /// Any.
         const SPEED: f64 = 20.0;

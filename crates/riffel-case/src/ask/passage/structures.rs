@@ -12,7 +12,7 @@ use riffel::wheelset::RigidMass;
 use crate::Case;
 
 impl Case {
-    /// Those of one wheel along one axis.
+    /// Structures of one wheel along one axis.
     pub(super) fn one_wheel_in_time(&self, speed: f64) -> Result<StructuresInTime, CaseError> {
         let (keys, wheel) = (&self.keys, &self.file.wheel);
         let key = match self.keys.given.track {

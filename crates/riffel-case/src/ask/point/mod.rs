@@ -27,11 +27,11 @@ pub enum PointValue {
 pub struct Point {
     /// In the order of documents.
     pub quantities: Vec<(PointQuantity, PointValue)>,
-    /// What the wave's own geometry does; none where it has no part.
+    /// What the wave's own geometry does; `None` if it has no part.
     pub wave_geometry: Option<WavePoint>,
-    /// What the direction of the normal force does; none where it stays upright.
+    /// What the direction of the normal force does; `None` if it stays upright.
     pub normal_direction: Option<DirectionPoint>,
-    /// What laws of damage say; none where the case has none.
+    /// What laws of damage say; `None` if the case has none.
     pub damage: Option<DamagePoint>,
     /// What a loop on all axes adds.
     pub all_axes: Option<AllAxes>,

@@ -156,7 +156,7 @@ fn of_rail(written: &WrittenProfile) -> [f64; 2] {
 /// makes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Lean {
-    /// As the head of an inclined rail does to its gauge side.
+    /// Lean of the head of an inclined rail to its gauge side.
     Inclined(f64),
     /// Farther than an inclination makes it, so that it tells no side.
     Unclear(f64),
@@ -205,7 +205,7 @@ impl Lean {
     }
 }
 
-/// Middle and width of a head at a height \[m\]; none where fewer than two sides come there.
+/// Middle and width of a head at a height \[m\]; `None` if fewer than two sides come there.
 fn chord(points: &[[f64; 2]], height: f64) -> Option<[f64; 2]> {
     let sides = points.windows(2).filter_map(|pair| {
         let [one, other] = [pair[0], pair[1]];

@@ -86,7 +86,7 @@ struct Head {
     columns: [usize; 2],
     /// How many there are.
     width: usize,
-    /// Metres in a unit; None where the head names none.
+    /// Metres in a unit; `None` if the head names none.
     unit: Option<f64>,
 }
 

@@ -216,7 +216,7 @@ pub struct Profiles {
 pub(crate) const LEFT_WHEEL: &str = "profiles.left_wheel";
 
 impl Profiles {
-    /// Those of wheels and rails by their keys; none of cones.
+    /// Profiles of wheels and rails by their keys; empty for cones.
     pub(crate) fn names(&self) -> Vec<(&'static str, &str)> {
         let mut names = Vec::new();
         if self.wheel != "cone" {
@@ -254,7 +254,7 @@ impl Profiles {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ProfileOrientation {
-    /// As the shape tells: flange inside and below, crown above; the gauge side of a rail is that of x below zero.
+    /// Orientation found from the shape: flange inside and below, crown above; the gauge side of a rail is that of x below zero.
     Found,
     /// x to the field side, y upward.
     AsWritten,

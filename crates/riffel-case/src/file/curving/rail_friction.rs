@@ -12,7 +12,7 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum RailFriction {
-    /// The same on both.
+    /// One coefficient on both rails.
     Both(Quantity<Ratio>),
     /// One for each.
     Each(FrictionOfRails),

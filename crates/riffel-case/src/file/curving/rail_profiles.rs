@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
 pub enum RailProfiles {
-    /// The same, turned over, on the left.
+    /// One profile, turned over on the left.
     Both(String),
     /// One for each.
     Each(RailProfilesByRail),

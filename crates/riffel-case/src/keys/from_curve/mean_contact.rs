@@ -23,7 +23,7 @@ pub(super) struct MeanContact {
     /// r/cos γ: the wheel is a surface of revolution.
     pub(super) longitudinal_radius: f64,
     pub(super) normal_force: f64,
-    /// None where the case of curving gives no curvature across the track.
+    /// `None` if the case of curving gives no curvature across the track.
     pub(super) transverse_radius: Option<f64>,
     /// None on cones.
     pub(super) place: Option<PlaceOnRail>,
@@ -34,7 +34,7 @@ pub(super) struct MeanContact {
 }
 
 impl MeanContact {
-    /// The ellipse of Hertz; none where the profiles do not part.
+    /// The ellipse of Hertz; `None` if the profiles do not part.
     pub(super) fn hertz(&self, curving: &CurvingCase) -> Result<Option<HertzContact>, CaseError> {
         let steel = curving.steel()?;
         let across = (self.transverse_radius).filter(|radius| *radius > 0.0 && radius.is_finite());

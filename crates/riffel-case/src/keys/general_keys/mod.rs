@@ -30,13 +30,13 @@ pub(crate) struct GeneralKeys {
     pub(crate) contact: ContactKeys,
     /// Its mean state.
     pub(crate) mean: MeanState,
-    /// The wheelset; none where the wheel is that of `[wheel]`, alone.
+    /// The wheelset; `None` if the wheel is that of `[wheel]`, alone.
     pub(crate) wheelset: Option<WheelsetKeys>,
     /// The rail under study.
     pub(crate) rail: riffel::Rail,
-    /// The contact on the opposite rail; none where that is absent.
+    /// The contact on the opposite rail; `None` if that is absent.
     pub(crate) opposite: Option<OppositeKeys>,
-    /// How the rail twists; none where it does not.
+    /// How the rail twists; `None` if it does not.
     pub(crate) twist: Option<TwistKeys>,
     /// Distances of the wheels behind the first one \[m\], its own zero first, as written.
     pub(crate) wheels: Vec<f64>,
@@ -60,7 +60,7 @@ pub(crate) struct ContactKeys {
     pub(crate) contact_angle: f64,
     /// e \[m\], to the right of the shear centre.
     pub(crate) lateral_offset: f64,
-    /// How it moves across the profiles; none where it stays.
+    /// How it moves across the profiles; `None` if it stays.
     pub(crate) conformity: Option<ConformityKeys>,
 }
 
@@ -82,7 +82,7 @@ pub(crate) struct OppositeKeys {
     pub(crate) profile: f64,
     /// The contact.
     pub(crate) contact: ContactKeys,
-    /// Its creepages; none where they are the longitudinal creepage that the contact on the rail under study has at its
+    /// Its creepages; `None` if they are the longitudinal creepage that the contact on the rail under study has at its
     /// tractive ratio.
     pub(crate) creepages: Option<Creepages>,
 }
@@ -121,7 +121,7 @@ impl CheckedKeys {
         given.into_iter().find_map(|(key, is)| is.then_some(key))
     }
 
-    /// The keys of the loop on all axes; none where the case does not ask for it.
+    /// The keys of the loop on all axes; `None` if the case does not ask for it.
     ///
     /// # Errors
     /// [`CaseError`] for what is missing, and for keys that do not go together.

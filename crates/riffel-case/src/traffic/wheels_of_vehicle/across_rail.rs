@@ -10,7 +10,7 @@ use crate::Case;
 /// Where the contact of a wheel runs across the rail.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AcrossRail {
-    /// From the axis of the rail's profile to the field side \[m\]; none where only the distance from the line under study is known.
+    /// From the axis of the rail's profile to the field side \[m\]; `None` if only the distance from the line under study is known.
     outward: Option<f64>,
     /// Share of its passages that cover the line under study.
     pub(super) covering: f64,

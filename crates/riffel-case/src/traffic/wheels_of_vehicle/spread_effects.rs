@@ -15,7 +15,7 @@ impl Traffic {
     /// Cost: that of [`on`](Self::on) with some wheels more for each spread.
     ///
     /// # Errors
-    /// As [`on`](Self::on).
+    /// Errors of [`on`](Self::on).
     pub fn on_with_effects(
         &self,
         case: &Case,

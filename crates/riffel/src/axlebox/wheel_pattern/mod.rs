@@ -45,7 +45,7 @@ pub struct WheelPattern {
     pub depth: f64,
     /// Whether it can be no wave of the rail.
     pub is_wheel: bool,
-    /// Heights without a pattern that may be a wave of the rail, and stays in what the wheel felt; None where it can be none.
+    /// Heights without a pattern that may be a wave of the rail, and stays in what the wheel felt; `None` if it can be none.
     pub without: Option<Profile>,
 }
 

@@ -76,7 +76,7 @@ impl ContactFilter {
         self.mean_square(wavelength, across, flat_punch)
     }
 
-    /// The same for the mean of the roughness over the patch without a weight, H = 2J₁(κ)/κ: with
+    /// |H|² \[-\] for the mean of the roughness over the patch without a weight, H = 2J₁(κ)/κ: with
     /// a = b Remington's filter.
     ///
     /// # Errors

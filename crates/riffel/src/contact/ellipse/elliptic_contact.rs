@@ -63,7 +63,7 @@ impl EllipticContact {
     /// A wheel on a rail of its own material, with the curvatures of both together along and across the rail \[1/m\].
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn of_wheel_on_rail(
         material: ElasticMaterial,
         [along, across]: [f64; 2],
@@ -77,7 +77,7 @@ impl EllipticContact {
         Self::new([body(along, 0.0), body(0.0, across)], normal_force)
     }
 
-    /// The same contact under another normal force \[N\], without solving for the ellipse again.
+    /// Contact under another normal force \[N\], without solving for the ellipse again.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the force is positive.

@@ -58,7 +58,7 @@ impl HertzContact {
         })
     }
 
-    /// The same contact with another relative radius of wheel and rail along the rail \[m\] in the place of the rolling radius.
+    /// Contact with another relative radius of wheel and rail along the rail \[m\] in the place of the rolling radius.
     ///
     /// Under a contact angle γ it is R/cos γ: a wheel is a surface of revolution, its circle of the radius R is curved by 1/R towards the axle,
     /// and by Meusnier's theorem the section along the rail in the plane of the normal, which leaves that direction by γ, has the
@@ -75,10 +75,10 @@ impl HertzContact {
         Ok(Self { longitudinal_radius: radius, ellipse: ellipse.transpose()?, ..self })
     }
 
-    /// The same contact where a wave adds the share κ of its curvature along the rail, on a wheel of the radius R/(1 + κ).
+    /// Contact to whose curvature along the rail a wave adds the share κ, on a wheel of the radius R/(1 + κ).
     ///
     /// # Errors
-    /// Those of [`with_longitudinal_radius`](Self::with_longitudinal_radius).
+    /// Errors of [`with_longitudinal_radius`](Self::with_longitudinal_radius).
     pub fn curved(self, curvature: f64) -> Result<Self, Error> {
         self.with_longitudinal_radius(self.longitudinal_radius / (1.0 + curvature))
     }
@@ -87,7 +87,7 @@ impl HertzContact {
     /// at a/b = 1.3. The area of the patch has −c.
     ///
     /// # Errors
-    /// Those of [`curved`](Self::curved).
+    /// Errors of [`curved`](Self::curved).
     pub fn pressure_by_curvature(self) -> Result<f64, Error> {
         /// Leaves 10⁻¹¹.
         const STEP: f64 = 1e-3;
@@ -95,7 +95,7 @@ impl HertzContact {
         WaveGeometry::derivative(STEP, ln).map(|[slope]| slope)
     }
 
-    /// The same contact with exact elliptic integrals: combined curvatures 1/R along and 1/R_r
+    /// Contact by exact elliptic integrals: combined curvatures 1/R along and 1/R_r
     /// across the rail, E\* = E/2(1 − ν²). Error: rounding, 1e-13 relative.
     ///
     /// Source: Hertz (1881); Johnson (1985), equations 4.24–4.29.
@@ -132,7 +132,7 @@ impl HertzContact {
         Ok(UnitEllipse::curvatures(modulus, [a, b], normal_force).map(f64::recip))
     }
 
-    /// The same contact with another stiffness k_H under its load \[N/m\] in the place of Hertz's, of a patch that is no ellipse;
+    /// Contact with another stiffness k_H under its load \[N/m\] in the place of Hertz's, of a patch that is no ellipse;
     /// over the load it goes as Hertz's, by P^(1/3).
     ///
     /// # Errors
@@ -167,7 +167,7 @@ impl HertzContact {
         self.normal_force
     }
 
-    /// The same contact under another normal force \[N\], which must be positive; an exact one is
+    /// Contact under another normal force \[N\], which must be positive; an exact one is
     /// not solved again, since its axis ratio does not depend on the load.
     pub(crate) fn under(&self, normal_force: f64) -> Self {
         Self { normal_force, ..*self }

@@ -16,7 +16,7 @@ pub(super) struct Deformation {
     pub(super) bound: Vec<Complex64>,
     /// Growth of the area of each element \[-\].
     pub(super) elements: Vec<Complex64>,
-    /// The same of each step.
+    /// Growth of each step.
     pub(super) steps: Vec<Complex64>,
     /// −ik times the way that each step is displaced along the rail \[-\]: what lies there later is worn later.
     pub(super) displaced: Vec<Complex64>,

@@ -140,7 +140,7 @@ impl State {
         }
     }
 
-    /// The same with a share that slips, in place of all or nothing: along the slip, the rest resists it.
+    /// Element with a share that slips, in place of all or nothing: along the slip, the rest resists it.
     pub(super) fn slipping_in_part(self, share: f64) -> Self {
         Self { share, ..self }
     }

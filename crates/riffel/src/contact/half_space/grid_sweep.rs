@@ -23,7 +23,7 @@ const MOST_PRODUCTS: usize = 400;
 /// fixed ones, A(k) = A₀ + e^{ik dx/2} A₁ + e^{−ik dx/2} A₂, and their solution is smooth in k. So the tractions are sought
 /// first among the sums of those already found, where the residual is least; what that leaves above the tolerance is
 /// solved by [`gmres`], and joins the basis. The residual is held to the same tolerance either way. Cost: some twenty
-/// products with A for the first wavenumber, less for each further one, and none where ten of them lie around it.
+/// products with A for the first wavenumber, less for each further one, and none if ten of them lie around it.
 pub(super) struct GridSweep<'a> {
     tangent: Tangent<'a>,
     convolution: Convolution<'a>,

@@ -210,11 +210,11 @@ impl HalfSpace {
         self.roll_from(Creepages::longitudinal(creepage), None)
     }
 
-    /// The same, begun with the tractions of another creepage nearby: on fine grids near full slip it may converge where
+    /// Steady rolling, begun with the tractions of another creepage nearby: on fine grids near full slip it may converge where
     /// [`roll`](Self::roll) does not.
     ///
     /// # Errors
-    /// As [`roll`](Self::roll).
+    /// Errors of [`roll`](Self::roll).
     pub fn roll_near(&self, creepage: f64, near: &HalfSpaceRolling) -> Result<HalfSpaceRolling, Error> {
         Error::unless_not_negative("creepage", creepage, "")?;
         self.roll_from(Creepages::longitudinal(creepage), Some(near))

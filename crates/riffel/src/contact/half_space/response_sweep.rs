@@ -54,7 +54,7 @@ impl<'a> ResponseSweep<'a> {
     /// The response at a wavelength \[m\].
     ///
     /// # Errors
-    /// Those of [`HalfSpace::response`].
+    /// Errors of [`HalfSpace::response`].
     pub(in crate::contact) fn at(&mut self, wavelength: f64) -> Result<ContactResponse, Error> {
         self.contact.check_wavelength(wavelength)?;
         let responses = self.extrapolated(2.0 * PI / wavelength)?;

@@ -84,10 +84,10 @@ impl TransientRolling {
         Self::with_room(hertz, friction, across, 0)
     }
 
-    /// The same with `room` elements more on each side, over which a rail that is not straight moves the patch.
+    /// Contact with `room` elements more on each side, over which a rail that is not straight moves the patch.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// Errors of [`new`](Self::new).
     pub fn with_room(hertz: HertzContact, friction: f64, across: usize, room: usize) -> Result<Self, Error> {
         Error::unless_positive("coefficient of friction", friction, "")?;
         // One element more on each side: all that the edge covers in part carry their share, so that nothing
@@ -152,7 +152,7 @@ impl TransientRolling {
     /// Press and shift until the tangential force along the rail is Q \[N\], to 1e-5 of full slip, at once.
     ///
     /// # Errors
-    /// As [`shift`](Self::shift), and [`Error::OutOfRange`] unless |Q| < μP.
+    /// Errors of [`shift`](Self::shift), and [`Error::OutOfRange`] unless |Q| < μP.
     pub fn shift_to_force(&mut self, normal_force: f64, force: f64) -> Result<TransientStep, Error> {
         self.step_to_force(normal_force, force, 0.0, Motion::Shift)
     }
@@ -160,7 +160,7 @@ impl TransientRolling {
     /// Roll on by one element under the normal force \[N\] with these creepages.
     ///
     /// # Errors
-    /// As [`shift`](Self::shift).
+    /// Errors of [`shift`](Self::shift).
     pub fn roll(&mut self, normal_force: f64, creepages: Creepages) -> Result<TransientStep, Error> {
         self.step(normal_force, Motion::Roll(creepages))
     }
@@ -170,7 +170,7 @@ impl TransientRolling {
     /// first guess of it.
     ///
     /// # Errors
-    /// As [`shift_to_force`](Self::shift_to_force).
+    /// Errors of [`shift_to_force`](Self::shift_to_force).
     pub fn roll_at_force(&mut self, normal_force: f64, force: f64, creepage: f64) -> Result<TransientStep, Error> {
         let dx = self.patch.dx;
         self.step_to_force(normal_force, force, creepage * dx, |distance| {

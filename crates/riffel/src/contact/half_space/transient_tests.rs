@@ -25,7 +25,7 @@ fn largest(across: usize) -> TransientRolling {
     TransientRolling::new(hertz().under(1.12 * LOAD), FRICTION, across).unwrap()
 }
 
-/// The same elements under the mean load, for what does not change in time.
+/// Elements of a contact under the mean load, for what does not change in time.
 fn grid(contact: &TransientRolling) -> Grid {
     Grid {
         semi_axes: (hertz().semi_axis_longitudinal(), hertz().semi_axis_lateral()),
@@ -220,7 +220,7 @@ fn check_load(creepages: Creepages, force: usize) {
     }
 }
 
-/// The same for the load. The edge of the patch moves over fixed elements in the one and with them in
+/// The response to load is what time shows. The edge of the patch moves over fixed elements in the one and with them in
 /// the other, so the oscillation must be as large as an element, 10 % of the load; what is left is how the
 /// edge happens to lie, 3 % of the force and 8 % of the dissipation with 32 elements. What the rail
 /// receives is a small difference of large parts, and errs by theirs.

@@ -17,7 +17,7 @@ impl TransientRolling {
     /// [`press_on`](Self::press_on) changes.
     ///
     /// # Errors
-    /// Those of [`NormalContact::new`].
+    /// Errors of [`NormalContact::new`].
     pub fn normal_contact(&self) -> Result<NormalContact, Error> {
         let (patch, hertz) = (&self.patch, self.hertz);
         let grid = ContactGrid::new(patch.across, patch.across, patch.dx, patch.dy)?;
@@ -28,7 +28,7 @@ impl TransientRolling {
     /// from there \[m\], with the [`normal_contact`](Self::normal_contact) of this one.
     ///
     /// # Errors
-    /// Those of [`NormalContact::under_load`]; [`Error::GridTooSmall`] where something beside the elements is under pressure.
+    /// Errors of [`NormalContact::under_load`]; [`Error::GridTooSmall`] where something beside the elements is under pressure.
     pub fn press_on(
         &self,
         normal: &mut NormalContact,

@@ -56,7 +56,7 @@ impl CreepLawEntry {
     /// The law on a contact.
     ///
     /// # Errors
-    /// Those of its constructor.
+    /// Errors of its constructor.
     pub fn build(&self, inputs: &CreepLawInputs) -> Result<Arc<dyn CreepLaw>, Error> {
         (self.build)(inputs)
     }

@@ -71,7 +71,7 @@ impl CreepEllipse {
         Error::unless_not_negative("creep coefficient C23", self.c23, "")
     }
 
-    /// The same contact under the normal force P > 0 \[N\].
+    /// Ellipse under another normal force P > 0 \[N\].
     pub fn under(&self, normal_force: f64) -> Self {
         let scale = (normal_force / self.normal_force).cbrt();
         Self {

@@ -174,7 +174,7 @@ pub trait CreepLaw: Send + Sync {
     }
 
     /// The longitudinal creepage \[-\] of the tractive ratio τ = Q/μP \[-\], 0 < τ < 1, below
-    /// [`limit`](Self::limit); none where the law does not reach it.
+    /// [`limit`](Self::limit); `None` if the law does not reach it.
     ///
     /// Provided: bracketed between zero and the limit and bisected to rounding, some sixty forces.
     fn creepage(&self, normal_force: f64, tractive_ratio: f64) -> Option<f64> {

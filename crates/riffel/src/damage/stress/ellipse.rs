@@ -94,7 +94,7 @@ impl EllipseStress {
         self.by(&RULE, place)
     }
 
-    /// The same to 1e-3 of p₀ for a/b between 0.3 and 3.
+    /// Stress to 1e-3 of p₀ for a/b between 0.3 and 3.
     pub(super) fn nearly_at(&self, place: [f64; 3]) -> UnitStress {
         self.by(&SHORT_RULE, place)
     }

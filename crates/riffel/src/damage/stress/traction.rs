@@ -82,7 +82,7 @@ impl Traction {
         stress
     }
 
-    /// The same to 1e-3 of p₀ under all points of a grid, plane by plane and in them row by row along x.
+    /// Stress to 1e-3 of p₀ under all points of a grid, plane by plane and in them row by row along x.
     ///
     /// Cost: a quarter of the points, three times as much in partial slip.
     pub fn field(&self, ellipse: &EllipseStress, axes: [&[f64]; 3]) -> Vec<StressTensor> {

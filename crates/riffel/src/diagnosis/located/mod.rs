@@ -21,7 +21,7 @@ pub const WINDOW: f64 = 50.0;
 const SHORTEST_WINDOW: f64 = 10.0;
 /// Length over which the power of a wavelength is averaged to find its ends \[m\]: no place is told shorter.
 const SMOOTHING: f64 = 5.0;
-/// The same in wavelengths, so that the power of noise scatters by a quarter.
+/// Length of averaging in wavelengths, so that the power of noise scatters by a quarter.
 const SMOOTHED_WAVES: f64 = 50.0;
 /// How far the wavelengths of a peak are widened to filter it out of the profile.
 const WIDENED: f64 = 1.1;
@@ -103,7 +103,7 @@ impl CleanRail {
         clean
     }
 
-    /// The same with its welds, joints and squats.
+    /// Stretches of one rail with its welds, joints and squats.
     pub fn with_defects(mut stretches: Vec<Profile>) -> Self {
         for stretch in &mut stretches {
             stretch.remove_spikes(SpikeCriterion::EN_15610);
@@ -133,12 +133,12 @@ impl CleanRail {
     /// The spectrum of the whole rail as the wheel sees it.
     ///
     /// # Errors
-    /// As [`FineSpectrum::of_record`].
+    /// Errors of [`FineSpectrum::of_record`].
     pub fn spectrum(&self) -> Result<FineSpectrum, Error> {
         FineSpectrum::of_record(&self.on_wheel)
     }
 
-    /// The spectrum between two positions \[m\]; None where less than half of that length was measured.
+    /// The spectrum between two positions \[m\]; `None` if less than half of that length was measured.
     pub fn spectrum_between(&self, from: f64, to: f64) -> Option<FineSpectrum> {
         let stretches = self.on_wheel.iter();
         let parts: Vec<Profile> = stretches.filter_map(|stretch| stretch.between(from, to)).collect();
@@ -161,7 +161,7 @@ impl CleanRail {
     /// own. Ends of a place are found to a metre or so, and places shorter than 5 m are shown as long as that.
     ///
     /// # Errors
-    /// As [`FineSpectrum::of_record`].
+    /// Errors of [`FineSpectrum::of_record`].
     pub fn dominant(&self) -> Result<Vec<LocatedWavelength>, Error> {
         let whole = self.spectrum()?;
         let mut overall = on_both(&FineSpectrum::of_record(&self.on_rail)?, &whole, 1);

@@ -99,7 +99,7 @@ impl TrafficGrowth {
     }
 
     /// The wavelength \[m\] from a shortest one on that grows fastest, its growth rate per axle passage \[-\], and whether a shorter or
-    /// longer one may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; none where no line is so long.
+    /// longer one may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; `None` if no line is so long.
     pub fn fastest(&self, shortest: f64) -> Option<(f64, f64, bool)> {
         let lines = self.wavelengths();
         let courses = self.vehicles.iter();
@@ -119,7 +119,7 @@ impl TrafficGrowth {
         Some((wavelength, rate, at_edge))
     }
 
-    /// The fastest growth rate per axle passage \[-\] within a tenth of a wavelength \[m\]; none where there is no line.
+    /// The fastest growth rate per axle passage \[-\] within a tenth of a wavelength \[m\]; `None` if there is no line.
     pub fn fastest_near(&self, wavelength: f64) -> Option<f64> {
         let lines = self.wavelengths().into_iter().zip(&self.rates);
         let near = lines.filter(|(own, _)| (own / wavelength - 1.0).abs() <= 0.1);
@@ -131,12 +131,12 @@ impl TrafficGrowth {
         &self.rates[lines_of(band)]
     }
 
-    /// The same as a forecast takes them: lines that decay keep their level.
+    /// Growth rates as a forecast takes them: lines that decay keep their level.
     pub(super) fn forecast_lines(&self, band: usize) -> impl Iterator<Item = f64> {
         self.lines(band).iter().map(|rate| rate.max(0.0))
     }
 
-    /// Rates of the lines of a band over the amplitude of the wave; none where they do not depend on it, or were measured.
+    /// Rates of the lines of a band over the amplitude of the wave; `None` if they do not depend on it, or were measured.
     pub(super) fn rates_by_amplitude(&self, band: usize) -> Option<RatesByAmplitude> {
         let mut vehicles = self.vehicles.iter();
         let known = vehicles.find(|vehicle| vehicle.depends_on_amplitude())?;
@@ -166,7 +166,7 @@ impl TrafficGrowth {
         wheels.collect()
     }
 
-    /// Cracks per passage at the phases of a wave of some amplitude \[m\] in the middle of a band, by its place; none where no
+    /// Cracks per passage at the phases of a wave of some amplitude \[m\] in the middle of a band, by its place; `None` if no
     /// vehicle has fatigue among its laws.
     pub(super) fn cracks(&self, band: usize, amplitude: f64) -> Option<[WavePhase; 4]> {
         let vehicles = self.vehicles.iter();

@@ -27,7 +27,7 @@ pub struct VehicleGrowth {
     pub course: Option<GrowthCourse>,
     /// Mean depth worn off the rail per passage \[m\].
     pub wear_depth: f64,
-    /// Rates by line at rising amplitudes of the wave \[m\], without flow that hardens; none where they do not depend on it.
+    /// Rates by line at rising amplitudes of the wave \[m\], without flow that hardens; empty if they do not depend on it.
     pub(super) by_amplitude: Vec<(f64, Vec<f64>)>,
     /// Its wheels under which the rail flows and hardens.
     pub(super) hardening: Vec<HardeningWheel>,
@@ -53,11 +53,11 @@ impl VehicleGrowth {
         Self::between(name, share, &states, bands, speeds)
     }
 
-    /// The same for a wheel whose mean state depends on its speed, as [`MeanGrowth::between`]; load and wear are those of the
+    /// Growth under a wheel whose mean state depends on its speed, as [`MeanGrowth::between`]; load and wear are those of the
     /// state nearest to the mean of its speeds.
     ///
     /// # Errors
-    /// As [`compute`](Self::compute).
+    /// Errors of [`compute`](Self::compute).
     pub fn between(
         name: &str,
         share: f64,
@@ -280,7 +280,7 @@ impl VehicleGrowth {
     }
 }
 
-/// Rates of lines at amplitudes from that of a smooth rail to one that no rail bears; none where they do not depend on it.
+/// Rates of lines at amplitudes from that of a smooth rail to one that no rail bears; empty if they do not depend on it.
 pub(super) fn rates_by_amplitude(
     states: &[(f64, &[(Loop, f64)])],
     lines: &[f64],

@@ -106,7 +106,7 @@ impl WheelsetOnTrack {
 struct Guess {
     material: ElasticMaterial,
     normal_force: f64,
-    /// As far as the grid may reach.
+    /// Strips of the gap, as far as the grid may reach.
     strips: Vec<GapStrip>,
     fast: PenetrationState,
 }
@@ -248,7 +248,7 @@ impl LoadedContact {
         &self.fast
     }
 
-    /// The ellipse of the curvatures where the profiles first touch; none where one of them is not positive.
+    /// The ellipse of the curvatures where the profiles first touch; `None` if one of them is not positive.
     pub fn hertz(&self) -> Option<&EllipticContact> {
         self.hertz.as_ref()
     }

@@ -194,7 +194,7 @@ struct RailInBay {
     squares: [Complex64; 2],
     /// q₀ and q₁ of q(z) = q₀ + q₁z.
     transfer: [Complex64; 2],
-    /// e^{αd/2}; none where the bay is short beside every wave.
+    /// e^{αd/2}; `None` if the bay is short beside every wave.
     half_bay: Option<[Complex64; 2]>,
 }
 

@@ -58,7 +58,7 @@ impl<R: Waveguide> PeriodicTrack<R> {
         Ok(Self { rail, support, spacing, position: 0.0 })
     }
 
-    /// The same track under a load that far from a support \[m\].
+    /// Track under a load that far from a support \[m\].
     pub fn at(self, position: f64) -> Self {
         Self { position, ..self }
     }

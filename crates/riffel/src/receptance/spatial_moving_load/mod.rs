@@ -41,7 +41,7 @@ use crate::{Error, Place};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpatialMovingLoad {
     track: SpatialTrack,
-    /// The same on supports spread evenly.
+    /// Track on supports spread evenly.
     even: SpatialTrack,
     spacing: f64,
     speed: f64,
@@ -135,7 +135,7 @@ impl SpatialMovingLoad {
     /// e^{2πinx₀/d}, n = −most … most, Ĥ_n(ω − nΩ) from ξ_b to ξ_a. By reciprocity it is Ĥ₋ₙ(ω) from −ξ_a to −ξ_b.
     ///
     /// # Errors
-    /// Those of [`harmonics`](Self::harmonics).
+    /// Errors of [`harmonics`](Self::harmonics).
     pub fn answers_to_impulses(
         &self,
         angular_frequency: f64,

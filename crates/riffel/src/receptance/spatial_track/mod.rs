@@ -149,7 +149,7 @@ pub struct SpatialTrack {
 const STRONGEST_DECAY_IN_BAY: f64 = 100.0;
 
 impl Supports {
-    /// The same supports per metre of rail, one every `spacing` \[m\].
+    /// Supports per metre of rail, one every `spacing` \[m\].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the spacing is positive.
@@ -222,14 +222,14 @@ impl SpatialTrack {
         Ok(Self { spacing: Some(spacing), ..Self::continuous(rail, supports) })
     }
 
-    /// The same with wheels touching one of the rails at the given point; by default at the height of the shear centre,
+    /// Track with wheels touching one of the rails at the given point; by default at the height of the shear centre,
     /// in the middle.
     pub fn with_contact(mut self, rail: Rail, contact: ContactPoint) -> Self {
         self.contacts[side(rail)] = contact;
         self
     }
 
-    /// The same track with its supports spread evenly, one to a length \[m\].
+    /// Track with its supports spread evenly, one to a length \[m\].
     pub(super) fn spread(&self, spacing: f64) -> Result<Self, Error> {
         Ok(Self { supports: self.supports.per_metre(spacing)?, spacing: None, ..*self })
     }

@@ -67,7 +67,7 @@ pub struct RailAnalysis {
     pub defects: Vec<RailDefect>,
     /// Energy-averaged one-third-octave levels after EN 15610.
     pub spectrum: Spectrum,
-    /// The levels of each section of 100 m; none where there is one section, or they are not asked for.
+    /// The levels of each section of 100 m; empty if there is one section, or they are not asked for.
     pub section_spectra: Vec<SectionSpectrum>,
     /// Length of a segment for the longest wavelengths \[m\].
     pub segment_length: f64,
@@ -115,7 +115,7 @@ pub struct BlockRms {
     pub from: f64,
     /// Where it ends \[m\].
     pub to: f64,
-    /// RMS \[m\] by band, in the order of the settings; None where the stretch is too short for the band.
+    /// RMS \[m\] by band, in the order of the settings; `None` if the stretch is too short for the band.
     pub rms: Vec<Option<f64>>,
     /// Largest moving RMS \[m\] by band of windows with their middle in the block.
     pub moving_rms_max: Vec<Option<f64>>,
@@ -129,7 +129,7 @@ impl RailAnalysis {
     /// of each of [`steps`](Self::steps).
     ///
     /// # Errors
-    /// As [`Spectrum::of_record`].
+    /// Errors of [`Spectrum::of_record`].
     pub fn new(
         mut stretches: Vec<Profile>,
         settings: &AnalysisSettings,
@@ -311,7 +311,7 @@ fn known(spectrum: Spectrum, settings: &AnalysisSettings) -> Result<Spectrum, Er
     Spectrum::new(within.map(|level| (level.band, level.level)))
 }
 
-/// Statistics of each band; None where the stretch is too short or its samples too far apart.
+/// Statistics of each band; `None` if the stretch is too short or its samples too far apart.
 fn band_statistics(stretch: &Profile, settings: &AnalysisSettings) -> Result<Vec<Option<BandStatistics>>, Error> {
     let spacing = stretch.spacing();
     let length = stretch.length();

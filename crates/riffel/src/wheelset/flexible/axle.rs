@@ -66,7 +66,7 @@ impl Axle {
         })
     }
 
-    /// The same with a shear coefficient κ \[-\] of the caller's.
+    /// Axle with a shear coefficient κ \[-\] of the caller's.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless it is above 0 and at most 1.
@@ -82,7 +82,7 @@ impl Axle {
         Ok(Self { shear_coefficient, ..self })
     }
 
-    /// The same with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
+    /// Axle with a loss factor η \[-\]: E and G become E(1 + iη) and G(1 + iη).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if it is negative.

@@ -88,7 +88,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
         Self { nodes, kinds, spans, elasticity: Complex64::new(1.0, loss_factor) }
     }
 
-    /// The same without loss, with nodes no further apart than a phase \[rad\] of the shortest wave at ω.
+    /// Chain without loss, with nodes no further apart than a phase \[rad\] of the shortest wave at ω.
     pub(super) fn refined(&self, w: f64, phase: f64) -> Self {
         let lossless = |node: &Node<N>| {
             let mut node = node.clone();

@@ -15,7 +15,7 @@ impl<const N: usize> Square<N> {
         Self::ZERO.plus_diagonal(&[Complex64::ONE; N])
     }
 
-    /// The same with a diagonal added.
+    /// Matrix with a diagonal added.
     #[inline(always)]
     pub(super) fn plus_diagonal(mut self, diagonal: &[Complex64; N]) -> Self {
         for (i, value) in diagonal.iter().enumerate() {

@@ -31,7 +31,7 @@ impl Built {
         }
     }
 
-    /// The same, left and right exchanged.
+    /// Wheelset with left and right exchanged.
     fn mirrored(&self) -> Self {
         let mut mirrored = self.clone();
         mirrored.segments.reverse();

@@ -46,7 +46,7 @@ impl ContactGrid {
     /// A grid of `columns` × `rows` elements over a rectangle \[m\] from −x to x and −y to y.
     ///
     /// # Errors
-    /// As those of [`new`](Self::new).
+    /// Errors of those of [`new`](Self::new).
     pub fn over(columns: usize, rows: usize, x: f64, y: f64) -> Result<Self, Error> {
         Self::new(columns, rows, 2.0 * x / columns as f64, 2.0 * y / rows as f64)
     }

@@ -83,7 +83,7 @@ impl NormalContact {
         Self::curved(materials, grid, gap, |_| 0.0)
     }
 
-    /// The same on a surface that is curved across: y is its arc length, `inclination` that of a row of elements \[rad\], of
+    /// Two bodies on a surface that is curved across: y is its arc length, `inclination` that of a row of elements \[rad\], of
     /// which there are [`ContactGrid::rows`], and the gap is measured along the normal of its row. Load and approach are along
     /// the normal of inclination zero.
     ///
@@ -142,11 +142,11 @@ impl NormalContact {
         self.under_load_near(load, None)
     }
 
-    /// The same, begun with pressures where the undeformed bodies overlap at an approach \[m\]: that of a patch as large as
+    /// Contact under a normal load, begun with pressures where the undeformed bodies overlap at an approach \[m\]: that of a patch as large as
     /// the one expected, about half the approach under load, saves a third of the steps.
     ///
     /// # Errors
-    /// As those of [`under_load`](Self::under_load).
+    /// Errors of those of [`under_load`](Self::under_load).
     pub fn under_load_near(&self, load: f64, approach: Option<f64>) -> Result<NormalState, Error> {
         Error::unless_positive("normal load", load, "N")?;
         let sum = Condition::PressureSum(load / self.grid.element_area());
