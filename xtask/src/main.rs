@@ -4,6 +4,8 @@ mod browser;
 mod check;
 mod compiler;
 mod dependencies;
+#[cfg(test)]
+mod doc_lines;
 mod environment;
 mod golden;
 mod page;

@@ -109,7 +109,7 @@ fn pack(parent: &Path, name: &str, to: &Path, time: u64) -> std::io::Result<()> 
 }
 
 /// All files below a folder.
-fn walk(folder: &Path, paths: &mut Vec<PathBuf>) -> std::io::Result<()> {
+pub(crate) fn walk(folder: &Path, paths: &mut Vec<PathBuf>) -> std::io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         match path.is_dir() {
