@@ -1,6 +1,6 @@
 //! Checks and how they came out.
 
-use riffel_answers::{Answer, Column, Table, Told};
+use riffel_answers::{Answer, Column, Printed, Table};
 use riffel_keys::{Message, number, say};
 use serde::Serialize;
 
@@ -36,10 +36,10 @@ impl Answer for Checked {
         vec![Table { name: self.name(), columns }]
     }
 
-    fn told(&self) -> Vec<Told> {
+    fn printed(&self) -> Vec<Printed> {
         let all = self.0.len();
         let hold = say!(checks_hold, hold = number(all - self.failed()), all = number(all));
-        self.tables().into_iter().map(Told::Texts).chain([Told::Line(hold)]).collect()
+        self.tables().into_iter().map(Printed::Texts).chain([Printed::Line(hold)]).collect()
     }
 
     fn remarks(&self) -> &[Message] {

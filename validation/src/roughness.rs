@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
-    Course, CoursePoint, Evidence, Expectation, GrowthDensity, Instrument, Mechanism, MechanismKind, TimeUnit,
-    TrafficSpeeds, dominant_levels, rank,
+    Evidence, Expectation, GrowthDensity, Instrument, LevelTrend, Mechanism, MechanismKind, TimeUnit, TrafficSpeeds,
+    TrendPoint, dominant_levels, rank,
 };
 use riffel::roughness::{
     BandPass, ColouredNoise, Irregularity, Profile, Recipe, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS,
@@ -304,14 +304,14 @@ pub(crate) fn grinding_mark_is_diagnosed() -> Row {
         let count = levels.len() as f64;
         let mean = levels.iter().sum::<f64>() / count;
         let squares: f64 = levels.iter().map(|level| (level - mean).powi(2)).sum();
-        CoursePoint {
+        TrendPoint {
             label: String::new(),
             time: days / 365.25,
             level: mean,
             scatter: Some((squares / (count - 1.0) / count).sqrt()),
         }
     });
-    let course = Course::new(points.collect(), TimeUnit::Year).expect("four campaigns");
+    let course = LevelTrend::new(points.collect(), TimeUnit::Year).expect("four campaigns");
     let speeds = TrafficSpeeds::new([(136.0 / 3.6, 1.0)]).expect("a speed");
     let (mut mechanisms, _) = case.mechanisms();
     let growth =

@@ -94,7 +94,7 @@ impl<T: Serialize> Document for T {
 }
 
 /// What a reader sees of an answer.
-pub enum Told {
+pub enum Printed {
     /// A line.
     Line(Message),
     /// A table.
@@ -144,12 +144,12 @@ pub trait Answer: Document {
     }
 
     /// What a reader sees, in its order.
-    fn told(&self) -> Vec<Told> {
-        let lines = |lines: Vec<Message>| lines.into_iter().map(Told::Line);
+    fn printed(&self) -> Vec<Printed> {
+        let lines = |lines: Vec<Message>| lines.into_iter().map(Printed::Line);
         let shown = self.tables().into_iter().filter(Table::is_shown);
         let tables = shown.flat_map(|table| {
             let [above, below] = [self.above(table.name), self.below(table.name)].map(lines);
-            above.chain([Told::Table(table)]).chain(below)
+            above.chain([Printed::Table(table)]).chain(below)
         });
         lines(self.introduction()).chain(tables).chain(lines(self.sentences())).collect()
     }

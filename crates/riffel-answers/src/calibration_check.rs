@@ -8,7 +8,7 @@ use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::question::{Asker, Files, Question, Source, on_threads};
+use crate::question::{Client, Files, Question, Source, on_threads};
 use crate::{Answer, AnswerError, Result, Rows, Table, level_limit};
 
 /// The limit of forecasts.
@@ -42,11 +42,11 @@ impl Question for CheckQuestion {
         Exit status: 0 the ranks are even, 1 they are not, 2 bad input, 130 stopped by Ctrl-C.";
     const FILES: Files = Files::Asked;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let plan = Plan::read(&self.plan)?;
         let (_, limit) = level_limit(LIMIT)?;
-        let stop = asker.stop();
-        let step = asker.count(say!(progress_simulations), self.runs);
+        let stop = client.stop();
+        let step = client.count(say!(progress_simulations), self.runs);
         let work = || Simulated::of(&plan, self.runs, &limit, &|done| step(done as usize), &stop);
         let simulated = on_threads(self.threads, work)??;
         let simulated = simulated.ok_or_else(|| AnswerError::Stopped(say!(check_stopped)))?;

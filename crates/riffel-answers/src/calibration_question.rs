@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::question::{Asker, Files, Question, Rule, Source};
+use crate::question::{Client, Files, Question, Rule, Source};
 use crate::{Answer, AnswerError, Result};
 
 /// What measurements say of the uncertain values of a case.
@@ -49,7 +49,7 @@ impl Question for CalibrateQuestion {
     const RULES: &'static [Rule] = &[Rule::Needs(&["traffic"], &["with"]), Rule::OneOf(&["dry_run", "restart"])];
     const FILES: Files = Files::Asked;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         Err(AnswerError::InFolder { question: Self::NAME })
     }
 }

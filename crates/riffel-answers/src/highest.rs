@@ -3,7 +3,7 @@
 use std::f64::consts::LN_2;
 
 use riffel::Axis;
-use riffel::growth::GrowthCourse;
+use riffel::growth::GrowthSpectrum;
 use riffel_case::Case;
 use riffel_keys::{Message, decimal, fixed, say};
 use serde::Serialize;
@@ -26,7 +26,7 @@ pub struct Highest {
 
 impl Highest {
     /// Of a course of growth at one speed \[m/s\]; `None` if nothing grows.
-    pub(crate) fn of(course: &GrowthCourse, speed: f64) -> Option<Self> {
+    pub(crate) fn of(course: &GrowthSpectrum, speed: f64) -> Option<Self> {
         let place = course.highest();
         let (wavelength, rate) = (course.wavelengths[place], course.rates[place]);
         (rate > 0.0).then(|| Self {
@@ -39,11 +39,11 @@ impl Highest {
 
     /// Of a course of growth under a traffic of a mean speed \[m/s\], from a shortest wavelength \[m\] on where it has longer ones; none
     /// where nothing grows.
-    pub(crate) fn beyond(course: &GrowthCourse, shortest: f64, speed: f64) -> Option<Self> {
+    pub(crate) fn beyond(course: &GrowthSpectrum, shortest: f64, speed: f64) -> Option<Self> {
         let from = course.wavelengths.partition_point(|&wavelength| wavelength < shortest);
         let from = if from < course.wavelengths.len() { from } else { 0 };
         let [wavelengths, rates] = [&course.wavelengths, &course.rates].map(|values| values[from..].to_vec());
-        Self::of(&GrowthCourse::of_values(wavelengths, rates), speed)
+        Self::of(&GrowthSpectrum::of_values(wavelengths, rates), speed)
     }
 
     /// The wavelength in a table.
@@ -90,27 +90,27 @@ pub(crate) fn over_the_window(
     filtered: bool,
     speed: f64,
     rate: impl Fn(f64) -> f64 + Sync,
-) -> (GrowthCourse, Option<Highest>) {
+) -> (GrowthSpectrum, Option<Highest>) {
     let window = case.wavelength;
     let told = match filtered {
         true => Some(window),
         false => case.growth_window(),
     };
     let Some(told) = told else {
-        return (GrowthCourse::of(window, rate), None);
+        return (GrowthSpectrum::of(window, rate), None);
     };
-    let course = GrowthCourse::of(told, &rate);
+    let course = GrowthSpectrum::of(told, &rate);
     let highest = Highest::of(&course, speed);
     let below = Axis::new(window.min(), told.min(), 2).ok();
     let course = match below {
-        Some(below) => GrowthCourse::of(below, rate).followed_by(course),
+        Some(below) => GrowthSpectrum::of(below, rate).followed_by(course),
         None => course,
     };
     (course, highest)
 }
 
 /// The wavelengths of courses, rising, each once: those at which all of them are drawn.
-pub(crate) fn wavelengths_of<'a>(courses: impl Iterator<Item = &'a GrowthCourse>) -> Vec<f64> {
+pub(crate) fn wavelengths_of<'a>(courses: impl Iterator<Item = &'a GrowthSpectrum>) -> Vec<f64> {
     /// Wavelengths whose ratio is nearer to one are the same.
     const SAME: f64 = 1e-7;
     let mut all: Vec<f64> = courses.flat_map(|course| course.wavelengths.iter().copied()).collect();

@@ -87,7 +87,7 @@ pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
 
-pub use answer::{Answer, Document, Existing, OwnText, ResultFile, Told};
+pub use answer::{Answer, Document, Existing, OwnText, Printed, ResultFile};
 pub use banded::Banded;
 pub use calibration::Calibration;
 pub use calibration_plan::CalibrationPlan;

@@ -10,7 +10,7 @@ use serde::Deserialize;
 
 use crate::map::observations::read;
 use crate::map::{BayGrowth, MapAnswer, growth_over};
-use crate::question::{AsWritten, Asker, CaseSource, PosteriorSource, Question, Rule, Source, covering, over};
+use crate::question::{AsWritten, CaseSource, Client, PosteriorSource, Question, Rule, Source, covering, over};
 use crate::wheels::WheelsAnswer;
 use crate::{Answer, LineGrowth, Result};
 
@@ -44,29 +44,29 @@ pub struct MapQuestion {
 }
 
 impl MapQuestion {
-    fn map(&self, case: &Case, asker: &dyn Asker) -> Result<MapAnswer> {
+    fn map(&self, case: &Case, client: &dyn Client) -> Result<MapAnswer> {
         case.check_window()?;
         let curve = match (&self.wavelength, &self.speed) {
             (Some(wavelength), Some(speed)) => {
-                Some((wavelength.within("--wavelength", asker)?, speed.within("--speed", asker)?))
+                Some((wavelength.within("--wavelength", client)?, speed.within("--speed", client)?))
             }
             _ => None,
         };
         let covered = curve.map(|(wavelength, _)| covering(case, wavelength, wavelength)).transpose()?;
         let case = covered.as_ref().unwrap_or(case);
         let observations = self.observations.as_ref().map(|marks| marks.value(read)).transpose()?;
-        let step = asker.begin(say!(progress_growth_map), case.speed.points());
+        let step = client.begin(say!(progress_growth_map), case.speed.points());
         let mut answer = MapAnswer::new(case, &step);
         drop(step);
         let traffic = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
-        let draws = self.posterior.draws(&self.case, asker)?;
-        answer.over_posterior = over(draws.as_ref(), asker, growth_over)?;
+        let draws = self.posterior.draws(&self.case, client)?;
+        answer.over_posterior = over(draws.as_ref(), client, growth_over)?;
         // The calibration knows more than the case says.
         if answer.over_posterior.is_none() {
             answer.under_traffic = Some(LineGrowth::new(case, traffic.as_deref())?);
         }
         if self.bay {
-            let step = asker.begin(say!(progress_bay), case.speed.points() * BayGrowth::map_count());
+            let step = client.begin(say!(progress_bay), case.speed.points() * BayGrowth::map_count());
             answer.bay = Some(BayGrowth::new(case, curve, &step)?);
         }
         Ok(match observations {
@@ -90,12 +90,12 @@ impl Question for MapQuestion {
         Rule::Needs(&["speed"], &["wavelength"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let case = self.case.read_at(self.position, asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let case = self.case.read_at(self.position, client)?;
         if self.wheels {
-            let step = asker.begin(say!(progress_wheels), WheelsAnswer::rows(&case));
+            let step = client.begin(say!(progress_wheels), WheelsAnswer::rows(&case));
             return Ok(Box::new(WheelsAnswer::new(&case, &step)?));
         }
-        Ok(Box::new(self.map(&case, asker)?))
+        Ok(Box::new(self.map(&case, client)?))
     }
 }

@@ -6,8 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::question::{Asker, Files, Question};
-use crate::{Answer, Column, Result, Rows, Table, Told};
+use crate::question::{Client, Files, Question};
+use crate::{Answer, Column, Printed, Result, Rows, Table};
 
 /// List the presets, or show one with the sources of its values.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -22,7 +22,7 @@ impl Question for PresetsQuestion {
     const EXAMPLE: &'static str = "Example: riffel presets BS113A";
     const FILES: Files = Files::None;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         let preset = self.name.as_deref().map(preset).transpose()?;
         let document = match preset {
             Some(preset) => preset.document(),
@@ -84,9 +84,9 @@ impl Answer for PresetsAnswer {
         self.preset.is_none().then(how).into_iter().collect()
     }
 
-    fn told(&self) -> Vec<Told> {
-        let lines = |lines: Vec<Message>| lines.into_iter().map(Told::Line);
-        let tables = self.tables().into_iter().map(Told::Texts);
+    fn printed(&self) -> Vec<Printed> {
+        let lines = |lines: Vec<Message>| lines.into_iter().map(Printed::Line);
+        let tables = self.tables().into_iter().map(Printed::Texts);
         lines(self.introduction()).chain(tables).chain(lines(self.sentences())).collect()
     }
 }

@@ -9,7 +9,7 @@ use riffel_plot::{LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::question::{Asker, CaseSource, Question};
+use crate::question::{CaseSource, Client, Question};
 use crate::stress::contour;
 use crate::{Answer, AnswerError, Column, Result, Rows, Table};
 
@@ -36,13 +36,13 @@ impl Question for StabilityQuestion {
         Example: riffel stability case.toml --friction 0.1,0.2,0.3,0.4,0.5 --set 'map.speed={min=\"20 km/h\",max=\"80 km/h\"}'\n\n\
         Each friction has the mean state of its own; the speeds are those of map.speed.";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let case = self.case.read(asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let case = self.case.read(client)?;
         let friction = match self.friction.is_empty() {
             true => StabilityMap::frictions(),
             false => self.friction.iter().map(Quantity::si).collect(),
         };
-        let step = asker.begin(say!(progress_stability), friction.len());
+        let step = client.begin(say!(progress_stability), friction.len());
         Ok(Box::new(StabilityMap::new(&case, &friction, &step)?))
     }
 }

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::answer::titled;
 use crate::complex::as_matrices;
 use crate::parameters::parameters;
-use crate::question::{AsWritten, Asker, CaseSource, Question};
+use crate::question::{AsWritten, CaseSource, Client, Question};
 use crate::receptance::ReceptanceCurves;
 use crate::{Answer, Column, Result, ResultFile, Rows, Table, mode_in_words};
 
@@ -46,15 +46,15 @@ impl Question for WheelsetQuestion {
     const NAME: &'static str = "wheelset";
     const EXAMPLE: &'static str = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let case = self.case.read(asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let case = self.case.read(client)?;
         let frequencies = match &self.frequencies[..] {
             [] => {
                 let wheelset = case.wheelset.as_ref();
                 let (lowest, highest) = wheelset.map_or((0.0, f64::INFINITY), |wheelset| wheelset.frequency_range());
                 ReceptanceCurves::frequencies(USUAL.0.max(lowest), HIGHEST.min(highest), USUAL.1)
             }
-            listed => AsWritten::all_within(listed, "--frequencies", asker)?,
+            listed => AsWritten::all_within(listed, "--frequencies", client)?,
         };
         Ok(Box::new(WheelsetAnswer::new(&case, frequencies)?))
     }

@@ -8,7 +8,7 @@ use crate::chains::Chains;
 use crate::data::Group;
 use crate::error::CalibrationError;
 use crate::folder::Folder;
-use crate::gaussian::Given;
+use crate::gaussian::Conditional;
 use crate::held_out::{Score, given_rest};
 use crate::names::MODELS;
 use crate::plan::Plan;
@@ -145,7 +145,7 @@ fn scores_of(
 ) -> Result<Vec<Score>, CalibrationError> {
     let given = given_rest(plan, chains, groups)?;
     let scores = groups.iter().enumerate().map(|(place, (block, group))| {
-        let own: Vec<&Given> = given.iter().map(|of_draw| &of_draw[place]).collect();
+        let own: Vec<&Conditional> = given.iter().map(|of_draw| &of_draw[place]).collect();
         let name = plan.posterior.blocks[*block].names.join(" + ");
         Score::of((name, group.held), &own, chains.draws.len(), is_drawn_without)
     });
@@ -223,7 +223,7 @@ mod tests {
             (0..2u64).into_par_iter().map(chain).collect::<Vec<_>>()
         };
         let score = |dates: &[usize], left_out: usize| {
-            let given: Vec<Given> =
+            let given: Vec<Conditional> =
                 draws(dates).iter().flatten().map(|draw| u1.given_rest(1.0 + draw.place[0], left_out)).collect();
             let held = ("levels".to_owned(), Held::Date(0.0));
             let is_drawn_without = dates.len() < 3;

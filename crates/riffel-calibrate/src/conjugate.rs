@@ -4,7 +4,7 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel_study::Distribution;
 use serde_json::Value;
 
-use crate::data::{Block, Given, Group, Place, sums};
+use crate::data::{Block, Conditional, Group, Place, sums};
 use crate::gaussian::{Density, Gaussian};
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
@@ -168,7 +168,7 @@ impl U1 {
     }
 
     /// A date given the others, for one κ.
-    pub(crate) fn given_rest(&self, growth: f64, date: usize) -> Given {
+    pub(crate) fn given_rest(&self, growth: f64, date: usize) -> Conditional {
         let levels = self.levels(&[0, 1, 2]);
         let group = [0, 1, 2].map(|band| 3 * date + band);
         let group = Group::single(levels.data.len(), &group);

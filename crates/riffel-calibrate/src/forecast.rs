@@ -42,7 +42,7 @@ pub struct BandForecast {
 }
 
 /// Level of a band now and at the horizon, and passages until its limit.
-type Course = (f64, f64, Option<f64>);
+type BandTrend = (f64, f64, Option<f64>);
 
 impl Forecast {
     /// The forecast of the rail of a plan over the draws of its chains: level at the last date, growth from there on, and what the
@@ -61,7 +61,7 @@ impl Forecast {
             let reason = "the limit has none of the bands that were measured";
             return Err(CalibrationError::Refused(reason.to_owned()));
         }
-        let courses: Vec<Vec<Course>> = draws
+        let courses: Vec<Vec<BandTrend>> = draws
             .iter()
             .map(|draw| {
                 let bands = growing_bands(&draw.rates, &draw.missed);
@@ -80,7 +80,7 @@ impl Forecast {
             })
             .collect();
         let in_months = |passages: Option<f64>| passages.map(|it| it / per_month);
-        let quantiles = |of: &dyn Fn(&[Course]) -> f64| {
+        let quantiles = |of: &dyn Fn(&[BandTrend]) -> f64| {
             let mut values: Vec<f64> = courses.iter().map(|bands| of(bands)).collect();
             values.sort_by(f64::total_cmp);
             SHARES.map(|share| quantile(&values, share))

@@ -168,7 +168,7 @@ impl Gaussian {
 
 /// What is said of some data given all others of their block.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Given {
+pub(crate) struct Conditional {
     /// ln of their density.
     pub(crate) log_density: f64,
     /// The share of its own distribution that lies below each.
@@ -178,7 +178,7 @@ pub(crate) struct Given {
 /// Some data given all others, from the inverse S⁻¹ of the covariance of all and from S⁻¹r.
 ///
 /// Source: Sundararajan & Keerthi (2001), Neural Computation 13.
-pub(crate) fn given_others(inverse: &Matrix, weighted: &[f64], group: &[usize]) -> Option<Given> {
+pub(crate) fn given_others(inverse: &Matrix, weighted: &[f64], group: &[usize]) -> Option<Conditional> {
     let precision = Matrix::of(group.len(), |i, j| inverse.at(group[i], group[j]));
     let lower = precision.cholesky()?;
     let turned = lower.forward(group.iter().map(|place| weighted[*place]).collect());
@@ -186,7 +186,7 @@ pub(crate) fn given_others(inverse: &Matrix, weighted: &[f64], group: &[usize]) 
     let covariance = lower.inverse_of_square();
     let beside = lower.transposed().backward(&turned);
     let shares = beside.iter().enumerate();
-    Some(Given {
+    Some(Conditional {
         log_density: norm + log_determinant(&lower) - 0.5 * dot(&turned, &turned),
         shares: shares.map(|(place, beside)| normal::cumulative(beside / covariance.at(place, place).sqrt())).collect(),
     })

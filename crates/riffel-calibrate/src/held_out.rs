@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::chains::Chains;
-use crate::data::{Given, Group, Held};
+use crate::data::{Conditional, Group, Held};
 use crate::diagnostics::ess_bulk;
 use crate::draw::Draw;
 use crate::error::CalibrationError;
@@ -39,7 +39,7 @@ pub(crate) fn given_rest(
     plan: &Plan,
     chains: &Chains,
     groups: &[(usize, Group)],
-) -> Result<Vec<Vec<Given>>, CalibrationError> {
+) -> Result<Vec<Vec<Conditional>>, CalibrationError> {
     let posterior = &plan.posterior;
     let all: Vec<&Draw> = chains.draws.iter().flatten().collect();
     let of_draw = |draw: &&Draw| {
@@ -53,14 +53,14 @@ pub(crate) fn given_rest(
         };
         groups.iter().map(of_group).collect()
     };
-    all.par_iter().map(of_draw).collect::<Result<Vec<Vec<Given>>, String>>().map_err(CalibrationError::Refused)
+    all.par_iter().map(of_draw).collect::<Result<Vec<Vec<Conditional>>, String>>().map_err(CalibrationError::Refused)
 }
 
 impl Score {
     /// From draws that saw the group, by weights that take it out again, or from draws that did not.
     pub(crate) fn of(
         (data, held_out): (String, Held),
-        given: &[&Given],
+        given: &[&Conditional],
         chains: usize,
         is_drawn_without: bool,
     ) -> Self {

@@ -13,6 +13,7 @@ mod comparison;
 #[cfg(test)]
 mod conjugate;
 mod data;
+mod data_columns;
 mod decision;
 pub mod diagnostics;
 mod draw;
@@ -26,7 +27,6 @@ pub mod file;
 mod folder;
 mod forecast;
 mod gaussian;
-mod given;
 mod held_out;
 mod identifiability;
 pub mod information;

@@ -9,11 +9,11 @@ use riffel_arrays::{Array, DataType, Together, Values, group, json};
 use serde_json::{Map, Value, json};
 
 use crate::chains::Chains;
+use crate::data_columns::columns;
 use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::file::SamplerKind;
 use crate::folder::Folder;
-use crate::given::columns;
 use crate::names::{GROUPS, SUMMARY, TREE};
 use crate::plan::Plan;
 use crate::predicted::replicas;

@@ -89,7 +89,7 @@ fn pareto(values: &[f64]) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::data::{Given, Held};
+    use crate::data::{Conditional, Held};
     use crate::draw::random;
     use crate::held_out::Score;
     use crate::nuts::{normal, uniform};
@@ -144,9 +144,9 @@ mod tests {
             let (precision, mean) = after(0);
             let given = (0..draws).map(|_| {
                 let value = mean + normal(&mut random) / precision.sqrt();
-                Given { log_density: log(datum, slope * value, 1.0), shares: Vec::new() }
+                Conditional { log_density: log(datum, slope * value, 1.0), shares: Vec::new() }
             });
-            let given: Vec<Given> = given.collect();
+            let given: Vec<Conditional> = given.collect();
             let held = ("data".to_owned(), Held::All);
             let score = Score::of(held, &given.iter().collect::<Vec<_>>(), 1, false);
             let apart = ((score.log_density - expected) / score.error).abs();

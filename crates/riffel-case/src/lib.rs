@@ -44,7 +44,7 @@ pub use case::wheels_of_curve::{WheelOfCurve, WheelsOfCurve};
 pub use curve::{CurvingCase, ProfileOfName, ProfileReading, profile_of, read_profile};
 pub use file::key::CaseKey;
 pub use file::setting::{Setting, settings};
-pub use keys::substitutes::GivenReceptance;
+pub use keys::substitutes::SubstituteReceptance;
 pub use parts::measurement::{UniversalFunction, doubts_about_rail};
 pub use parts::track::{Origin, Track};
 pub use parts::wheelset::CaseWheelset;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use riffel_answers::{self as answers, Answer, OwnText, Told};
+use riffel_answers::{self as answers, Answer, OwnText, Printed};
 
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
@@ -60,10 +60,10 @@ pub(crate) fn put(text: &OwnText<'_>) -> Result<(), CliError> {
 
 /// An answer in words.
 pub(crate) fn in_words(answer: &dyn Answer) -> String {
-    let told = answer.told().into_iter().map(|told| match told {
-        Told::Line(line) => line.text(language()) + "\n",
-        Told::Table(table) => format!("{}\n", table_of(&table)),
-        Told::Texts(table) => format!("{}\n", as_text(table_of(&table))),
+    let told = answer.printed().into_iter().map(|told| match told {
+        Printed::Line(line) => line.text(language()) + "\n",
+        Printed::Table(table) => format!("{}\n", table_of(&table)),
+        Printed::Texts(table) => format!("{}\n", as_text(table_of(&table))),
     });
     told.collect()
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use riffel_answers::question::{Asker, Step};
+use riffel_answers::question::{Client, Step};
 use riffel_keys::{Language, Message};
 use riffel_study::Stop;
 
@@ -14,7 +14,7 @@ use crate::staging::{add_input, stop_on_interrupt};
 /// The person or program at this terminal.
 pub(crate) struct Terminal;
 
-impl Asker for Terminal {
+impl Client for Terminal {
     fn begin(&self, work: Message, steps: usize) -> Step<'_> {
         let progress = Progress::new(work, steps);
         Box::new(move |by| progress.advance(by))

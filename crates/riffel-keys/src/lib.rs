@@ -22,7 +22,6 @@
 mod binary_format;
 mod error;
 mod excerpt;
-mod given_text;
 mod json;
 mod key_file;
 mod language;
@@ -38,6 +37,7 @@ pub mod seal;
 mod standard_input;
 pub mod table;
 pub mod text_file;
+mod texts_in_memory;
 mod unit;
 pub mod universal_file;
 

@@ -5,11 +5,11 @@ use std::io;
 use std::path::Path;
 
 use crate::binary_format::BinaryFormat;
-use crate::given_text::given;
-pub use crate::given_text::with_texts;
 pub use crate::printable::{in_a_message, printable};
 pub use crate::standard_input::LARGEST_RESPONSES;
 use crate::standard_input::{read_to, standard_input};
+use crate::texts_in_memory::in_memory;
+pub use crate::texts_in_memory::with_texts;
 use crate::{CaseError, Message, number, question, say, seal};
 
 /// Largest file of keys \[bytes\]: a case, a traffic, a plan, a recipe, a limit table, a site. Also the largest
@@ -140,7 +140,7 @@ pub fn is_standard_input(path: &Path) -> bool {
 /// endless input comes to an end.
 pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec<u8>, CaseError> {
     let failed = |reason| CaseError::Read { what, path: path.to_owned(), reason };
-    let bytes = if let Some(text) = given(path) {
+    let bytes = if let Some(text) = in_memory(path) {
         Ok(text)
     } else if let Some(document) = question::as_toml(path) {
         document

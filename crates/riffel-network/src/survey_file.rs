@@ -46,7 +46,7 @@ pub struct GoesBack {
 const MOST_DEVICES: usize = 16;
 
 /// How far the blocks of a rail have come.
-struct Course {
+struct RailProgress {
     rail: usize,
     /// Where its first block begins \[m\].
     first: f64,
@@ -56,7 +56,7 @@ struct Course {
     blocks: usize,
 }
 
-impl Course {
+impl RailProgress {
     /// Take the next block; whether it goes back to it.
     fn goes_back(&mut self, name: &str, block: &Block) -> Result<bool, String> {
         let back = self.end - block.from;
@@ -262,7 +262,7 @@ impl SurveyFile {
         let path = &self.path;
         let mut reader = reader(path)?;
         let mut record = csv::ByteRecord::new();
-        let mut rails: HashMap<Vec<u8>, Course> = HashMap::new();
+        let mut rails: HashMap<Vec<u8>, RailProgress> = HashMap::new();
         loop {
             let read = reader.read_byte_record(&mut record);
             if !read.map_err(|error| csv_error(path, &error))? {
@@ -286,7 +286,7 @@ impl SurveyFile {
             let known = rails.get(name);
             let rail = known.map_or(next, |course| course.rail);
             let block = self.columns.block(&record, rail).map_err(&wrong)?;
-            let course = rails.entry(name.to_vec()).or_insert(Course {
+            let course = rails.entry(name.to_vec()).or_insert(RailProgress {
                 rail,
                 first: block.from,
                 end: f64::NEG_INFINITY,

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use pythonize::{depythonize, pythonize};
 use riffel_answers::AnswerError;
-use riffel_answers::question::{self, AnyQuestion, Asker, Step};
+use riffel_answers::question::{self, AnyQuestion, Client, Step};
 use riffel_keys::Message;
 use riffel_keys::question::Held;
 use serde_json::{Map, Value};
@@ -26,7 +26,7 @@ use crate::traffic::Traffic;
 #[derive(Default)]
 struct Listener(Mutex<Vec<Message>>);
 
-impl Asker for Listener {
+impl Client for Listener {
     fn begin(&self, _: Message, _: usize) -> Step<'_> {
         Box::new(|_| ())
     }
@@ -68,13 +68,13 @@ impl<'py> InMemory<'py> {
 }
 
 /// The keys of a question, which hold what stands in memory, and the cases among it.
-pub(crate) struct Asked<'py> {
+pub(crate) struct QuestionArg<'py> {
     keys: Map<String, Value>,
     held: [Held; 2],
     cases: Vec<Bound<'py, Case>>,
 }
 
-impl<'py> Asked<'py> {
+impl<'py> QuestionArg<'py> {
     pub(crate) fn new(named: &dyn AnyQuestion, question: &Bound<'py, PyDict>) -> PyResult<Self> {
         let (mut keys, mut in_memory) = (Map::new(), InMemory::default());
         for (key, value) in question {
@@ -91,14 +91,14 @@ impl<'py> Asked<'py> {
     pub(crate) fn answer<T: Send + 'static>(
         self,
         py: Python<'py>,
-        work: impl FnOnce(Map<String, Value>, &dyn Asker) -> Result<T, AnswerError> + Send + 'static,
+        work: impl FnOnce(Map<String, Value>, &dyn Client) -> Result<T, AnswerError> + Send + 'static,
     ) -> PyResult<(T, Vec<Message>)> {
         let Self { keys, held, cases } = self;
         let answered = interruptible(py, move || {
             let _held = held;
-            let asker = Listener::default();
-            let answer = work(keys, &asker)?;
-            Ok((answer, asker.0.into_inner().unwrap_or_else(PoisonError::into_inner)))
+            let client = Listener::default();
+            let answer = work(keys, &client)?;
+            Ok((answer, client.0.into_inner().unwrap_or_else(PoisonError::into_inner)))
         });
         let answered = cases.iter().try_fold(answered?, |answered, case| case.get().unless_callable_failed(answered));
         answered?.map_err(of_answer)
@@ -106,14 +106,14 @@ impl<'py> Asked<'py> {
 }
 
 /// Document of an answer, remarks on its question with their ids, and those of the answer.
-type Told<'py> = (Bound<'py, PyAny>, Vec<(&'static str, String)>, Vec<String>);
+type AnswerParts<'py> = (Bound<'py, PyAny>, Vec<(&'static str, String)>, Vec<String>);
 
 /// Answer a question in which cases, records and traffic may stand.
 #[pyfunction]
-pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict>) -> PyResult<Told<'py>> {
+pub(crate) fn ask<'py>(py: Python<'py>, name: &str, question: &Bound<'py, PyDict>) -> PyResult<AnswerParts<'py>> {
     let named = question::known(name).map_err(of_answer)?;
-    let ((document, own), on_question) = Asked::new(named, question)?.answer(py, |keys, asker| {
-        let answer = named.answer(keys, asker)?;
+    let ((document, own), on_question) = QuestionArg::new(named, question)?.answer(py, |keys, client| {
+        let answer = named.answer(keys, client)?;
         let own = sentences(answer.remarks());
         Ok((answer.value(), own))
     })?;

@@ -11,7 +11,7 @@ use crate::errors::of_case;
 
 /// A speed for each sample \[m/s\], a reading of the odometer for each \[m\], or a speed that stays the same \[m/s\].
 #[derive(FromPyObject)]
-pub(crate) enum GivenPlace<'py> {
+pub(crate) enum PlaceArg<'py> {
     Speed(PyReadonlyArray1<'py, f64>),
     Odometer((PyReadonlyArray1<'py, f64>,)),
     Constant(f64),
@@ -25,12 +25,12 @@ pub(crate) struct AxleBoxRun(pub(crate) Arc<AxleBoxFile>);
 impl AxleBoxRun {
     /// Of channels by name \[m/s²\], and the samples per second.
     #[new]
-    fn new(channels: Vec<(String, PyReadonlyArray1<'_, f64>)>, rate: f64, place: GivenPlace<'_>) -> PyResult<Self> {
+    fn new(channels: Vec<(String, PyReadonlyArray1<'_, f64>)>, rate: f64, place: PlaceArg<'_>) -> PyResult<Self> {
         let channels = channels.into_iter().map(|(name, values)| (name, owned(&values))).collect();
         let place = match place {
-            GivenPlace::Speed(speeds) => AxleBoxPlace::Speed(owned(&speeds)),
-            GivenPlace::Odometer((odometer,)) => AxleBoxPlace::Odometer(owned(&odometer)),
-            GivenPlace::Constant(speed) => AxleBoxPlace::Constant(speed),
+            PlaceArg::Speed(speeds) => AxleBoxPlace::Speed(owned(&speeds)),
+            PlaceArg::Odometer((odometer,)) => AxleBoxPlace::Odometer(owned(&odometer)),
+            PlaceArg::Constant(speed) => AxleBoxPlace::Constant(speed),
         };
         Ok(Self(Arc::new(AxleBoxFile::of_arrays("run", channels, rate, place).map_err(of_case)?)))
     }

@@ -12,7 +12,7 @@ use crate::tables;
 
 /// A case of curving: an ordinary case, a file or the keys of one.
 #[derive(FromPyObject)]
-pub(crate) enum GivenCase<'py> {
+pub(crate) enum CaseArg<'py> {
     Case(PyRef<'py, Case>),
     Keys(Bound<'py, PyDict>),
     File(PathBuf),
@@ -25,14 +25,14 @@ pub(crate) struct CurvingCase(pub(crate) Arc<riffel_case::CurvingCase>);
 #[pymethods]
 impl CurvingCase {
     #[new]
-    fn new(case: GivenCase<'_>, overrides: &Bound<'_, PyDict>) -> PyResult<Self> {
+    fn new(case: CaseArg<'_>, overrides: &Bound<'_, PyDict>) -> PyResult<Self> {
         let overrides = assignments(overrides)?;
         let case = match case {
-            GivenCase::Case(case) => case.case.curving(&overrides),
-            GivenCase::Keys(keys) => {
+            CaseArg::Case(case) => case.case.curving(&overrides),
+            CaseArg::Keys(keys) => {
                 riffel_case::CurvingCase::parse("", &tables::table(&keys, "")?.to_string(), &overrides)
             }
-            GivenCase::File(path) => riffel_case::CurvingCase::read(&path, &overrides),
+            CaseArg::File(path) => riffel_case::CurvingCase::read(&path, &overrides),
         };
         Ok(Self(Arc::new(case.map_err(of_case)?)))
     }

@@ -8,7 +8,7 @@ use riffel_answers::forecast::{ForecastHorizon, ForecastQuestion, HardenedWave};
 use riffel_answers::question::{of, of_keys};
 
 use crate::array::owned;
-use crate::ask::Asked;
+use crate::ask::QuestionArg;
 use crate::document::{document, sentences};
 use crate::errors::{of_answer, wrong};
 
@@ -32,10 +32,10 @@ pub(crate) fn forecast<'py>(
     measure: &str,
     values: PyReadonlyArray1<'py, f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let asked = Asked::new(&of::<ForecastQuestion>(), question)?;
-    let (mut answer, _) = asked.answer(py, |keys, asker| {
+    let asked = QuestionArg::new(&of::<ForecastQuestion>(), question)?;
+    let (mut answer, _) = asked.answer(py, |keys, client| {
         let question: ForecastQuestion = of_keys(keys.into())?;
-        question.forecast_on(&*question.case.read(asker)?, asker)
+        question.forecast_on(&*question.case.read(client)?, client)
     })?;
     let horizon = horizon(measure)?;
     let passages = owned(&values).into_iter().map(|value| horizon(value).passages(&answer.on));
@@ -93,10 +93,10 @@ pub(crate) fn fit_wear<'py>(
     question: &Bound<'py, PyDict>,
     days: Option<f64>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let asked = Asked::new(&of::<ForecastQuestion>(), question)?;
-    let (report, _) = asked.answer(py, move |keys, asker| {
+    let asked = QuestionArg::new(&of::<ForecastQuestion>(), question)?;
+    let (report, _) = asked.answer(py, move |keys, client| {
         let question: ForecastQuestion = of_keys(keys.into())?;
-        question.wear_on(&*question.case.read(asker)?, days, asker)
+        question.wear_on(&*question.case.read(client)?, days, client)
     })?;
     document(py, &report)
 }

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use riffel::wanted::run_while;
+use riffel::cancel::run_while;
 
 /// How often signals are looked at.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -21,7 +21,7 @@ pub(crate) fn interruptible<T: Send + 'static>(
     if is_within_work() {
         return Ok(py.detach(work));
     }
-    let wanted = Wanted::default();
+    let wanted = CancelToken::default();
     let asked = wanted.clone();
     let stop = || _ = wanted.give_up();
     let done = stoppable(py, move || asked.run(work), stop)?;
@@ -74,7 +74,7 @@ pub(crate) fn interruptible_while<M>(
         py.detach(work);
         return meanwhile();
     }
-    let wanted = Wanted::default();
+    let wanted = CancelToken::default();
     let (sender, receiver) = sync_channel(1);
     rayon::in_place_scope(|scope| {
         let asked = wanted.clone();
@@ -110,15 +110,15 @@ fn is_within_work() -> bool {
 
 /// Whether the result of some work is still wanted.
 #[derive(Clone)]
-struct Wanted(Arc<AtomicBool>);
+struct CancelToken(Arc<AtomicBool>);
 
-impl Default for Wanted {
+impl Default for CancelToken {
     fn default() -> Self {
         Self(Arc::new(AtomicBool::new(true)))
     }
 }
 
-impl Wanted {
+impl CancelToken {
     /// Work, for as long as it is wanted.
     fn run<T: Send>(self, work: impl FnOnce() -> T + Send) -> Option<T> {
         run_while(move || self.0.load(Ordering::Relaxed), work)

@@ -18,11 +18,11 @@ mod curving;
 mod document;
 mod errors;
 mod forecast;
-mod given;
 mod interrupt;
 mod line_growth;
 mod program;
 mod quantity;
+mod receptance_arg;
 mod records;
 mod roughness;
 mod simulate;
@@ -49,13 +49,13 @@ mod _riffel {
     #[pymodule_export]
     use crate::forecast::{fit_wear, forecast};
     #[pymodule_export]
-    use crate::given::Universal;
-    #[pymodule_export]
     use crate::line_growth::line_growth;
     #[pymodule_export]
     use crate::program::program;
     #[pymodule_export]
     use crate::quantity::si;
+    #[pymodule_export]
+    use crate::receptance_arg::Universal;
     #[pymodule_export]
     use crate::records::Record;
     #[pymodule_export]

@@ -18,16 +18,16 @@ type LabelledLevels<'py> = (Vec<(String, String)>, (PyReadonlyArray1<'py, f64>, 
 
 /// What was measured: the spacing and rails of a profile, or spectra.
 #[derive(FromPyObject)]
-pub(crate) enum GivenRoughness<'py> {
+pub(crate) enum RoughnessArg<'py> {
     Profile((f64, Vec<(String, Vec<Stretch<'py>>)>)),
     Spectra(Vec<LabelledLevels<'py>>),
 }
 
 /// How files are laid out: reader profile, step of a file without positions \[m\], units of heights and positions.
 #[derive(FromPyObject)]
-pub(crate) struct GivenLayout(Option<PathBuf>, Option<f64>, Option<String>, Option<String>);
+pub(crate) struct LayoutArg(Option<PathBuf>, Option<f64>, Option<String>, Option<String>);
 
-impl GivenLayout {
+impl LayoutArg {
     pub(crate) fn layout(self) -> PyResult<Layout> {
         let Self(format, spacing, height_unit, position_unit) = self;
         let format = format.as_deref().map(ReaderFormat::read).transpose();
@@ -61,15 +61,15 @@ pub(crate) struct Record {
 impl Record {
     /// Of the spacing and the rails of a profile, or of spectra.
     #[new]
-    fn new(name: String, given: GivenRoughness<'_>) -> PyResult<Self> {
+    fn new(name: String, given: RoughnessArg<'_>) -> PyResult<Self> {
         let file = match given {
-            GivenRoughness::Profile((spacing, given)) => {
+            RoughnessArg::Profile((spacing, given)) => {
                 let rails = given
                     .into_iter()
                     .map(|(name, stretches)| Ok::<_, PyErr>(Rail { name, stretches: profiles(&stretches, spacing)? }));
                 RoughnessFile::Profile(riffel_rail::Record::of_rails(rails.collect::<PyResult<_>>()?, spacing))
             }
-            GivenRoughness::Spectra(spectra) => {
+            RoughnessArg::Spectra(spectra) => {
                 let spectra = spectra.into_iter().map(|(labels, (wavelengths, levels))| {
                     let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
                     Ok::<_, PyErr>(LabelledSpectrum { labels, spectrum })

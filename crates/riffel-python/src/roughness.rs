@@ -18,7 +18,7 @@ use crate::arrays_of_rails::{Stretch, profiles, spectrum};
 use crate::document::sentences;
 use crate::errors::{of_answer, of_case, of_physics, wrong};
 use crate::interrupt::interruptible;
-use crate::records::{GivenLayout, read};
+use crate::records::{LayoutArg, read};
 use crate::tables;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
@@ -302,7 +302,7 @@ pub(crate) fn dominant_of_spectra(
 pub(crate) fn read_roughness<'py>(
     py: Python<'py>,
     path: PathBuf,
-    layout: GivenLayout,
+    layout: LayoutArg,
 ) -> PyResult<(
     Option<(f64, Vec<(String, Vec<(f64, Real<'py>)>)>)>,
     Vec<(Vec<(String, String)>, Levels<'py>)>,

@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use riffel::passage::Sinusoid;
 use riffel::roughness::Profile;
 use riffel_answers::simulate::{
-    Course, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest,
+    ContactHistory, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest,
     SmoothRailAnswer, Surface,
 };
 
@@ -19,7 +19,7 @@ use crate::traffic::Traffic;
 
 /// Amplitude and wavelength of a sinusoid \[m\], or where a profile begins \[m\], its spacing \[m\] and heights \[m\].
 #[derive(FromPyObject)]
-pub(crate) enum GivenSurface<'py> {
+pub(crate) enum SurfaceArg<'py> {
     Sinusoid((f64, f64)),
     Profile((f64, f64, PyReadonlyArray1<'py, f64>)),
 }
@@ -29,7 +29,7 @@ enum Rail {
     Profile(Profile),
 }
 
-impl GivenSurface<'_> {
+impl SurfaceArg<'_> {
     fn rail(&self) -> PyResult<Rail> {
         Ok(match self {
             Self::Sinusoid((amplitude, wavelength)) => {
@@ -43,7 +43,7 @@ impl GivenSurface<'_> {
 }
 
 /// One array for each quantity of a course, or of several contacts by rows.
-fn arrays<'py>(py: Python<'py>, courses: &[Course]) -> PyResult<Bound<'py, PyDict>> {
+fn arrays<'py>(py: Python<'py>, courses: &[ContactHistory]) -> PyResult<Bound<'py, PyDict>> {
     let arrays = PyDict::new(py);
     let several = courses.len() > 1;
     let Some(first) = courses.first() else {
@@ -52,7 +52,7 @@ fn arrays<'py>(py: Python<'py>, courses: &[Course]) -> PyResult<Bound<'py, PyDic
     for (name, values) in [("position", &first.position_m), ("height", &first.height_m)] {
         arrays.set_item(name, values.clone().into_pyarray(py))?;
     }
-    type Column = fn(&Course) -> Option<&Vec<f64>>;
+    type Column = fn(&ContactHistory) -> Option<&Vec<f64>>;
     let columns: [(&str, Column); 7] = [
         ("normal_force", |course| Some(&course.normal_force_n)),
         ("tangential_force", |course| Some(&course.tangential_force_n)),
@@ -78,7 +78,7 @@ fn arrays<'py>(py: Python<'py>, courses: &[Course]) -> PyResult<Bound<'py, PyDic
 pub(crate) fn simulate<'py>(
     py: Python<'py>,
     case: &Case,
-    surface: GivenSurface<'py>,
+    surface: SurfaceArg<'py>,
     speed: f64,
     step: Option<f64>,
     contact_filter: bool,
@@ -151,7 +151,7 @@ pub(crate) fn on_smooth_rail<'py>(
 pub(crate) fn evolve<'py>(
     py: Python<'py>,
     case: &Case,
-    surface: GivenSurface<'py>,
+    surface: SurfaceArg<'py>,
     periodic: bool,
     traffic: &Traffic,
     passages: u64,

@@ -14,7 +14,7 @@ use crate::tables;
 
 /// A traffic file, its keys, or the wheel of the case at speeds of a mean and a standard deviation.
 #[derive(FromPyObject)]
-pub(crate) enum GivenTraffic<'py> {
+pub(crate) enum TrafficArg<'py> {
     File(PathBuf),
     Keys(Bound<'py, PyDict>),
     Speeds((f64, f64)),
@@ -28,14 +28,14 @@ pub(crate) struct Traffic(pub(crate) Arc<riffel_case::traffic::Traffic>);
 impl Traffic {
     /// What is given, or the usual traffic of the line of the case, of which no amount is assumed.
     #[new]
-    fn new(case: &Case, given: Option<GivenTraffic<'_>>) -> PyResult<Self> {
+    fn new(case: &Case, given: Option<TrafficArg<'_>>) -> PyResult<Self> {
         let traffic = match given {
-            Some(GivenTraffic::File(path)) => riffel_case::traffic::Traffic::read(&path).map_err(of_case)?,
-            Some(GivenTraffic::Keys(keys)) => {
+            Some(TrafficArg::File(path)) => riffel_case::traffic::Traffic::read(&path).map_err(of_case)?,
+            Some(TrafficArg::Keys(keys)) => {
                 let text = tables::table(&keys, "")?.to_string();
                 riffel_case::traffic::Traffic::parse("", &text).map_err(of_case)?
             }
-            Some(GivenTraffic::Speeds((mean, deviation))) => {
+            Some(TrafficArg::Speeds((mean, deviation))) => {
                 let speeds = SpeedDistribution::normal(mean, deviation);
                 riffel_case::traffic::Traffic::of_case(speeds.map_err(of_physics)?)
             }

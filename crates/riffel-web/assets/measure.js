@@ -4,7 +4,7 @@ import { card } from './causes.js';
 import { Along, span } from './along.js';
 import { letterSize } from './colors.js';
 import { Columns } from './columns.js';
-import { courseWords, fitItems } from './course.js';
+import { trendWords, fitItems } from './level-trend.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { Earlier } from './earlier.js';
 import { element, worded } from './elements.js';
@@ -291,7 +291,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
       spoken('h4', candidate.mechanism), element('meter', { value: candidate.share, max: 1, ariaLabel: inWords(candidate.mechanism) }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }),
     ], [candidate.reasons_for, candidate.reasons_against].map((reasons) => reasons.map((reason) => spoken('span', reason))), spoken('span', candidate.measurement)));
     const where = one.rail == null ? [] : [element('p', { className: 'aside', textContent: whereOn(one), lang: currentLanguage() })];
-    const course = one.course ? [element('p', { className: 'aside course', textContent: courseWords(one.course), lang: currentLanguage() })] : [];
+    const course = one.course ? [element('p', { className: 'aside course', textContent: trendWords(one.course), lang: currentLanguage() })] : [];
     const summary = spoken('p', one.summary);
     summary.textContent = summary.textContent.replace(/^./, (letter) => letter.toUpperCase());
     return element('section', {}, heading, ...where, ...course, summary, ...cards);

@@ -11,7 +11,7 @@ use quick_cache::sync::Cache;
 use riffel_answers::page::Reply;
 
 use crate::fault::Fault;
-use crate::queue::Wanted;
+use crate::queue::CancelToken;
 
 /// An answer that took less is computed again: those of a slider would drive out the others.
 const WORTH_KEEPING: Duration = Duration::from_millis(50);
@@ -20,17 +20,17 @@ const MOST_BYTES: u64 = 16 << 20;
 const MOST_ANSWERS: usize = 1024;
 
 /// Where a question goes, and what it says.
-type Asked = (&'static str, Bytes);
+type QuestionKey = (&'static str, Bytes);
 
 /// The answers that are kept; the least used go first.
 #[derive(Clone)]
-pub(crate) struct Answered(Arc<Cache<Asked, Arc<Reply>, Size>>);
+pub(crate) struct Answered(Arc<Cache<QuestionKey, Arc<Reply>, Size>>);
 
 #[derive(Clone)]
 struct Size;
 
-impl Weighter<Asked, Arc<Reply>> for Size {
-    fn weight(&self, (_, question): &Asked, reply: &Arc<Reply>) -> u64 {
+impl Weighter<QuestionKey, Arc<Reply>> for Size {
+    fn weight(&self, (_, question): &QuestionKey, reply: &Arc<Reply>) -> u64 {
         (question.len() + reply.bytes.len()) as u64
     }
 }
@@ -52,7 +52,7 @@ impl Answered {
         &self,
         path: &'static str,
         question: Bytes,
-        wanted: &Wanted,
+        wanted: &CancelToken,
         answer: impl FnOnce() -> Result<Reply, Fault>,
     ) -> Result<Arc<Reply>, Fault> {
         let begun = Instant::now();
@@ -75,7 +75,7 @@ mod tests {
             std::thread::sleep(takes);
             Ok(Reply { content_type: "application/json", attached: false, bytes: vec![0; size] })
         };
-        answered.keep("/api/line", question.clone(), &Wanted::default(), answer).unwrap();
+        answered.keep("/api/line", question.clone(), &CancelToken::default(), answer).unwrap();
         assert!(answered.to("/api/map", &question).is_none());
         answered.to("/api/line", &question).is_some()
     }
@@ -94,7 +94,7 @@ mod tests {
         let question = Bytes::from_static(b"question");
         let asked = |reply: Result<Reply, Fault>| {
             let (answered, question) = (answered.clone(), question.clone());
-            move |wanted: &Wanted| {
+            move |wanted: &CancelToken| {
                 answered.keep("/api/line", question, wanted, || {
                     std::thread::sleep(WORTH_KEEPING);
                     reply

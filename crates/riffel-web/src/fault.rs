@@ -5,7 +5,7 @@ use axum::response::{IntoResponse, Response};
 pub(crate) use riffel_answers::page::Fault;
 use riffel_keys::say;
 
-use crate::told::Told;
+use crate::json_with_messages::JsonWithMessages;
 
 /// There is no such file any more.
 pub(crate) fn file_is_gone() -> Fault {
@@ -38,7 +38,7 @@ impl IntoResponse for Refusal {
         let status = StatusCode::from_u16(fault.status());
         let retry_after = fault.retry_after_s();
         let status = status.unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
-        let mut response = (status, Told(fault)).into_response();
+        let mut response = (status, JsonWithMessages(fault)).into_response();
         if let Some(seconds) = retry_after {
             response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from(seconds));
         }

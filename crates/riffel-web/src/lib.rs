@@ -12,6 +12,7 @@ mod fault;
 mod file;
 mod guard;
 mod impatient;
+mod json_with_messages;
 mod numbered_files;
 mod plan_changes;
 mod program;
@@ -20,7 +21,6 @@ mod request;
 mod server;
 #[cfg(test)]
 mod tests;
-mod told;
 mod uploads;
 mod workspace;
 
@@ -65,7 +65,7 @@ impl Page {
 /// The page as a service.
 pub(crate) fn router(page: Page) -> Router {
     let questions = QUESTIONS.into_iter().fold(Router::new(), |router, (path, reader)| {
-        let answer = move |page, asker, asked| api::questions::post(path, reader, page, asker, asked);
+        let answer = move |page, client, asked| api::questions::post(path, reader, page, client, asked);
         router.route(path, post(answer))
     });
     questions

@@ -39,7 +39,7 @@ struct ParameterChange {
 
 /// What is told of a parameter of a plan.
 #[derive(Deserialize)]
-struct Told {
+struct PlanParameter {
     name: String,
     distribution: String,
 }
@@ -50,7 +50,7 @@ impl PlanChanges {
         let defect = |_| Fault::defect(say!(the_plan_cannot_be_read));
         let text = document["text"].as_str().unwrap_or_default();
         let mut plan: Table = toml::from_str(text).map_err(|_| Fault::defect(say!(the_plan_cannot_be_read)))?;
-        let told: Vec<Told> = serde_json::from_value(document["parameters"].clone()).map_err(defect)?;
+        let told: Vec<PlanParameter> = serde_json::from_value(document["parameters"].clone()).map_err(defect)?;
         let sampler = [("chains", CHAINS), ("warmup", WARMUP), ("draws", self.draws.unwrap_or(DRAWS)), ("seed", SEED)];
         let sampler = sampler.map(|(key, value)| (key.to_owned(), Value::Integer(value)));
         plan.insert("sampler".to_owned(), Value::Table(sampler.into_iter().collect()));

@@ -18,7 +18,7 @@ use serde_json::Value;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 use crate::fault::{Fault, disk};
-use crate::queue::{Progress, Wanted};
+use crate::queue::{CancelToken, Progress};
 
 /// What ends a run, on a line of standard error.
 #[derive(Deserialize)]
@@ -108,7 +108,13 @@ impl Program {
     }
 
     /// The document that answers a question on the files of a folder.
-    pub(crate) fn ask(&self, folder: &Path, name: &str, question: &Value, wanted: &Wanted) -> Result<Value, Fault> {
+    pub(crate) fn ask(
+        &self,
+        folder: &Path,
+        name: &str,
+        question: &Value,
+        wanted: &CancelToken,
+    ) -> Result<Value, Fault> {
         let printed = self.answer(folder, name, question, Language::English, wanted)?;
         serde_json::from_str(&printed).map_err(|_| Fault::defect("the program printed something else than a document"))
     }
@@ -120,7 +126,7 @@ impl Program {
         name: &str,
         question: &Value,
         language: Language,
-        wanted: &Wanted,
+        wanted: &CancelToken,
     ) -> Result<String, Fault> {
         let own = std::process::id().to_string();
         let arguments = ["ask", "--messages", "--page", &own, "--language", language.code()];
@@ -129,7 +135,7 @@ impl Program {
     }
 
     /// What the program prints when it is run with the arguments in the folder, and a document on standard input.
-    fn run(&self, folder: &Path, arguments: &[&str], input: &Value, wanted: &Wanted) -> Result<String, Fault> {
+    fn run(&self, folder: &Path, arguments: &[&str], input: &Value, wanted: &CancelToken) -> Result<String, Fault> {
         let failed = |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
         // Files, not pipes: nobody has to read while it runs.
         let place = tempfile::tempdir_in(folder).map_err(disk)?;
@@ -199,7 +205,7 @@ fn fault_of(words: &str) -> Fault {
             let words = message.to_string();
             match NO_ROOM.iter().any(|full| words.contains(full)) {
                 true => disk(words),
-                false => Fault::heard(message, help),
+                false => Fault::of_process(message, help),
             }
         }
         None => Fault::defect(say!(the_program_broke_off)),
@@ -216,7 +222,7 @@ mod tests {
     fn whoever_takes_too_much_memory_is_ended() {
         let place = tempfile::tempdir().unwrap();
         let program = Program { most_memory: 50 << 20, ..Program::new(vec!["tail".into()]) };
-        let fault = program.run(place.path(), &["/dev/zero"], &Value::Null, &Wanted::default());
+        let fault = program.run(place.path(), &["/dev/zero"], &Value::Null, &CancelToken::default());
         let message = fault.unwrap_err().message();
         assert!(message.contains("more memory than the 50 MiB"), "{message}");
     }

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use riffel::wanted::run_while;
+use riffel::cancel::run_while;
 use serde::{Deserialize, Serialize};
 use tokio::sync::{Notify, Semaphore};
 
@@ -34,7 +34,7 @@ pub(crate) struct Queue {
     most_waiting: usize,
     time_limit: Duration,
     closing: Arc<AtomicBool>,
-    newest: Arc<Mutex<HashMap<String, Wanted>>>,
+    newest: Arc<Mutex<HashMap<String, CancelToken>>>,
 }
 
 /// How far work is; nothing of nothing where it has not said so.
@@ -46,7 +46,7 @@ pub(crate) struct Progress {
 
 /// Whether somebody still waits for a result. Work asks now and then and stops if not; it tells here how far it is.
 #[derive(Clone, Default)]
-pub(crate) struct Wanted(Arc<Flags>);
+pub(crate) struct CancelToken(Arc<Flags>);
 
 #[derive(Default)]
 struct Flags {
@@ -61,7 +61,7 @@ struct Flags {
     number: u64,
 }
 
-impl Wanted {
+impl CancelToken {
     /// True while the answer is waited for.
     pub(crate) fn still(&self) -> bool {
         let closing = self.0.closing.as_ref();
@@ -95,7 +95,7 @@ impl Wanted {
 }
 
 /// Tells the work that its request is gone: the browser hung up, or time ran out.
-struct Waiting(Wanted);
+struct Waiting(CancelToken);
 
 impl Drop for Waiting {
     fn drop(&mut self) {
@@ -152,7 +152,7 @@ impl Queue {
     pub(crate) async fn run<T: Send + 'static>(
         &self,
         subject: Option<String>,
-        work: impl FnOnce(&Wanted) -> Result<T, Fault> + Send + 'static,
+        work: impl FnOnce(&CancelToken) -> Result<T, Fault> + Send + 'static,
     ) -> Result<T, Refusal> {
         let wanted = self.register(subject);
         let waiting = Waiting(wanted.clone());
@@ -166,8 +166,8 @@ impl Queue {
 
     async fn wait_and_work<T: Send + 'static>(
         &self,
-        wanted: Wanted,
-        work: impl FnOnce(&Wanted) -> Result<T, Fault> + Send + 'static,
+        wanted: CancelToken,
+        work: impl FnOnce(&CancelToken) -> Result<T, Fault> + Send + 'static,
     ) -> Result<T, Fault> {
         let place = Place(self.waiting.clone());
         if self.waiting.fetch_add(1, Ordering::Relaxed) >= self.most_waiting {
@@ -192,9 +192,9 @@ impl Queue {
     }
 
     /// A request becomes the newest for its subject, and the one before it is dropped.
-    fn register(&self, subject: Option<String>) -> Wanted {
+    fn register(&self, subject: Option<String>) -> CancelToken {
         static NUMBER: AtomicU64 = AtomicU64::new(0);
-        let wanted = Wanted(Arc::new(Flags {
+        let wanted = CancelToken(Arc::new(Flags {
             closing: Some(self.closing.clone()),
             number: NUMBER.fetch_add(1, Ordering::Relaxed),
             ..Flags::default()
@@ -271,7 +271,7 @@ mod tests {
     async fn work_under_way_tells_how_far_it_is() {
         let queue = Queue::new(1);
         let (release, held) = std::sync::mpsc::channel::<()>();
-        let work = move |wanted: &Wanted| {
+        let work = move |wanted: &CancelToken| {
             wanted.tell(Progress { done: 3, of: 8 });
             Ok(held.recv())
         };
@@ -301,7 +301,7 @@ mod tests {
         let older = tokio::spawn({
             let queue = queue.clone();
             async move {
-                let work = move |wanted: &Wanted| {
+                let work = move |wanted: &CancelToken| {
                     begun.send(()).unwrap();
                     while wanted.still() {
                         std::thread::yield_now();
@@ -323,7 +323,7 @@ mod tests {
     #[tokio::test]
     async fn what_takes_too_long_is_told_so_and_its_worker_comes_back() {
         let queue = Queue::with_limits(1, 2, Duration::from_millis(20));
-        let endless = |wanted: &Wanted| {
+        let endless = |wanted: &CancelToken| {
             while wanted.still() {
                 std::thread::yield_now();
             }
@@ -340,7 +340,7 @@ mod tests {
         let queue = Queue::with_limits(1, 2, TIME_LIMIT);
         let endless = {
             let queue = queue.clone();
-            move |wanted: &Wanted| {
+            move |wanted: &CancelToken| {
                 queue.close();
                 while wanted.still() {
                     std::thread::yield_now();

@@ -18,19 +18,19 @@ const LARGEST_REQUEST: usize = 9 * LARGEST_CASE;
 const READING_TIME: Duration = Duration::from_secs(10);
 
 /// A request in JSON, read.
-pub(crate) struct Asked<T>(pub(crate) T);
+pub(crate) struct Json<T>(pub(crate) T);
 
 /// A request in JSON, as it came.
-pub(crate) struct AskedJson(pub(crate) Bytes);
+pub(crate) struct JsonBytes(pub(crate) Bytes);
 
 /// Header by which a page tells its requests from those of other pages.
 const PAGE: &str = "x-riffel-page";
 
 /// The page that asks, as it calls itself.
 #[derive(Clone)]
-pub(crate) struct Asker(Option<String>);
+pub(crate) struct ClientId(Option<String>);
 
-impl Asker {
+impl ClientId {
     /// The name of the page, which owns its file.
     pub(crate) fn owner(&self) -> Result<String, Fault> {
         self.0
@@ -44,7 +44,7 @@ impl Asker {
     }
 }
 
-impl<S: Sync> axum::extract::FromRequestParts<S> for Asker {
+impl<S: Sync> axum::extract::FromRequestParts<S> for ClientId {
     type Rejection = std::convert::Infallible;
 
     async fn from_request_parts(parts: &mut axum::http::request::Parts, _: &S) -> Result<Self, Self::Rejection> {
@@ -53,16 +53,16 @@ impl<S: Sync> axum::extract::FromRequestParts<S> for Asker {
     }
 }
 
-impl<S: Sync, T: DeserializeOwned> FromRequest<S> for Asked<T> {
+impl<S: Sync, T: DeserializeOwned> FromRequest<S> for Json<T> {
     type Rejection = Refusal;
 
     async fn from_request(request: Request, state: &S) -> Result<Self, Refusal> {
-        let AskedJson(json) = AskedJson::from_request(request, state).await?;
+        let JsonBytes(json) = JsonBytes::from_request(request, state).await?;
         Ok(Self(riffel_answers::page::understood(&json)?))
     }
 }
 
-impl<S: Sync> FromRequest<S> for AskedJson {
+impl<S: Sync> FromRequest<S> for JsonBytes {
     type Rejection = Refusal;
 
     async fn from_request(request: Request, _: &S) -> Result<Self, Refusal> {

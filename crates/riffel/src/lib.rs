@@ -91,6 +91,7 @@
 //! [`creep_coefficient`]: contact::creep_coefficient
 
 pub mod axlebox;
+pub mod cancel;
 mod constants;
 pub mod contact;
 pub mod curving;
@@ -113,7 +114,6 @@ pub mod receptance;
 pub mod roughness;
 pub mod tile;
 mod vector;
-pub mod wanted;
 mod wear;
 mod wear_regime;
 pub mod wheelset;

@@ -6,9 +6,9 @@
 //! together, and each sample is a run of its own; medians and bands are those of the samples. Nothing is fitted.
 
 mod draw;
+mod printed;
 mod sample;
 mod site;
-mod told;
 
 use include_dir::{Dir, include_dir};
 use rayon::prelude::*;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, WheelPattern};
+use riffel::axlebox::{AxleBoxTransfer, PatchAverageProfile, Run, WheelPattern};
 use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum, ThirdOctave, WavelengthBand};
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message};
@@ -15,7 +15,7 @@ use crate::Result;
 use crate::roughness::{limit_levels, rms_limit};
 
 /// What is known of one channel so far.
-pub(super) struct Heard {
+pub(super) struct ChannelSoFar {
     pub(super) name: String,
     pub(super) parts: Vec<RailAnalysis>,
     /// What turns with the wheel, in pieces with their lengths [m].
@@ -55,7 +55,7 @@ pub(super) fn lower(parts: &[PartWithout], band: ThirdOctave) -> f64 {
     }
 }
 
-impl Heard {
+impl ChannelSoFar {
     fn new(name: &str, known: WavelengthBand) -> Self {
         Self {
             name: name.to_owned(),
@@ -81,7 +81,7 @@ impl Heard {
 
     fn add(
         &mut self,
-        felt: FeltProfile,
+        felt: PatchAverageProfile,
         mut wheel: Option<WheelPattern>,
         settings: &AnalysisSettings,
     ) -> Result<(), riffel::Error> {
@@ -157,7 +157,7 @@ pub(super) fn listen(
     request: &AxleBoxRequest,
     progress: &dyn Fn(usize),
     before: Option<RunEnd>,
-    heard: &mut Vec<Heard>,
+    heard: &mut Vec<ChannelSoFar>,
 ) -> Result<(Vec<Message>, Longest, RunEnd)> {
     let analysis = AnalysisSettings {
         longest_wavelength: request.longest,
@@ -173,14 +173,14 @@ pub(super) fn listen(
     let (mut runs, mut places) = (Vec::new(), Vec::new());
     for name in file.channels() {
         let place = heard.iter().position(|one| one.name == *name).unwrap_or_else(|| {
-            heard.push(Heard::new(name, asked));
+            heard.push(ChannelSoFar::new(name, asked));
             heard.len() - 1
         });
         runs.push(Run::new(&transfer, settings)?);
         places.push(place);
     }
     let at_fault = |error: riffel::Error| CaseError::Physics { input: path.display().to_string(), error };
-    let mut take = |finished: Vec<(usize, FeltProfile)>| -> Result<(), riffel::Error> {
+    let mut take = |finished: Vec<(usize, PatchAverageProfile)>| -> Result<(), riffel::Error> {
         let name = |place: usize| heard[place].name.clone();
         for (place, felt, wheel) in taken_off(case, finished, &name)? {
             heard[place].add(felt, wheel, &analysis)?;

@@ -24,7 +24,7 @@ pub use wheels::{WheelMark, WheelMarkKind};
 
 use crate::roughness::{GroundSection, Judged, RailAnswer, Verdict, tables, worst_first};
 use crate::{Answer, Result, Rows, Table, parameters};
-use listening::{Heard, Longest, listen, lower};
+use listening::{ChannelSoFar, Longest, listen, lower};
 
 /// What is asked of axle boxes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -169,7 +169,7 @@ impl AxleBoxAnswer {
         request: &AxleBoxRequest,
         progress: &dyn Fn(usize),
     ) -> Result<Self> {
-        let mut heard: Vec<Heard> = Vec::new();
+        let mut heard: Vec<ChannelSoFar> = Vec::new();
         let mut remarks = Vec::new();
         let mut ends: Vec<(&[String], RunEnd)> = Vec::new();
         for given in files {
@@ -179,7 +179,7 @@ impl AxleBoxAnswer {
             let heard_of = listen(case, given, limits, request, progress, before, &mut heard)?;
             let (warnings, longest, end) = heard_of;
             ends.push((file.channels(), end));
-            if longest.gaps > 0 && heard.iter().all(Heard::is_empty) {
+            if longest.gaps > 0 && heard.iter().all(ChannelSoFar::is_empty) {
                 let message = too_short(&longest, &request.run(case, file.rate()), warnings);
                 return Err(CaseError::data(path, message).into());
             }
@@ -187,7 +187,7 @@ impl AxleBoxAnswer {
             let file = path.display().to_string();
             remarks.extend(said.map(|warning| warning.about(file.as_str())));
         }
-        let Some((path, _)) = files.first().filter(|_| heard.iter().all(Heard::is_empty)) else {
+        let Some((path, _)) = files.first().filter(|_| heard.iter().all(ChannelSoFar::is_empty)) else {
             return Self::judged(case, files, limits, request, heard, remarks);
         };
         let slow =
@@ -200,10 +200,10 @@ impl AxleBoxAnswer {
         files: &[(PathBuf, Arc<AxleBoxFile>)],
         limits: &[LimitTable],
         request: &AxleBoxRequest,
-        heard: Vec<Heard>,
+        heard: Vec<ChannelSoFar>,
         mut remarks: Vec<Message>,
     ) -> Result<Self> {
-        let heard: Vec<Heard> = heard.into_iter().filter(|one| !one.is_empty()).collect();
+        let heard: Vec<ChannelSoFar> = heard.into_iter().filter(|one| !one.is_empty()).collect();
         let several = heard.len() > 1;
         let (mut rails, mut wheels) = (Vec::new(), Vec::new());
         for channel in heard {

@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{AxleBoxAnswer, AxleBoxRequest};
-use crate::question::{AsWritten, Asker, CaseSource, Question, Source, called, positive};
+use crate::question::{AsWritten, CaseSource, Client, Question, Source, called, positive};
 use crate::{Answer, AnswerError, Result};
 
 /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
@@ -59,10 +59,10 @@ pub struct AxleBoxQuestion {
 
 impl AxleBoxQuestion {
     /// What is said of the files.
-    fn layout(&self, asker: &dyn Asker) -> Result<AxleBoxLayout> {
+    fn layout(&self, client: &dyn Client) -> Result<AxleBoxLayout> {
         Ok(AxleBoxLayout {
             rate: self.rate.map(|rate| positive("--rate", rate)).transpose()?,
-            speed: self.speed.as_ref().map(|speed| speed.within("--speed", asker)).transpose()?,
+            speed: self.speed.as_ref().map(|speed| speed.within("--speed", client)).transpose()?,
             channels: self.channels.clone(),
         })
     }
@@ -95,10 +95,10 @@ impl Question for AxleBoxQuestion {
         A WAV file whose full scale is 50 g on two channels and 250 km/h on the third: riffel axlebox run.wav --case case.toml \
         --channels acceleration_left_g=50,acceleration_right_g=50,speed_km_per_h=250";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let (layout, request) = (self.layout(asker)?, self.request()?);
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let (layout, request) = (self.layout(client)?, self.request()?);
         let limits = LimitTable::named(&self.limit)?;
-        let case = CaseSource::new(self.case.clone(), self.set.clone()).read(asker)?;
+        let case = CaseSource::new(self.case.clone(), self.set.clone()).read(client)?;
         let open = |path: &PathBuf| {
             let file = Source::File(path.clone()).value(|path| AxleBoxFile::open(path, &layout))?;
             Ok((called(path).to_owned(), file))
@@ -106,7 +106,7 @@ impl Question for AxleBoxQuestion {
         let files = self.file.iter().map(open).collect::<Result<Vec<_>>>()?;
         let sizes = self.file.iter().filter_map(|path| std::fs::metadata(path).ok());
         let size: u64 = sizes.map(|file| file.len()).sum();
-        let step = asker.begin(say!(progress_listening), size as usize);
+        let step = client.begin(say!(progress_listening), size as usize);
         Ok(Box::new(AxleBoxAnswer::new(&case, &files, &limits, &request, &step)?))
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::{SQRT_2, TAU};
 
-use riffel::axlebox::{FeltProfile, WheelPattern};
+use riffel::axlebox::{PatchAverageProfile, WheelPattern};
 use riffel_case::Case;
 use riffel_keys::{Message, fixed, number, say, significant};
 use riffel_rail::rail_of_channel;
@@ -43,7 +43,7 @@ pub enum WheelMarkKind {
 }
 
 /// A channel's piece of line, which pieces of others go with.
-pub(super) type Piece = (usize, FeltProfile, Option<WheelPattern>);
+pub(super) type Piece = (usize, PatchAverageProfile, Option<WheelPattern>);
 
 /// Take what turns with the wheels off pieces of line, each with the place of its channel among some names: pieces of the same length of one
 /// rail are compared, but for one that is a multiple of another, which is no second axle box.
@@ -52,12 +52,12 @@ pub(super) type Piece = (usize, FeltProfile, Option<WheelPattern>);
 /// Errors of [`WheelPattern::take_off`].
 pub(super) fn taken_off(
     case: &Case,
-    finished: Vec<(usize, FeltProfile)>,
+    finished: Vec<(usize, PatchAverageProfile)>,
     name: &dyn Fn(usize) -> String,
 ) -> Result<Vec<Piece>, riffel::Error> {
     let circumference = TAU * case.hertz.rolling_radius();
     let supports = case.file.track.support_spacing.map(|spacing| spacing.si());
-    let mut groups: BTreeMap<_, (Vec<usize>, Vec<FeltProfile>)> = BTreeMap::new();
+    let mut groups: BTreeMap<_, (Vec<usize>, Vec<PatchAverageProfile>)> = BTreeMap::new();
     let mut copies = Vec::new();
     for (place, felt) in finished {
         let name = name(place);

@@ -8,7 +8,7 @@ use riffel_keys::{CaseError, Message, Value, say};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use super::told::{BandRate, HighestOfRidge, RailReach};
+use super::documents::{BandRate, HighestOfRidge, RailReach};
 use crate::WearLimitDocument;
 use crate::forecast::{RailForecast, RailStart, ReachDocument, rates_without_time};
 use crate::ridge::{best_fit_frequency, ridge_of};

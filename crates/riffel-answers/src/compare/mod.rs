@@ -1,11 +1,11 @@
 //! What would help: a case and its variants under one traffic.
 
 mod comparison;
+mod documents;
 mod figure;
 mod over_posterior;
 mod question;
 mod tables;
-mod told;
 
 use riffel::forecast::WearSpread;
 use riffel::roughness::LevelLimit;

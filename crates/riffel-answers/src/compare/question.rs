@@ -18,7 +18,7 @@ use serde_json::json;
 use super::{CompareAnswer, CompareRequest, compare_over};
 use crate::models::{ModelsAnswer, ModelsRequest};
 use crate::question::{
-    AsWritten, Asker, CaseSource, EarlierRecords, GroundSource, Money, PosteriorSource, Question, RecordLayout, Rule,
+    AsWritten, CaseSource, Client, EarlierRecords, GroundSource, Money, PosteriorSource, Question, RecordLayout, Rule,
     Source, of_keys, over,
 };
 use crate::remedies::RemediesAnswer;
@@ -137,12 +137,12 @@ impl CompareQuestion {
         Ok(Self { case, variants: Vec::new(), ..question })
     }
 
-    /// The comparison of variants on a case that was read; `asker` is told how far it is and what is unusual.
+    /// The comparison of variants on a case that was read; `client` is told how far it is and what is unusual.
     ///
     /// # Errors
     /// [`AnswerError::Argument`](crate::AnswerError::Argument) with the key at fault, [`AnswerError::Case`](crate::AnswerError::Case) with the key or the file.
-    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<CompareAnswer> {
-        let read = |path: &Path| self.layout.survey(path, asker);
+    pub fn answer_on(&self, case: &Case, client: &dyn Client) -> Result<CompareAnswer> {
+        let read = |path: &Path| self.layout.survey(path, client);
         let survey = self.spectrum.as_ref().map(|source| source.value(read)).transpose()?;
         let variant = |source: &Source<Variant>| {
             let mut variant = Arc::unwrap_or_clone(source.value(Variant::read)?);
@@ -150,30 +150,30 @@ impl CompareQuestion {
             Ok(variant)
         };
         let variants = self.variants.iter().map(variant).collect::<Result<Vec<_>, CaseError>>()?;
-        let draws = self.posterior.draws(&self.case, asker)?;
+        let draws = self.posterior.draws(&self.case, client)?;
         let (traffic, speeds) = match draws.as_ref().and_then(|draws| draws.traffic.clone()) {
             Some(traffic) => titled(traffic),
-            None => self.traffic(case, asker)?,
+            None => self.traffic(case, client)?,
         };
         let limit = level_limit(&self.limit)?;
-        let ground = self.ground.read(&limit, asker)?;
+        let ground = self.ground.read(&limit, client)?;
         let path = self.spectrum.as_ref().and_then(Source::path);
         let dated =
-            |survey| self.earlier.of_dates(Arc::unwrap_or_clone(survey), path, &self.layout, &self.choose, asker);
+            |survey| self.earlier.of_dates(Arc::unwrap_or_clone(survey), path, &self.layout, &self.choose, client);
         let survey = survey.map(dated).transpose()?;
         let steps = (1 + variants.len()) * traffic.file.vehicle.len();
         let hold = self.hold;
         let mut request =
             CompareRequest { variants, traffic, speeds, hold, survey, ground, limit, over_posterior: None };
-        request.over_posterior = over(draws.as_ref(), asker, |draws, step| compare_over(draws, &request, step))?;
+        request.over_posterior = over(draws.as_ref(), client, |draws, step| compare_over(draws, &request, step))?;
         let survey = request.survey.clone();
-        let answer = CompareAnswer::new(case, request, &asker.begin(say!(progress_variants), steps));
+        let answer = CompareAnswer::new(case, request, &client.begin(say!(progress_variants), steps));
         answer.map_err(|error| self.ground.outside(survey.as_ref(), case, error))
     }
 
     /// The traffic with its speeds in words: that of the file, the wheel of the case at the speed that is asked for, or the usual one
     /// of its line.
-    fn traffic(&self, case: &Case, asker: &dyn Asker) -> Result<(Traffic, Message)> {
+    fn traffic(&self, case: &Case, client: &dyn Client) -> Result<(Traffic, Message)> {
         if let Some(traffic) = &self.traffic {
             return Ok(titled(Traffic::clone(&*traffic.value(Traffic::read)?)));
         }
@@ -181,7 +181,7 @@ impl CompareQuestion {
             let usual = UsualTraffic::of(case);
             return Ok((usual.traffic()?, say!(compared_under, traffic = usual.in_words())));
         };
-        let mean = mean.within("--speed", asker)?;
+        let mean = mean.within("--speed", client)?;
         let deviation = self.speed_deviation.map_or(0.0, |speed| speed.si());
         let speeds = SpeedDistribution::normal(mean, deviation)
             .map_err(|error| CaseError::Physics { input: "--speed-deviation".to_owned(), error })?;
@@ -193,21 +193,21 @@ impl CompareQuestion {
         Ok((Traffic::of_case(speeds), words))
     }
 
-    fn by_models(&self, models: &[&'static FieldModel], asker: &dyn Asker) -> Result<ModelsAnswer> {
-        let speed = self.speed.as_ref().map(|speed| speed.within("--speed", asker)).transpose()?;
-        let case = self.case.read(asker)?;
+    fn by_models(&self, models: &[&'static FieldModel], client: &dyn Client) -> Result<ModelsAnswer> {
+        let speed = self.speed.as_ref().map(|speed| speed.within("--speed", client)).transpose()?;
+        let case = self.case.read(client)?;
         let steps = match models.len() {
             0 => FieldModel::ALL.len(),
             named => named,
         };
         let request = ModelsRequest { models: models.to_vec(), speed };
-        ModelsAnswer::new(&case, &request, &asker.begin(say!(progress_models), steps))
+        ModelsAnswer::new(&case, &request, &client.begin(say!(progress_models), steps))
     }
 
-    fn remedies(&self, asker: &dyn Asker) -> Result<RemediesAnswer> {
-        let case = self.case.read(asker)?;
+    fn remedies(&self, client: &dyn Client) -> Result<RemediesAnswer> {
+        let case = self.case.read(client)?;
         let traffic = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
-        let step = asker.begin(say!(progress_remedies), RemediesAnswer::steps(&case));
+        let step = client.begin(say!(progress_remedies), RemediesAnswer::steps(&case));
         let answer = RemediesAnswer::new(&case, traffic.as_deref(), &step)?;
         answer.with_costs(&self.costs.iter().map(|Cost(id, sum)| (id.clone(), sum.0)).collect())
     }
@@ -249,13 +249,13 @@ impl Question for CompareQuestion {
         Rule::Needs(&["where"], &["spectrum"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         if let Some(Models(models)) = &self.models {
-            return Ok(Box::new(self.by_models(models, asker)?));
+            return Ok(Box::new(self.by_models(models, client)?));
         }
         if self.remedies {
-            return Ok(Box::new(self.remedies(asker)?));
+            return Ok(Box::new(self.remedies(client)?));
         }
-        Ok(Box::new(self.answer_on(&*self.case.read(asker)?, asker)?))
+        Ok(Box::new(self.answer_on(&*self.case.read(client)?, client)?))
     }
 }

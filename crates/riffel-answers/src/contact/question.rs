@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{ContactAnswer, ContactRequest, FrequencyResponse, RollingTheories};
-use crate::question::{Asker, CaseSource, Question, Rule, positive};
+use crate::question::{CaseSource, Client, Question, Rule, positive};
 use crate::stress::{PointInRail, StressAnswer};
 use crate::{Answer, Result};
 
@@ -51,15 +51,15 @@ impl Question for ContactQuestion {
     const RULES: &'static [Rule] =
         &[Rule::Excludes("stress", &["creepage", "ratio"]), Rule::Needs(&["stress_at"], &["stress"])];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let contact = self.case.read(asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let contact = self.case.read(client)?;
         if self.stress {
             let points: Vec<[f64; 3]> = self.stress_at.iter().map(|point| point.0).collect();
             return Ok(Box::new(StressAnswer::new(&contact, &points)?));
         }
         let theories = RollingTheories::new(CaseContact::clone(&contact))?;
         let [creepages, ratios] = self.samples(&theories)?;
-        let step = asker.begin(say!(progress_contact), creepages.len() + ratios.len() + 1);
+        let step = client.begin(say!(progress_contact), creepages.len() + ratios.len() + 1);
         let request = ContactRequest { creepages: Some(creepages), ratios: Some(ratios) };
         // A wavelength that the contact refuses stands under the name of its argument.
         let answer = ContactAnswer::new(theories, request, || step(1)).map_err(|error| match error {

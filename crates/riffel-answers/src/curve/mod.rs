@@ -16,7 +16,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::answer::titled;
-use crate::question::{AsWritten, Asker, CaseSource, Question};
+use crate::question::{AsWritten, CaseSource, Client, Question};
 use crate::side::side;
 use crate::{Answer, AnswerError, Result, Table};
 use equilibrium::Equilibrium;
@@ -57,8 +57,8 @@ impl Question for CurveQuestion {
     const EXAMPLE: &'static str = "\
         Examples:\n  riffel curve case.toml --set \"curve.radius=300 m\"\n  riffel curve case.toml --radius \"300 m,600 m,1200 m\" --json";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let case = self.case.read(asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let case = self.case.read(client)?;
         Ok(Box::new(CurveAnswer::new(&case, self.radii(&case)?.as_deref())?))
     }
 }

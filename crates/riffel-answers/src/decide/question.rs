@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::DecideAnswer;
-use crate::question::{Asker, Files, Question, Source};
+use crate::question::{Client, Files, Question, Source};
 use crate::{Answer, Result};
 
 /// Which action pays, over the posterior of a calibration, and what to measure first.
@@ -28,7 +28,7 @@ impl Question for DecideQuestion {
         are drawn.";
     const FILES: Files = Files::There;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         let (plan, chains) = finished(&self.dir, self.plan.as_deref())?;
         Ok(Box::new(DecideAnswer::new(&plan, &chains)?))
     }

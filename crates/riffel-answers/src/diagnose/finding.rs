@@ -1,6 +1,6 @@
 //! A finding: one dominant wavelength with its candidates, in words.
 
-use riffel::diagnosis::{Candidate, Course, Measurement, MechanismKind, Reason, TrafficSpeeds};
+use riffel::diagnosis::{Candidate, LevelTrend, Measurement, MechanismKind, Reason, TrafficSpeeds};
 use riffel_keys::{Language, Message, Value, fixed, number, range, say};
 use riffel_rail::history::Measured;
 use riffel_rail::{name_in_words, rail_in_words};
@@ -150,7 +150,7 @@ impl Finding {
             return say!(two_sentences, one = gone, other = leads);
         }
         let is_mark = first.kind == MechanismKind::GrindingMark;
-        let says = match course.map(Course::probability_of_rise) {
+        let says = match course.map(LevelTrend::probability_of_rise) {
             Some(None) => say!(one_record_since_ground),
             Some(Some(rises)) if rises < UNLIKELY && is_mark => {
                 say!(level_falls_as_grinding_mark, percent = percent(1.0 - rises))
@@ -227,7 +227,7 @@ struct Dominant<'a> {
     sideband_of_m: Option<f64>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     rails: Vec<RailLevel>,
-    course: Option<LevelCourse>,
+    course: Option<MeasuredTrend>,
     summary: Message,
     candidates: Vec<RankedCandidate>,
     measurements: Vec<Message>,
@@ -247,7 +247,7 @@ struct RailLevel {
 }
 
 #[derive(Serialize)]
-struct LevelCourse {
+struct MeasuredTrend {
     records: Vec<String>,
     levels_db: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -306,7 +306,7 @@ impl Serialize for Finding {
             harmonic_of_m: peak.harmonic_of.map(|harmonic| harmonic.1),
             sideband_of_m: self.sideband.map(|sideband| sideband.of),
             rails: rails.collect(),
-            course: measured.course.as_ref().map(|course| LevelCourse::new(course, energies)),
+            course: measured.course.as_ref().map(|course| MeasuredTrend::new(course, energies)),
             summary: self.summary(),
             candidates: candidates.map(|candidate| RankedCandidate::new(self, candidate)).collect(),
             measurements: self.measurements().map(|one| as_sentence(&one)).collect(),
@@ -315,8 +315,8 @@ impl Serialize for Finding {
     }
 }
 
-impl LevelCourse {
-    fn new(course: &Course, energies: Option<&[f64]>) -> Self {
+impl MeasuredTrend {
+    fn new(course: &LevelTrend, energies: Option<&[f64]>) -> Self {
         Self {
             records: course.points.iter().map(|point| point.label.clone()).collect(),
             levels_db: course.points.iter().map(|point| point.level).collect(),

@@ -4,11 +4,11 @@ mod case_mechanisms;
 mod figure;
 mod finding;
 pub(crate) mod mechanism_words;
+mod printed;
 mod question;
 mod reason;
 mod sideband;
 pub(crate) mod tables;
-mod told;
 
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{Evidence, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart};
@@ -30,7 +30,7 @@ use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
 use serde::{Serialize, Serializer};
 
 use crate::defect::Defect;
-use crate::{Answer, Table, Told};
+use crate::{Answer, Printed, Table};
 
 /// What a diagnosis goes by besides case and records.
 #[derive(Debug, Clone)]
@@ -216,9 +216,9 @@ impl Answer for Diagnosis {
         Vec::new()
     }
 
-    fn told(&self) -> Vec<Told> {
-        let introduction = self.introduction().into_iter().map(Told::Line);
-        introduction.chain(self.findings.iter().flat_map(told::finding)).collect()
+    fn printed(&self) -> Vec<Printed> {
+        let introduction = self.introduction().into_iter().map(Printed::Line);
+        introduction.chain(self.findings.iter().flat_map(printed::finding)).collect()
     }
 
     fn figure(&self) -> LineFigure {

@@ -15,7 +15,7 @@ use serde::Deserialize;
 
 use super::{Diagnosis, DiagnosisSettings};
 use crate::question::{
-    AsWritten, Asker, CaseSource, EarlierRecords, Question, RecordLayout, Rule, Source, called, choose_nothing,
+    AsWritten, CaseSource, Client, EarlierRecords, Question, RecordLayout, Rule, Source, called, choose_nothing,
     positive,
 };
 use crate::{Answer, AnswerError, Result};
@@ -37,10 +37,10 @@ impl DiagnoseQuestion {
     ///
     /// # Errors
     /// Errors of [`DiagnosedRail::diagnosis`], and [`AnswerError::Case`] with the case at fault.
-    pub(crate) fn diagnosis(&self, asker: &dyn Asker) -> Result<Diagnosis> {
-        let case = self.case.read(asker)?;
-        let file = self.roughness.value(|path| self.rail.layout.read(path, asker))?;
-        self.rail.diagnosis(&case, called(self.roughness.name()), &file, asker)
+    pub(crate) fn diagnosis(&self, client: &dyn Client) -> Result<Diagnosis> {
+        let case = self.case.read(client)?;
+        let file = self.roughness.value(|path| self.rail.layout.read(path, client))?;
+        self.rail.diagnosis(&case, called(self.roughness.name()), &file, client)
     }
 }
 
@@ -81,12 +81,12 @@ impl DiagnosedRail {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] and [`AnswerError::Range`] with the rule, [`AnswerError::Case`] with the file at fault.
-    pub fn diagnosis(&self, case: &Case, path: &Path, file: &RoughnessFile, asker: &dyn Asker) -> Result<Diagnosis> {
+    pub fn diagnosis(&self, case: &Case, path: &Path, file: &RoughnessFile, client: &dyn Client) -> Result<Diagnosis> {
         let modes = |argument, frequencies: &[Quantity<Frequency>]| {
             let modes = frequencies.iter().map(|frequency| positive(argument, *frequency));
             modes.collect::<Result<Vec<f64>>>()
         };
-        let (speeds, remark) = self.speeds(case, asker)?;
+        let (speeds, remark) = self.speeds(case, client)?;
         let settings = DiagnosisSettings {
             speeds,
             spectra: SpectraChoice {
@@ -99,7 +99,7 @@ impl DiagnosedRail {
             instrument: if self.from_vehicle { Instrument::Vehicle } else { Instrument::Trolley },
         };
         self.earlier.check()?;
-        let files = self.earlier.earlier.iter().map(|source| source.value(|path| self.layout.read(path, asker)));
+        let files = self.earlier.earlier.iter().map(|source| source.value(|path| self.layout.read(path, client)));
         let files = files.collect::<Result<Vec<Arc<RoughnessFile>>>>()?;
         if matches!(file, RoughnessFile::Profile(_)) {
             choose_nothing(path, &self.choose, self.by.as_deref())?;
@@ -120,7 +120,7 @@ impl DiagnosedRail {
     }
 
     /// The speeds asked for, or those of the usual traffic with a remark that says so.
-    fn speeds(&self, case: &Case, asker: &dyn Asker) -> Result<(TrafficSpeeds, Option<Message>)> {
+    fn speeds(&self, case: &Case, client: &dyn Client) -> Result<(TrafficSpeeds, Option<Message>)> {
         let wrong_speeds =
             |value: &str, error: riffel::Error| AnswerError::argument("--speed", value, error.to_string());
         match (&self.traffic, &self.speed[..]) {
@@ -136,7 +136,7 @@ impl DiagnosedRail {
                 Ok((speeds, Some(sentence.about(say!(neither_speed_nor_traffic)))))
             }
             (_, written) => {
-                let ranges = written.iter().map(|written| range(written, asker));
+                let ranges = written.iter().map(|written| range(written, client));
                 let speeds = TrafficSpeeds::of_ranges(ranges.collect::<Result<Vec<_>, _>>()?);
                 Ok((speeds.map_err(|error| wrong_speeds(&written.join(", "), error))?, None))
             }
@@ -145,10 +145,10 @@ impl DiagnosedRail {
 }
 
 /// A range of speeds as it is written, or one speed \[m/s\].
-fn range(written: &str, asker: &dyn Asker) -> Result<(f64, f64)> {
+fn range(written: &str, client: &dyn Client) -> Result<(f64, f64)> {
     let within = |text: &str| {
         let wrong = |error| AnswerError::Range { argument: "--speed", message: format!(": {error}") };
-        text.parse::<AsWritten<Speed>>().map_err(wrong)?.within("--speed", asker)
+        text.parse::<AsWritten<Speed>>().map_err(wrong)?.within("--speed", client)
     };
     let Some([slowest, fastest]) = Kind::of::<Speed>().range_in_words(written) else {
         let speed = within(written)?;
@@ -170,7 +170,7 @@ impl Question for DiagnoseQuestion {
         probability that a finding is right.";
     const RULES: &'static [Rule] = &[EarlierRecords::RULE];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        Ok(Box::new(self.diagnosis(asker)?))
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        Ok(Box::new(self.diagnosis(client)?))
     }
 }

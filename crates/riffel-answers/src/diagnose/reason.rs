@@ -1,13 +1,13 @@
 //! What speaks for a mechanism or against it, and what would tell it from others, in words.
 
-use riffel::diagnosis::{Course, CoursePoint, Expectation, Measurement, Reason, Slope, TimeUnit, TrafficSpeeds};
+use riffel::diagnosis::{Expectation, LevelTrend, Measurement, Reason, Slope, TimeUnit, TrafficSpeeds, TrendPoint};
 use riffel_keys::{Message, Value, fixed, number, range, say, significant};
 
 use super::finding::UNLIKELY;
 use super::mechanism_words::settled_by;
 
 /// A reason in a sentence. That of a course is not there without one.
-pub(super) fn in_words(reason: &Reason, speeds: &TrafficSpeeds, course: Option<&Course>) -> Message {
+pub(super) fn in_words(reason: &Reason, speeds: &TrafficSpeeds, course: Option<&LevelTrend>) -> Message {
     match *reason {
         Reason::Unlisted => say!(explains_any_wavelength),
         Reason::AverageOverPatch { wavelength, passes } => {
@@ -56,7 +56,7 @@ pub(super) fn in_words(reason: &Reason, speeds: &TrafficSpeeds, course: Option<&
             ratio = fixed(nearest / measured, 2),
             measured = millimetres(measured)
         ),
-        Reason::Course(expectation) => {
+        Reason::LevelTrend(expectation) => {
             let course = course.map_or_else(|| Message::verbatim(""), course_in_words);
             match expectation {
                 Expectation::Fades => say!(marks_fade_under_traffic, course),
@@ -110,8 +110,8 @@ pub(super) fn measurement(measurement: Measurement, wavelength: f64, speeds: &Tr
 }
 
 /// A course: levels of the records, what they do, and how fast.
-pub(crate) fn course_in_words(course: &Course) -> Message {
-    let levels = |points: &[CoursePoint]| -> Value { points.iter().map(|point| fixed(point.level, 1)).collect() };
+pub(crate) fn course_in_words(course: &LevelTrend) -> Message {
+    let levels = |points: &[TrendPoint]| -> Value { points.iter().map(|point| fixed(point.level, 1)).collect() };
     let (all, fall) = (levels(&course.points), course.fall().unwrap_or(0.0));
     let record = course.points[course.since].label.as_str();
     match course.slope {
@@ -128,7 +128,7 @@ pub(crate) fn course_in_words(course: &Course) -> Message {
 }
 
 /// The line of a course, with the levels that it goes through.
-fn line_in_words(course: &Course, slope: Slope, levels: Value) -> Message {
+fn line_in_words(course: &LevelTrend, slope: Slope, levels: Value) -> Message {
     let scatter = fixed(slope.scatter, 1);
     let slope = number(format_args!("{:+.1}", slope.mean));
     let unit = match course.unit {

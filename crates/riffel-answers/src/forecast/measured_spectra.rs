@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::AnswerError;
-use crate::question::{Asker, EarlierRecords, RecordLayout, Source};
+use crate::question::{Client, EarlierRecords, RecordLayout, Source};
 
 /// What was measured of a rail, now and before.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -51,9 +51,9 @@ pub(super) struct Dated {
 
 impl MeasuredSpectra {
     /// All spectra of now, if they are given.
-    pub(super) fn read(&self, asker: &dyn Asker) -> Result<Option<Arc<Survey>>, AnswerError> {
+    pub(super) fn read(&self, client: &dyn Client) -> Result<Option<Arc<Survey>>, AnswerError> {
         let spectrum = self.spectrum.as_ref();
-        spectrum.map(|spectrum| spectrum.value(|path| self.layout.survey(path, asker))).transpose()
+        spectrum.map(|spectrum| spectrum.value(|path| self.layout.survey(path, client))).transpose()
     }
 
     /// Whether a fit of the wear coefficient is asked for: a table of several dates is fitted by itself, if it can be.
@@ -65,13 +65,13 @@ impl MeasuredSpectra {
     pub(super) fn latest_of_both(
         &self,
         passages: f64,
-        asker: &dyn Asker,
+        client: &dyn Client,
     ) -> Result<(Survey, Option<[Survey; 2]>, Survey), AnswerError> {
-        let now = self.read(asker)?.ok_or(AnswerError::NoSpectrum)?;
+        let now = self.read(client)?.ok_or(AnswerError::NoSpectrum)?;
         let (mut now, _) = Arc::unwrap_or_clone(now).latest();
         now.history = None;
         let path = self.spectrum.as_ref().and_then(Source::path);
-        let mut history = self.earlier.read(path, &self.layout, &[], asker)?;
+        let mut history = self.earlier.read(path, &self.layout, &[], client)?;
         let earlier = history.surveys.into_iter().next();
         let earlier = earlier.ok_or_else(|| AnswerError::argument("--earlier", "left out", "given"))?;
         let (earlier, _) = earlier.latest();
@@ -81,10 +81,10 @@ impl MeasuredSpectra {
     }
 
     /// What is chosen of all spectra of now, and of those before, which are read here.
-    pub(super) fn dated(&self, given: &Survey, asker: &dyn Asker) -> Result<Dated, AnswerError> {
+    pub(super) fn dated(&self, given: &Survey, client: &dyn Client) -> Result<Dated, AnswerError> {
         let mut now = given.clone().choose(&self.choose)?.on_one_device();
         let path = self.spectrum.as_ref().and_then(Source::path);
-        let mut history = self.earlier.read(path, &self.layout, &self.earlier_where, asker)?;
+        let mut history = self.earlier.read(path, &self.layout, &self.earlier_where, client)?;
         if history.surveys.is_empty() && !self.earlier_where.is_empty() {
             history.surveys.push(given.clone().choose(&self.earlier_where)?);
         }

@@ -15,7 +15,7 @@ use serde::{Deserialize, Deserializer};
 use super::measured_spectra::{Dated, MeasuredSpectra};
 use super::{ForecastAnswer, ForecastHorizon, ForecastRequest, PosteriorForecast, TrackForecast, WearReport};
 use crate::question::{
-    Asker, CaseSource, EarlierRecords, GroundSource, Question, RecordLayout, Rule, Source, date_of, finished_of,
+    CaseSource, Client, EarlierRecords, GroundSource, Question, RecordLayout, Rule, Source, date_of, finished_of,
 };
 use crate::{Answer, AnswerError, Result, level_limit};
 
@@ -61,12 +61,12 @@ fn date<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Date>, D::E
 }
 
 impl ForecastQuestion {
-    /// The forecast of the rail that will be ground, or else of what was measured, on a case that was read; `asker` is told how far it is.
+    /// The forecast of the rail that will be ground, or else of what was measured, on a case that was read; `client` is told how far it is.
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
-    pub fn answer_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
-        let (mut answer, dated) = self.dated_on(case, |limit| self.ground.read(limit, asker), true, asker)?;
+    pub fn answer_on(&self, case: &Case, client: &dyn Client) -> Result<TrackForecast> {
+        let (mut answer, dated) = self.dated_on(case, |limit| self.ground.read(limit, client), true, client)?;
         if let Some(dated) = &dated {
             answer.wear = self.wear(dated, case, &answer)?;
         }
@@ -77,8 +77,8 @@ impl ForecastQuestion {
     ///
     /// # Errors
     /// Errors of [`answer_on`](Self::answer_on).
-    pub fn forecast_on(&self, case: &Case, asker: &dyn Asker) -> Result<TrackForecast> {
-        Ok(self.dated_on(case, |limit| self.ground.at_most(limit, asker), false, asker)?.0)
+    pub fn forecast_on(&self, case: &Case, client: &dyn Client) -> Result<TrackForecast> {
+        Ok(self.dated_on(case, |limit| self.ground.at_most(limit, client), false, client)?.0)
     }
 
     /// The forecast with the records that it begins with.
@@ -87,14 +87,14 @@ impl ForecastQuestion {
         case: &Case,
         ground: impl FnOnce(&(LimitTable, LevelLimit)) -> Result<Option<GroundRail>>,
         tells_spreads: bool,
-        asker: &dyn Asker,
+        client: &dyn Client,
     ) -> Result<(TrackForecast, Option<Dated>)> {
-        let survey = self.spectra.read(asker)?;
+        let survey = self.spectra.read(client)?;
         let traffic = self.traffic()?;
         let limit = level_limit(&self.limit)?;
         let ground = ground(&limit)?;
-        let dated = survey.as_ref().map(|survey| self.spectra.dated(survey, asker)).transpose()?;
-        let step = asker.begin(say!(progress_traffic), traffic.file.vehicle.len());
+        let dated = survey.as_ref().map(|survey| self.spectra.dated(survey, client)).transpose()?;
+        let step = client.begin(say!(progress_traffic), traffic.file.vehicle.len());
         let request = ForecastRequest {
             traffic,
             survey: dated.as_ref().map(|dated| dated.now.clone()),
@@ -114,7 +114,7 @@ impl ForecastQuestion {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for days under a traffic of unknown amount, those of [`WearReport::new`].
-    pub fn wear_on(&self, case: &Case, days: Option<f64>, asker: &dyn Asker) -> Result<WearReport> {
+    pub fn wear_on(&self, case: &Case, days: Option<f64>, client: &dyn Client) -> Result<WearReport> {
         let (_, limit) = level_limit(&self.limit)?;
         let on = self.traffic()?.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
         let passages = self.spectra.passages_between.or_else(|| on.passages_in(days?)).ok_or_else(|| {
@@ -122,7 +122,7 @@ impl ForecastQuestion {
             let rule = "given with a traffic that says under [line] passages_per_day or mgt_per_year";
             AnswerError::argument("--days", days, rule)
         })?;
-        let (earlier, places, now) = self.spectra.latest_of_both(passages, asker)?;
+        let (earlier, places, now) = self.spectra.latest_of_both(passages, client)?;
         Ok(WearReport::since(&earlier, places.as_ref(), &now, (case, &on), Some(&limit), passages)?)
     }
 
@@ -135,10 +135,10 @@ impl ForecastQuestion {
     ///
     /// # Errors
     /// Errors of [`answer_on`](Self::answer_on).
-    pub(crate) fn told(&self, asker: &dyn Asker) -> Result<ForecastAnswer> {
-        let case = self.case.read(asker)?;
+    pub(crate) fn told(&self, client: &dyn Client) -> Result<ForecastAnswer> {
+        let case = self.case.read(client)?;
         let spectrum = self.spectra.spectrum.as_ref().map(|spectrum| spectrum.name().display().to_string());
-        Ok(ForecastAnswer::new(&case, self.answer_on(&case, asker)?, spectrum))
+        Ok(ForecastAnswer::new(&case, self.answer_on(&case, client)?, spectrum))
     }
 
     /// How far to look ahead: as asked for, or a year.
@@ -239,10 +239,10 @@ impl Question for ForecastQuestion {
         ),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         Ok(match &self.posterior {
             Some(folder) => Box::new(self.over_posterior(folder)?),
-            None => Box::new(self.told(asker)?),
+            None => Box::new(self.told(client)?),
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Why two models differ: one joint changed at a time.
 
-use riffel::growth::GrowthCourse;
+use riffel::growth::GrowthSpectrum;
 use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joints};
 use serde::Serialize;
@@ -28,7 +28,7 @@ impl Difference {
     pub(super) fn all(
         case: &Case,
         joints: Joints,
-        (course, highest): (&GrowthCourse, Option<Highest>),
+        (course, highest): (&GrowthSpectrum, Option<Highest>),
         passing: &Passing,
     ) -> Vec<Self> {
         let exact = FieldModel::EXACT.joints;

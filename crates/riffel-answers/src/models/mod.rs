@@ -4,7 +4,7 @@ mod difference;
 mod figure;
 mod passing;
 
-use riffel::growth::GrowthCourse;
+use riffel::growth::GrowthSpectrum;
 use riffel::{Complex64, Loop};
 use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joints, ModelOnCase};
@@ -261,7 +261,7 @@ impl ModelGrowth {
         case: &Case,
         model: &'static FieldModel,
         passing: &Passing,
-    ) -> Result<(ModelOnCase, GrowthCourse, Self), String> {
+    ) -> Result<(ModelOnCase, GrowthSpectrum, Self), String> {
         let on = on_case(case, model.joints, passing)?;
         let (course, highest) = passing.course(&on);
         let speed = passing.mean();

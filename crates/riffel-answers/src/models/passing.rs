@@ -1,7 +1,7 @@
 //! The speeds at which the wheels of a comparison of models pass.
 
 use riffel::forecast::{SpeedDistribution, band_lines};
-use riffel::growth::GrowthCourse;
+use riffel::growth::GrowthSpectrum;
 use riffel_case::Case;
 use riffel_case::model::ModelOnCase;
 use riffel_case::traffic::bands_of;
@@ -44,7 +44,7 @@ impl Passing {
 
     /// Growth over the wavelengths of the map, at one speed with its narrow lines, and the wavelength that grows fastest of those of
     /// which that is told: all, where growth is filtered by the contact.
-    pub(super) fn course(&self, on: &ModelOnCase) -> (GrowthCourse, Option<Highest>) {
+    pub(super) fn course(&self, on: &ModelOnCase) -> (GrowthSpectrum, Option<Highest>) {
         match self {
             Self::Speed(speed) => {
                 let rate = on.growth_rate(*speed);
@@ -53,7 +53,7 @@ impl Passing {
             Self::Traffic(speeds) => {
                 let wavelengths = band_lines(&bands_of(&on.case));
                 let rates = on.mean_growth_rates(&wavelengths, speeds);
-                let course = GrowthCourse::of_values(wavelengths, rates);
+                let course = GrowthSpectrum::of_values(wavelengths, rates);
                 let shortest = match on.has_filter() {
                     true => 0.0,
                     false => on.case.shortest_told(),

@@ -16,7 +16,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{ChartAnswer, GrowthAnswer, IngestedAnswer, PlanAnswer, StatusAnswer, WholeAnswer, WorstAnswer};
-use crate::question::{Asker, CaseSource, Files, Money, PosteriorSource, Question, Rule, Source, positive};
+use crate::question::{CaseSource, Client, Files, Money, PosteriorSource, Question, Rule, Source, positive};
 use crate::{Answer, AnswerError, ExpectedRates, Result};
 
 /// The folder of a store.
@@ -75,24 +75,24 @@ impl Judged {
 
 impl Expected {
     /// A judgement with the growth that the traffic of a line is expected to make.
-    fn of(&self, store: &Store, judgement: Judgement, asker: &dyn Asker) -> Result<Judgement> {
+    fn of(&self, store: &Store, judgement: Judgement, client: &dyn Client) -> Result<Judgement> {
         let Some(case) = &self.case else {
             return Ok(judgement);
         };
         let bands = judgement.ends_of_bands();
         let case = CaseSource::new(case.clone(), Vec::new());
         let posterior = PosteriorSource { posterior: self.posterior.clone() };
-        let growth = match posterior.draws(&case, asker)? {
+        let growth = match posterior.draws(&case, client)? {
             Some(draws) => {
-                let step = asker.begin(say!(progress_draws_of_calibration), draws.count());
+                let step = client.begin(say!(progress_draws_of_calibration), draws.count());
                 ExpectedRates::over(&draws, &bands, &step)?
             }
             None => {
                 let traffic = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
-                ExpectedRates::new(&*case.read(asker)?, traffic.as_deref(), &bands)?
+                ExpectedRates::new(&*case.read(client)?, traffic.as_deref(), &bands)?
             }
         };
-        asker.remark(growth.without_rate.as_slice());
+        client.remark(growth.without_rate.as_slice());
         let growth = growth.of_bands.into_iter().map(|growth| {
             growth.map(|growth| ExpectedGrowth {
                 median: growth.median,
@@ -105,16 +105,16 @@ impl Expected {
 }
 
 /// Name the surveys of which something is lost or damaged; returns how many there are.
-fn tell_damaged(store: &Store, asker: &dyn Asker) -> usize {
+fn tell_damaged(store: &Store, client: &dyn Client) -> usize {
     let damaged = store.damaged().map(|error| say!(survey_is_left_out, reason = error.to_string()));
     let damaged: Vec<Message> = damaged.collect();
-    asker.remark(&damaged);
+    client.remark(&damaged);
     damaged.len()
 }
 
 /// An answer, with the surveys named of which something is lost or damaged.
-fn told(answer: impl Answer + 'static, store: &Store, asker: &dyn Asker) -> Box<dyn Answer> {
-    tell_damaged(store, asker);
+fn told(answer: impl Answer + 'static, store: &Store, client: &dyn Client) -> Box<dyn Answer> {
+    tell_damaged(store, client);
     Box::new(answer)
 }
 
@@ -169,12 +169,12 @@ impl Question for IngestQuestion {
         The same survey again changes nothing, and one that was stopped is done anew: surveys are there whole or not at all.";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let resolution = self.resolution.map(|length| positive("--resolution", length)).transpose()?;
         let store = Store::create_or_open(&self.store.store, StoreSettings { resolution })?;
         let renamed = self.rename.iter().map(|Renamed([old, new])| (old.clone(), new.clone()));
         let file = SurveyFile::check(&self.csv)?.rename(renamed.collect())?;
-        let step = asker.begin(say!(progress_taking_in_blocks), file.rows() as usize);
+        let step = client.begin(say!(progress_taking_in_blocks), file.rows() as usize);
         Ok(Box::new(IngestedAnswer::new(store.ingest(&self.line, &self.date, &file, self.replace, &step)?)))
     }
 }
@@ -191,9 +191,9 @@ impl Question for StatusQuestion {
     const EXAMPLE: &'static str = "Example: riffel network status railway";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let store = self.store.open()?;
-        Ok(told(StatusAnswer(status(&store)?), &store, asker))
+        Ok(told(StatusAnswer(status(&store)?), &store, client))
     }
 }
 
@@ -215,11 +215,11 @@ impl Question for WorstQuestion {
     const EXAMPLE: &'static str = "Example: riffel network worst railway --section \"200 m\" --most 10";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
         let until = self.until.as_deref().map(|text| day("--until", text)).transpose()?;
         let found = worst(&store, &judgement, section, until, self.most as usize)?;
-        Ok(told(WorstAnswer::new(found, &judgement), &store, asker))
+        Ok(told(WorstAnswer::new(found, &judgement), &store, client))
     }
 }
 
@@ -253,9 +253,9 @@ impl Question for GrowthQuestion {
     ];
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
-        let judgement = self.expected.of(&store, judgement, asker)?;
+        let judgement = self.expected.of(&store, judgement, client)?;
         let between = match (&self.from, &self.to) {
             (Some(from), Some(to)) => Some([day("--from", from)?, day("--to", to)?]),
             _ => None,
@@ -263,7 +263,7 @@ impl Question for GrowthQuestion {
         let mut found = growth(&store, &judgement, section, between)?;
         found.truncate(self.most as usize);
         let left_out = left_out_of_growth(&store, between)?;
-        Ok(told(GrowthAnswer::new(found, &judgement, left_out), &store, asker))
+        Ok(told(GrowthAnswer::new(found, &judgement, left_out), &store, client))
     }
 }
 
@@ -306,9 +306,9 @@ impl Question for PlanQuestion {
     ];
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
-        let judgement = self.expected.of(&store, judgement, asker)?;
+        let judgement = self.expected.of(&store, judgement, client)?;
         let budget = match self.length {
             Some(length) => Budget::of_length(positive("--length", length)?),
             None => Budget {
@@ -322,7 +322,7 @@ impl Question for PlanQuestion {
             false => Aim::WorstFirst,
         };
         let found = plan(&store, &judgement, section, self.months, &budget, aim)?;
-        Ok(told(PlanAnswer::new(found, self.money.is_some()), &store, asker))
+        Ok(told(PlanAnswer::new(found, self.money.is_some()), &store, client))
     }
 }
 
@@ -346,10 +346,10 @@ impl Question for ChartQuestion {
     const NAME: &'static str = "network chart";
     const EXAMPLE: &'static str = "Example: riffel network chart railway --line \"Main line\" -o main-line";
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let (store, judgement, section) = self.judged.open()?;
         let chart = StripChart::new(&store, &judgement, section, self.line.as_deref(), self.rail.as_deref())?;
-        Ok(told(ChartAnswer::new(chart), &store, asker))
+        Ok(told(ChartAnswer::new(chart), &store, client))
     }
 }
 
@@ -365,9 +365,9 @@ impl Question for CheckQuestion {
     const EXAMPLE: &'static str = "Example: riffel network check railway";
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let store = self.store.open()?;
-        match tell_damaged(&store, asker) {
+        match tell_damaged(&store, client) {
             0 => Ok(Box::new(WholeAnswer { surveys: store.surveys()?.len() })),
             damaged => Err(NetworkError::NotWhole { damaged }.into()),
         }

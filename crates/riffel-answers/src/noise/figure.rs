@@ -6,7 +6,7 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb,
 
 use super::since::lower_bound_up_to;
 use super::tables::name_of;
-use super::{Course, NoiseAnswer, at_least};
+use super::{LevelTrend, NoiseAnswer, at_least};
 
 pub(super) fn figure(answer: &NoiseAnswer, parameters: &str, language: Language) -> LineFigure {
     let mut panels = vec![parts(answer, language), measures(answer, language)];
@@ -84,7 +84,7 @@ fn measures(answer: &NoiseAnswer, language: Language) -> LinePanel {
     panel(say!(what_would_help), std::iter::once(now).chain(after).collect(), language)
 }
 
-fn course(course: &Course, language: Language) -> LinePanel {
+fn course(course: &LevelTrend, language: Language) -> LinePanel {
     let mut series = vec![
         Series::new(say!(noise_of_all).text(language), course.month.clone(), course.total_dba.clone())
             .colored(Rgb::BLACK),

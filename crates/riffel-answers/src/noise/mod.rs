@@ -1,7 +1,7 @@
 //! Rolling noise of a train on a rough rail, and what would make it quieter.
 
-mod course;
 mod figure;
+mod level_trend;
 mod measure;
 mod over_posterior;
 mod question;
@@ -17,7 +17,7 @@ use riffel_keys::{Language, Message, say};
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
-pub use course::Course;
+pub use level_trend::LevelTrend;
 pub use measure::Measure;
 pub use question::{DecayRates, NoiseQuestion};
 pub use since::Since;
@@ -65,7 +65,7 @@ pub struct NoiseAnswer {
     /// What would help, each by itself.
     pub measures: Vec<Measure>,
     /// Null without traffic.
-    pub course: Option<Course>,
+    pub course: Option<LevelTrend>,
     /// Nominal centres of the bands that are not known.
     pub left_out_hz: Vec<f64>,
     /// Levels over the draws of a calibration, if one was given.

@@ -12,7 +12,7 @@ use serde_json::json;
 use super::NoiseAnswer;
 use super::train::Train;
 use crate::question::{
-    AsWritten, Asker, CaseSource, EarlierRecords, PosteriorSource, Question, RecordLayout, Rule, Source, of_keys, over,
+    AsWritten, CaseSource, Client, EarlierRecords, PosteriorSource, Question, RecordLayout, Rule, Source, of_keys, over,
 };
 use crate::{Answer, PosteriorDraws, Result};
 
@@ -109,29 +109,29 @@ impl NoiseQuestion {
         Ok(Self { case: case.into(), roughness: survey.into(), ..question })
     }
 
-    /// The answer; `asker` is told how far it is and what is unusual.
+    /// The answer; `client` is told how far it is and what is unusual.
     ///
     /// # Errors
     /// [`AnswerError::Argument`](crate::AnswerError::Argument) where a number is outside its range, no band is known, or the track has no decay;
     /// [`AnswerError::Case`](crate::AnswerError::Case) with the key or the file at fault.
-    pub fn answer(&self, asker: &dyn Asker) -> Result<NoiseAnswer> {
-        let draws = self.posterior.draws(&self.case, asker)?;
-        self.answer_over(draws.as_ref(), asker)
+    pub fn answer(&self, client: &dyn Client) -> Result<NoiseAnswer> {
+        let draws = self.posterior.draws(&self.case, client)?;
+        self.answer_over(draws.as_ref(), client)
     }
 
     /// The answer on the case and over draws in memory, under the traffic of the calibration where the question has none.
     ///
     /// # Errors
     /// Errors of [`answer`](Self::answer).
-    pub fn answer_over(&self, draws: Option<&PosteriorDraws>, asker: &dyn Asker) -> Result<NoiseAnswer> {
-        let train = Train::new(self, asker)?;
-        let case = self.case.read(asker)?;
+    pub fn answer_over(&self, draws: Option<&PosteriorDraws>, client: &dyn Client) -> Result<NoiseAnswer> {
+        let train = Train::new(self, client)?;
+        let case = self.case.read(client)?;
         let own = self.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
         let traffic = own.as_deref().or(draws.and_then(|draws| draws.traffic.as_ref()));
-        let step = asker.begin(say!(progress_traffic), traffic.map_or(0, |traffic| traffic.file.vehicle.len()));
+        let step = client.begin(say!(progress_traffic), traffic.map_or(0, |traffic| traffic.file.vehicle.len()));
         let mut answer = train.answer(&case, traffic, &step)?;
         drop(step);
-        answer.over_posterior = over(draws, asker, |draws, progress| {
+        answer.over_posterior = over(draws, client, |draws, progress| {
             draws.over(progress, |drawn| train.answer(&drawn.case, drawn.traffic.as_ref().or(traffic), &|_| ()))
         })?;
         Ok(answer)
@@ -152,7 +152,7 @@ impl Question for NoiseQuestion {
         Rule::Needs(&["months", "limit_dba"], &["traffic", "posterior"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        Ok(Box::new(self.answer(asker)?))
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        Ok(Box::new(self.answer(client)?))
     }
 }

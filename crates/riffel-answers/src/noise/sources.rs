@@ -31,7 +31,7 @@ pub(super) struct Radiation<'a> {
 
 impl Train {
     /// Pressures beside the track of some sound powers of a wheel on one rail.
-    pub(super) fn heard(&self, powers: &[SoundPower]) -> Energies {
+    pub(super) fn levels_at_receiver(&self, powers: &[SoundPower]) -> Energies {
         let air = Air::default();
         let bands = powers.iter().map(|power| BandEnergies {
             band: power.band,
@@ -44,7 +44,7 @@ impl Train {
 
     /// Levels with some roughness of the rail.
     pub(super) fn levels(&self, radiation: &Radiation<'_>, roughness: &Spectrum) -> Result<Energies> {
-        Ok(self.heard(&self.powers(radiation, roughness)?))
+        Ok(self.levels_at_receiver(&self.powers(radiation, roughness)?))
     }
 
     /// Sound powers of a wheel on one rail, in the bands that are known.

@@ -18,9 +18,9 @@ use super::measure::measures;
 use super::remarks::remarks;
 use super::since::lower_bound_up_to;
 use super::sources::powers_of_parts;
-use super::{Course, Levels, NoiseAnswer, NoiseQuestion, Since, TransferLevels, nominal};
+use super::{LevelTrend, Levels, NoiseAnswer, NoiseQuestion, Since, TransferLevels, nominal};
 use crate::forecast::ForecastHorizon;
-use crate::question::Asker;
+use crate::question::Client;
 use crate::{AnswerError, Result, parameters};
 
 /// Least length of train to a wheel on one rail \[m\]: wheels follow each other at more than their diameter.
@@ -58,20 +58,20 @@ pub(super) struct Train {
 }
 
 impl Train {
-    /// What a question names, read; `asker` is told what is unusual.
-    pub(super) fn new(question: &NoiseQuestion, asker: &dyn Asker) -> Result<Self> {
+    /// What a question names, read; `client` is told what is unusual.
+    pub(super) fn new(question: &NoiseQuestion, client: &dyn Client) -> Result<Self> {
         let (layout, choose) = (&question.layout, &question.choose);
-        let now = Arc::unwrap_or_clone(question.roughness.value(|path| layout.survey(path, asker))?);
-        let survey = question.earlier.of_dates(now, question.roughness.path(), layout, choose, asker)?;
+        let now = Arc::unwrap_or_clone(question.roughness.value(|path| layout.survey(path, client))?);
+        let survey = question.earlier.of_dates(now, question.roughness.path(), layout, choose, client)?;
         let before = question.before.as_ref().map(|before| {
-            let before = before.value(|path| layout.survey(path, asker))?;
+            let before = before.value(|path| layout.survey(path, client))?;
             Ok::<_, AnswerError>(Arc::unwrap_or_clone(before).choose(choose)?.latest().0.mean())
         });
         let before = before.transpose()?;
-        let speed = question.speed.within("--speed", asker)?;
+        let speed = question.speed.within("--speed", client)?;
         let radiator = TrackRadiator {
-            rail_foot: question.rail_foot.within("--rail-foot", asker)?,
-            sleeper_area: question.sleeper_area.within("--sleeper-area", asker)?,
+            rail_foot: question.rail_foot.within("--rail-foot", client)?,
+            sleeper_area: question.sleeper_area.within("--sleeper-area", client)?,
             decay_rate: match &question.decay_rate {
                 Some(rates) => Some(Arc::unwrap_or_clone(rates.value(read_decay_rates)?)),
                 None => None,
@@ -79,11 +79,11 @@ impl Train {
         };
         let wheels = question.wheels;
         let length = match &question.train_length {
-            Some(length) => length.within("--train-length", asker)?,
+            Some(length) => length.within("--train-length", client)?,
             None => PassBy::LENGTH_PER_WHEEL * f64::from(wheels),
         };
         let [distance, height] =
-            [question.distance.within("--distance", asker)?, question.height.within("--height", asker)?];
+            [question.distance.within("--distance", client)?, question.height.within("--height", client)?];
         check_length(length, wheels)?;
         if distance <= PassBy::NEAREST {
             let rule = "beyond the rail, 0.75 m".to_owned();
@@ -139,14 +139,14 @@ impl Train {
         }
         let radiation = self.radiation(case, self.wheel_modes(), self.speed)?;
         let powers = self.powers(&radiation, &self.roughness)?;
-        let levels = self.heard(&powers);
+        let levels = self.levels_at_receiver(&powers);
         if levels.bands.is_empty() {
             return Err(self.no_band_is_known());
         }
         let left_out: Vec<FrequencyBand> =
             FrequencyBand::all().filter(|band| levels.bands.iter().all(|level| level.band != *band)).collect();
         let (course, of_traffic) = match traffic {
-            Some(traffic) => Course::new(case, self, &radiation, traffic, progress)?,
+            Some(traffic) => LevelTrend::new(case, self, &radiation, traffic, progress)?,
             None => (None, Vec::new()),
         };
         let mut remarks = remarks(case, self, &powers, &left_out);

@@ -5,7 +5,7 @@ use riffel_keys::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::question::{Asker, Question, Rule};
+use crate::question::{Client, Question, Rule};
 use crate::roughness::{MeasuredAnswer, ProfileAnswer, RailAnswer, RoughnessQuestion};
 use crate::{Answer, AnswerError, Result};
 
@@ -20,14 +20,14 @@ pub(crate) struct AlongQuestion {
 struct AlongAnswer {
     /// Shortest and longest wavelength of each band.
     bands_m: Vec<[f64; 2]>,
-    rails: Vec<Course>,
+    rails: Vec<RailBlocks>,
     /// What `riffel roughness` says of the whole record.
     roughness: Box<ProfileAnswer>,
 }
 
 /// The blocks of a rail.
 #[derive(Serialize)]
-struct Course {
+struct RailBlocks {
     name: String,
     from_m: Vec<f64>,
     to_m: Vec<f64>,
@@ -35,7 +35,7 @@ struct Course {
     moving_rms_max_m: Vec<Vec<Option<f64>>>,
 }
 
-impl Course {
+impl RailBlocks {
     fn new(rail: &RailAnswer) -> Self {
         let blocks = &rail.analysis.blocks;
         let bands = 0..WavelengthBand::GRINDING.len();
@@ -54,13 +54,13 @@ impl Question for AlongQuestion {
     const EXAMPLE: &'static str = "";
     const RULES: &'static [Rule] = RoughnessQuestion::RULES;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let Some(MeasuredAnswer::Profile(roughness)) = self.roughness.measured(asker)? else {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let Some(MeasuredAnswer::Profile(roughness)) = self.roughness.measured(client)? else {
             return Err(AnswerError::Question { question: Self::NAME, message: "<FILE> must be a profile".to_owned() });
         };
         Ok(Box::new(AlongAnswer {
             bands_m: WavelengthBand::GRINDING.iter().map(|band| [band.from(), band.to()]).collect(),
-            rails: roughness.rails.iter().map(Course::new).collect(),
+            rails: roughness.rails.iter().map(RailBlocks::new).collect(),
             roughness,
         }))
     }

@@ -28,7 +28,7 @@ pub struct Fault {
 #[derive(Debug)]
 enum Sentence {
     Own(Message),
-    Heard(Value),
+    OfProcess(Value),
 }
 
 impl Sentence {
@@ -36,8 +36,8 @@ impl Sentence {
     fn english(&self) -> String {
         match self {
             Self::Own(message) => in_a_message(&message.to_string()).into_owned(),
-            Self::Heard(Value::String(words)) => words.clone(),
-            Self::Heard(data) => data.to_string(),
+            Self::OfProcess(Value::String(words)) => words.clone(),
+            Self::OfProcess(data) => data.to_string(),
         }
     }
 }
@@ -52,7 +52,7 @@ impl Serialize for Sentence {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Own(message) => as_data(|| message.serialize(serializer)),
-            Self::Heard(data) => data.serialize(serializer),
+            Self::OfProcess(data) => data.serialize(serializer),
         }
     }
 }
@@ -125,10 +125,10 @@ impl Fault {
     }
 
     /// A fault that another process told, in its sentences as data.
-    pub fn heard(message: Value, help: Option<Value>) -> Self {
+    pub fn of_process(message: Value, help: Option<Value>) -> Self {
         Self {
-            message: Sentence::Heard(message).into(),
-            help: help.map(|help| Sentence::Heard(help).into()),
+            message: Sentence::OfProcess(message).into(),
+            help: help.map(|help| Sentence::OfProcess(help).into()),
             ..Self::bad("")
         }
     }
@@ -166,7 +166,7 @@ impl Fault {
     pub fn without_key(self, what: &str) -> Self {
         let message = match *self.message {
             Sentence::Own(message) => say!(place_and_fault, place = what, fault = message).into(),
-            heard => heard.into(),
+            of_process => of_process.into(),
         };
         Self { key: None, line: None, message, ..self }
     }

@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::diagnose::{DiagnoseQuestion, Diagnosis};
 use crate::forecast::{ForecastAnswer, ForecastQuestion, MeasuredSpectra};
 use crate::page::Fault;
-use crate::question::{Asker, EarlierRecords, Question, Rule, Source, of_keys};
+use crate::question::{Client, EarlierRecords, Question, Rule, Source, of_keys};
 use crate::roughness::{MeasuredAnswer, RoughnessQuestion};
 use crate::{Answer, AnswerError, Result};
 
@@ -42,14 +42,14 @@ struct MeasureAnswer {
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Outcome<T> {
-    Told(Box<T>),
+    Printed(Box<T>),
     Refused { fault: Fault },
 }
 
 impl<T> From<Result<T>> for Outcome<T> {
     fn from(answer: Result<T>) -> Self {
         match answer {
-            Ok(answer) => Self::Told(Box::new(answer)),
+            Ok(answer) => Self::Printed(Box::new(answer)),
             Err(error) => Self::Refused { fault: error.into() },
         }
     }
@@ -90,7 +90,7 @@ impl LevelLimit {
 
 impl MeasureQuestion {
     /// The forecast, with the wear coefficient of the earlier records where it can be fitted.
-    fn forecast(&self, asker: &dyn Asker) -> Result<Forecast> {
+    fn forecast(&self, client: &dyn Client) -> Result<Forecast> {
         let DiagnoseQuestion { case, roughness, rail } = &self.diagnosed;
         let mut asked: ForecastQuestion = of_keys(json!({ "case": "", "traffic": "" }))?;
         asked.case = case.clone();
@@ -108,10 +108,10 @@ impl MeasureQuestion {
             None => rail.earlier.clone(),
         };
         fitted.spectra.passages_between = self.passages_between;
-        match fitted.told(asker) {
+        match fitted.told(client) {
             Ok(answer) => Ok(Forecast { answer, fit_fault: None }),
             Err(error) if fitted.spectra.earlier.earlier.is_empty() => Err(error),
-            Err(error) => Ok(Forecast { answer: asked.told(asker)?, fit_fault: Some(error.into()) }),
+            Err(error) => Ok(Forecast { answer: asked.told(client)?, fit_fault: Some(error.into()) }),
         }
     }
 }
@@ -121,17 +121,17 @@ impl Question for MeasureQuestion {
     const EXAMPLE: &'static str = "";
     const RULES: &'static [Rule] = DiagnoseQuestion::RULES;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let mut asked = self.clone();
         let DiagnoseQuestion { case, roughness, rail } = &mut asked.diagnosed;
         rail.layout.kept = Some(Default::default());
-        let roughness = RoughnessQuestion::of_file(roughness.clone(), rail.layout.clone())?.measured(asker)?;
-        let read = case.read(asker)?;
+        let roughness = RoughnessQuestion::of_file(roughness.clone(), rail.layout.clone())?.measured(client)?;
+        let read = case.read(client)?;
         *case = read.clone().into();
         Ok(Box::new(MeasureAnswer {
             roughness: roughness.ok_or(AnswerError::NoSpectrum)?,
-            diagnosis: asked.diagnosed.diagnosis(asker).into(),
-            forecast: asked.forecast(asker).into(),
+            diagnosis: asked.diagnosed.diagnosis(client).into(),
+            forecast: asked.forecast(client).into(),
             is_silent: read.without_decay().is_some(),
             limits: LevelLimit::all(),
         }))

@@ -58,7 +58,7 @@ pub trait Question {
     /// What the answer is for: of the questions of one page for the same, only the newest is wanted.
     fn subject(&self) -> Option<String>;
 
-    /// The answer; [`riffel::wanted::run_while`] breaks it off.
+    /// The answer; [`riffel::cancel::run_while`] breaks it off.
     ///
     /// # Errors
     /// A [`Fault`] of the case or of the question.

@@ -1,7 +1,7 @@
 //! `POST /api/passage`: a wheel over a sinusoid in time, and what the linear loop says of the same wave.
 
 use crate::AnswerError;
-use crate::simulate::{Course, SinusoidAnswer, SinusoidRequest};
+use crate::simulate::{ContactHistory, SinusoidAnswer, SinusoidRequest};
 use riffel::passage::Sinusoid;
 use riffel_keys::{CaseError, Message, say};
 use serde::{Deserialize, Serialize};
@@ -22,7 +22,7 @@ pub(crate) struct Question {
 #[derive(Serialize)]
 struct Answer {
     /// One wave under the wheel, from crest to crest.
-    course: Course,
+    course: ContactHistory,
     contact_loss_fraction: f64,
     static_normal_force_n: f64,
     linear: Linear,

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{PointAnswer, PointRequest};
-use crate::question::{AsWritten, Asker, CaseSource, Files, Question, Rule, covering, positive};
+use crate::question::{AsWritten, CaseSource, Client, Files, Question, Rule, covering, positive};
 use crate::{Answer, AnswerError, Result};
 
 /// The whole loop at one wavelength and speed.
@@ -45,10 +45,10 @@ impl Question for PointQuestion {
     const RULES: &'static [Rule] = &[Rule::Needs(&["supports", "seed"], &["spacing_deviation"])];
     const FILES: Files = Files::None;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let case = self.case.read_at(self.position, asker)?;
-        let wavelength = self.wavelength.within("--wavelength", asker)?;
-        let speed = self.speed.within("--speed", asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let case = self.case.read_at(self.position, client)?;
+        let wavelength = self.wavelength.within("--wavelength", client)?;
+        let speed = self.speed.within("--speed", client)?;
         case.check_points([wavelength; 2], [speed; 2])?;
         let irregular = self.spacing_deviation.map(|deviation| {
             Ok::<_, AnswerError>(DrawnSupports {

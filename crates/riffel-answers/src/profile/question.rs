@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings};
-use crate::question::{Asker, CaseSource, Question, Rule, Source, positive};
+use crate::question::{CaseSource, Client, Question, Rule, Source, positive};
 use crate::{Answer, AnswerError, Result};
 
 /// Largest yaw \[rad\], far beyond any curve.
@@ -132,13 +132,13 @@ impl ProfileQuestion {
     }
 
     /// A wheelset on its track, under load if one is given.
-    fn on_track(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn on_track(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let wrong = |argument, value, rule: String| Err(AnswerError::argument(argument, value, rule));
         if let Some(second) = self.file.get(1) {
             let rule = "the only one with --wheelset, a case file".to_owned();
             return wrong("FILE", second.display().to_string(), rule);
         }
-        let case = CaseSource::<CurvingCase>::new(Source::File(self.file[0].clone()), self.set.clone()).read(asker)?;
+        let case = CaseSource::<CurvingCase>::new(Source::File(self.file[0].clone()), self.set.clone()).read(client)?;
         let yaw = self.yaw.map_or(0.0, |yaw| yaw.si());
         if yaw.abs() > LARGEST_YAW {
             return wrong("--yaw", format!("{yaw} rad"), format!("between -{LARGEST_YAW} and {LARGEST_YAW} rad"));
@@ -172,9 +172,9 @@ impl Question for ProfileQuestion {
         Rule::Needs(&["yaw", "lateral_shift", "load", "set"], &["wheelset"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         if self.wheelset {
-            return self.on_track(asker);
+            return self.on_track(client);
         }
         let scatter = self.scatter.map(|scatter| positive("--scatter", scatter)).transpose()?;
         let orientation = self.orientation.map(Into::into);

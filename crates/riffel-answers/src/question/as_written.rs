@@ -10,7 +10,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
-use super::Asker;
+use super::Client;
 use crate::{AnswerError, Result};
 
 /// A text or a number as it was written.
@@ -39,8 +39,8 @@ impl<D: Dimension> AsWritten<D> {
     ///
     /// # Errors
     /// Errors of [`within`](Self::within).
-    pub fn all_within(list: &[Self], argument: &'static str, asker: &dyn Asker) -> Result<Vec<f64>> {
-        list.iter().map(|quantity| quantity.within(argument, asker)).collect()
+    pub fn all_within(list: &[Self], argument: &'static str, client: &dyn Client) -> Result<Vec<f64>> {
+        list.iter().map(|quantity| quantity.within(argument, client)).collect()
     }
 
     /// The value in SI, whatever it is.
@@ -49,15 +49,15 @@ impl<D: Dimension> AsWritten<D> {
         self.text.parse::<Quantity<D>>().map_or(f64::NAN, |quantity| quantity.si())
     }
 
-    /// The value in SI, within the physical range of the argument, which has one; `asker` is told what is not usual.
+    /// The value in SI, within the physical range of the argument, which has one; `client` is told what is not usual.
     ///
     /// # Errors
     /// [`AnswerError::Range`] for a value outside the range.
-    pub fn within(&self, argument: &'static str, asker: &dyn Asker) -> Result<f64> {
+    pub fn within(&self, argument: &'static str, client: &dyn Client) -> Result<f64> {
         debug_assert!(PhysicalRange::of(argument).is_some(), "{argument} has no range");
         let wrong = |rule| AnswerError::Range { argument, message: format!(" {rule}") };
         let (si, remark) = PhysicalRange::read::<D>(argument, &self.text).map_err(wrong)?;
-        asker.remark(remark.as_slice());
+        client.remark(remark.as_slice());
         Ok(si)
     }
 }

@@ -11,7 +11,7 @@ use riffel_keys::{CaseError, question, say};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{Asker, Source};
+use super::{Client, Source};
 use crate::{AnswerError, Result};
 
 /// A case file with overrides, of which a question takes the whole or a part.
@@ -126,17 +126,17 @@ impl<T: OfCase> CaseSource<T> {
         self.set.is_empty() && real(path).is_some() && self.case.path().and_then(real) == real(path)
     }
 
-    /// The case; `asker` is told which file of a measured track it reads.
+    /// The case; `client` is told which file of a measured track it reads.
     ///
     /// # Errors
     /// [`AnswerError::Case`] with the key, the value and the rule.
-    pub fn read(&self, asker: &dyn Asker) -> Result<Arc<T>> {
+    pub fn read(&self, client: &dyn Client) -> Result<Arc<T>> {
         let case = match question::value(self.name()) {
             Some(case) => T::of(case, &self.set)?,
             None => self.case.value(|path| T::read(path, &self.set))?,
         };
         if let Some(file) = self.measurement(&case) {
-            asker.reads(&file);
+            client.reads(&file);
         }
         Ok(case)
     }
@@ -154,8 +154,8 @@ impl CaseSource {
     ///
     /// # Errors
     /// [`AnswerError::Option`] for a place that the bay does not have, and on a track that has no bay.
-    pub fn read_at(&self, position: Option<Quantity<Length>>, asker: &dyn Asker) -> Result<Arc<Case>> {
-        let case = self.read(asker)?;
+    pub fn read_at(&self, position: Option<Quantity<Length>>, client: &dyn Client) -> Result<Arc<Case>> {
+        let case = self.read(client)?;
         let Some(position) = position else {
             return Ok(case);
         };
@@ -179,7 +179,7 @@ impl From<Case> for CaseSource {
 
 impl<T> From<Arc<T>> for CaseSource<T> {
     fn from(case: Arc<T>) -> Self {
-        Self::new(Source::Given(case), Vec::new())
+        Self::new(Source::InMemory(case), Vec::new())
     }
 }
 

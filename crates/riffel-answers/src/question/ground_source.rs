@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
 use super::as_written::written;
-use super::{Asker, RecordLayout};
+use super::{Client, RecordLayout};
 use crate::{AnswerError, Result};
 
 /// A rail that will be ground, in place of the rail as it was measured.
@@ -36,8 +36,8 @@ impl GroundSource {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a rail that is not below the limit, [`AnswerError::Case`] with the file at fault.
-    pub fn read(&self, limit: &(LimitTable, LevelLimit), asker: &dyn Asker) -> Result<Option<GroundRail>> {
-        let ground = self.at_most(limit, asker)?;
+    pub fn read(&self, limit: &(LimitTable, LevelLimit), client: &dyn Client) -> Result<Option<GroundRail>> {
+        let ground = self.at_most(limit, client)?;
         match (&self.ground, &ground) {
             (Some(name), Some(rail)) if GroundRail::is_table(name) && rail.spectrum == *limit.1.spectrum() => {
                 let rule = "smoother than --limit, which is the same table: choose another limit, or --from-limit \"-6 dB\" to begin \
@@ -55,7 +55,7 @@ impl GroundSource {
     pub(crate) fn at_most(
         &self,
         (table, limit): &(LimitTable, LevelLimit),
-        asker: &dyn Asker,
+        client: &dyn Client,
     ) -> Result<Option<GroundRail>> {
         if let Some(decibels) = &self.from_limit {
             let below = GroundRail::below(&table.edition, limit, decibels);
@@ -65,7 +65,7 @@ impl GroundSource {
             return Ok(None);
         };
         if !GroundRail::is_table(name) {
-            let survey = RecordLayout::default().survey(Path::new(name), asker)?;
+            let survey = RecordLayout::default().survey(Path::new(name), client)?;
             let (latest, _) = survey.latest();
             return Ok(Some(GroundRail { spectrum: latest.mean(), words: Message::verbatim(name) }));
         }

@@ -5,8 +5,8 @@
 //! value is refused by the same sentence everywhere.
 
 mod as_written;
-mod asker;
 mod case_source;
+mod client;
 mod files;
 mod ground_source;
 mod key;
@@ -27,8 +27,8 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
 pub use as_written::AsWritten;
-pub use asker::{Asker, Nobody, Step};
 pub use case_source::{CaseSource, OfCase, covering};
+pub use client::{Client, Nobody, Step};
 pub use files::Files;
 pub use ground_source::GroundSource;
 pub use key::{Key, Kind, hold};
@@ -55,11 +55,11 @@ pub trait Question: DeserializeOwned + JsonSchema + 'static {
     /// Where the program writes the files of the answer.
     const FILES: Files = Files::Named;
 
-    /// The answer; `asker` is told how far it is and what is unusual about the question.
+    /// The answer; `client` is told how far it is and what is unusual about the question.
     ///
     /// # Errors
     /// [`AnswerError`] with the key or the file at fault.
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>>;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>>;
 }
 
 /// A question of any type, by its keys.
@@ -82,7 +82,7 @@ pub trait AnyQuestion: Sync {
     ///
     /// # Errors
     /// [`AnswerError::Question`] for a key that is unknown, missing or of the wrong kind; those of [`Question::ask`].
-    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>>;
+    fn answer(&self, keys: Map<String, Value>, client: &dyn Client) -> Result<Box<dyn Answer>>;
 }
 
 /// The question of a name, of the program or of the page.
@@ -186,8 +186,8 @@ impl<Q: Question> AnyQuestion for Of<Q> {
         })
     }
 
-    fn answer(&self, keys: Map<String, Value>, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn answer(&self, keys: Map<String, Value>, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let question = key::question::<Q>(self.keys(), keys)?;
-        question.ask(asker)
+        question.ask(client)
     }
 }

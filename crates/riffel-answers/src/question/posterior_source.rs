@@ -7,7 +7,7 @@ use riffel_keys::say;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{Asker, CaseSource};
+use super::{CaseSource, Client};
 use crate::{AnswerError, OverPosterior, PosteriorDraws, Result};
 
 /// The folder of a finished calibration.
@@ -24,13 +24,13 @@ impl PosteriorSource {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a calibration of another case, [`AnswerError::Case`] for one that is not finished.
-    pub fn draws(&self, case: &CaseSource, asker: &dyn Asker) -> Result<Option<PosteriorDraws>> {
+    pub fn draws(&self, case: &CaseSource, client: &dyn Client) -> Result<Option<PosteriorDraws>> {
         let Some(folder) = &self.posterior else {
             return Ok(None);
         };
         let (plan, chains) = finished_of(&|path| case.is_just(path), folder)?;
         let draws = PosteriorDraws::new(&plan, &chains)?;
-        asker.remark(&draws.remarks);
+        client.remark(&draws.remarks);
         Ok(Some(draws))
     }
 }
@@ -55,12 +55,12 @@ pub fn finished_of(is_case: &dyn Fn(&Path) -> bool, folder: &Path) -> Result<(Pl
 /// Errors of `answer`.
 pub fn over(
     draws: Option<&PosteriorDraws>,
-    asker: &dyn Asker,
+    client: &dyn Client,
     answer: impl FnOnce(&PosteriorDraws, &(dyn Fn(usize) + Sync)) -> Result<OverPosterior>,
 ) -> Result<Option<OverPosterior>> {
     let Some(draws) = draws else {
         return Ok(None);
     };
-    let step = asker.begin(say!(progress_draws_of_calibration), draws.count());
+    let step = client.begin(say!(progress_draws_of_calibration), draws.count());
     answer(draws, &step).map(Some)
 }

@@ -13,7 +13,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
 use super::source::called;
-use super::{Asker, Rule, Source};
+use super::{Client, Rule, Source};
 use crate::{AnswerError, Result};
 
 /// How files of roughness are laid out, and what is taken of them.
@@ -61,20 +61,20 @@ impl RecordLayout {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a step that is not above zero, [`AnswerError::Case`] with the file at fault.
-    pub fn read(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile> {
+    pub fn read(&self, path: &Path, client: &dyn Client) -> Result<RoughnessFile> {
         let Some(kept) = &self.kept else {
-            return self.read_anew(path, asker);
+            return self.read_anew(path, client);
         };
         let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(file) = kept.get(path) {
             return Ok(file.clone());
         }
-        let file = self.read_anew(path, asker)?;
+        let file = self.read_anew(path, client)?;
         kept.insert(path.to_owned(), file.clone());
         Ok(file)
     }
 
-    fn read_anew(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile> {
+    fn read_anew(&self, path: &Path, client: &dyn Client) -> Result<RoughnessFile> {
         if let Some(spacing) = self.spacing {
             positive("--spacing", spacing)?;
         }
@@ -87,7 +87,7 @@ impl RecordLayout {
         };
         let part = RecordPart { rail: self.rail.clone(), from: self.from, to: self.to };
         let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
-        let file = RoughnessFile::read(path, &layout, &asker.begin(say!(progress_reading), size));
+        let file = RoughnessFile::read(path, &layout, &client.begin(say!(progress_reading), size));
         Ok(file?.part(path, &part)?)
     }
 
@@ -95,13 +95,13 @@ impl RecordLayout {
     ///
     /// # Errors
     /// Errors of [`read`](Self::read), and [`AnswerError::Case`] where a profile has no spectrum.
-    pub fn survey(&self, path: &Path, asker: &dyn Asker) -> Result<Survey> {
-        Ok(Survey::of(called(path), self.read_growing(path, asker)?)?)
+    pub fn survey(&self, path: &Path, client: &dyn Client) -> Result<Survey> {
+        Ok(Survey::of(called(path), self.read_growing(path, client)?)?)
     }
 
     /// What grows of a rail: a file without single defects, unless they are kept.
-    fn read_growing(&self, path: &Path, asker: &dyn Asker) -> Result<RoughnessFile> {
-        Ok(self.growing(self.read(path, asker)?))
+    fn read_growing(&self, path: &Path, client: &dyn Client) -> Result<RoughnessFile> {
+        Ok(self.growing(self.read(path, client)?))
     }
 
     /// A file without single defects, unless they are kept.
@@ -114,15 +114,15 @@ impl RecordLayout {
 
     /// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
     /// standard input and is gone.
-    fn places_of_both(&self, earlier: &Path, later: &Path, asker: &dyn Asker) -> Result<Option<[Survey; 2]>> {
+    fn places_of_both(&self, earlier: &Path, later: &Path, client: &dyn Client) -> Result<Option<[Survey; 2]>> {
         if is_standard_input(earlier) || is_standard_input(later) {
             return Ok(None);
         }
-        let before = self.read_growing(earlier, asker)?;
+        let before = self.read_growing(earlier, client)?;
         if !matches!(before, RoughnessFile::Profile(_)) {
             return Ok(None);
         }
-        let now = self.read_growing(later, asker)?;
+        let now = self.read_growing(later, client)?;
         Ok(Survey::at_same_places((earlier, &before), (later, &now))?)
     }
 }
@@ -209,18 +209,18 @@ impl EarlierRecords {
         now: Option<&Path>,
         layout: &RecordLayout,
         choose: &[String],
-        asker: &dyn Asker,
+        client: &dyn Client,
     ) -> Result<History> {
         self.check()?;
         let chosen = |source: &Source<RoughnessFile>| {
-            let file = source.value(|path| layout.read(path, asker))?;
+            let file = source.value(|path| layout.read(path, client))?;
             let file = layout.growing(Arc::unwrap_or_clone(file));
             Ok(Survey::of(called(source.name()), file)?.choose(choose)?)
         };
         Ok(History {
             surveys: self.earlier.iter().map(chosen).collect::<Result<_>>()?,
             places: match (self.earlier.first().and_then(Source::path), now) {
-                (Some(before), Some(now)) => layout.places_of_both(before, now, asker)?,
+                (Some(before), Some(now)) => layout.places_of_both(before, now, client)?,
                 _ => None,
             },
             dates: self.dates.clone(),
@@ -237,14 +237,14 @@ impl EarlierRecords {
         now: Option<&Path>,
         layout: &RecordLayout,
         choose: &[String],
-        asker: &dyn Asker,
+        client: &dyn Client,
     ) -> Result<Survey> {
         if !self.earlier.is_empty() && self.dates.is_empty() {
             let rule = "given beside --earlier: the date of each record, that of now last";
             return Err(AnswerError::argument("--dates", "left out", rule));
         }
         let (survey, _) = survey.choose(choose)?.latest();
-        Ok(self.read(now, layout, choose, asker)?.before(survey, None))
+        Ok(self.read(now, layout, choose, client)?.before(survey, None))
     }
 }
 

@@ -14,7 +14,7 @@ pub enum Source<T> {
     /// To be read.
     File(PathBuf),
     /// In memory.
-    Given(Arc<T>),
+    InMemory(Arc<T>),
 }
 
 /// Name of what stands under a path: the path of its file, or its name in memory.
@@ -27,7 +27,7 @@ impl<T> Source<T> {
     pub fn path(&self) -> Option<&Path> {
         match self {
             Self::File(path) => Some(path),
-            Self::Given(_) => None,
+            Self::InMemory(_) => None,
         }
     }
 
@@ -45,14 +45,14 @@ impl<T: Send + Sync + 'static> Source<T> {
     pub fn value<E>(&self, read: impl FnOnce(&Path) -> Result<T, E>) -> Result<Arc<T>, E> {
         match self {
             Self::File(path) => question::value(path).map_or_else(|| read(path).map(Arc::new), Ok),
-            Self::Given(value) => Ok(value.clone()),
+            Self::InMemory(value) => Ok(value.clone()),
         }
     }
 }
 
 impl<T> From<T> for Source<T> {
     fn from(value: T) -> Self {
-        Self::Given(Arc::new(value))
+        Self::InMemory(Arc::new(value))
     }
 }
 
@@ -60,7 +60,7 @@ impl<T> Clone for Source<T> {
     fn clone(&self) -> Self {
         match self {
             Self::File(path) => Self::File(path.clone()),
-            Self::Given(value) => Self::Given(value.clone()),
+            Self::InMemory(value) => Self::InMemory(value.clone()),
         }
     }
 }

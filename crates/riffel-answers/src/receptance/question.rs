@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{MatrixAnswer, ReceptanceAnswer, ReceptanceCurves, ReceptanceRequest};
-use crate::question::{AsWritten, Asker, CaseSource, Question, Rule};
+use crate::question::{AsWritten, CaseSource, Client, Question, Rule};
 use crate::{Answer, AnswerError, Result};
 
 /// Receptance of track, wheel and contact over frequency.
@@ -62,18 +62,18 @@ impl From<Along> for Direction {
 
 impl ReceptanceQuestion {
     /// Speed of the load \[m/s\].
-    fn speed(&self, case: &Case, asker: &dyn Asker) -> Result<f64> {
+    fn speed(&self, case: &Case, client: &dyn Client) -> Result<f64> {
         match &self.speed {
-            Some(speed) => speed.within("--speed", asker),
+            Some(speed) => speed.within("--speed", client),
             None => Ok(case.speed.max()),
         }
     }
 
     /// The frequencies asked for \[Hz\]; where nothing is said, as many of the usual ones as a measurement has.
-    fn range(&self, track: &Track, asker: &dyn Asker) -> Result<Vec<f64>> {
+    fn range(&self, track: &Track, client: &dyn Client) -> Result<Vec<f64>> {
         let (usual_from, usual_to) = ReceptanceCurves::default_range(&*track.receptance);
         let end = |end: &Option<AsWritten<Frequency>>, argument, usual| match end {
-            Some(end) => end.within(argument, asker),
+            Some(end) => end.within(argument, client),
             None => Ok(usual),
         };
         let (from, to) = (end(&self.from, "--from", usual_from)?, end(&self.to, "--to", usual_to)?);
@@ -94,20 +94,20 @@ impl Question for ReceptanceQuestion {
         Rule::Excludes("frequencies", &["from", "to", "points"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let case = self.case.read_at(self.position, asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let case = self.case.read_at(self.position, client)?;
         if self.matrix {
-            let speed = self.speed(&case, asker)?;
+            let speed = self.speed(&case, client)?;
             let frequencies = match &self.frequencies[..] {
-                [] => self.range(&case.track, asker)?,
-                listed => AsWritten::all_within(listed, "--frequencies", asker)?,
+                [] => self.range(&case.track, client)?,
+                listed => AsWritten::all_within(listed, "--frequencies", client)?,
             };
             return Ok(Box::new(MatrixAnswer::new(&case, speed, frequencies)?));
         }
         let direction = self.direction.into();
         let track = case.track_in(direction)?;
-        let speed = self.speed(&case, asker)?;
-        let request = ReceptanceRequest { direction, speed, frequencies: self.range(&track, asker)? };
+        let speed = self.speed(&case, client)?;
+        let request = ReceptanceRequest { direction, speed, frequencies: self.range(&track, client)? };
         Ok(Box::new(ReceptanceAnswer::new(&case, request)?))
     }
 }

@@ -71,13 +71,13 @@ impl Working<'_> {
             return Ok(None);
         };
         let path = file.name();
-        let file = file.value(|path| asked.layout.read(path, self.asker))?;
+        let file = file.value(|path| asked.layout.read(path, self.client))?;
         // The diagnosis looks at the heights, which the statistics use up.
-        let diagnosis = case.map(|case| asked.diagnosis(case, path, &file, self.asker)).transpose()?;
+        let diagnosis = case.map(|case| asked.diagnosis(case, path, &file, self.client)).transpose()?;
         Ok(Some(match Arc::unwrap_or_clone(file) {
             RoughnessFile::Profile(profile) => {
                 choose_nothing(path, &asked.choose, asked.by.as_deref())?;
-                let strips = ProfileStrips::new(&profile, self.asker.language())?;
+                let strips = ProfileStrips::new(&profile, self.client.language())?;
                 let growing = asked.layout.growing(RoughnessFile::Profile(profile.clone()));
                 let survey = Survey::of(path, growing)?;
                 let before = Before::of_table(&survey);
@@ -88,7 +88,7 @@ impl Working<'_> {
                     block: block_of_strip(&profile),
                     grinding: GrindSettings::default(),
                 };
-                let answer = Box::new(ProfileAnswer::new(path, profile, limits, &request, self.asker)?);
+                let answer = Box::new(ProfileAnswer::new(path, profile, limits, &request, self.client)?);
                 let understood = answer.understood();
                 let roughness = MeasuredRoughness::Profile { strips, answer };
                 Measured { roughness, understood, date, survey, before, diagnosis }
@@ -121,7 +121,7 @@ impl Working<'_> {
     pub(super) fn before(&self, rail: Option<&Measured>, now: Option<&mut Now>) -> Result<Option<Before>> {
         let (question, asked) = (self.question, &self.question.rail);
         let path = question.roughness.as_ref().and_then(|file| file.path());
-        let history = asked.earlier.read(path, &asked.layout, &asked.choose, self.asker)?;
+        let history = asked.earlier.read(path, &asked.layout, &asked.choose, self.client)?;
         let before = match history.surveys.first() {
             Some(oldest) => {
                 let (survey, written) = oldest.clone().latest();
@@ -151,7 +151,7 @@ impl Working<'_> {
         before: &Before,
         now: &Now,
     ) -> Result<Result<WearReport, Message>> {
-        let step = self.asker.begin(say!(progress_fit), traffic.file.vehicle.len());
+        let step = self.client.begin(say!(progress_fit), traffic.file.vehicle.len());
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), &step)?;
         let by_date = || {
             let days = now.date?.since(before.date?).ok()?.get_days();

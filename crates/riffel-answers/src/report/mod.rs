@@ -224,7 +224,7 @@ fn outlooks(
         Err(why) => Outlook::left_out(say!(what_if), why),
     };
     let noise = match noise {
-        Ok(answer) => noise::heard(case, answer, language)?,
+        Ok(answer) => noise::outlook(case, answer, language)?,
         Err(why) => Outlook::left_out(say!(rolling_noise), why),
     };
     // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.

@@ -13,7 +13,7 @@ use crate::noise::{NoiseAnswer, at_least, name_of};
 const WORTH_SAYING: f64 = 1.0;
 
 /// What a train sounds like on the rail as it is, what would make it quieter, and what becomes of it.
-pub(super) fn heard(case: &Case, answer: &NoiseAnswer, language: Language) -> Result<Outlook, PlotError> {
+pub(super) fn outlook(case: &Case, answer: &NoiseAnswer, language: Language) -> Result<Outlook, PlotError> {
     let decibels = |level: Option<f64>| match level {
         Some(level) => at_least(level, answer.lower_bound_up_to_hz),
         None => say!(no_level),

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::working::Working;
 use super::{GENERATOR, Site};
 use crate::diagnose::DiagnosedRail;
-use crate::question::{Asker, EarlierRecords, Files, GroundSource, Question, RecordLayout, Rule, Source};
+use crate::question::{Client, EarlierRecords, Files, GroundSource, Question, RecordLayout, Rule, Source};
 use crate::{Answer, AnswerError, Existing, OwnText, Result};
 
 /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
@@ -142,8 +142,8 @@ impl Question for ReportQuestion {
     ];
     const FILES: Files = Files::Text;
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let page = Working::new(self, asker)?.page()?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let page = Working::new(self, client)?.page()?;
         Ok(Box::new(ReportAnswer { page, path: self.output.clone(), force: self.force }))
     }
 }

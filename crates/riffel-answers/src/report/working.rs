@@ -17,7 +17,7 @@ use crate::compare::{CompareAnswer, CompareQuestion};
 use crate::forecast::{ForecastQuestion, MeasuredSpectra, PosteriorForecast, TrackForecast, WearReport};
 use crate::map::{MapAnswer, growth_over};
 use crate::noise::{NoiseAnswer, NoiseQuestion};
-use crate::question::{Asker, CaseSource, PosteriorSource, finished_of, over};
+use crate::question::{CaseSource, Client, PosteriorSource, finished_of, over};
 use crate::{AnswerError, LineGrowth, PosteriorDraws, Result, fingerprint, level_limit};
 
 /// Months for which the level of a train is told ahead where no other time is asked for.
@@ -29,20 +29,20 @@ type Section<T> = Result<T, Message>;
 /// A question of a report with what all its answers go by.
 pub(super) struct Working<'a> {
     pub(super) question: &'a ReportQuestion,
-    pub(super) asker: &'a dyn Asker,
+    pub(super) client: &'a dyn Client,
     pub(super) limits: Vec<LimitTable>,
     /// The limit of levels that forecast and what-if go by: the one asked for, or the first of all.
     pub(super) level_limit: Option<String>,
 }
 
 /// A case with the overrides that it was read with.
-struct Given {
+struct CaseWithOverrides {
     source: CaseSource,
     case: Arc<Case>,
 }
 
 impl<'a> Working<'a> {
-    pub(super) fn new(question: &'a ReportQuestion, asker: &'a dyn Asker) -> Result<Self> {
+    pub(super) fn new(question: &'a ReportQuestion, client: &'a dyn Client) -> Result<Self> {
         let limits = LimitTable::named(&question.limit)?;
         let is_of_levels = |table: &LimitTable| matches!(table.limit, Limit::Levels(_));
         let first = limits.iter().position(is_of_levels);
@@ -50,13 +50,13 @@ impl<'a> Working<'a> {
         let level_limit = first.map(|place| question.limit.get(place).unwrap_or(&limits[place].name).clone());
         match question.needs_levels().filter(|_| level_limit.is_none()) {
             Some(option) => Err(question.without_levels(option)),
-            None => Ok(Self { question, asker, limits, level_limit }),
+            None => Ok(Self { question, client, limits, level_limit }),
         }
     }
 
     /// The page.
     pub(super) fn page(&self) -> Result<String> {
-        let (question, asker) = (self.question, self.asker);
+        let (question, client) = (self.question, self.client);
         let site = question.site.as_ref().map(|site| site.value(Site::read)).transpose()?.unwrap_or_default();
         let mut given = self.given(question.set.clone())?;
         let rail = self.measured(given.as_ref().map(|given| &*given.case))?;
@@ -91,7 +91,7 @@ impl<'a> Working<'a> {
         if let Some(given) = &given {
             if let Some(now) = &now {
                 forecast = self.outlook(given, now, wear)?;
-                noise = self.heard(given, now, draws.as_ref())?;
+                noise = self.noise_section(given, now, draws.as_ref())?;
             }
             compare = self.what_if(given, now.as_ref())?;
             if let Ok(forecast) = &mut forecast {
@@ -105,7 +105,7 @@ impl<'a> Working<'a> {
         let (rail, of_rail) = rail.map(Measured::apart).unzip();
         let (warnings, diagnosis) = of_rail.unwrap_or_default();
         report(ReportRequest {
-            language: asker.language(),
+            language: client.language(),
             title: question.title.as_deref(),
             site: &site,
             limits: &self.limits,
@@ -125,22 +125,22 @@ impl<'a> Working<'a> {
     }
 
     /// The case with some overrides, if there is one.
-    fn given(&self, set: Vec<String>) -> Result<Option<Given>> {
+    fn given(&self, set: Vec<String>) -> Result<Option<CaseWithOverrides>> {
         let Some(case) = &self.question.case else {
             return Ok(None);
         };
         let source = CaseSource::new(case.clone(), set);
-        Ok(Some(Given { case: source.read(self.asker)?, source }))
+        Ok(Some(CaseWithOverrides { case: source.read(self.client)?, source }))
     }
 
     /// The growth map of a case.
     fn growth_map(&self, case: &Case, draws: Option<&PosteriorDraws>) -> Result<MapAnswer> {
         case.check_window()?;
         let traffic = self.question.rail.traffic.as_ref().map(|traffic| traffic.value(Traffic::read)).transpose()?;
-        let step = self.asker.begin(say!(progress_growth_map), case.speed.points());
+        let step = self.client.begin(say!(progress_growth_map), case.speed.points());
         let mut map = MapAnswer::new(case, &step);
         drop(step);
-        map.over_posterior = over(draws, self.asker, growth_over)?;
+        map.over_posterior = over(draws, self.client, growth_over)?;
         if draws.is_none() {
             map.under_traffic = Some(LineGrowth::new(case, traffic.as_deref())?);
         }
@@ -160,7 +160,12 @@ impl<'a> Working<'a> {
     }
 
     /// What becomes of the rail; `wear` is the fit that the case goes by, or why there is none.
-    fn outlook(&self, given: &Given, now: &Now, wear: Option<Section<WearReport>>) -> Result<Section<TrackForecast>> {
+    fn outlook(
+        &self,
+        given: &CaseWithOverrides,
+        now: &Now,
+        wear: Option<Section<WearReport>>,
+    ) -> Result<Section<TrackForecast>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit.to_owned(),
             Err(why) => return Ok(Err(why)),
@@ -180,7 +185,7 @@ impl<'a> Working<'a> {
             months: self.question.months,
             date: now.date,
         };
-        let mut answer = asked.answer_on(&given.case, self.asker)?;
+        let mut answer = asked.answer_on(&given.case, self.client)?;
         match wear {
             Some(Ok(fit)) => answer.wear = Some(fit),
             Some(Err(why)) => answer.warnings.push(why),
@@ -190,7 +195,12 @@ impl<'a> Working<'a> {
     }
 
     /// What a coach sounds like on the rail at the mean speed of the traffic.
-    fn heard(&self, given: &Given, now: &Now, draws: Option<&PosteriorDraws>) -> Result<Section<NoiseAnswer>> {
+    fn noise_section(
+        &self,
+        given: &CaseWithOverrides,
+        now: &Now,
+        draws: Option<&PosteriorDraws>,
+    ) -> Result<Section<NoiseAnswer>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit,
             Err(why) => return Ok(Err(why)),
@@ -207,7 +217,7 @@ impl<'a> Working<'a> {
         if let (Some((option, value)), Some(why)) = (&asked, given.case.without_decay()) {
             return Err(AnswerError::argument(option, value, format!("left out: {why}")));
         }
-        match question.answer_over(draws, self.asker) {
+        match question.answer_over(draws, self.client) {
             Err(error) if asked.is_some() => Err(error),
             // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
             answer => Ok(answer.map_err(|error| error.message())),
@@ -215,7 +225,7 @@ impl<'a> Working<'a> {
     }
 
     /// What would help, with what is measured now if anything is.
-    fn what_if(&self, given: &Given, now: Option<&Now>) -> Result<Section<CompareAnswer>> {
+    fn what_if(&self, given: &CaseWithOverrides, now: Option<&Now>) -> Result<Section<CompareAnswer>> {
         let limit = match self.limit_of_levels() {
             Ok(limit) => limit,
             Err(why) => return Ok(Err(why)),
@@ -232,11 +242,11 @@ impl<'a> Working<'a> {
         question.hold = self.question.hold;
         question.spectrum = now.map(|now| now.survey.clone().into());
         question.ground = self.question.ground.clone();
-        Ok(Ok(question.answer_on(&given.case, self.asker)?))
+        Ok(Ok(question.answer_on(&given.case, self.client)?))
     }
 
     /// The files that the report is made of, with their fingerprints.
-    fn inputs(&self, given: Option<&Given>, rail: Option<&Measured>) -> Result<Inputs> {
+    fn inputs(&self, given: Option<&CaseWithOverrides>, rail: Option<&Measured>) -> Result<Inputs> {
         let mut inputs = Inputs::default();
         let (question, asked) = (self.question, &self.question.rail);
         let mut add = |role: Message, path: &Path, origin: Message| {
@@ -256,7 +266,7 @@ impl<'a> Working<'a> {
                 add(say!(input_earlier_record), earlier.name(), say!(input_of_the_same_rail))?;
             }
         }
-        if let Some(Given { source, case }) = given {
+        if let Some(CaseWithOverrides { source, case }) = given {
             let title = case.file.title.as_deref().map_or_else(|| say!(a_case), Message::verbatim);
             let words = match source.overrides() {
                 [] => title,

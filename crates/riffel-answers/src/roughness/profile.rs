@@ -20,7 +20,7 @@ use super::section_verdict::SectionVerdict;
 use super::verdict::{Verdict, worst_first};
 use super::words::name;
 use super::{figure, tables};
-use crate::question::Asker;
+use crate::question::Client;
 use crate::{Answer, AnswerError, Existing, OwnText, Result, Table};
 
 /// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
@@ -107,7 +107,7 @@ pub(crate) fn limit_levels(limits: &[LimitTable]) -> bool {
 }
 
 impl ProfileAnswer {
-    /// A profile held to limits; `path` is the one in errors, `asker` is told how far it is.
+    /// A profile held to limits; `path` is the one in errors, `client` is told how far it is.
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a longest wavelength that is too long for the record, or two tables of RMS
@@ -117,10 +117,10 @@ impl ProfileAnswer {
         mut record: Record,
         limits: &[LimitTable],
         request: &ProfileRequest,
-        asker: &dyn Asker,
+        client: &dyn Client,
     ) -> Result<Self> {
         check_longest(&record, request)?;
-        let step = asker.begin(say!(progress_roughness), Self::steps(&record));
+        let step = client.begin(say!(progress_roughness), Self::steps(&record));
         let mut settings = AnalysisSettings {
             window: request.window,
             block: request.block,

@@ -12,7 +12,7 @@ use serde_json::json;
 
 use super::synthesised::Synthesised;
 use super::{ProfileAnswer, ProfileRequest, SpectraAnswer};
-use crate::question::{Asker, Question, RecordLayout, Rule, Source, choose_nothing, of_keys, positive};
+use crate::question::{Client, Question, RecordLayout, Rule, Source, choose_nothing, of_keys, positive};
 use crate::{Answer, AnswerError, Result};
 
 /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
@@ -94,12 +94,12 @@ impl RoughnessQuestion {
         record: Record,
         limits: &[LimitTable],
         request: &ProfileRequest,
-        asker: &dyn Asker,
+        client: &dyn Client,
     ) -> Result<ProfileAnswer> {
         choose_nothing(path, &self.choose, self.by.as_deref())?;
         // A table that is none is told of before the work.
         let along = self.along.as_ref().map(|along| along.value(LinePlace::read)).transpose()?;
-        let mut answer = ProfileAnswer::new(path, record, limits, request, asker)?;
+        let mut answer = ProfileAnswer::new(path, record, limits, request, client)?;
         answer.save_format = self.save_format.clone();
         Ok(answer.beside(along.map(Arc::unwrap_or_clone).unwrap_or_default()))
     }
@@ -132,15 +132,15 @@ impl RoughnessQuestion {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the rule, [`AnswerError::Case`] with the file at fault.
-    pub(crate) fn measured(&self, asker: &dyn Asker) -> Result<Option<MeasuredAnswer>> {
+    pub(crate) fn measured(&self, client: &dyn Client) -> Result<Option<MeasuredAnswer>> {
         let Some(file) = &self.file else {
             return Ok(None);
         };
         let (request, limits) = (self.request()?, LimitTable::named(&self.limit)?);
-        let record = file.value(|path| self.layout.read(path, asker))?;
+        let record = file.value(|path| self.layout.read(path, client))?;
         Ok(Some(match Arc::unwrap_or_clone(record) {
             RoughnessFile::Profile(record) => {
-                MeasuredAnswer::Profile(Box::new(self.profile(file.name(), record, &limits, &request, asker)?))
+                MeasuredAnswer::Profile(Box::new(self.profile(file.name(), record, &limits, &request, client)?))
             }
             RoughnessFile::Spectra(spectra, warnings) => {
                 MeasuredAnswer::Spectra(Box::new(self.spectra(Survey::new(file.name(), spectra, warnings)?, &limits)?))
@@ -171,8 +171,8 @@ impl Question for RoughnessQuestion {
         Rule::Needs(RecordLayout::KEYS, &["file"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        Ok(match self.measured(asker)? {
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        Ok(match self.measured(client)? {
             Some(MeasuredAnswer::Profile(answer)) => answer,
             Some(MeasuredAnswer::Spectra(answer)) => answer,
             None => {

@@ -13,7 +13,7 @@ use riffel_plot::LineFigure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::question::{AsWritten, Asker, CaseSource, Question, Rule};
+use crate::question::{AsWritten, CaseSource, Client, Question, Rule};
 use crate::{Answer, AnswerError, Result, Table};
 
 /// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
@@ -39,20 +39,20 @@ impl Question for ShakedownQuestion {
     const RULES: &'static [Rule] =
         &[Rule::Needs(&["wavelength"], &["speed"]), Rule::Needs(&["speed", "amplitude"], &["wavelength"])];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        let case = self.case.read(asker)?;
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        let case = self.case.read(client)?;
         let mut covering = None;
         let wave = match (&self.wavelength, &self.speed) {
             (Some(wavelength), Some(speed)) => {
-                let wavelength = wavelength.within("--wavelength", asker)?;
-                let speed = speed.within("--speed", asker)?;
+                let wavelength = wavelength.within("--wavelength", client)?;
+                let speed = speed.within("--speed", client)?;
                 case.check_points([wavelength; 2], [speed; 2])?;
                 covering = Some(crate::question::covering(&case, wavelength, wavelength)?);
                 Some([wavelength, speed])
             }
             _ => None,
         };
-        let amplitude = self.amplitude.as_ref().map(|amplitude| amplitude.within("--amplitude", asker)).transpose()?;
+        let amplitude = self.amplitude.as_ref().map(|amplitude| amplitude.within("--amplitude", client)).transpose()?;
         let utilised_friction = self.utilised_friction.iter().map(Quantity::si).collect();
         let limits = ShakedownLimits { utilised_friction, wave, amplitude };
         Ok(Box::new(limits.answer(covering.as_ref().unwrap_or(&case))?))

@@ -7,7 +7,7 @@ use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
 
 use super::run::{March, model};
-use super::{Course, Extremes, Run, refused, remarks};
+use super::{ContactHistory, Extremes, Run, refused, remarks};
 use crate::{AnswerError, Result};
 
 /// A profile to roll over.
@@ -57,12 +57,12 @@ fn courses<S: Serializer>(run: &Run, serializer: S) -> Result<S::Ok, S::Error> {
         #[serde(flatten)]
         name: ContactName,
         #[serde(flatten)]
-        course: &'a Course,
+        course: &'a ContactHistory,
     }
     #[derive(Serialize)]
     struct Courses<'a> {
         #[serde(flatten)]
-        first: &'a Course,
+        first: &'a ContactHistory,
         #[serde(skip_serializing_if = "Vec::is_empty")]
         other_contacts: Vec<Other<'a>>,
     }
@@ -87,7 +87,7 @@ impl PassageAnswer {
         let along = case.feedback.contacts().iter().map(|contact| contact.along).skip(1);
         let courses = [(0.0, &passage.contacts)].into_iter().chain(along.zip(&passage.others));
         let courses = courses.map(|(along, instants)| course(profile, instants, along, !contacts.is_empty()));
-        let courses: Vec<Course> = courses.collect();
+        let courses: Vec<ContactHistory> = courses.collect();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         Ok(Self {
             speed_m_per_s: request.speed,
@@ -104,14 +104,14 @@ impl PassageAnswer {
 }
 
 /// What a contact does at the heights of a profile, so far \[m\] ahead of the first wheel.
-fn course(profile: &Profile, contacts: &[ContactInstant], along: f64, on_all_axes: bool) -> Course {
+fn course(profile: &Profile, contacts: &[ContactInstant], along: f64, on_all_axes: bool) -> ContactHistory {
     let (spacing, heights) = (profile.spacing(), profile.heights());
     let place = |index: usize| profile.position(index) + along;
     let height = |index: usize| {
         let nearest = (index as f64 + along / spacing).round();
         heights[(nearest.max(0.0) as usize).min(heights.len() - 1)]
     };
-    Course::new(
+    ContactHistory::new(
         (0..heights.len()).map(place).collect(),
         (0..heights.len()).map(height).collect(),
         contacts,

@@ -1,7 +1,7 @@
 //! A wheel of a case along a rail, in time.
 
 mod along_rail;
-mod course;
+mod contact_history;
 mod evolution;
 mod extremes;
 mod question;
@@ -12,7 +12,7 @@ mod sinusoid;
 mod smooth_rail;
 
 pub use along_rail::{PassageAnswer, PassageRequest};
-pub use course::Course;
+pub use contact_history::ContactHistory;
 pub use evolution::{EvolutionAnswer, EvolutionRequest, EvolutionRun, Surface};
 pub use extremes::Extremes;
 pub use question::SimulateQuestion;

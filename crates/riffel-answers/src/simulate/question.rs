@@ -16,7 +16,7 @@ use super::{
     EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, SmoothRailAnswer,
     Surface, rail, refused,
 };
-use crate::question::{AsWritten, Asker, CaseSource, Question, RecordLayout, Rule, Source, positive};
+use crate::question::{AsWritten, CaseSource, Client, Question, RecordLayout, Rule, Source, positive};
 use crate::{Answer, AnswerError, Result};
 
 /// Length of a rail that is made, where none is asked for \[m\].
@@ -89,10 +89,10 @@ impl TryFrom<String> for LengthPair {
 }
 
 impl LengthPair {
-    /// Amplitude and wavelength within their physical ranges; `asker` is told what is not usual.
-    fn sinusoid(&self, asker: &dyn Asker) -> Result<Sinusoid> {
+    /// Amplitude and wavelength within their physical ranges; `client` is told what is not usual.
+    fn sinusoid(&self, client: &dyn Client) -> Result<Sinusoid> {
         let read = |key, what, length: &AsWritten<Length>| {
-            length.within(key, asker).map_err(|error| match error {
+            length.within(key, client).map_err(|error| match error {
                 AnswerError::Range { message, .. } => {
                     AnswerError::Range { argument: "--sinusoid", message: format!(": {what}{message}") }
                 }
@@ -118,11 +118,11 @@ impl SimulateQuestion {
     ///
     /// # Errors
     /// [`AnswerError::Argument`] with the key at fault, [`AnswerError::Case`] with the key of the case or the file.
-    pub fn evolution(&self, asker: &dyn Asker) -> Result<Option<(EvolutionRun, u64)>> {
+    pub fn evolution(&self, client: &dyn Client) -> Result<Option<(EvolutionRun, u64)>> {
         let Some(passages) = self.passages else {
             return Ok(None);
         };
-        let (case, step) = (self.case.read(asker)?, self.step()?);
+        let (case, step) = (self.case.read(client)?, self.step()?);
         if passages.fract() != 0.0 || !(1.0..=MOST_PASSAGES).contains(&passages) {
             return Err(AnswerError::argument(
                 "--passages",
@@ -133,14 +133,14 @@ impl SimulateQuestion {
         let traffic = match &self.traffic {
             Some(traffic) => Traffic::clone(&*traffic.value(Traffic::read)?),
             None => {
-                let speed = SpeedDistribution::single(self.speed(asker)?);
+                let speed = SpeedDistribution::single(self.speed(client)?);
                 Traffic::of_case(speed.map_err(refused("--speed"))?)
             }
         };
-        asker.remark(traffic.remarks());
+        client.remark(traffic.remarks());
         let (surface, largest_step) = match &self.sinusoid {
             Some(sinusoid) => {
-                let sinusoid = sinusoid.sinusoid(asker)?;
+                let sinusoid = sinusoid.sinusoid(client)?;
                 let slowest = traffic.speeds().iter().map(|speeds| speeds.range().0);
                 let slowest = slowest.fold(f64::INFINITY, f64::min);
                 let step = SinusoidRequest::new(slowest, sinusoid, step)?.step();
@@ -148,7 +148,7 @@ impl SimulateQuestion {
             }
             None => {
                 let step = step.unwrap_or(PassageRequest::USUAL_STEP);
-                (self.surface(&case, step, asker)?, step)
+                (self.surface(&case, step, client)?, step)
             }
         };
         let request = EvolutionRequest { traffic, surface, largest_step, contact_filter: self.contact_filter };
@@ -156,9 +156,9 @@ impl SimulateQuestion {
     }
 
     /// Speed of the wheel \[m/s\].
-    fn speed(&self, asker: &dyn Asker) -> Result<f64> {
+    fn speed(&self, client: &dyn Client) -> Result<f64> {
         // The rules ask for it where there is no traffic, which is for passages.
-        self.speed.as_ref().map_or(Ok(f64::NAN), |speed| speed.within("--speed", asker))
+        self.speed.as_ref().map_or(Ok(f64::NAN), |speed| speed.within("--speed", client))
     }
 
     /// Longest step that is asked for \[m\].
@@ -175,10 +175,10 @@ impl SimulateQuestion {
     }
 
     /// The rail, whose heights lie no farther apart than a step \[m\] where they are made.
-    fn surface(&self, case: &Case, step: f64, asker: &dyn Asker) -> Result<Surface> {
+    fn surface(&self, case: &Case, step: f64, client: &dyn Client) -> Result<Surface> {
         let length = self.length.map(|length| positive("--length", length)).transpose()?;
         if let Some(path) = &self.profile {
-            return Ok(Surface::Record(rail::record(path, &self.layout, length, asker)?));
+            return Ok(Surface::Record(rail::record(path, &self.layout, length, client)?));
         }
         if let Some(length) = length.filter(|length| *length > MOST_LENGTH) {
             return Err(AnswerError::argument(
@@ -189,7 +189,7 @@ impl SimulateQuestion {
         }
         let length = length.unwrap_or(USUAL_LENGTH);
         let length = match case.track.support_spacing() {
-            Some(bay) if self.passages.is_some() => rail::whole_bays(length, bay, asker),
+            Some(bay) if self.passages.is_some() => rail::whole_bays(length, bay, client),
             _ => length,
         };
         if let Some(weld) = &self.weld {
@@ -197,7 +197,7 @@ impl SimulateQuestion {
         }
         // The rules ask for one of them.
         let name = self.spectrum.as_deref().unwrap_or_default();
-        Ok(Surface::Ring(rail::drawn((name, self.seed.unwrap_or(1)), case, [length, step], asker)?))
+        Ok(Surface::Ring(rail::drawn((name, self.seed.unwrap_or(1)), case, [length, step], client)?))
     }
 }
 
@@ -221,9 +221,9 @@ impl Question for SimulateQuestion {
         Rule::Needs(RecordLayout::KEYS, &["profile"]),
     ];
 
-    fn ask(&self, asker: &dyn Asker) -> Result<Box<dyn Answer>> {
-        if let Some((mut run, passages)) = self.evolution(asker)? {
-            let step = asker.begin(say!(progress_passages), passages as usize);
+    fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
+        if let Some((mut run, passages)) = self.evolution(client)? {
+            let step = client.begin(say!(progress_passages), passages as usize);
             loop {
                 let before = run.passages();
                 if let Some(answer) = run.go_on(passages)? {
@@ -232,18 +232,18 @@ impl Question for SimulateQuestion {
                 step((run.passages() - before) as usize);
             }
         }
-        let (case, step, speed) = (self.case.read(asker)?, self.step()?, self.speed(asker)?);
+        let (case, step, speed) = (self.case.read(client)?, self.step()?, self.speed(client)?);
         let contact_filter = self.contact_filter;
         if self.smooth {
             return Ok(Box::new(SmoothRailAnswer::new(&case, speed, step)?));
         }
         if let Some(sinusoid) = &self.sinusoid {
-            let request = SinusoidRequest::new(speed, sinusoid.sinusoid(asker)?, step)?;
+            let request = SinusoidRequest::new(speed, sinusoid.sinusoid(client)?, step)?;
             let request = SinusoidRequest { contact_filter, transient: self.transient, ..request };
             return Ok(Box::new(SinusoidAnswer::new(&case, request)?));
         }
         let largest_step = step.unwrap_or(PassageRequest::USUAL_STEP);
-        let profile = self.surface(&case, largest_step, asker)?.into_profile();
+        let profile = self.surface(&case, largest_step, client)?.into_profile();
         let request = PassageRequest { speed, profile, largest_step, contact_filter };
         Ok(Box::new(PassageAnswer::new(&case, request)?))
     }

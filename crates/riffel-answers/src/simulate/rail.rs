@@ -8,14 +8,14 @@ use riffel_keys::{CaseError, fixed, number, say};
 use riffel_rail::{GroundRail, LabelledSpectrum, RoughnessFile, Survey};
 
 use super::refused;
-use crate::question::{Asker, RecordLayout};
+use crate::question::{Client, RecordLayout};
 use crate::{AnswerError, Result};
 
 /// A length of whole bays, the next longer one.
-pub(super) fn whole_bays(length: f64, bay: f64, asker: &dyn Asker) -> f64 {
+pub(super) fn whole_bays(length: f64, bay: f64, client: &dyn Client) -> f64 {
     let whole = (length / bay - 1e-6).ceil() * bay;
     if (whole / length - 1.0).abs() > 1e-6 {
-        asker.say(say!(rail_of_whole_bays, length = fixed(whole, 3), bay = number(bay)));
+        client.say(say!(rail_of_whole_bays, length = fixed(whole, 3), bay = number(bay)));
     }
     whole
 }
@@ -25,11 +25,11 @@ pub(super) fn drawn(
     (name, seed): (&str, u64),
     case: &Case,
     [length, step]: [f64; 2],
-    asker: &dyn Asker,
+    client: &dyn Client,
 ) -> Result<Profile> {
     let spectrum = match GroundRail::is_table(name) {
         true => GroundRail::of_table(name)?.spectrum,
-        false => at_the_end(RecordLayout::default().survey(Path::new(name), asker)?, asker)?.mean(),
+        false => at_the_end(RecordLayout::default().survey(Path::new(name), client)?, client)?.mean(),
     };
     let patch = 2.0 * case.hertz.semi_axis_longitudinal();
     let longer = spectrum.levels().iter().filter(|level| level.band.wavelength_range().0 >= patch);
@@ -40,7 +40,7 @@ pub(super) fn drawn(
     })?;
     let left = spectrum.levels().len() - kept.levels().len();
     if left > 0 {
-        asker.say(say!(bands_below_patch_left_out, bands = number(left), length = fixed(1e3 * patch, 1)));
+        client.say(say!(bands_below_patch_left_out, bands = number(left), length = fixed(1e3 * patch, 1)));
     }
     let longest = kept.levels().last().map_or(0.0, |level| level.band.wavelength());
     kept.drawn(length, step, seed).map_err(|error| match error {
@@ -58,7 +58,7 @@ pub(super) fn drawn(
 }
 
 /// Of levels over passages, such as `bands.csv`, those after the most; of others all.
-fn at_the_end(levels: Survey, asker: &dyn Asker) -> Result<Survey, CaseError> {
+fn at_the_end(levels: Survey, client: &dyn Client) -> Result<Survey, CaseError> {
     const COLUMN: &str = "passages";
     let number = |label: &str| label.parse::<f64>().unwrap_or(f64::NEG_INFINITY);
     let stages = levels.records.iter().map(|record| record.label(COLUMN));
@@ -66,7 +66,7 @@ fn at_the_end(levels: Survey, asker: &dyn Asker) -> Result<Survey, CaseError> {
     let Some(last) = last.map(str::to_owned) else {
         return Ok(levels.latest().0);
     };
-    asker.say(say!(levels_after_passages_taken, passages = &last));
+    client.say(say!(levels_after_passages_taken, passages = &last));
     let mut choices = vec![format!("{COLUMN}={last}")];
     // Two columns of levels stand beside each other there, as of two rails.
     let is_own = |record: &LabelledSpectrum| record.label("rail") == Some("level_db");
@@ -82,9 +82,9 @@ pub(super) fn dipped(weld: Weld, [length, step]: [f64; 2]) -> Result<Profile> {
 }
 
 /// The profile of a file: one rail, its longest stretch without a gap.
-pub(super) fn record(path: &Path, layout: &RecordLayout, length: Option<f64>, asker: &dyn Asker) -> Result<Profile> {
+pub(super) fn record(path: &Path, layout: &RecordLayout, length: Option<f64>, client: &dyn Client) -> Result<Profile> {
     let refuse = |message: String| CaseError::data(path, message);
-    let RoughnessFile::Profile(record) = layout.read(path, asker)? else {
+    let RoughnessFile::Profile(record) = layout.read(path, client)? else {
         Err(refuse("the file is a table of levels, but a wheel rolls along a profile".to_owned()))?
     };
     let rail = match &record.rails[..] {
@@ -97,13 +97,13 @@ pub(super) fn record(path: &Path, layout: &RecordLayout, length: Option<f64>, as
     let longest = rail.stretches.iter().max_by(|one, other| one.length().total_cmp(&other.length()));
     let profile = longest.ok_or_else(|| refuse("the rail has no heights".to_owned()))?;
     if rail.stretches.len() > 1 {
-        asker.say(say!(
+        client.say(say!(
             longest_stretch_taken,
             stretches = number(rail.stretches.len()),
             start = fixed(profile.start(), 3)
         ));
     }
-    record.warnings.iter().for_each(|warning| asker.say(warning.clone()));
+    record.warnings.iter().for_each(|warning| client.say(warning.clone()));
     let Some(length) = length else {
         return Ok(profile.clone());
     };

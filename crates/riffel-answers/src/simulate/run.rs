@@ -7,7 +7,7 @@ use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
 use serde::Serialize;
 
-use super::Course;
+use super::ContactHistory;
 use crate::answer::titled;
 use crate::parameters::parameters_on_rail;
 use crate::{Answer, ResultFile, Table};
@@ -15,7 +15,7 @@ use crate::{Answer, ResultFile, Table};
 /// What every march of a case has, beside the numbers of its own.
 pub struct Run {
     /// Courses of all contacts in their order.
-    pub courses: Vec<Course>,
+    pub courses: Vec<ContactHistory>,
     /// Names of the contacts whose courses are told one by one; else empty.
     pub contacts: Vec<ContactName>,
     /// Remarks on the march itself.
@@ -44,7 +44,7 @@ impl Run {
     }
 
     /// Courses of the contacts after the first, by their names.
-    pub(super) fn others(&self) -> impl Iterator<Item = (ContactName, &Course)> {
+    pub(super) fn others(&self) -> impl Iterator<Item = (ContactName, &ContactHistory)> {
         self.contacts.iter().copied().zip(&self.courses).skip(1)
     }
 }
@@ -110,7 +110,7 @@ impl<M: March> Answer for M {
         LineFigure::new(
             title,
             format!("{about} {}", parameters_on_rail(case)),
-            courses.get(contact).map(Course::panels).unwrap_or_default(),
+            courses.get(contact).map(ContactHistory::panels).unwrap_or_default(),
         )
         .arranged(Arrangement::Strips)
     }

@@ -10,7 +10,7 @@ use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 
 use super::run::{March, model};
-use super::{Course, Extremes, Run, refused, remarks};
+use super::{ContactHistory, Extremes, Run, refused, remarks};
 use crate::number_alone;
 use crate::{AnswerError, Column, Result, Table};
 
@@ -246,12 +246,12 @@ impl SinusoidAnswer {
 }
 
 /// One wave under a contact, from crest to crest.
-fn course(profile: Sinusoid, settled: &Settled, on_all_axes: bool) -> Course {
+fn course(profile: Sinusoid, settled: &Settled, on_all_axes: bool) -> ContactHistory {
     let steps = settled.wave.len();
     let wave = settled.wave.iter().copied();
     let contacts: Vec<_> = std::iter::once(settled.crest).chain(wave).collect();
     let share = |step: usize| step as f64 / steps as f64;
-    Course::new(
+    ContactHistory::new(
         (0..=steps).map(|step| profile.wavelength * share(step)).collect(),
         (0..=steps).map(|step| profile.amplitude * (TAU * share(step)).cos()).collect(),
         &contacts,

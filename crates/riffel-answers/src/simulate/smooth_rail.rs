@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 
 use super::along_rail::check_step;
 use super::run::March;
-use super::{Course, Run, refused, remarks};
+use super::{ContactHistory, Run, refused, remarks};
 use crate::{AnswerError, Result, Rows, Table};
 
 /// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile; serialised, what
@@ -134,7 +134,7 @@ impl SmoothRailAnswer {
         let names = case.contact_names();
         let course = |course: &Vec<ContactInstant>| {
             let places = (0..course.len()).map(|index| index as f64 * motion.step);
-            Course::new(places.collect(), vec![0.0; course.len()], course, true)
+            ContactHistory::new(places.collect(), vec![0.0; course.len()], course, true)
         };
         Ok(Self {
             speed_m_per_s: speed,

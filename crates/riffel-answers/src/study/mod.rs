@@ -1,12 +1,12 @@
 //! What matters in a study, and how sure it is.
 
 mod computed;
+mod documents;
 mod figure;
 mod merged;
 mod question;
 mod statistics;
 mod tables;
-mod told;
 
 use riffel_keys::{Message, range, say};
 use riffel_plot::{BarFigure, LineFigure};
@@ -15,13 +15,13 @@ use riffel_study::sensitivity::{Bands, Intervals, SobolIndices, Tornado};
 use riffel_study::{ResultFolder, Study, StudyError, Variable};
 use serde::Serialize;
 
-use crate::{Answer, ResultFile, Told};
+use crate::{Answer, Printed, ResultFile};
 pub use computed::StudyAnswer;
 use computed::failures;
+use documents::{GrowthBands, ParameterEffect};
 pub use merged::MergeAnswer;
 pub use question::{MergeQuestion, Part, SensitivityQuestion, StudyQuestion};
 use statistics::four_figures;
-use told::{GrowthBands, ParameterEffect};
 
 /// The quantiles of the tornado.
 const TORNADO: [f64; 2] = [0.1, 0.9];
@@ -207,17 +207,17 @@ impl Answer for SensitivityAnswer {
         Vec::new()
     }
 
-    fn told(&self) -> Vec<Told> {
+    fn printed(&self) -> Vec<Printed> {
         let analyses = || self.analyses.iter();
         let indices = analyses().filter_map(|analysis| {
             let indices = analysis.indices.as_ref()?;
-            Some(Told::Table(tables::indices(self, analysis, indices)))
+            Some(Printed::Table(tables::indices(self, analysis, indices)))
         });
         let alone = analyses().flat_map(|analysis| {
             let middle = tables::at(analysis, &self.tornado.middle);
-            [Told::Table(tables::tornado(self, analysis)), Told::Line(say!(at_all_medians, value = middle))]
+            [Printed::Table(tables::tornado(self, analysis)), Printed::Line(say!(at_all_medians, value = middle))]
         });
-        self.introduction().into_iter().map(Told::Line).chain(indices).chain(alone).collect()
+        self.introduction().into_iter().map(Printed::Line).chain(indices).chain(alone).collect()
     }
 
     /// Growth against wavelength over the samples.

@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{MergeAnswer, SensitivityAnswer, SensitivityRequest};
-use crate::question::{Asker, Files, Question, Source};
+use crate::question::{Client, Files, Question, Source};
 use crate::{Answer, AnswerError, Result};
 
 /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
@@ -53,7 +53,7 @@ impl Question for StudyQuestion {
         A study that was stopped goes on with the same command: finished chunks are kept.";
     const FILES: Files = Files::Asked;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         Err(AnswerError::InFolder { question: Self::NAME })
     }
 }
@@ -74,7 +74,7 @@ impl Question for MergeQuestion {
     const EXAMPLE: &'static str = "Example: riffel study merge whole part-1 part-2 part-3";
     const FILES: Files = Files::None;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         let from: Vec<&Path> = self.from.iter().map(AsRef::as_ref).collect();
         let report = ResultFolder::merge(&self.into, &from)?;
         Ok(Box::new(MergeAnswer { report, into: self.into.clone() }))
@@ -104,7 +104,7 @@ impl Question for SensitivityQuestion {
     const EXAMPLE: &'static str = "Example: riffel study sensitivity study-results --result highest_growth_rate";
     const FILES: Files = Files::There;
 
-    fn ask(&self, _: &dyn Asker) -> Result<Box<dyn Answer>> {
+    fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         let (study, folder) = ResultFolder::open(&self.dir)?;
         let summary = folder.summary()?;
         if summary.chunks_finished < summary.chunks {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use riffel::cancel::run_while;
 use riffel::passage::Sinusoid;
-use riffel::wanted::run_while;
 use riffel_answers::LineGrowth;
 use riffel_answers::rail_damage::RailDamage;
 use riffel_answers::remedies::RemediesAnswer;

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Mutex;
 
-use riffel_answers::question::{Asker, Nobody, Step, named};
+use riffel_answers::question::{Client, Nobody, Step, named};
 use riffel_keys::Message;
 use serde_json::{Value, json};
 
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 #[derive(Default)]
 struct Watcher(Mutex<Vec<String>>);
 
-impl Asker for Watcher {
+impl Client for Watcher {
     fn begin(&self, work: Message, _: usize) -> Step<'_> {
         self.0.lock().unwrap().push(work.to_string());
         Box::new(|_| ())
@@ -22,9 +22,9 @@ impl Asker for Watcher {
     fn reads(&self, _: &Path) {}
 }
 
-fn answer(name: &str, question: &Value, asker: &dyn Asker) -> Value {
+fn answer(name: &str, question: &Value, client: &dyn Client) -> Value {
     let keys = question.as_object().unwrap().clone();
-    let answer = named(name).unwrap().answer(keys, asker).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let answer = named(name).unwrap().answer(keys, client).unwrap_or_else(|error| panic!("{name}: {error}"));
     serde_json::from_str(&answer.document()).unwrap()
 }
 

@@ -9,7 +9,7 @@ use riffel_case::Case;
 use riffel_keys::{CaseError, say};
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
-use super::{Block, Given, Group, Observable, Place, table};
+use super::{Block, Conditional, Group, Observable, Place, table};
 use crate::file::Kind;
 use crate::gaussian::Density;
 use crate::matrix::Matrix;
@@ -152,13 +152,13 @@ impl Block for DecayRates {
     }
 
     /// All bands, for they are independent; bounds have no share.
-    fn given_rest(&self, _all: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Given> {
+    fn given_rest(&self, _all: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Conditional> {
         let bands = (0..self.rate.len()).filter(|band| !self.upper_bound[*band]);
         let shares = bands.map(|band| {
             let beside = self.rate[band] - predicted[band];
             self.student.cdf(beside / self.scale(band, sizes))
         });
-        Some(Given { log_density: self.density(predicted, sizes)?.value, shares: shares.collect() })
+        Some(Conditional { log_density: self.density(predicted, sizes)?.value, shares: shares.collect() })
     }
 
     fn replicate(&self, predicted: &[f64], sizes: &[f64], random: &mut Xoshiro256PlusPlus) -> Option<Vec<f64>> {

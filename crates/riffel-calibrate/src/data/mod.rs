@@ -20,7 +20,7 @@ use riffel::forecast::LEAST_PASSAGES;
 use riffel_keys::{Message, say};
 use serde::Serialize;
 
-pub(crate) use crate::gaussian::Given;
+pub(crate) use crate::gaussian::Conditional;
 use crate::gaussian::{Density, Gaussian, given_others};
 use crate::matrix::Matrix;
 use crate::model::Trial;
@@ -94,7 +94,7 @@ pub(crate) trait Block: Send + Sync {
     }
 
     /// A group given the rest of the data; `None` if its density is beyond numbers.
-    fn given_rest(&self, group: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Given> {
+    fn given_rest(&self, group: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Conditional> {
         let residuals = differences(&self.observed(), predicted);
         let covariance = self.covariance(sizes, 1.0);
         let inverse = covariance.of_sums(&group.basis).cholesky()?.inverse_of_square();

@@ -16,7 +16,7 @@ use crate::rail_draw::{RailDraw, growing_bands};
 use crate::summary::SHARES;
 
 pub(crate) use worth::moments_of;
-use worth::{Told, worth_of_measurements, worth_of_values};
+use worth::{LinearDraws, worth_of_measurements, worth_of_values};
 
 /// The ranking of actions; costs are sums of a year.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -126,7 +126,7 @@ impl Months {
 
 /// Months from grinding to the limit, none beyond the horizon, and the highest level of a band above the limit when grinding comes
 /// \[dB\].
-type Course = (Option<f64>, f64);
+type GrindingOutcome = (Option<f64>, f64);
 
 impl Decision {
     /// Rank the actions of a plan over the draws of its chains.
@@ -174,7 +174,7 @@ impl Decision {
                 });
                 Ok((reached, highest))
             };
-            let of_draws: Result<Vec<Course>, String> = draws.par_iter().map(of_draw).collect();
+            let of_draws: Result<Vec<GrindingOutcome>, String> = draws.par_iter().map(of_draw).collect();
             courses.push(of_draws.map_err(|reason| {
                 let title = &action.title;
                 CalibrationError::Refused(format!(
@@ -196,7 +196,7 @@ impl Decision {
         let allowed: Vec<Vec<f64>> = allowed.map(|(_, costs)| costs.clone()).collect();
         let costs = if allowed.is_empty() { costs } else { allowed };
         let places: Vec<Vec<f64>> = draws.into_iter().map(|draw| draw.place).collect();
-        let told = Told::of(&places, &costs);
+        let told = LinearDraws::of(&places, &costs);
         let values = worth_of_values(plan, &places, &costs);
         Ok(Self {
             rise_db: choices.rise,
@@ -234,7 +234,7 @@ fn multiplied(plan: &Plan, action: &Action, values: &[f64]) -> Result<Vec<f64>, 
 
 impl Choices {
     /// How likely an action breaks what is asked.
-    fn breaks(&self, action: &Action, courses: &[Course], costs: &[f64]) -> Breaks {
+    fn breaks(&self, action: &Action, courses: &[GrindingOutcome], costs: &[f64]) -> Breaks {
         let share = |limit: Option<f64>, of: &dyn Fn(usize) -> f64| {
             let over = |limit: f64| (0..costs.len()).filter(|draw| of(*draw) > limit).count();
             limit.map(|limit| over(limit) as f64 / costs.len() as f64)
@@ -264,7 +264,7 @@ impl Choices {
     }
 }
 
-fn outcomes(choices: &Choices, courses: &[Vec<Course>], costs: &[Vec<f64>]) -> Vec<ActionOutcome> {
+fn outcomes(choices: &Choices, courses: &[Vec<GrindingOutcome>], costs: &[Vec<f64>]) -> Vec<ActionOutcome> {
     let draws = costs[0].len();
     let share = |is: &dyn Fn(usize) -> bool| (0..draws).filter(|draw| is(*draw)).count() as f64 / draws as f64;
     let quantiles = |values: &mut dyn Iterator<Item = f64>| {

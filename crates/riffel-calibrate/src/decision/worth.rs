@@ -9,7 +9,7 @@ use crate::plan::Plan;
 use crate::plan::decision::{Choices, Planned, PlannedData};
 
 /// Mean, covariance and costs of draws, linear in the parameters.
-pub(super) struct Told {
+pub(super) struct LinearDraws {
     place: Vec<f64>,
     covariance: Matrix,
     means: Vec<f64>,
@@ -17,7 +17,7 @@ pub(super) struct Told {
     slopes: Vec<Vec<f64>>,
 }
 
-impl Told {
+impl LinearDraws {
     pub(super) fn of(places: &[Vec<f64>], costs: &[Vec<f64>]) -> Self {
         let (place, covariance) = moments_of(places);
         let columns: Vec<Vec<f64>> =
@@ -99,7 +99,7 @@ fn fit(columns: &[Vec<f64>], values: &[f64]) -> Option<Vec<f64>> {
 pub(super) fn worth_of_measurements(
     plan: &Plan,
     choices: &Choices,
-    told: &Told,
+    told: &LinearDraws,
     values: &[Worth],
 ) -> Result<Vec<Worth>, CalibrationError> {
     let before = inverse(&told.covariance);

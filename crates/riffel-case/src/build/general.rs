@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use riffel::contact::{Conformity, CreepLaw, MeanState, MovingContact, OscillatingCreepages};
-use riffel::feedback::{Contact, Hubs};
+use riffel::feedback::{Contact, NormalDirection};
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
 };
@@ -130,7 +130,7 @@ impl CheckedKeys {
                 say!(choose_wheelset_model_rigid_or_flexible),
             ));
         };
-        Ok(feedback.with_normal_direction(Hubs::OfWheelsets(hubs)))
+        Ok(feedback.with_normal_direction(NormalDirection::OfWheelsets(hubs)))
     }
 
     /// The contact of the first wheel with one rail, which is under study or not.

@@ -13,7 +13,7 @@ use riffel_keys::{CaseError, Message, fixed, say};
 use std::sync::Arc;
 
 use riffel::contact::{CreepLaw, MeanRolling};
-use riffel::feedback::{Hubs, OneWheel};
+use riffel::feedback::{NormalDirection, OneWheel};
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
@@ -226,6 +226,6 @@ impl CheckedKeys {
         }
         let mass = self.required("wheel.mass", self.file.wheel.mass)?;
         let hub = self.physics("wheel.mass", RigidMass::new(mass.si()))?;
-        Ok(feedback.with_normal_direction(Hubs::Lone(Arc::new(hub))))
+        Ok(feedback.with_normal_direction(NormalDirection::Lone(Arc::new(hub))))
     }
 }

@@ -25,7 +25,7 @@ use crate::curve::{CurvingCase, SharedProfiles};
 use crate::file::setting::Setting;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::keys::checked_keys::CheckedKeys;
-use crate::keys::substitutes::{GivenReceptance, Substitutes};
+use crate::keys::substitutes::{SubstituteReceptance, Substitutes};
 use crate::parts::measurement;
 use crate::parts::shared::Shared;
 use crate::parts::track::Track;
@@ -211,7 +211,7 @@ impl Case {
     ///
     /// # Errors
     /// [`CaseError`] as of [`with`](Self::with).
-    pub fn with_track(&self, track: GivenReceptance) -> Result<Self, CaseError> {
+    pub fn with_track(&self, track: SubstituteReceptance) -> Result<Self, CaseError> {
         let mut keys = self.keys.clone();
         keys.given.track = Some(track);
         Self::of_keys(keys, self.unfilled.clone())
@@ -222,7 +222,7 @@ impl Case {
     ///
     /// # Errors
     /// [`CaseError`] as of [`with`](Self::with).
-    pub fn with_wheel(&self, wheel: GivenReceptance) -> Result<Self, CaseError> {
+    pub fn with_wheel(&self, wheel: SubstituteReceptance) -> Result<Self, CaseError> {
         let mut keys = self.keys.clone();
         keys.given.wheel = Some(wheel);
         Self::of_keys(keys, self.unfilled.clone())

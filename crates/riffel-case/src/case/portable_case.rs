@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use riffel_keys::{CaseError, KeyFile};
 
 use crate::case::Case;
-use crate::keys::substitutes::{GivenReceptance, Substitutes};
+use crate::keys::substitutes::{SubstituteReceptance, Substitutes};
 use crate::parts::window::Window;
 use crate::text::case_text::CaseText;
 
@@ -51,8 +51,8 @@ impl Case {
     /// [`CaseError`] as of [`parse`](Self::parse).
     pub fn restore(
         portable: &PortableCase,
-        track: Option<GivenReceptance>,
-        wheel: Option<GivenReceptance>,
+        track: Option<SubstituteReceptance>,
+        wheel: Option<SubstituteReceptance>,
     ) -> Result<Self, CaseError> {
         let PortableCase { name, text, keys, overrides, .. } = portable;
         Self::of_text(

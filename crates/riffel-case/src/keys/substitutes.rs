@@ -17,14 +17,14 @@ use crate::parts::wheelset::BuiltWheelset;
 /// A vertical receptance that takes the place of the model of the case: a finite-element track, a flexible
 /// wheelset, a measurement in memory.
 #[derive(Clone)]
-pub struct GivenReceptance {
+pub struct SubstituteReceptance {
     pub(crate) receptance: Arc<dyn Receptance>,
     /// Table of the receptance, if it is one.
     pub(crate) table: Option<Arc<MeasuredReceptance>>,
     pub(crate) remarks: Vec<Message>,
 }
 
-impl GivenReceptance {
+impl SubstituteReceptance {
     /// Any receptance \[m/N\], time factor exp(+iωt), downward.
     pub fn new(receptance: Arc<dyn Receptance>) -> Self {
         Self { receptance, table: None, remarks: Vec::new() }
@@ -78,9 +78,9 @@ impl GivenReceptance {
 #[derive(Clone, Default)]
 pub(crate) struct Substitutes {
     /// In place of the model of the track.
-    pub(crate) track: Option<GivenReceptance>,
+    pub(crate) track: Option<SubstituteReceptance>,
     /// In place of the wheel.
-    pub(crate) wheel: Option<GivenReceptance>,
+    pub(crate) wheel: Option<SubstituteReceptance>,
     /// The wear coefficient \[kg/J\] that gives the wear measured, where that is still what the case has.
     pub(crate) wear: Option<(MeasuredWear, f64)>,
     /// In place of that of the curve of the case.

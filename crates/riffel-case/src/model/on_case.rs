@@ -18,7 +18,7 @@ use super::joints::{ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, Track
 use crate::Case;
 use crate::file::CreepLawName;
 use crate::file::{Rotation, Support, TrackModel, Wheelset, WheelsetModel};
-use crate::keys::substitutes::{GivenReceptance, Substitutes};
+use crate::keys::substitutes::{SubstituteReceptance, Substitutes};
 use crate::parts::window::Window;
 use crate::text::case_text::{CaseText, REPLACED_BY_WHEELSET};
 
@@ -203,7 +203,7 @@ impl ModelKeys<'_> {
                 }
             }
             TrackJoint::Rigid => {
-                let ground = GivenReceptance::new(std::sync::Arc::new(RigidGround));
+                let ground = SubstituteReceptance::new(std::sync::Arc::new(RigidGround));
                 self.given.track = Some(ground);
             }
         }
@@ -267,7 +267,7 @@ impl ModelKeys<'_> {
                 let load = self.case.file.contact.normal_load.si();
                 let sprung = SprungMass::new(load / GRAVITY - mass, stiffness, damping)
                     .map_err(|error| NotOnCase(error.to_string()))?;
-                let sprung = GivenReceptance::new(std::sync::Arc::new(sprung));
+                let sprung = SubstituteReceptance::new(std::sync::Arc::new(sprung));
                 self.given.wheel = Some(sprung);
                 self.set("wheel.rotation", "constant-creepage")?;
             }

@@ -7,7 +7,7 @@ use riffel::forecast::{TrafficGrowth, VehicleGrowth, band_lines};
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, fixed, say};
 
-use super::wheels_of_vehicle::{Asked, KeptWheels};
+use super::wheels_of_vehicle::{KeptWheels, VehicleRequest};
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, bands_of, reported_growth, vehicle_in_words};
 use crate::{Case, Hold, Variant};
 
@@ -175,7 +175,8 @@ impl Traffic {
         variant: &Variant,
     ) -> Result<VehicleOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
-        let asked = Asked { kept, traffic: self, index, case, lines: &band_lines(bands), variant, speeds: None };
+        let asked =
+            VehicleRequest { kept, traffic: self, index, case, lines: &band_lines(bands), variant, speeds: None };
         let on_case = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let at = format!("vehicle[{index}]");

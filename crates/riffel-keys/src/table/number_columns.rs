@@ -77,7 +77,7 @@ impl NumberRows {
 
 /// What a cell is read for.
 #[derive(Debug, Clone, Copy)]
-enum Wanted {
+enum CellUse {
     /// The number of a column.
     Number(usize),
     /// The seconds of a column of times of day.
@@ -92,7 +92,7 @@ pub struct NumberColumns {
     delimiter: Delimiter,
     decimal: DecimalMark,
     /// For each cell of a row up to the last that is wanted.
-    wanted: Vec<Wanted>,
+    wanted: Vec<CellUse>,
     columns: usize,
     /// Cells of a row that must be there.
     count: usize,
@@ -111,12 +111,12 @@ impl NumberColumns {
         text_behind: bool,
     ) -> Self {
         let last = columns.iter().chain(labels).max();
-        let mut wanted = vec![Wanted::Nothing; last.map_or(0, |last| last + 1)];
+        let mut wanted = vec![CellUse::Nothing; last.map_or(0, |last| last + 1)];
         for &label in labels {
-            wanted[label] = Wanted::Label;
+            wanted[label] = CellUse::Label;
         }
         for (number, &column) in columns.iter().enumerate() {
-            wanted[column] = Wanted::Number(number);
+            wanted[column] = CellUse::Number(number);
         }
         Self { delimiter, decimal, count: count.max(wanted.len()), wanted, columns: columns.len(), text_behind }
     }
@@ -125,9 +125,9 @@ impl NumberColumns {
     #[must_use]
     pub fn with_clock(mut self, place: usize) -> Self {
         if let Some(wanted) = self.wanted.get_mut(place)
-            && let Wanted::Number(column) = *wanted
+            && let CellUse::Number(column) = *wanted
         {
-            *wanted = Wanted::Clock(column);
+            *wanted = CellUse::Clock(column);
         }
         self
     }
@@ -231,7 +231,7 @@ impl NumberColumns {
         let mut cell = 0;
         loop {
             match self.wanted.get(cell) {
-                Some(Wanted::Number(column)) => {
+                Some(CellUse::Number(column)) => {
                     let (value, length) = match plain(rest, decimal) {
                         Some((value, length)) if self.ends(rest, length) => (value, length),
                         _ => {
@@ -244,14 +244,14 @@ impl NumberColumns {
                     row[*column] = value;
                     rest = &rest[length..];
                 }
-                Some(Wanted::Clock(column)) => {
+                Some(CellUse::Clock(column)) => {
                     let (text, behind) = rest.split_at(self.cell_length(rest));
                     row[*column] = clock(text).ok_or_else(|| self.no_number(cell, text))?;
                     rest = behind;
                 }
                 wanted => {
                     let (text, behind) = rest.split_at(self.cell_length(rest));
-                    if matches!(wanted, Some(Wanted::Label)) {
+                    if matches!(wanted, Some(CellUse::Label)) {
                         labels.push(text);
                     }
                     rest = behind;

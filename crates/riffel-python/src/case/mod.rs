@@ -24,8 +24,8 @@ use riffel_case::{CaseContact, DrawnSupports};
 use crate::array::owned;
 use crate::document::{document, sentences};
 use crate::errors::{of_case, wrong};
-use crate::given::{self, CallableReceptance};
 use crate::interrupt::{interruptible, interruptible_while};
+use crate::receptance_arg::{self, CallableReceptance};
 use crate::tables;
 use points::{Column, columns};
 use ridge::over_speed;
@@ -122,7 +122,7 @@ impl Case {
         let mut extract = |given: Option<&Bound<'_, PyAny>>, what| {
             let (receptance, callable) = match given {
                 Some(given) => {
-                    let (receptance, callable) = given::extract(given, what)?;
+                    let (receptance, callable) = receptance_arg::extract(given, what)?;
                     (Some(receptance), callable)
                 }
                 None => (None, None),

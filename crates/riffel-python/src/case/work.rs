@@ -10,8 +10,8 @@ use riffel_keys::CaseError;
 use super::Case;
 use crate::array::owned;
 use crate::errors::{of_case, of_physics};
-use crate::given::{self, CallableReceptance};
 use crate::interrupt::interruptible;
+use crate::receptance_arg::{self, CallableReceptance};
 
 /// The first failure of callables. Those of all are taken, so that none is left for the next computation.
 fn take_failure(callables: &[Arc<CallableReceptance>]) -> Option<PyErr> {
@@ -87,9 +87,9 @@ impl Case {
         py: Python<'_>,
         given: &Bound<'_, PyAny>,
         what: &'static str,
-        put: fn(&riffel_case::Case, riffel_case::GivenReceptance) -> Result<riffel_case::Case, CaseError>,
+        put: fn(&riffel_case::Case, riffel_case::SubstituteReceptance) -> Result<riffel_case::Case, CaseError>,
     ) -> PyResult<Self> {
-        let (receptance, callable) = given::extract(given, what)?;
+        let (receptance, callable) = receptance_arg::extract(given, what)?;
         let mut callables: Vec<_> = self.callables.iter().filter(|callable| !callable.is_of(what)).cloned().collect();
         callables.extend(callable);
         let case = self.case.clone();

@@ -4,7 +4,7 @@ mod profiles;
 mod tables;
 
 use jiff::civil::Date;
-use riffel::diagnosis::{Course, DominantWavelength, FineSpectrum, Place, TimeUnit};
+use riffel::diagnosis::{DominantWavelength, FineSpectrum, LevelTrend, Place, TimeUnit};
 use riffel::roughness::{RailDefect, Spectrum};
 use riffel_keys::{CaseError, Message};
 
@@ -26,7 +26,7 @@ pub struct Measured {
     /// Whether it fell as by grinding and stands out of no record since: it tells of the rail before.
     pub gone: bool,
     /// Its levels in time, where there are two records or more.
-    pub course: Option<Course>,
+    pub course: Option<LevelTrend>,
     /// Levels in time on mean energies, if the levels are means of several spectra.
     pub energy_levels: Option<Vec<f64>>,
     /// Level of every rail at the first place, or in the record where the wavelength stands out most, where there are

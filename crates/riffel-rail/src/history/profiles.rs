@@ -1,7 +1,7 @@
 //! Records of heights.
 
 use jiff::civil::Date;
-use riffel::diagnosis::{CleanRail, Course, CoursePoint, FineSpectrum, LocatedWavelength, WINDOW};
+use riffel::diagnosis::{CleanRail, FineSpectrum, LevelTrend, LocatedWavelength, TrendPoint, WINDOW};
 use riffel_keys::{CaseError, Message, fixed, number, say};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, dates, times};
@@ -48,7 +48,7 @@ pub(super) fn history(
         levels.extend(level.map(|level| (earlier.len(), level)));
     }
     let measured = found.all().zip(points).map(|((index, one), levels)| {
-        let points = levels.into_iter().map(|(record, (level, scatter))| CoursePoint {
+        let points = levels.into_iter().map(|(record, (level, scatter))| TrendPoint {
             label: labels[record].clone(),
             time: times[record],
             level,
@@ -63,7 +63,7 @@ pub(super) fn history(
             all_along: one.all_along,
             gone: false,
             peak: one.peak.clone(),
-            course: Course::new(points.collect(), unit).ok(),
+            course: LevelTrend::new(points.collect(), unit).ok(),
             energy_levels: None,
             rails: if rails.len() > 1 { levels.collect() } else { Vec::new() },
         }

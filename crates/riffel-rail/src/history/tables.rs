@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use jiff::civil::Date;
-use riffel::diagnosis::{Course, CoursePoint, DominantWavelength, TimeUnit, dominant_levels};
+use riffel::diagnosis::{DominantWavelength, LevelTrend, TimeUnit, TrendPoint, dominant_levels};
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_keys::{CaseError, Message, number, say};
 
@@ -124,10 +124,10 @@ impl Group {
     }
 
     /// The point of this record in the course of a band.
-    fn point(&self, band: ThirdOctave) -> Option<CoursePoint> {
+    fn point(&self, band: ThirdOctave) -> Option<TrendPoint> {
         let spectra = self.spectra.iter();
         let levels: Vec<f64> = spectra.filter_map(|spectrum| spectrum.level(band)).collect();
-        Some(CoursePoint {
+        Some(TrendPoint {
             label: self.name.clone(),
             time: self.time,
             level: self.level(band)?,
@@ -149,7 +149,7 @@ struct Peak {
     /// In the record where it stands out most: of those since it was ground, if it stands out of any.
     wave: DominantWavelength,
     record: String,
-    course: Option<Course>,
+    course: Option<LevelTrend>,
     /// Whether it stands out of none since it was ground.
     gone: bool,
 }
@@ -169,7 +169,7 @@ impl RailTable {
             }
             let band = ThirdOctave::containing(first.wavelength).ok();
             let points = groups.iter().filter_map(|group| group.point(band?));
-            let course = Course::new(points.collect(), unit).ok();
+            let course = LevelTrend::new(points.collect(), unit).ok();
             let since = course.as_ref().map(|course| course.on_line()[0].time);
             let mut own = (found.iter()).filter(|(peak, _)| peak.wavelength == first.wavelength);
             let most = own.clone().find(|(_, group)| since.is_none_or(|since| group.time >= since));

@@ -18,7 +18,7 @@ use serde_json::{Map, Value};
 
 use crate::Page;
 use crate::fault::{Fault, Refusal, file_is_gone};
-use crate::request::{AskedJson, Asker};
+use crate::request::{ClientId, JsonBytes};
 use crate::uploads::{Sent, Uploads};
 use crate::workspace::Workspace;
 
@@ -40,16 +40,16 @@ enum FileOfPage {
 pub(crate) async fn post(
     State(page): State<Page>,
     Path(name): Path<String>,
-    asker: Asker,
+    client: ClientId,
     headers: HeaderMap,
-    AskedJson(json): AskedJson,
+    JsonBytes(json): JsonBytes,
 ) -> Result<impl IntoResponse, Refusal> {
     let question = known(&name).map_err(Fault::from)?;
     let keys = of_json(&json).map_err(Fault::bad)?;
     let language = headers.get(header::ACCEPT_LANGUAGE).and_then(|code| code.to_str().ok());
     let language = Language::ALL.iter().find(|one| Some(one.code()) == language).copied().unwrap_or_default();
-    let sent = asker.owner().and_then(|owner| page.uploads.of(&owner)).ok();
-    let subject = asker.subject(&name).filter(|_| name != OF_EACH_FILE);
+    let sent = client.owner().and_then(|owner| page.uploads.of(&owner)).ok();
+    let subject = client.subject(&name).filter(|_| name != OF_EACH_FILE);
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
     // A file that is removed while the question waits still stands in it.
     let own = sent.clone();

@@ -9,11 +9,11 @@ use serde_json::{Value, json};
 use super::decision::DECISION_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
+use crate::json_with_messages::JsonWithMessages;
 use crate::plan_changes::PlanChanges;
 use crate::program::Program;
-use crate::queue::Wanted;
-use crate::request::{Asked, Asker};
-use crate::told::Told;
+use crate::queue::CancelToken;
+use crate::request::{ClientId, Json};
 use crate::uploads::{Drawn, Sent};
 use crate::workspace::Workspace;
 
@@ -48,7 +48,7 @@ pub(crate) struct Question {
 
 impl Question {
     /// Case, traffic, data and plan in a folder of their own; and what the program says of the plan.
-    fn put(&self, own: &Sent, program: &Program, wanted: &Wanted) -> Result<(Workspace, Value), Fault> {
+    fn put(&self, own: &Sent, program: &Program, wanted: &CancelToken) -> Result<(Workspace, Value), Fault> {
         // They are checked here, and open no file.
         self.case.read()?;
         let traffic = self.traffic.toml()?;
@@ -72,10 +72,10 @@ impl Question {
 
 pub(crate) async fn plan(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Told<Value>, Refusal> {
-    let own = page.uploads.of(&asker.owner()?)?;
+    client: ClientId,
+    Json(question): Json<Question>,
+) -> Result<JsonWithMessages<Value>, Refusal> {
+    let own = page.uploads.of(&client.owner()?)?;
     let program = page.program.clone();
     page.queue
         // Plans of single files and of all are asked for side by side: none takes the place of another.
@@ -84,26 +84,26 @@ pub(crate) async fn plan(
             for (key, file) in [("case", CASE_FILE), ("traffic", TRAFFIC_FILE)] {
                 plan[key] = files.read(file)?.into();
             }
-            Ok(Told(plan))
+            Ok(JsonWithMessages(plan))
         })
         .await
 }
 
 pub(crate) async fn post(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Told<Value>, Refusal> {
-    let own = page.uploads.of(&asker.owner()?)?;
+    client: ClientId,
+    Json(question): Json<Question>,
+) -> Result<JsonWithMessages<Value>, Refusal> {
+    let own = page.uploads.of(&client.owner()?)?;
     let program = page.program.clone();
     page.chains
-        .run(asker.subject("calibration"), move |wanted| {
+        .run(client.subject("calibration"), move |wanted| {
             let (files, plan) = question.put(&own, &program, wanted)?;
             let asked = json!({ "plan": PLAN_FILE, "output": POSTERIOR });
             let answer = program.ask(files.path(), "calibrate", &asked, wanted)?;
             let plan = plan["text"].as_str().unwrap_or_default().to_owned();
             own.keep(Drawn { files, plan });
-            Ok(Told(answer))
+            Ok(JsonWithMessages(answer))
         })
         .await
 }
@@ -112,7 +112,7 @@ pub(crate) async fn post(
 ///
 /// Growth holds the wear coefficient with friction, tractive ratio and the share of driven wheels as one product: these are left
 /// out, and the wear coefficient tells the product.
-pub(crate) async fn example() -> Told<Value> {
+pub(crate) async fn example() -> JsonWithMessages<Value> {
     const LEFT_OUT: [&str; 6] = [
         "vehicle.traction_share",
         "vehicle.tractive_ratio",
@@ -133,7 +133,7 @@ pub(crate) async fn example() -> Told<Value> {
     traffic["passages_per_day"] = 6000.into();
     traffic["months"] = 24.into();
     traffic["vehicles"] = json!([vehicle]);
-    Told(json!({
+    JsonWithMessages(json!({
         "case": include_str!("../../example/case.toml"),
         "traffic": traffic,
         "data": [{ "name": "roughness.csv", "text": include_str!("../../example/roughness.csv") }],

@@ -14,8 +14,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::Page;
 use crate::fault::{Fault, Refusal};
-use crate::request::{Asked, Asker};
-use crate::told::Told;
+use crate::json_with_messages::JsonWithMessages;
+use crate::request::{ClientId, Json};
 
 /// What errors call the case of a question.
 pub(super) const NAME: &str = "the curve of the page";
@@ -86,15 +86,15 @@ impl Question {
 
 pub(crate) async fn post(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Told<Answer>, Refusal> {
+    client: ClientId,
+    Json(question): Json<Question>,
+) -> Result<JsonWithMessages<Answer>, Refusal> {
     question.check()?;
-    page.queue.run(asker.subject("curve"), move |_| with_texts(question.texts(), || question.answer())).await
+    page.queue.run(client.subject("curve"), move |_| with_texts(question.texts(), || question.answer())).await
 }
 
 impl Question {
-    fn answer(&self) -> Result<Told<Answer>, Fault> {
+    fn answer(&self) -> Result<JsonWithMessages<Answer>, Fault> {
         let names = self.names();
         let profiles = [&self.wheel, &self.rail].into_iter().zip(&names);
         let outlines = OutlineAnswer::new(profiles.map(|(profile, name)| {
@@ -108,7 +108,7 @@ impl Question {
             Ok(answer) => InCurve::Found(Box::new(answer)),
             Err(error) => InCurve::Refused { fault: error.into() },
         };
-        Ok(Told(Answer { curve, remarks: outlines.remarks.clone(), outlines }))
+        Ok(JsonWithMessages(Answer { curve, remarks: outlines.remarks.clone(), outlines }))
     }
 
     /// What the readers are given for each profile: the nominal name, or that of the text, which is no other's.

@@ -9,8 +9,8 @@ use toml::Table;
 use super::calibration::POSTERIOR;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
-use crate::request::{Asked, Asker};
-use crate::told::Told;
+use crate::json_with_messages::JsonWithMessages;
+use crate::request::{ClientId, Json};
 
 /// The plan with its actions.
 pub(super) const DECISION_FILE: &str = "decision.toml";
@@ -56,13 +56,13 @@ impl Question {
 
 pub(crate) async fn post(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Told<Value>, Refusal> {
-    let drawn = page.uploads.of(&asker.owner()?)?.drawn()?;
+    client: ClientId,
+    Json(question): Json<Question>,
+) -> Result<JsonWithMessages<Value>, Refusal> {
+    let drawn = page.uploads.of(&client.owner()?)?.drawn()?;
     let program = page.program.clone();
     page.chains
-        .run(asker.subject("decision"), move |wanted| {
+        .run(client.subject("decision"), move |wanted| {
             let (plan, changes) = question.plan(&drawn.plan)?;
             drawn.files.write(DECISION_FILE, &plan)?;
             for (name, text) in &changes {
@@ -72,7 +72,7 @@ pub(crate) async fn post(
             let mut answer = program.ask(drawn.files.path(), "decide", &asked, wanted)?;
             answer["plan"] = plan.into();
             answer["files"] = json!(changes);
-            Ok(Told(answer))
+            Ok(JsonWithMessages(answer))
         })
         .await
 }

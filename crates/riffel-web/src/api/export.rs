@@ -12,7 +12,7 @@ use serde::Deserialize;
 
 use crate::Page;
 use crate::fault::{Fault, Refusal};
-use crate::request::{Asked, Asker};
+use crate::request::{ClientId, Json};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -42,12 +42,12 @@ impl Kind {
 pub(crate) async fn post(
     State(page): State<Page>,
     Path(kind): Path<Kind>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
+    client: ClientId,
+    Json(question): Json<Question>,
 ) -> Result<impl IntoResponse, Refusal> {
     let bytes = page
         .queue
-        .run(asker.subject(kind.content_type()), move |_| {
+        .run(client.subject(kind.content_type()), move |_| {
             let case = question.case.read()?;
             let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |_| ());
             let ridge = ridge_of(&case, &case.feedback);

@@ -5,9 +5,9 @@ use serde::Deserialize;
 
 use crate::Page;
 use crate::fault::Refusal;
+use crate::json_with_messages::JsonWithMessages;
 use crate::queue::Progress;
-use crate::request::{Asked, Asker};
-use crate::told::Told;
+use crate::request::{ClientId, Json};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -17,10 +17,10 @@ pub(crate) struct Question {
 
 pub(crate) async fn post(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Told<Progress>, Refusal> {
-    let subject = asker.subject(&question.subject);
+    client: ClientId,
+    Json(question): Json<Question>,
+) -> Result<JsonWithMessages<Progress>, Refusal> {
+    let subject = client.subject(&question.subject);
     let progress = subject.and_then(|subject| page.queues().find_map(|queue| queue.progress(&subject)));
-    Ok(Told(progress.unwrap_or_default()))
+    Ok(JsonWithMessages(progress.unwrap_or_default()))
 }

@@ -10,14 +10,14 @@ use riffel_answers::page::{Reader, Reply, VOCABULARY};
 use crate::Page;
 use crate::fault::Refusal;
 use crate::queue::Progress;
-use crate::request::{AskedJson, Asker};
+use crate::request::{ClientId, JsonBytes};
 
 pub(crate) async fn post(
     path: &'static str,
     reader: Reader,
     State(page): State<Page>,
-    asker: Asker,
-    AskedJson(json): AskedJson,
+    client: ClientId,
+    JsonBytes(json): JsonBytes,
 ) -> Result<Response, Refusal> {
     if let Some(reply) = page.answered.to(path, &json) {
         return Ok(sent(Arc::unwrap_or_clone(reply)));
@@ -28,7 +28,7 @@ pub(crate) async fn post(
         Some("passage") => &page.marches,
         _ => &page.queue,
     };
-    let subject = kind.and_then(|kind| asker.subject(&kind));
+    let subject = kind.and_then(|kind| client.subject(&kind));
     let answered = page.answered.clone();
     let reply = queue
         .run(subject, move |wanted| {

@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 
 use crate::Page;
 use crate::fault::{Fault, Refusal, file_is_gone};
-use crate::request::{Asked, Asker};
-use crate::told::Told;
+use crate::json_with_messages::JsonWithMessages;
+use crate::request::{ClientId, Json};
 
 /// Largest file that is given back \[bytes\]: in a project it is text, of which browsers take no more.
 const LARGEST: u64 = 256 << 20;
@@ -24,34 +24,34 @@ pub(crate) struct Handle {
 /// Receive a file, whose kind is told by the header Content-Type.
 pub(crate) async fn post(
     State(page): State<Page>,
-    asker: Asker,
+    client: ClientId,
     headers: HeaderMap,
     body: Body,
-) -> Result<Told<Value>, Refusal> {
+) -> Result<JsonWithMessages<Value>, Refusal> {
     let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
     let announced = text(header::CONTENT_LENGTH).and_then(|length| length.parse().ok());
     let is_text = text(header::CONTENT_TYPE) == Some("text/plain");
-    let (upload, bytes) = page.uploads.receive(&asker.owner()?, is_text, announced, body).await?;
-    Ok(Told(json!({ "upload": upload, "bytes": bytes })))
+    let (upload, bytes) = page.uploads.receive(&client.owner()?, is_text, announced, body).await?;
+    Ok(JsonWithMessages(json!({ "upload": upload, "bytes": bytes })))
 }
 
 pub(crate) async fn remove(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(Handle { upload }): Asked<Handle>,
-) -> Result<Told<Value>, Refusal> {
-    if let Ok(sent) = page.uploads.of(&asker.owner()?) {
+    client: ClientId,
+    Json(Handle { upload }): Json<Handle>,
+) -> Result<JsonWithMessages<Value>, Refusal> {
+    if let Ok(sent) = page.uploads.of(&client.owner()?) {
         sent.remove(upload);
     }
-    Ok(Told(json!({})))
+    Ok(JsonWithMessages(json!({})))
 }
 
 pub(crate) async fn kept(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(Handle { upload }): Asked<Handle>,
+    client: ClientId,
+    Json(Handle { upload }): Json<Handle>,
 ) -> Result<impl IntoResponse, Refusal> {
-    let path = page.uploads.of(&asker.owner()?)?.file(upload)?;
+    let path = page.uploads.of(&client.owner()?)?.file(upload)?;
     let about = tokio::fs::metadata(&path).await.map_err(|_| file_is_gone())?;
     if about.len() > LARGEST {
         return Err(Refusal(Fault::refused(

@@ -14,8 +14,8 @@ use serde_json::{Value, json};
 use super::curve;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
-use crate::request::{Asked, Asker};
-use crate::told::Told;
+use crate::json_with_messages::JsonWithMessages;
+use crate::request::{ClientId, Json};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -26,15 +26,15 @@ pub(crate) struct Question {
 
 pub(crate) async fn post(
     State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Told<Value>, Refusal> {
+    client: ClientId,
+    Json(question): Json<Question>,
+) -> Result<JsonWithMessages<Value>, Refusal> {
     question.curve.check()?;
-    page.queue.run(asker.subject("wheels"), move |_| question.answer()).await
+    page.queue.run(client.subject("wheels"), move |_| question.answer()).await
 }
 
 impl Question {
-    fn answer(&self) -> Result<Told<Value>, Fault> {
+    fn answer(&self) -> Result<JsonWithMessages<Value>, Fault> {
         let case = self.case.read()?;
         let curve = (curve::NAME.to_owned(), self.curve.curving()?.toml());
         let texts = self.curve.texts().into_iter().chain([curve]);
@@ -42,7 +42,7 @@ impl Question {
     }
 
     /// The answer for a case, while the curve and its profiles can be read.
-    fn of_case(case: &Case) -> Result<Told<Value>, Fault> {
+    fn of_case(case: &Case) -> Result<JsonWithMessages<Value>, Fault> {
         let case = case.on_curve(Path::new(""), curve::NAME)?;
         let answer = WheelsAnswer::new(&case, |_| ())?;
         let mut document = json!(answer);
@@ -56,6 +56,6 @@ impl Question {
             told["keys"] = json!(keys.into_iter().collect::<BTreeMap<_, _>>());
         }
         document["give_way"] = json!(Case::keys_that_give_way().collect::<Vec<_>>());
-        Ok(Told(document))
+        Ok(JsonWithMessages(document))
     }
 }

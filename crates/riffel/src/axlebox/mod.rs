@@ -8,7 +8,7 @@
 //!
 //! with the receptances of rail and wheel under the contact and its stiffness ([`AxleBoxTransfer`]). The transfer is one of
 //! time, whatever the speed does: a [`Run`] divides by it in time, regularised where it is small ([`Inverse`]), and lays
-//! the roughness out along the rail by the odometer afterwards. What comes out is a [`FeltProfile`], which goes where the
+//! the roughness out along the rail by the odometer afterwards. What comes out is a [`PatchAverageProfile`], which goes where the
 //! profile of a trolley goes, within the wavelengths that it knows.
 //!
 //! What the wheel feels is the sum of the roughness of rail and wheel, averaged over the patch. Not told apart are
@@ -20,8 +20,8 @@
 //! * the waves that neighbouring wheels send along the rail, |H_r(d)/(H_r + H_w + 1/k_H)| of their roughness at the distance d.
 
 mod counted_steps;
-mod felt_profile;
 mod inverse;
+mod patch_average_profile;
 mod run;
 mod sample;
 mod segment;
@@ -30,8 +30,8 @@ mod transforms;
 mod wheel_pattern;
 
 pub use counted_steps::LONGEST_STEP;
-pub use felt_profile::FeltProfile;
 pub use inverse::{Inverse, REGULARISATION};
+pub use patch_average_profile::PatchAverageProfile;
 pub use run::{Run, RunSettings};
 pub use sample::Sample;
 pub use transfer::AxleBoxTransfer;

@@ -3,7 +3,7 @@
 use super::counted_steps::{CountedSteps, LONGEST_STEP};
 use super::sample::Sample;
 use super::segment::Segment;
-use super::{AxleBoxTransfer, FeltProfile};
+use super::{AxleBoxTransfer, PatchAverageProfile};
 use crate::Error;
 use crate::contact::ContactFilter;
 
@@ -104,7 +104,7 @@ pub struct Run<'a> {
     counted: CountedSteps,
     raw: Vec<Sample>,
     stretch: Stretch,
-    finished: Vec<FeltProfile>,
+    finished: Vec<PatchAverageProfile>,
 }
 
 /// Samples without a gap, from the edge before the present segment on.
@@ -178,7 +178,7 @@ impl<'a> Run<'a> {
     }
 
     /// The roughness of segments that are whole by now, each handed out once.
-    pub fn finished(&mut self) -> Vec<FeltProfile> {
+    pub fn finished(&mut self) -> Vec<PatchAverageProfile> {
         std::mem::take(&mut self.finished)
     }
 
@@ -242,7 +242,7 @@ impl<'a> Run<'a> {
             speeds: &self.stretch.speeds[..end],
             edge: self.edge,
         };
-        self.finished.extend(segment.felt(self.transfer, &self.settings)?);
+        self.finished.extend(segment.averaged_profile(self.transfer, &self.settings)?);
         self.stretch.forget(own);
         Ok(())
     }

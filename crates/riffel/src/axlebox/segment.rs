@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use num_complex::Complex64;
 
 use super::transforms::{backward, forward, length};
-use super::{AxleBoxTransfer, FeltProfile, Inverse, RunSettings};
+use super::{AxleBoxTransfer, Inverse, PatchAverageProfile, RunSettings};
 use crate::Error;
 use crate::numerics::cubic::cubic;
 use crate::roughness::{Profile, ThirdOctave, WavelengthBand};
@@ -32,11 +32,11 @@ pub(super) struct Segment<'a> {
 
 impl Segment<'_> {
     /// The roughness felt; `None` if the segment is shorter than two heights.
-    pub(super) fn felt(
+    pub(super) fn averaged_profile(
         &self,
         transfer: &AxleBoxTransfer,
         settings: &RunSettings,
-    ) -> Result<Option<FeltProfile>, Error> {
+    ) -> Result<Option<PatchAverageProfile>, Error> {
         let own = self.edge..self.accelerations.len() - self.edge;
         let speeds = &self.speeds[own.clone()];
         let slowest = speeds.iter().copied().fold(f64::INFINITY, f64::min);
@@ -66,7 +66,7 @@ impl Segment<'_> {
         if heights.len() < 2 {
             return Ok(None);
         }
-        Ok(Some(FeltProfile {
+        Ok(Some(PatchAverageProfile {
             profile: Profile::new(start, spacing, heights)?,
             known: WavelengthBand::new(shortest, longest)?,
             speeds: [slowest, mean, fastest],

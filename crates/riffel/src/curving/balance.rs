@@ -1,13 +1,13 @@
 //! Forces and moments on the wheelsets and frames of a vehicle at values of its unknowns.
 //!
-//! The unknowns of a frame and its wheelsets stand together: [`way`] across the track, yaw and rotation of each wheelset,
+//! The unknowns of a frame and its wheelsets stand together: [`two_point_path`] across the track, yaw and rotation of each wheelset,
 //! shift and yaw of the frame, sums of the normal forces of each wheel. A lone wheelset has no unknowns of its frame.
 
 use super::creep::{CreepOnRail, KnownEllipses};
 use super::newton::Equations;
 use super::running_gear::Secondary;
 use super::state::{BodyState, FrameState, WheelState, WheelsetState};
-use super::way;
+use super::two_point_path;
 use super::wheel_on_rail::{WheelOnRail, WheelsetMotion, wheel_on_rail};
 use super::{GRAVITY, RunningGear, VehicleInCurve};
 use crate::{Error, Rail};
@@ -108,7 +108,7 @@ impl<'a> Balance<'a> {
         let (_, own, first) = places.of_wheelset(wheelset);
         let motion = &unknowns[first + 3 * own..first + 3 * own + 3];
         let normal = first + places.normal + 2 * own;
-        let place = way::place(vehicle.kinematics.two_points(), motion[0]);
+        let place = two_point_path::place(vehicle.kinematics.two_points(), motion[0]);
         let Some(lateral_shift) = vehicle.kinematics.axle_shift(place.shift) else {
             return Ok(None);
         };

@@ -5,10 +5,10 @@ use rayon::prelude::*;
 use super::balance::Balance;
 use super::newton::{Root, root};
 use super::state::ContinuationStep;
-use super::way;
+use super::two_point_path;
 use super::{VehicleInCurve, VehicleState, WheelState};
 use crate::Error;
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Largest residual over the static load of a wheel that counts as equilibrium. Rounding leaves 1e-14 to 1e-12.
 const TOLERANCE: f64 = 1e-10;
@@ -137,7 +137,7 @@ impl VehicleInCurve {
         let of_frame = |shifts: &[f64; 2]| {
             let mut start = vec![0.0; places.unknowns];
             for (own, shift) in shifts.iter().enumerate().take(places.wheelsets) {
-                start[3 * own] = way::coordinate(self.kinematics.two_points(), *shift);
+                start[3 * own] = two_point_path::coordinate(self.kinematics.two_points(), *shift);
                 start[places.normal + 2 * own] = left;
                 start[places.normal + 2 * own + 1] = right;
             }

@@ -65,8 +65,8 @@ mod newton;
 mod running_gear;
 mod running_surfaces;
 mod state;
+mod two_point_path;
 mod vehicle;
-mod way;
 mod wheel_on_rail;
 
 pub use crate::constants::{FARTHEST_SHIFT, LARGEST_YAW};

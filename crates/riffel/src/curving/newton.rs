@@ -1,6 +1,6 @@
 //! Newton's method on a small dense system, with halved steps.
 
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// A system of equations of which evaluating a part is what costs.
 pub(super) trait Equations {

@@ -1,7 +1,7 @@
 //! One wheel of a yawed wheelset in a curve: its creepages, its forces, and what they do to the wheelset.
 
 use super::creep::CreepOnRail;
-use super::way::Place;
+use super::two_point_path::Place;
 use super::{ContactPlane, Creep, Kinematics, RollingPosition, WheelState};
 use crate::contact::Creepages;
 use crate::{Error, Rail};

@@ -1,6 +1,6 @@
 //! Candidates for a dominant wavelength, in the order of what speaks for them.
 
-use super::{Course, DominantWavelength, Expectation, Mechanism, MechanismKind, Prediction, TrafficSpeeds};
+use super::{DominantWavelength, Expectation, LevelTrend, Mechanism, MechanismKind, Prediction, TrafficSpeeds};
 use crate::contact::ContactFilter;
 use crate::roughness::mean_square;
 
@@ -30,7 +30,7 @@ pub struct Evidence<'a> {
     /// The wavelength.
     pub peak: &'a DominantWavelength,
     /// What it does from record to record, if there are several.
-    pub course: Option<&'a Course>,
+    pub course: Option<&'a LevelTrend>,
     /// The speeds of the traffic.
     pub speeds: &'a TrafficSpeeds,
     /// What the patch of the case leaves of a wave.
@@ -132,7 +132,7 @@ pub enum Reason {
         measured: f64,
     },
     /// What the level did from record to record, beside what the mechanism lets expect.
-    Course(Expectation),
+    LevelTrend(Expectation),
 }
 
 impl Candidate {
@@ -264,7 +264,7 @@ fn weigh_course(evidence: &Evidence, kind: MechanismKind, scales: &mut Scales) {
         Expectation::Either => return,
     };
     let factor = ((1.0 - 2.0 * SURPRISE) * expected + SURPRISE) / 0.5;
-    scales.put(factor, Reason::Course(expectation));
+    scales.put(factor, Reason::LevelTrend(expectation));
 }
 
 #[cfg(test)]
@@ -284,11 +284,11 @@ mod tests {
         }
     }
 
-    fn course(levels: &[f64]) -> Course {
-        crate::diagnosis::course::tests::course(levels, Some(0.5))
+    fn course(levels: &[f64]) -> LevelTrend {
+        crate::diagnosis::level_trend::tests::course(levels, Some(0.5))
     }
 
-    fn ranked(wavelength: f64, course: Option<&Course>) -> Vec<Candidate> {
+    fn ranked(wavelength: f64, course: Option<&LevelTrend>) -> Vec<Candidate> {
         let speeds = TrafficSpeeds::new([(30.0, 1.0)]).unwrap();
         let filter = ContactFilter::new(5e-3, 5e-3).unwrap();
         let peak = peak(wavelength);
@@ -368,6 +368,6 @@ mod tests {
             measured: 0.030,
         };
         assert_eq!(pinned.reasons_for, [expected]);
-        assert_eq!(pinned.reasons_against, [Reason::Course(Expectation::Grows)]);
+        assert_eq!(pinned.reasons_against, [Reason::LevelTrend(Expectation::Grows)]);
     }
 }

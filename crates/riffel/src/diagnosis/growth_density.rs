@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::{TrafficSpeeds, normal};
 use crate::feedback::Loop;
-use crate::growth::{Axis, GrowthCourse, RowEvaluator};
+use crate::growth::{Axis, GrowthSpectrum, RowEvaluator};
 
 /// Speeds at which narrow lines are looked for.
 const FEW: usize = 3;
@@ -21,7 +21,7 @@ pub struct GrowthDensity {
     /// Mean growth rate per passage at each \[-\].
     rates: Vec<f64>,
     /// Mean growth rate with its narrow lines, under a few speeds: many blur them.
-    course: Option<GrowthCourse>,
+    spectrum: Option<GrowthSpectrum>,
     /// ∫ of the positive part over ln λ.
     integral: f64,
     /// Mean speed \[m/s\].
@@ -31,7 +31,7 @@ pub struct GrowthDensity {
 impl GrowthDensity {
     /// Mean growth of a loop between two wavelengths \[m\].
     ///
-    /// 200 wavelengths a decade; under no more than three speeds each has the mean about it of a [`GrowthCourse`], which finds
+    /// 200 wavelengths a decade; under no more than three speeds each has the mean about it of a [`GrowthSpectrum`], which finds
     /// narrow lines. A receptance that does not exist at some speed and wavelength (a load that
     /// outruns its waves) counts as no growth.
     pub fn new(feedback: impl Into<Loop>, from: f64, to: f64, speeds: &TrafficSpeeds) -> Self {
@@ -43,12 +43,12 @@ impl GrowthDensity {
         if speeds.of_growth().len() <= FEW
             && let Ok(window) = Axis::new(from, to, 2)
         {
-            let course = GrowthCourse::of(window, |wavelength| {
+            let spectrum = GrowthSpectrum::of(window, |wavelength| {
                 let shares = speeds.of_growth().iter();
                 let rates = shares.map(|&(speed, share)| share * feedback.complex_growth_rate(wavelength, speed).re);
                 rates.filter(|rate| rate.is_finite()).sum()
             });
-            return Self::of_course(course, wavelengths, speeds);
+            return Self::of_spectrum(spectrum, wavelengths, speeds);
         }
         let per_dissipation = feedback.growth_rate_per_dissipation();
         let mut evaluator = RowEvaluator::new(&feedback, &wavelengths);
@@ -63,25 +63,25 @@ impl GrowthDensity {
                 }
             }
         }
-        Self { integral: integral(&wavelengths, &rates), wavelengths, rates, course: None, mean_speed: speeds.mean() }
+        Self { integral: integral(&wavelengths, &rates), wavelengths, rates, spectrum: None, mean_speed: speeds.mean() }
     }
 
     /// At each wavelength the mean over ln λ of what is nearest to it.
-    fn of_course(course: GrowthCourse, wavelengths: Vec<f64>, speeds: &TrafficSpeeds) -> Self {
+    fn of_spectrum(spectrum: GrowthSpectrum, wavelengths: Vec<f64>, speeds: &TrafficSpeeds) -> Self {
         let half = 0.5 * (wavelengths[1] / wavelengths[0]).ln();
         let last = wavelengths.len() - 1;
         let rates = wavelengths.iter().enumerate();
         let rates = rates.map(|(index, place)| {
             let below = if index == 0 { 0.0 } else { half };
             let above = if index == last { 0.0 } else { half };
-            mean_over(&course, place * (-below).exp(), place * above.exp())
+            mean_over(&spectrum, place * (-below).exp(), place * above.exp())
         });
         let rates: Vec<f64> = rates.collect();
         Self {
             integral: integral(&wavelengths, &rates),
             wavelengths,
             rates,
-            course: Some(course),
+            spectrum: Some(spectrum),
             mean_speed: speeds.mean(),
         }
     }
@@ -104,9 +104,9 @@ impl GrowthDensity {
 
     /// Wavelength \[m\] of the highest mean growth rate and that rate, where anything grows.
     pub fn peak(&self) -> Option<(f64, f64)> {
-        if let Some(course) = &self.course {
-            let place = course.highest();
-            let peak = (course.wavelengths[place], course.rates[place]);
+        if let Some(spectrum) = &self.spectrum {
+            let place = spectrum.highest();
+            let peak = (spectrum.wavelengths[place], spectrum.rates[place]);
             return (peak.1 > 0.0).then_some(peak);
         }
         let peak = self.rates().max_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -121,8 +121,8 @@ impl GrowthDensity {
     /// Wavelengths \[m\] about the peak that grow at least half as fast.
     pub fn range(&self) -> Option<(f64, f64)> {
         let (place, highest) = self.peak()?;
-        let (wavelengths, rates) = match &self.course {
-            Some(course) => (&course.wavelengths, &course.rates),
+        let (wavelengths, rates) = match &self.spectrum {
+            Some(spectrum) => (&spectrum.wavelengths, &spectrum.rates),
             None => (&self.wavelengths, &self.rates),
         };
         let peak = wavelengths.iter().position(|&other| other == place)?;
@@ -140,8 +140,8 @@ impl GrowthDensity {
         };
         let room = uncertainty.exp();
         let (from, to) = (wavelength / room, wavelength * room);
-        let (wavelengths, rates) = match &self.course {
-            Some(course) => (&course.wavelengths, &course.rates),
+        let (wavelengths, rates) = match &self.spectrum {
+            Some(spectrum) => (&spectrum.wavelengths, &spectrum.rates),
             None => (&self.wavelengths, &self.rates),
         };
         let mut places = wavelengths.iter().zip(rates);
@@ -172,12 +172,12 @@ fn integral(wavelengths: &[f64], rates: &[f64]) -> f64 {
 }
 
 /// Mean of the positive part over ln λ between two wavelengths \[m\], by the trapezoidal rule; of none, as it is.
-fn mean_over(course: &GrowthCourse, from: f64, to: f64) -> f64 {
-    let inside = course.wavelengths.iter().zip(&course.rates);
+fn mean_over(spectrum: &GrowthSpectrum, from: f64, to: f64) -> f64 {
+    let inside = spectrum.wavelengths.iter().zip(&spectrum.rates);
     let inside = inside.filter(|(place, _)| from < **place && **place < to);
-    let mut before = (from, course.at(from));
+    let mut before = (from, spectrum.at(from));
     let mut sum = 0.0;
-    let end = (to, course.at(to));
+    let end = (to, spectrum.at(to));
     for after in inside.map(|(place, rate)| (*place, *rate)).chain([end]) {
         sum += 0.5 * (before.1.max(0.0) + after.1.max(0.0)) * (after.0 / before.0).ln();
         before = after;
@@ -185,6 +185,6 @@ fn mean_over(course: &GrowthCourse, from: f64, to: f64) -> f64 {
     match sum > 0.0 {
         true => sum / (to / from).ln(),
         // What decays everywhere tells how fast.
-        false => course.at((from * to).sqrt()).min(0.0),
+        false => spectrum.at((from * to).sqrt()).min(0.0),
     }
 }

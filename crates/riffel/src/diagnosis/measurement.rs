@@ -1,6 +1,6 @@
 //! Which measurement would tell candidates apart.
 
-use super::{Candidate, Course, MechanismKind, TimeUnit};
+use super::{Candidate, LevelTrend, MechanismKind, TimeUnit};
 
 /// Share of the belief below which a candidate is not worth a measurement.
 const WORTH: f64 = 0.05;
@@ -17,7 +17,7 @@ pub enum Measurement {
 }
 
 /// Measurements that would decide between the likeliest candidates, the most telling first.
-pub fn tell_apart(candidates: &[Candidate], course: Option<&Course>) -> Vec<Measurement> {
+pub fn tell_apart(candidates: &[Candidate], course: Option<&LevelTrend>) -> Vec<Measurement> {
     let worth: Vec<&Candidate> = candidates
         .iter()
         .enumerate()

@@ -2,7 +2,7 @@
 //!
 //! A [`CleanRail`], window by window, or a set of one-third-octave spectra gives [`DominantWavelength`]s; a
 //! [`Mechanism`] says which wavelengths it makes at the speeds of the traffic; dated records give a
-//! [`Course`]. [`rank`] holds them together and answers with [`Candidate`]s, each with the reasons for and
+//! [`LevelTrend`]. [`rank`] holds them together and answers with [`Candidate`]s, each with the reasons for and
 //! against it and a share of the belief, and [`tell_apart`] says which measurements would decide between
 //! them. Nothing here is a verdict.
 //!
@@ -16,9 +16,9 @@
 //! the cause and the case may be another track.
 
 mod candidate;
-mod course;
 mod dominant;
 mod growth_density;
+mod level_trend;
 mod levels;
 mod located;
 mod measurement;
@@ -29,9 +29,9 @@ mod prediction;
 mod traffic_speeds;
 
 pub use candidate::{Candidate, Evidence, Instrument, Reason, rank};
-pub use course::{Course, CoursePoint, FALL_BY_GRINDING, Slope, TimeUnit, fall_of_bands, first_since_ground};
 pub use dominant::{DominantWavelength, FineBand, FineSpectrum};
 pub use growth_density::GrowthDensity;
+pub use level_trend::{FALL_BY_GRINDING, LevelTrend, Slope, TimeUnit, TrendPoint, fall_of_bands, first_since_ground};
 pub use levels::dominant_levels;
 pub use located::{CleanRail, LocatedWavelength, Place, WINDOW};
 pub use measurement::{Measurement, tell_apart};

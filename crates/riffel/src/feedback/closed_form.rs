@@ -6,7 +6,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::contact::{Derivative, Derivatives};
-use super::{Contact, ContactState, Hubs, Loop, LoopState};
+use super::{Contact, ContactState, Loop, LoopState, NormalDirection};
 use crate::Receptance;
 use crate::contact::MeanRolling;
 use crate::damage::Oscillation;
@@ -30,8 +30,8 @@ pub(crate) struct ClosedForm {
     pub(crate) amplitude: f64,
 }
 
-/// What one turn of the loop needs to reach the rail again.
-struct Turn {
+/// Solution of the loop at one wavelength and speed.
+struct Solution {
     track_receptance: Complex64,
     wheel_receptance: Complex64,
     normal_force: Complex64,
@@ -72,9 +72,9 @@ impl ClosedForm {
             (Motion::Compliant(()), None) | (Motion::Held, _) => Motion::Held,
             (Motion::Free, _) => Motion::Free,
         };
-        let hub = match (&feedback.hubs, &rotation) {
-            (Some(Hubs::OfWheelsets(_)), _) => return None,
-            (Some(Hubs::Lone(hub)), Motion::Compliant(_)) => Some(hub.clone()),
+        let hub = match (&feedback.normal_direction, &rotation) {
+            (Some(NormalDirection::OfWheelsets(_)), _) => return None,
+            (Some(NormalDirection::Lone(hub)), Motion::Compliant(_)) => Some(hub.clone()),
             _ => None,
         };
         Some(Self {
@@ -91,8 +91,8 @@ impl ClosedForm {
     pub(super) fn at(&self, wavelength: f64, speed: f64) -> LoopState {
         let response = self.contact.rolling.response(wavelength);
         let derivatives = self.contact.derivatives_of(&response, wavelength);
-        let Turn { track_receptance, wheel_receptance, normal_force, creep } =
-            self.turn(&derivatives, wavelength, speed);
+        let Solution { track_receptance, wheel_receptance, normal_force, creep } =
+            self.solve(&derivatives, wavelength, speed);
         let angular_frequency = 2.0 * PI * speed / wavelength;
         let dissipation = creep.energy * speed; // (19)
         let dissipation_at_rail = creep.dissipation_at_rail;
@@ -163,17 +163,17 @@ impl ClosedForm {
         wavelength: f64,
         speed: f64,
     ) -> (Complex64, Complex64) {
-        let turn = self.turn(derivatives, wavelength, speed);
+        let solution = self.solve(derivatives, wavelength, speed);
         let Some(damage) = self.contact.clipped_damage() else {
-            let dissipation = turn.creep.growth * speed / self.full_slip(speed);
-            return (dissipation, turn.normal_force);
+            let dissipation = solution.creep.growth * speed / self.full_slip(speed);
+            return (dissipation, solution.normal_force);
         };
-        let receptance = turn.track_receptance;
-        let at = self.oscillation(&turn.creep, turn.normal_force, receptance, wavelength);
+        let receptance = solution.track_receptance;
+        let at = self.oscillation(&solution.creep, solution.normal_force, receptance, wavelength);
         let clipped = damage.clipped(self.contact.mean_of_damage(), &at);
-        let equivalent = turn.creep.growth + clipped / self.contact.wear.depth_per_energy();
+        let equivalent = solution.creep.growth + clipped / self.contact.wear.depth_per_energy();
         let dissipation = equivalent / self.steady.full_slip_energy_per_metre();
-        (dissipation, turn.normal_force)
+        (dissipation, solution.normal_force)
     }
 
     /// What laws of damage take.
@@ -203,14 +203,14 @@ impl ClosedForm {
     /// the profile under a constant one.
     pub(crate) fn energy_by_normal_force_and_profile(&self, wavelength: f64, speed: f64) -> [Complex64; 2] {
         let derivatives = self.contact.derivatives(wavelength);
-        let force = self.turn(&derivatives, wavelength, speed).normal_force;
+        let force = self.solve(&derivatives, wavelength, speed).normal_force;
         let by_force = self.creep(&derivatives, [force, Complex64::ZERO], wavelength, speed);
         let inputs = [Complex64::ZERO, Complex64::ONE];
         let by_profile = self.creep(&derivatives, inputs, wavelength, speed);
         [by_force.dissipation_at_rail / (force * speed), by_profile.dissipation_at_rail / speed]
     }
 
-    fn turn(&self, derivatives: &Derivatives, wavelength: f64, speed: f64) -> Turn {
+    fn solve(&self, derivatives: &Derivatives, wavelength: f64, speed: f64) -> Solution {
         let angular_frequency = 2.0 * PI * speed / wavelength;
         let track_receptance = self.track.receptance(angular_frequency, speed);
         let wheel_receptance = self.wheel.receptance(angular_frequency, speed);
@@ -218,7 +218,7 @@ impl ClosedForm {
         let normal_force = self.amplitude * derivatives.pressed
             / (track_receptance + wheel_receptance + self.contact.stiffness.recip());
         let inputs = [normal_force, self.amplitude.into()];
-        Turn {
+        Solution {
             track_receptance,
             wheel_receptance,
             normal_force,
@@ -226,7 +226,7 @@ impl ClosedForm {
         }
     }
 
-    /// s₁/V that the direction of the normal force makes of a metre of the profile, k²T P₀ \[1/m\], see [`Hubs`].
+    /// s₁/V that the direction of the normal force makes of a metre of the profile, k²T P₀ \[1/m\], see [`NormalDirection`].
     fn slip_by_direction(&self, wavelength: f64, speed: f64) -> Complex64 {
         let Some(hub) = &self.hub else {
             return Complex64::ZERO;

@@ -7,9 +7,9 @@ use pulp::Arch;
 
 use super::{Answers, Loop, System};
 use crate::Place;
+use crate::cancel::check;
 use crate::receptance::Structure;
 use crate::vector::lanes_of;
-use crate::wanted::check;
 
 /// Wavelengths, as many as a vector register holds, under one wheel at several places of the track: what depends on the wavelength
 /// or the frequency alone is done once for all places.
@@ -49,7 +49,7 @@ impl LineGroup {
         check();
         let mut means = vec![[0.0; 2]; self.wavelengths.len()];
         for (feedback, system, weight) in &mut self.places {
-            system.turn(feedback, &self.answers, speed);
+            system.solve(feedback, &self.answers, speed);
             let per_dissipation = feedback.growth_rate_per_dissipation();
             for (lane, (mean, wavelength)) in means.iter_mut().zip(&self.wavelengths).enumerate() {
                 let growth = per_dissipation * system.equivalent(feedback, *wavelength, speed, lane).re;

@@ -6,24 +6,24 @@ mod closed_form;
 mod contact;
 mod continued_fraction;
 mod determinant;
-mod hubs;
 mod line_group;
 mod linear;
+mod normal_direction;
 mod one_wheel;
+mod solve;
 mod stability;
 mod state;
 mod system;
-mod turn;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use num_complex::Complex64;
 
+use crate::cancel::check;
 use crate::contact::MeanRolling;
 use crate::damage::Damage;
 use crate::receptance::Structure;
-use crate::wanted::check;
 use crate::wheelset::Motion;
 use crate::{Error, Rail};
 
@@ -32,8 +32,8 @@ pub(crate) use at_speeds::AtSpeeds;
 pub(crate) use closed_form::ClosedForm;
 pub use contact::{Contact, WaveState};
 pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
-pub use hubs::Hubs;
 pub(crate) use line_group::LineGroup;
+pub use normal_direction::NormalDirection;
 pub use one_wheel::OneWheel;
 pub use stability::{Stability, UnstableRoot};
 pub use state::{ContactState, LoopState};
@@ -53,7 +53,7 @@ pub(crate) use system::System;
 ///
 /// ```text
 /// normal    P₁/k_H = Δ p − (H f₁)_n                   p = e^{ikx} of the place, times the profile of its rail
-/// creepage  V ξ₁ = −iω (H f₁)_{x,t}                   with what the direction of P₀ adds, see [`Hubs`]
+/// creepage  V ξ₁ = −iω (H f₁)_{x,t}                   with what the direction of P₀ adds, see [`NormalDirection`]
 /// creep     Q₁ = F_P P₁ + F_ξ ξ₁ + F_κ κ
 /// energy    e₁ = e_P P₁ + e_ξ ξ₁ + e_κ κ                κ = R k²Φ Δ p, where the wave's own geometry has a part
 /// growth    g = −k_w/(ρ 2b) · Re(e₁ at the rail point / p)/Δ per passage of the wheel
@@ -80,7 +80,7 @@ pub struct Loop {
     comb: Comb,
     amplitude: f64,
     /// How hubs move where the normal force turns with the wave.
-    hubs: Option<Hubs>,
+    normal_direction: Option<NormalDirection>,
     /// The closed form, if the loop has one.
     closed: Option<Arc<ClosedForm>>,
 }
@@ -122,7 +122,8 @@ impl Loop {
             }
         }
         let comb = Comb::default();
-        Ok(Self { track, wheels, contacts, position: 0.0, comb, amplitude, hubs: None, closed: None }.decided())
+        Ok(Self { track, wheels, contacts, position: 0.0, comb, amplitude, normal_direction: None, closed: None }
+            .decided())
     }
 
     /// The loop with its closed form found again, after a change of what that contains.
@@ -143,19 +144,19 @@ impl Loop {
         self
     }
 
-    /// The loop in which the normal forces turn with the slope of the wave, see [`Hubs`]; it counts where a wheel yields along the rail.
-    pub fn with_normal_direction(self, hubs: Hubs) -> Self {
-        Self { hubs: Some(hubs), ..self }.decided()
+    /// The loop in which the normal forces turn with the slope of the wave, see [`NormalDirection`]; it counts where a wheel yields along the rail.
+    pub fn with_normal_direction(self, normal_direction: NormalDirection) -> Self {
+        Self { normal_direction: Some(normal_direction), ..self }.decided()
     }
 
     /// Loop with normal forces that stay upright, on hubs that move.
     pub fn without_normal_direction(self) -> Self {
-        Self { hubs: None, ..self }.decided()
+        Self { normal_direction: None, ..self }.decided()
     }
 
     /// How hubs move where normal forces turn with the wave.
-    pub fn hubs(&self) -> Option<&Hubs> {
-        self.hubs.as_ref()
+    pub fn normal_direction(&self) -> Option<&NormalDirection> {
+        self.normal_direction.as_ref()
     }
 
     /// The loop without any part of the waves' own geometry.
@@ -219,9 +220,9 @@ impl Loop {
     /// # Errors
     /// Errors of [`new`](Self::new).
     pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self, Error> {
-        let Self { track, wheels, position, comb, amplitude, hubs, .. } = self;
+        let Self { track, wheels, position, comb, amplitude, normal_direction, .. } = self;
         let feedback = Self::new(track, wheels, contacts, amplitude)?;
-        Ok(Self { hubs, ..feedback.at_position(position).with_comb(comb) }.decided())
+        Ok(Self { normal_direction, ..feedback.at_position(position).with_comb(comb) }.decided())
     }
 
     /// The contacts, that of the first wheel on the rail under study first.
@@ -243,7 +244,7 @@ impl Loop {
         check();
         let mut system = System::new(self);
         let answers = system.answers(self, &[wavelength]);
-        system.turn(self, &answers, speed);
+        system.solve(self, &answers, speed);
         let states = (0..self.contacts.len()).map(|index| system.state(self, index, wavelength));
         let contacts: Vec<ContactState> = states.collect();
         let equivalent = system.equivalent(self, wavelength, speed, 0);
@@ -332,12 +333,12 @@ impl Loop {
 
     /// Receptances of the hubs along the rail \[m/N\] between all contacts, by rows; `None` if normal forces stay upright.
     pub(crate) fn hub_receptances(&self, angular_frequency: f64, speed: f64) -> Option<Vec<Complex64>> {
-        Some(self.hubs.as_ref()?.between(angular_frequency, speed, &self.places_of_wheels()))
+        Some(self.normal_direction.as_ref()?.between(angular_frequency, speed, &self.places_of_wheels()))
     }
 
     /// Part A \[1/kg\] of the receptances of the hubs, as [`free_motion`](Self::free_motion) of those of the wheels.
     pub(crate) fn free_hubs(&self) -> Option<Vec<f64>> {
-        Some(self.hubs.as_ref()?.free(&self.places_of_wheels()))
+        Some(self.normal_direction.as_ref()?.free(&self.places_of_wheels()))
     }
 
     fn places_of_wheels(&self) -> Vec<(f64, Rail)> {
@@ -377,7 +378,7 @@ impl Loop {
             None => {
                 check();
                 let mut system = System::new(self);
-                system.turn(self, &system.answers(self, &[wavelength]), speed);
+                system.solve(self, &system.answers(self, &[wavelength]), speed);
                 system.equivalent(self, wavelength, speed, 0)
             }
         }

@@ -52,7 +52,7 @@ impl Loop {
             wear: contact.wear,
             amplitude: closed.amplitude,
         };
-        let turned = Self { hubs: self.hubs, ..turned.close()? };
+        let turned = Self { normal_direction: self.normal_direction, ..turned.close()? };
         Ok(turned.with_damage(|_| contact.damage.clone()))
     }
 }

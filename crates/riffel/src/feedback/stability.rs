@@ -8,7 +8,7 @@ use super::Loop;
 use super::continued_fraction::ContinuedFraction;
 use super::system::System;
 use crate::Error;
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Largest turn of the phase \[rad\] in one step, small beside the half turn at which its sense would be lost.
 const LARGEST_TURN: f64 = 0.5;

@@ -6,7 +6,7 @@ use super::contact::WaveState;
 use crate::contact::ContactResponse;
 use crate::damage::DamageState;
 
-/// One turn of the loop at one wavelength and speed; complex amplitudes for exp(+iωt), relative to a profile
+/// State of the loop at one wavelength and speed; complex amplitudes for exp(+iωt), relative to a profile
 /// of real amplitude Δ under the first wheel.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
@@ -40,7 +40,7 @@ pub struct LoopState {
     pub contacts: Vec<ContactState>,
 }
 
-/// One contact in one turn of the loop.
+/// State of one contact of the loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 #[must_use]
@@ -63,7 +63,7 @@ pub struct ContactState {
     pub growth_rate: Option<f64>,
     /// What the wave's own geometry does; `None` if it has no part.
     pub wave: Option<WaveState>,
-    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`](super::Hubs); `None` if they stay.
+    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`NormalDirection`](super::NormalDirection); `None` if they stay.
     pub slip_by_direction: Option<Complex64>,
     /// What laws of damage say; `None` if wear is alone.
     pub damage: Option<DamageState>,

@@ -1,7 +1,7 @@
 //! How fast the vehicles of a kind run.
 
 use crate::Error;
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Standard deviations beyond which the tails of a normal distribution are cut off: 6e-5 of the whole.
 const TAIL: f64 = 4.0;

@@ -15,7 +15,7 @@ pub(super) struct Closing<'a> {
     pub(super) slip: &'a SplitComplex,
     /// Two columns of the wave's own geometry.
     pub(super) wave: Option<&'a [SplitComplex; 2]>,
-    /// e_ξ Δ/(μP₀ξ₀) and, by the direction of the normal force, T k²P₀, see [`Hubs`](crate::feedback::Hubs).
+    /// e_ξ Δ/(μP₀ξ₀) and, by the direction of the normal force, T k²P₀, see [`NormalDirection`](crate::feedback::NormalDirection).
     pub(super) direction: Option<[&'a SplitComplex; 2]>,
     /// z, the share of the force.
     pub(super) force: f64,

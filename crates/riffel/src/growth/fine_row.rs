@@ -4,7 +4,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::{Axis, RowEvaluator};
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Largest step over the wavelength before any is halved: a resonance of 0.1 % of the critical damping, as of an axle, is then
 /// at most two and a half of its half-widths from a value, where it still shows with a third of its height.

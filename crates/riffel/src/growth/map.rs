@@ -4,9 +4,9 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::{Axis, RowEvaluator};
+use crate::cancel::check;
 use crate::feedback::Loop;
 use crate::tile::TILE;
-use crate::wanted::check;
 
 /// Normalised dissipation Ŵ₁ over wavelength and speed, as in Figs. 4 and 5 of the paper.
 #[derive(Debug, Clone, PartialEq)]

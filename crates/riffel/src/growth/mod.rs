@@ -3,8 +3,8 @@
 mod bay;
 mod branch;
 mod closing;
-mod course;
 mod fine_row;
+mod growth_spectrum;
 mod map;
 mod on_irregular_supports;
 mod ridge;
@@ -13,7 +13,7 @@ mod with_neighbours;
 
 pub use bay::{Bay, BayMaps};
 pub use branch::RidgeBranch;
-pub use course::GrowthCourse;
+pub use growth_spectrum::GrowthSpectrum;
 pub use map::GrowthMap;
 pub use on_irregular_supports::GrowthOnIrregularSupports;
 pub use ridge::{Ridge, RidgePoint, RidgeRow, RidgeSearch};

@@ -322,7 +322,7 @@ impl AllAxes {
         let lanes = self.system.lanes();
         let groups = &self.groups[index * TILE / lanes..];
         for (values, answers) in tile.chunks_exact_mut(lanes).zip(groups) {
-            self.system.turn(&self.feedback, answers, speed);
+            self.system.solve(&self.feedback, answers, speed);
             let wavelengths = answers.wavelengths();
             let last = wavelengths.len() - 1;
             for (lane, value) in values.iter_mut().enumerate() {

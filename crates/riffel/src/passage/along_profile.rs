@@ -1,6 +1,6 @@
 //! Wheels along a given profile.
 
-use super::felt::Felt;
+use super::patch_average::PatchAverage;
 use super::{ContactInTime, ContactInstant, March, PassageModel};
 use crate::Error;
 use crate::numerics::cubic::cubic;
@@ -61,8 +61,8 @@ impl PassageModel {
             }
         };
         let contacts = self.contacts.iter();
-        let beside: Vec<Vec<Felt>> = contacts.map(|contact| self.felt_along(contact, profile)).collect();
-        let felt = |contact: usize, index: isize| Felt {
+        let beside: Vec<Vec<PatchAverage>> = contacts.map(|contact| self.averages_along(contact, profile)).collect();
+        let averaged = |contact: usize, index: isize| PatchAverage {
             height: rail(&pressed[contact], index),
             ..match usize::try_from(index) {
                 Ok(index) => beside[contact][index.min(heights.len() - 1)],
@@ -71,18 +71,18 @@ impl PassageModel {
                     let share = 1.0 - before as f64 / run_in as f64;
                     let there = beside[contact][before].times(faded(share));
                     // What was mirrored falls where it rose.
-                    Felt { slope: -there.slope, ..there }
+                    PatchAverage { slope: -there.slope, ..there }
                 }
             }
         };
         let substeps = (spacing / largest_step).ceil().max(1.0);
         let mut march = self.march_before(spacing / substeps, run_in as f64 * spacing)?;
         let mut roll = Roll::new(&mut march, substeps as usize, spacing);
-        roll.along(felt, -(run_in as isize), 0, |_| ());
+        roll.along(averaged, -(run_in as isize), 0, |_| ());
         roll.begin_to_count();
         let first = roll.march.now();
         let mut contacts: Vec<Vec<ContactInstant>> = first.iter().map(|&first| vec![first]).collect();
-        roll.along(felt, 0, heights.len() as isize - 1, |now| {
+        roll.along(averaged, 0, heights.len() as isize - 1, |now| {
             for (contacts, now) in contacts.iter_mut().zip(now) {
                 contacts.push(*now);
             }
@@ -197,7 +197,7 @@ impl<'a, 'm> Roll<'a, 'm> {
     /// wheel is at each height after the first.
     pub(super) fn along(
         &mut self,
-        felt: impl Fn(usize, isize) -> Felt,
+        averaged: impl Fn(usize, isize) -> PatchAverage,
         from: isize,
         to: isize,
         mut visit: impl FnMut(&[ContactInstant]),
@@ -216,8 +216,8 @@ impl<'a, 'm> Roll<'a, 'm> {
                         true => (index, share),
                         false => place(ahead),
                     };
-                    let around = [-1, 0, 1, 2].map(|by| felt(contact, index + by));
-                    Felt::between(around, |four| cubic(four, share), beside[contact])
+                    let around = [-1, 0, 1, 2].map(|by| averaged(contact, index + by));
+                    PatchAverage::between(around, |four| cubic(four, share), beside[contact])
                 });
                 for contact in self.march.now() {
                     let [least, largest] = &mut self.normal_force;

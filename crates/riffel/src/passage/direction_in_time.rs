@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use super::step_weights::Weights;
 
 /// Displacement along the rail after impulses P₀r' through the hubs of the wheels and on the rail, see
-/// [`Hubs`](crate::feedback::Hubs): A t + Σ Re(R_j e^{p_j t}) as of all structures, with their poles; by rows over contacts.
+/// [`NormalDirection`](crate::feedback::NormalDirection): A t + Σ Re(R_j e^{p_j t}) as of all structures, with their poles; by rows over contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DirectionInTime {
     pub(super) contacts: usize,

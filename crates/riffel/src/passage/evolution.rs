@@ -6,8 +6,8 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::along_profile::{Roll, faded};
-use super::felt::Felt;
 use super::fourier_series::{series, spectrum};
+use super::patch_average::PatchAverage;
 use super::{ContactInTime, ContactInstant, PassageModel};
 use crate::feedback::later_of_wave;
 use crate::roughness::Profile;
@@ -251,15 +251,16 @@ impl Evolution {
         let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
         let count = heights.len() as isize;
         let contacts = model.contacts.iter();
-        let under: Vec<Vec<Felt>> = contacts.map(|contact| model.felt_around(contact, heights, self.spacing)).collect();
-        let felt = |contact: usize, index: isize| under[contact][index.rem_euclid(count) as usize];
+        let under: Vec<Vec<PatchAverage>> =
+            contacts.map(|contact| model.averages_around(contact, heights, self.spacing)).collect();
+        let averaged = |contact: usize, index: isize| under[contact][index.rem_euclid(count) as usize];
         let mut roll = Roll::new(&mut march, substeps as usize, self.spacing);
         let share = |index: isize| faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
-        roll.along(|contact, index| felt(contact, index).times(share(index)), -(run_in as isize), 0, |_| ());
+        roll.along(|contact, index| averaged(contact, index).times(share(index)), -(run_in as isize), 0, |_| ());
         roll.begin_to_count();
         let worn = model.on_rail_under_study();
         let mut instants = vec![Vec::with_capacity(heights.len()); worn.len()];
-        roll.along(felt, 0, count, |contacts| {
+        roll.along(averaged, 0, count, |contacts| {
             for (instants, (contact, _)) in instants.iter_mut().zip(&worn) {
                 instants.push(contacts[*contact]);
             }
@@ -351,14 +352,14 @@ fn energy_at_rail(
     contact: &ContactInTime,
     wear: &WearOfPassages,
     instants: &[ContactInstant],
-    under: &[Felt],
+    under: &[PatchAverage],
     length: f64,
 ) -> Vec<Complex64> {
     let energies: Vec<f64> = instants.iter().map(|at| at.energy_at_rail).collect();
     // What of the energy is that of the wave's own geometry at constant load and slip speed, at the phase of the profile there.
     let at_once = contact.wave.as_ref().filter(|_| contact.late.is_none());
     let own: Option<Vec<Complex64>> = at_once.map(|wave| {
-        let bent: Vec<f64> = under.iter().map(|felt| felt.curvature).collect();
+        let bent: Vec<f64> = under.iter().map(|averaged| averaged.curvature).collect();
         let waves = spectrum(&bent).into_iter();
         waves.map(|bent| wave.energy() * contact.profile * bent).collect()
     });

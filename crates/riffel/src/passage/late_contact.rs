@@ -159,18 +159,18 @@ impl LateMotion {
 
     /// Load \[N\] and slip speed over V at which the law is asked for the force, if the step ends with these.
     pub(super) fn for_force(&self, contact: &ContactInTime, load: f64, creepage: f64) -> (f64, f64) {
-        self.felt([0, 1], contact, load, creepage)
+        self.filtered([0, 1], contact, load, creepage)
     }
 
     /// Those for the energy.
     pub(super) fn for_energy(&self, contact: &ContactInTime, load: f64, creepage: f64) -> (f64, f64) {
-        self.felt([2, 3], contact, load, creepage)
+        self.filtered([2, 3], contact, load, creepage)
     }
 
-    fn felt(&self, filters: [usize; 2], contact: &ContactInTime, load: f64, creepage: f64) -> (f64, f64) {
+    fn filtered(&self, filters: [usize; 2], contact: &ContactInTime, load: f64, creepage: f64) -> (f64, f64) {
         let mean = [contact.spring.normal_force(), contact.mean.creepages.longitudinal];
-        let [felt_load, felt_creepage] = self.beside_mean(filters, [load - mean[0], creepage - mean[1]]);
-        (mean[0] + felt_load, mean[1] + felt_creepage)
+        let [filtered_load, filtered_creepage] = self.beside_mean(filters, [load - mean[0], creepage - mean[1]]);
+        (mean[0] + filtered_load, mean[1] + filtered_creepage)
     }
 
     fn beside_mean(&self, filters: [usize; 2], at_end: [f64; 2]) -> [f64; 2] {

@@ -1,8 +1,8 @@
 //! The motion of wheels along rails, step by step.
 
 use super::direction_in_time::DirectionMotion;
-use super::felt::Felt;
 use super::late_contact::LateMotion;
+use super::patch_average::PatchAverage;
 use super::structures_motion::StructuresMotion;
 use super::tangent_equation::{Slopes, TangentEquation};
 use super::{ContactInTime, PassageModel};
@@ -66,8 +66,8 @@ pub struct March<'a> {
     forces_before: Vec<f64>,
     heights: Vec<f64>,
     /// What the contacts feel of the waves beside their heights, and felt a step before.
-    felt: Vec<Felt>,
-    felt_before: Vec<Felt>,
+    averaged: Vec<PatchAverage>,
+    averaged_before: Vec<PatchAverage>,
     /// N = P₀r'.
     turned: Vec<f64>,
 }
@@ -116,8 +116,8 @@ impl<'a> March<'a> {
             before: Vec::with_capacity(model.contacts.len()),
             forces_before: vec![0.0; size],
             heights: vec![0.0; model.contacts.len()],
-            felt: vec![Felt::default(); model.contacts.len()],
-            felt_before: vec![Felt::default(); model.contacts.len()],
+            averaged: vec![PatchAverage::default(); model.contacts.len()],
+            averaged_before: vec![PatchAverage::default(); model.contacts.len()],
             turned: vec![0.0; model.contacts.len()],
             model,
         }
@@ -135,21 +135,21 @@ impl<'a> March<'a> {
         const SWEEPS: usize = 40;
         const REST: f64 = 1e-8;
         self.motion.advance(&self.forces, &mut self.displacement, &mut self.speed);
-        let contacts = self.model.contacts.iter().zip(&self.felt);
+        let contacts = self.model.contacts.iter().zip(&self.averaged);
         if let Some(direction) = &mut self.direction {
-            for (turned, (contact, felt)) in self.turned.iter_mut().zip(contacts) {
-                *turned = contact.spring.normal_force() * felt.slope;
+            for (turned, (contact, averaged)) in self.turned.iter_mut().zip(contacts) {
+                *turned = contact.spring.normal_force() * averaged.slope;
             }
             direction.advance(&self.turned, &mut self.speed);
         }
-        let contacts = self.model.contacts.iter().zip(&self.felt_before);
+        let contacts = self.model.contacts.iter().zip(&self.averaged_before);
         let contacts = contacts.zip(&self.now);
-        for (late, ((contact, felt), now)) in self.late.iter_mut().zip(contacts) {
+        for (late, ((contact, averaged), now)) in self.late.iter_mut().zip(contacts) {
             if let Some(late) = late {
-                late.advance(contact, now, felt.curvature);
+                late.advance(contact, now, averaged.curvature);
             }
         }
-        self.felt_before.copy_from_slice(&self.felt);
+        self.averaged_before.copy_from_slice(&self.averaged);
         self.before.clear();
         let creepages = self.now.iter();
         self.before.extend(creepages.map(|now| [now.creepage, now.lateral_creepage]));
@@ -189,14 +189,14 @@ impl<'a> March<'a> {
     }
 
     /// One step on along a rail, of which under study a contact of a number feels what is told at a distance ahead of the first wheel \[m\].
-    pub(super) fn advance_along(&mut self, felt: impl Fn(usize, f64) -> Felt) {
+    pub(super) fn advance_along(&mut self, averaged: impl Fn(usize, f64) -> PatchAverage) {
         let mut heights = std::mem::take(&mut self.heights);
         for (index, contact) in self.model.contacts.iter().enumerate() {
-            self.felt[index] = match contact.profile {
-                0.0 => Felt::default(),
-                profile => felt(index, contact.along).times(profile),
+            self.averaged[index] = match contact.profile {
+                0.0 => PatchAverage::default(),
+                profile => averaged(index, contact.along).times(profile),
             };
-            heights[index] = self.felt[index].height;
+            heights[index] = self.averaged[index].height;
         }
         self.advance(&heights);
         self.heights = heights;
@@ -232,8 +232,8 @@ impl<'a> March<'a> {
         let (approach, normal_force) = contact.spring.meet(gap, give_way, before.approach);
 
         let mean = &contact.mean;
-        let felt = self.felt[index];
-        let curvature = felt.curvature;
+        let averaged = self.averaged[index];
+        let curvature = averaged.curvature;
         let slower = 1.0 + curvature;
         let at_rest = [mean.creepages.longitudinal, mean.creepages.lateral];
         let v = self.model.speed / slower;
@@ -244,9 +244,9 @@ impl<'a> March<'a> {
             curvature,
             by_wave: match (&contact.wave, &contact.late) {
                 (Some(wave), None) => wave.force(curvature),
-                _ => [felt.force, 0.0],
+                _ => [averaged.force, 0.0],
             },
-            energy_of_wave: felt.energy,
+            energy_of_wave: averaged.energy,
             known: at_rest.map(|creepage| creepage * slower),
             by_force: [[0.0; 2]; 2],
         };

@@ -119,7 +119,7 @@ impl PassageModel {
     }
 
     /// What the patch leaves of a wave \[m\]: its contact filter, one without.
-    pub fn felt(&self, wavelength: f64) -> f64 {
+    pub fn patch_average(&self, wavelength: f64) -> f64 {
         let filter = self.contact_filter;
         filter.map_or(1.0, |filter| filter.amplitude(TAU / wavelength, 0.0))
     }

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::along_profile::faded;
-use super::felt::FeltWave;
+use super::patch_average::PatchAverageWave;
 use super::{ContactInTime, ContactInstant, ImpulseResponse, PassageModel};
 use crate::Error;
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// A profile Δ cos(2πx/λ), upward.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,13 +126,13 @@ impl PassageModel {
     /// without a profile too, and [`Error::Airborne`] where a wheel is in the air for more than nine tenths of a wave.
     pub fn settle(&self, profile: Sinusoid, steps: usize) -> Result<Vec<Settled>, Error> {
         profile.check(steps)?;
-        let felt = |contact: &ContactInTime| {
-            let FeltWave(by_height) = self.felt_by(contact, profile.wavelength);
-            FeltWave(by_height.map(|by| profile.amplitude * by))
+        let averaged = |contact: &ContactInTime| {
+            let PatchAverageWave(by_height) = self.average_of_wave(contact, profile.wavelength);
+            PatchAverageWave(by_height.map(|by| profile.amplitude * by))
         };
-        let felt: Vec<FeltWave> = self.contacts.iter().map(felt).collect();
+        let averaged: Vec<PatchAverageWave> = self.contacts.iter().map(averaged).collect();
         if let Some(spacing) = self.structures.support_spacing() {
-            return self.settle_over_supports(profile, &felt, steps, spacing);
+            return self.settle_over_supports(profile, &averaged, steps, spacing);
         }
         let wavelength = profile.wavelength;
         let mut march = self.march(wavelength / steps as f64)?;
@@ -149,7 +149,7 @@ impl PassageModel {
                 let share = step as f64 / steps as f64;
                 let grown = faded(((number - 1) as f64 + share) / onset);
                 let wave = |ahead: f64| Complex64::cis(TAU * share + TAU * ahead / wavelength);
-                march.advance_along(|index, ahead| felt[index].times(grown).at(wave(ahead)));
+                march.advance_along(|index, ahead| averaged[index].times(grown).at(wave(ahead)));
                 for (wave, instant) in waves.iter_mut().zip(march.now()) {
                     wave.push(*instant);
                 }
@@ -184,7 +184,7 @@ impl PassageModel {
     fn settle_over_supports(
         &self,
         profile: Sinusoid,
-        felt: &[FeltWave],
+        averaged: &[PatchAverageWave],
         steps: usize,
         spacing: f64,
     ) -> Result<Vec<Settled>, Error> {
@@ -202,7 +202,7 @@ impl PassageModel {
             let grown = faded(index as f64 / onset);
             let angle = TAU * (index % steps) as f64 / steps as f64;
             let wave = |ahead: f64| Complex64::cis(angle + TAU * ahead / wavelength);
-            march.advance_along(|index, ahead| felt[index].times(grown).at(wave(ahead)));
+            march.advance_along(|index, ahead| averaged[index].times(grown).at(wave(ahead)));
             if index > before * steps {
                 for (contacts, now) in contacts.iter_mut().zip(march.now()) {
                     contacts.push(*now);

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 /// Part A \[1/kg\] of receptances \[m/N\], H → −A/ω² for ω → 0, of a structure that only its receptances describe. Entries below
 /// 10⁻⁹ are zero.
-pub(crate) fn free_of(mut receptances: impl FnMut(f64) -> Vec<Complex64>) -> Vec<f64> {
+pub(crate) fn free_of(receptances: &dyn Fn(f64) -> Vec<Complex64>) -> Vec<f64> {
     /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
     const SLOW: f64 = 0.3;
     /// \[1/kg\]: what springs and rounding leave.

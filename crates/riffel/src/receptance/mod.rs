@@ -83,7 +83,7 @@ pub trait Receptance: Send + Sync {
     ///
     /// Provided, from the receptance at three low frequencies, for a structure that only its receptance describes.
     fn free(&self) -> f64 {
-        free_of(|w| vec![self.receptance(w, 1.0)])[0]
+        free_of(&|w| vec![self.receptance(w, 1.0)])[0]
     }
 
     /// True where the receptance depends on frequency alone and one evaluation costs more than an

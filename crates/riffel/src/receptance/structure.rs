@@ -45,7 +45,7 @@ pub trait Structure: Send + Sync {
     ///
     /// Provided, from the receptances at three low frequencies, for a structure that only they describe.
     fn free(&self, places: &[Place]) -> Vec<f64> {
-        free_of(|w| {
+        free_of(&|w| {
             let mut matrix = vec![Complex64::ZERO; places.len() * places.len()];
             self.receptance_matrix(w, 1.0, places, &mut matrix);
             matrix

@@ -61,7 +61,7 @@ pub trait Wheelset: Send + Sync {
     ///
     /// Provided, from the receptances at three low frequencies, for a wheelset that only they describe.
     fn free_at_contacts(&self) -> [[f64; 6]; 6] {
-        let free = free_of(|w| self.receptances(w).into_iter().flatten().collect());
+        let free = free_of(&|w| self.receptances(w).into_iter().flatten().collect());
         std::array::from_fn(|at| std::array::from_fn(|from| free[6 * at + from]))
     }
 }

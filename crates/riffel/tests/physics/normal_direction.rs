@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use riffel::contact::{Carter3d, CurvatureFilter, MeanState, QuasiStatic, WaveGeometry, WavePatch};
-use riffel::feedback::{Contact, Hubs, OneWheel};
+use riffel::feedback::{Contact, NormalDirection, OneWheel};
 use riffel::growth::RowEvaluator;
 use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Structure, Uncoupled};
 use riffel::wheelset::{
@@ -73,7 +73,7 @@ fn one_wheel(ratio: f64, on_waves: bool, mass: f64) -> OneWheel {
 /// Loop of which the normal force is along the normal of the wave.
 fn turned(ratio: f64, on_waves: bool, mass: f64) -> Loop {
     let feedback = one_wheel(ratio, on_waves, mass).close().unwrap();
-    feedback.with_normal_direction(Hubs::Lone(rigid(mass)))
+    feedback.with_normal_direction(NormalDirection::Lone(rigid(mass)))
 }
 
 /// e₁/(e₀Δ) at the rail point \[1/m\] that the direction adds.
@@ -134,7 +134,7 @@ fn a_rod_yields_under_it() {
         };
         let feedback = Loop::new(Arc::new(track), Arc::new(wheels), contacts, AMPLITUDE);
         let feedback = feedback.unwrap();
-        let feedback = feedback.with_normal_direction(Hubs::Lone(rigid(1e12)));
+        let feedback = feedback.with_normal_direction(NormalDirection::Lone(rigid(1e12)));
         let got = added(&feedback, wavelength, speed);
         assert!((got - expected).abs() <= digits, "{got} {expected}");
     }
@@ -149,7 +149,7 @@ proptest! {
     ) {
         let mut joints = one_wheel(ratio, on_waves, mass);
         joints.rotation = [joints.rotation.clone(), Motion::Held, Motion::Free][kind].clone();
-        let hubs = || Hubs::Lone(rigid(mass));
+        let hubs = || NormalDirection::Lone(rigid(mass));
         let closed = joints.clone().close().unwrap().with_normal_direction(hubs());
         let contact = closed.contacts()[0].clone();
         // Nothing moves across, but nothing holds the wheel there.
@@ -225,7 +225,7 @@ proptest! {
         let track = Arc::new(Uncoupled { vertical: Some(joints.track), ..Uncoupled::default() });
         let wheels: Arc<dyn Structure> = wheelset.clone();
         let feedback = Loop::new(track, wheels, contacts, AMPLITUDE).unwrap();
-        let feedback = feedback.with_normal_direction(Hubs::OfWheelsets(wheelset));
+        let feedback = feedback.with_normal_direction(NormalDirection::OfWheelsets(wheelset));
         let state = feedback.at(wavelength, speed);
         let slip = -LOAD * AMPLITUDE / (MASS * speed * speed);
         for contact in &state.contacts {

@@ -54,8 +54,8 @@ impl Linear {
             for vehicle in vehicles {
                 for wheel in &vehicle.wheels {
                     let rate = rate(&vehicle.case, wavelength, wheel.model.speed)?;
-                    let felt = wheel.model.felt(wavelength);
-                    mean += wheel.share * wheel.traction_share * felt * rate;
+                    let patch_average = wheel.model.patch_average(wavelength);
+                    mean += wheel.share * wheel.traction_share * patch_average * rate;
                 }
             }
             Ok(mean)

@@ -5,7 +5,7 @@ mod wheels;
 
 use std::f64::consts::TAU;
 
-use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, RunSettings, Sample};
+use riffel::axlebox::{AxleBoxTransfer, PatchAverageProfile, Run, RunSettings, Sample};
 use riffel::roughness::{BandPass, ColouredNoise, Profile, Recipe, Spectrum, WavelengthBand};
 use riffel_answers::AnswerError;
 use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRequest};
@@ -123,7 +123,7 @@ fn between(rail: &Profile, place: f64) -> f64 {
     b + t * (first + t * (second + t * third))
 }
 
-fn felt(case: &Case, settings: RunSettings, samples: &[Sample]) -> Vec<FeltProfile> {
+fn felt(case: &Case, settings: RunSettings, samples: &[Sample]) -> Vec<PatchAverageProfile> {
     let transfer = AxleBoxTransfer::new(case.places(), case.known_frequencies());
     let mut run = Run::new(&transfer, settings).unwrap();
     for &sample in samples {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use riffel_keys::{CaseError, Message, fixed, say};
 
-use super::{Asked, WheelsOfVehicle};
+use super::{VehicleRequest, WheelsOfVehicle};
 use crate::Case;
 
 /// Where the contact of a wheel runs across the rail.
@@ -16,7 +16,7 @@ pub(super) struct AcrossRail {
     pub(super) covering: f64,
 }
 
-impl Asked<'_> {
+impl VehicleRequest<'_> {
     /// Where the contact of a wheel runs, if the line under study is one across the rail or contacts are spread.
     ///
     /// Mass that comes off a band comes off that about the place of the wheel.

@@ -63,7 +63,7 @@ pub(super) struct KeptWheels(Mutex<HashMap<String, Arc<WheelsOfVehicle>>>);
 
 /// What is asked of a vehicle.
 #[derive(Clone, Copy)]
-pub(super) struct Asked<'a> {
+pub(super) struct VehicleRequest<'a> {
     pub(super) kept: &'a KeptWheels,
     pub(super) traffic: &'a Traffic,
     pub(super) index: usize,
@@ -82,7 +82,7 @@ impl WheelOfVehicle {
     }
 }
 
-impl Asked<'_> {
+impl VehicleRequest<'_> {
     fn spreads(&self) -> &Spreads {
         &self.traffic.spreads[self.index]
     }
@@ -318,7 +318,7 @@ impl Asked<'_> {
                 if let ([_], [_], [(_, places)]) = (parts, &it.wheels[..], &wheel.states[..])
                     && let Some(window) = self.case.growth_window()
                 {
-                    growth = growth.with_course(places, window);
+                    growth = growth.with_spectrum(places, window);
                 }
                 let growth = match wheel.across {
                     Some(AcrossRail { covering, .. }) if !all_on_line => growth.covering(covering),

@@ -4,7 +4,7 @@ use riffel::forecast::{SpeedDistribution, band_lines};
 use riffel::roughness::ThirdOctave;
 use riffel_keys::CaseError;
 
-use super::{Asked, KeptWheels};
+use super::{KeptWheels, VehicleRequest};
 use crate::traffic::{SpreadEffect, Traffic, TrafficOnCase};
 use crate::{Case, Variant};
 
@@ -39,7 +39,8 @@ impl Traffic {
         let variant = Variant::none("");
         let mut effects = Vec::new();
         for (index, vehicle) in self.file.vehicle.iter().enumerate() {
-            let asked = Asked { kept, traffic: self, index, case, lines: &lines, variant: &variant, speeds: None };
+            let asked =
+                VehicleRequest { kept, traffic: self, index, case, lines: &lines, variant: &variant, speeds: None };
             let rates = &on.growth.vehicles()[index].growth.rates;
             let with = rates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let traction = vehicle.traction_share.map_or(1.0, |share| share.si());
@@ -56,7 +57,7 @@ impl Traffic {
             if speeds.deviation() > 0.0
                 && let Ok(mean) = SpeedDistribution::single(speeds.mean())
             {
-                let at_mean = Asked { speeds: Some(&mean), ..asked };
+                let at_mean = VehicleRequest { speeds: Some(&mean), ..asked };
                 tell("speed", asked.fastest(&at_mean.parts(&rules)?));
             }
             for &place in &spread {

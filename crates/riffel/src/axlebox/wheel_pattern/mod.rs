@@ -7,7 +7,7 @@ mod tests;
 
 use std::ops::RangeInclusive;
 
-use super::FeltProfile;
+use super::PatchAverageProfile;
 use crate::Error;
 use crate::roughness::Profile;
 use lines::Lines;
@@ -69,7 +69,7 @@ impl WheelPattern {
     /// # Errors
     /// None for heights that are finite.
     pub fn take_off(
-        felt: &mut [FeltProfile],
+        felt: &mut [PatchAverageProfile],
         circumference: f64,
         supports: Option<f64>,
     ) -> Result<Vec<Option<Self>>, Error> {
@@ -108,7 +108,13 @@ struct Turning {
 }
 
 impl Turning {
-    fn find(lines: &[Lines], index: usize, felt: &FeltProfile, nominal: f64, supports: Option<f64>) -> Option<Self> {
+    fn find(
+        lines: &[Lines],
+        index: usize,
+        felt: &PatchAverageProfile,
+        nominal: f64,
+        supports: Option<f64>,
+    ) -> Option<Self> {
         let spacing = felt.profile.spacing();
         let turns = felt.profile.length() / nominal;
         if turns < LEAST_TURNS || nominal < 8.0 * spacing {
@@ -149,7 +155,7 @@ impl Turning {
     }
 
     /// The pattern, its course taken off the heights if it is the wheel's.
-    fn taken_off(self, lines: &Lines, felt: &mut FeltProfile) -> Result<WheelPattern, Error> {
+    fn taken_off(self, lines: &Lines, felt: &mut PatchAverageProfile) -> Result<WheelPattern, Error> {
         let circumference = self.circumference;
         let amplitude = |order| {
             let [_, repeating] = lines.about(order, circumference, self.turns);
@@ -182,7 +188,7 @@ impl Turning {
 }
 
 /// Known orders whose power repeats.
-fn standing_out(lines: &Lines, felt: &FeltProfile, circumference: f64, turns: usize) -> Vec<usize> {
+fn standing_out(lines: &Lines, felt: &PatchAverageProfile, circumference: f64, turns: usize) -> Vec<usize> {
     let stands_out = |&order: &usize| {
         let [all, repeating] = lines.about(order, circumference, turns);
         repeating > ORDER_SHARE * all
@@ -191,7 +197,7 @@ fn standing_out(lines: &Lines, felt: &FeltProfile, circumference: f64, turns: us
 }
 
 /// Orders of wavelengths that are known.
-fn known_orders(felt: &FeltProfile, circumference: f64) -> RangeInclusive<usize> {
+fn known_orders(felt: &PatchAverageProfile, circumference: f64) -> RangeInclusive<usize> {
     let first = ((circumference / felt.known.to()).ceil() as usize).max(1);
     first..=(circumference / felt.known.from()) as usize
 }

@@ -2,7 +2,7 @@ use std::f64::consts::TAU;
 
 use super::lines::Lines;
 use super::{MOST_TURNS, WORN, WheelPattern, best_distance};
-use crate::axlebox::FeltProfile;
+use crate::axlebox::PatchAverageProfile;
 use crate::roughness::{Profile, Spectrum, ThirdOctave, WavelengthBand};
 
 const STEP: f64 = 0.002;
@@ -21,10 +21,10 @@ fn rail(seed: u64, is_corrugated: bool) -> Vec<f64> {
     spectrum.drawn(LENGTH, STEP, seed).unwrap().heights().to_vec()
 }
 
-fn with(rail: &[f64], wheel: impl Fn(f64) -> f64) -> FeltProfile {
+fn with(rail: &[f64], wheel: impl Fn(f64) -> f64) -> PatchAverageProfile {
     let places = rail.iter().enumerate();
     let heights = places.map(|(index, height)| height + wheel(index as f64 * STEP));
-    FeltProfile {
+    PatchAverageProfile {
         profile: Profile::new(0.0, STEP, heights.collect()).unwrap(),
         known: WavelengthBand::new(0.014, 0.3).unwrap(),
         speeds: [20.0; 3],
@@ -61,7 +61,7 @@ fn rails() -> impl Iterator<Item = (u64, bool, f64)> {
 }
 
 /// What the first of some wheels has, and the heights without it.
-fn found(mut felt: Vec<FeltProfile>, circumference: f64) -> (Option<WheelPattern>, Profile) {
+fn found(mut felt: Vec<PatchAverageProfile>, circumference: f64) -> (Option<WheelPattern>, Profile) {
     let found = WheelPattern::take_off(&mut felt, circumference, Some(0.6)).unwrap();
     let first = felt.swap_remove(0);
     (found.into_iter().next().unwrap(), first.profile)

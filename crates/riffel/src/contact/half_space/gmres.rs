@@ -1,7 +1,7 @@
 //! Linear equations of which only the product with a vector is known.
 
 use super::scalar::{Scalar, add_multiple, dot, norm};
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Solve A x = b by the generalised minimal residual method (Saad & Schultz 1986) without restart, from
 /// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖; the share left if `most` products do not do.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::StressTensor;
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Stress under the elements of a patch, lengths in the semi-axis a.
 ///

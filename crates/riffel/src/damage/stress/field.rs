@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{EllipseStress, UnitStress};
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Stresses under the points of a grid, of which mirror images are evaluated once.
 pub(super) struct Field {

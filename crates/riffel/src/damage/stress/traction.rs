@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::field::Field;
 use super::{ElementStress, EllipseStress, StressTensor, UnitStress};
+use crate::cancel::check;
 use crate::contact::{HalfSpace, HalfSpaceRolling};
-use crate::wanted::check;
 
 /// Shear of a contact on the rail: μp in full slip, or less of it where the surfaces stick.
 #[derive(Debug, Clone, PartialEq)]

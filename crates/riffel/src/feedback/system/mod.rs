@@ -10,7 +10,7 @@ use pulp::Arch;
 
 use super::answers::Answers;
 use super::linear::{Equations, Solve};
-use super::turn::{NORMAL, SHIFT, Turn};
+use super::solve::{NORMAL, SHIFT, SolveLoop};
 use super::{Comb, Contact, ContactState, Derivative, Loop};
 use crate::vector::lanes_of;
 use crate::wheelset::Motion;
@@ -101,7 +101,7 @@ impl System {
             receptances: vec![0.0; 2 * size * size * lanes],
             equations: Equations::new(size, columns, lanes),
             hubs: of.places_of_wheels(),
-            direction: (of.hubs.as_ref()).map(|_| vec![0.0; 2 * count * columns * lanes]),
+            direction: (of.normal_direction.as_ref()).map(|_| vec![0.0; 2 * count * columns * lanes]),
             excitation,
             creepages: vec![0.0; 2 * 2 * of.contacts.len() * lanes],
             dissipation: vec![0.0; 2 * lanes],
@@ -119,13 +119,13 @@ impl System {
     }
 
     /// Solve the equations at the wavelengths of the answers and a speed \[m/s\], one wavelength a lane.
-    pub(crate) fn turn(&mut self, of: &Loop, answers: &Answers, speed: f64) {
+    pub(crate) fn solve(&mut self, of: &Loop, answers: &Answers, speed: f64) {
         for (lane, &wavelength) in answers.wavelengths().iter().enumerate() {
             self.receptances(of, 2.0 * PI * speed / wavelength, speed);
             self.turn_normals(of, speed, wavelength, lane);
             self.gather(of, lane);
         }
-        self.arch.dispatch(Turn {
+        self.arch.dispatch(SolveLoop {
             contacts: &of.contacts,
             unknowns: self.unknowns,
             excitation: &self.excitation,
@@ -170,7 +170,7 @@ impl System {
     /// normal forces alone on rails and wheels without friction.
     pub(super) fn determinant(&mut self, of: &Loop, angular_frequency: f64, speed: f64) -> Complex64 {
         let answers = self.answers(of, &[2.0 * PI * speed / angular_frequency]);
-        self.turn(of, &answers, speed);
+        self.solve(of, &answers, speed);
         let whole = self.equations.determinant(0);
         let (unknowns, count) = (self.unknowns, of.contacts.len());
         let size = unknowns * count;
@@ -202,7 +202,7 @@ impl System {
     /// What the direction of the normal forces makes of the waves under the contacts, after their receptances.
     fn turn_normals(&mut self, of: &Loop, speed: f64, wavelength: f64, lane: usize) {
         let (size, count, lanes) = (self.size(), of.contacts.len(), self.lanes);
-        let (Some(hubs), Some(direction)) = (&of.hubs, &mut self.direction) else {
+        let (Some(hubs), Some(direction)) = (&of.normal_direction, &mut self.direction) else {
             return;
         };
         let wavenumber = 2.0 * PI / wavelength;

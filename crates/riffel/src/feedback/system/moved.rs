@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use num_complex::Complex64;
 
 use crate::damage::Oscillation;
-use crate::feedback::turn::NORMAL;
+use crate::feedback::solve::NORMAL;
 use crate::feedback::{Contact, Derivative, Derivatives};
 
 /// What moves a contact.

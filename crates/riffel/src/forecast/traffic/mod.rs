@@ -6,7 +6,7 @@ use super::cracks::WavePhase;
 use super::hardening_wheel::HardeningWheel;
 use super::marched::RatesByAmplitude;
 use super::{LINES_PER_BAND, MeasuredGrowth, band_lines};
-use crate::growth::GrowthCourse;
+use crate::growth::GrowthSpectrum;
 use crate::roughness::ThirdOctave;
 use crate::{Error, MeanWear};
 use vehicle_growth::mean;
@@ -72,7 +72,7 @@ impl TrafficGrowth {
             for vehicle in &mut self.vehicles {
                 vehicle.growth.rates[lines_of(place)].fill(rate);
                 // What was measured does not tell lines apart.
-                vehicle.course = None;
+                vehicle.spectrum = None;
             }
         }
         self
@@ -99,19 +99,19 @@ impl TrafficGrowth {
     }
 
     /// The wavelength \[m\] from a shortest one on that grows fastest, its growth rate per axle passage \[-\], and whether a shorter or
-    /// longer one may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; `None` if no line is so long.
+    /// longer one may grow faster. Of vehicles with a [spectrum](VehicleGrowth::spectrum) narrow lines count; `None` if no line is so long.
     pub fn fastest(&self, shortest: f64) -> Option<(f64, f64, bool)> {
         let lines = self.wavelengths();
-        let courses = self.vehicles.iter();
-        let courses: Vec<(f64, GrowthCourse)> =
-            courses.map(|vehicle| (vehicle.share, vehicle.course_over(&lines))).collect();
+        let spectra = self.vehicles.iter();
+        let spectra: Vec<(f64, GrowthSpectrum)> =
+            spectra.map(|vehicle| (vehicle.share, vehicle.spectrum_over(&lines))).collect();
         let inside = |wavelength: &&f64| **wavelength >= shortest;
-        let places = courses.iter().flat_map(|(_, course)| &course.wavelengths);
+        let places = spectra.iter().flat_map(|(_, spectrum)| &spectrum.wavelengths);
         let mut places: Vec<f64> = places.filter(inside).copied().collect();
         places.sort_by(f64::total_cmp);
         let rate = |wavelength: f64| {
-            let rates = courses.iter();
-            rates.map(|(share, course)| share * course.at(wavelength)).sum::<f64>()
+            let rates = spectra.iter();
+            rates.map(|(share, spectrum)| share * spectrum.at(wavelength)).sum::<f64>()
         };
         let rates = places.iter().map(|&wavelength| (wavelength, rate(wavelength)));
         let (wavelength, rate) = rates.max_by(|a, b| a.1.total_cmp(&b.1))?;

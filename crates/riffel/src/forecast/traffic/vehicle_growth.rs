@@ -4,7 +4,7 @@ use crate::feedback::Loop;
 use crate::forecast::cracks::Cracks;
 use crate::forecast::hardening_wheel::HardeningWheel;
 use crate::forecast::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
-use crate::growth::{Axis, GrowthCourse};
+use crate::growth::{Axis, GrowthSpectrum};
 use crate::roughness::ThirdOctave;
 use crate::{Error, STANDARD_GRAVITY};
 
@@ -24,7 +24,7 @@ pub struct VehicleGrowth {
     /// Growth by line.
     pub growth: MeanGrowth,
     /// Growth with its narrow lines, where the vehicle runs at a few speeds: a distribution makes broad lines of them.
-    pub course: Option<GrowthCourse>,
+    pub spectrum: Option<GrowthSpectrum>,
     /// Mean depth worn off the rail per passage \[m\].
     pub wear_depth: f64,
     /// Rates by line at rising amplitudes of the wave \[m\], without flow that hardens; empty if they do not depend on it.
@@ -103,16 +103,16 @@ impl VehicleGrowth {
             cracks: Cracks::of(states, bands, &speeds),
             bounded_by_wear: places.iter().all(|(feedback, _)| feedback.mean_wear().bounds_growth),
             speeds,
-            course: None,
+            spectrum: None,
         })
     }
 
     /// The vehicle with its narrow lines of growth over a window of wavelengths, where it runs at no more than
     /// [`FEW`](Self::FEW) speeds. `places` as in [`MeanGrowth::compute`].
-    pub fn with_course(mut self, places: &[(Loop, f64)], window: Axis) -> Self {
+    pub fn with_spectrum(mut self, places: &[(Loop, f64)], window: Axis) -> Self {
         let few = self.speeds.listed().filter(|speeds| speeds.len() <= Self::FEW);
-        self.course = few.map(|speeds| {
-            GrowthCourse::of(window, |wavelength| {
+        self.spectrum = few.map(|speeds| {
+            GrowthSpectrum::of(window, |wavelength| {
                 let of = |(speed, share): &(f64, f64)| {
                     let rates = places
                         .iter()
@@ -126,21 +126,21 @@ impl VehicleGrowth {
     }
 
     /// Its course with the lines \[m\] beside the window of that; the lines alone where it has none.
-    pub(super) fn course_over(&self, lines: &[f64]) -> GrowthCourse {
-        let mut over = GrowthCourse { wavelengths: Vec::new(), rates: Vec::new() };
+    pub(super) fn spectrum_over(&self, lines: &[f64]) -> GrowthSpectrum {
+        let mut over = GrowthSpectrum { wavelengths: Vec::new(), rates: Vec::new() };
         let mut add = |wavelengths: &[f64], rates: &[f64]| {
             over.wavelengths.extend(wavelengths);
             over.rates.extend(rates);
         };
         let rates = &self.growth.rates;
-        match &self.course {
+        match &self.spectrum {
             None => add(lines, rates),
-            Some(course) => {
-                let last = course.wavelengths.len() - 1;
-                let before = lines.partition_point(|line| *line < course.wavelengths[0]);
-                let after = lines.partition_point(|line| *line <= course.wavelengths[last]);
+            Some(spectrum) => {
+                let last = spectrum.wavelengths.len() - 1;
+                let before = lines.partition_point(|line| *line < spectrum.wavelengths[0]);
+                let after = lines.partition_point(|line| *line <= spectrum.wavelengths[last]);
                 add(&lines[..before], &rates[..before]);
-                add(&course.wavelengths, &course.rates);
+                add(&spectrum.wavelengths, &spectrum.rates);
                 add(&lines[after..], &rates[after..]);
             }
         }
@@ -209,7 +209,7 @@ impl VehicleGrowth {
             wheel_load,
             speeds,
             growth,
-            course: None,
+            spectrum: None,
             wear_depth,
             by_amplitude,
             hardening,
@@ -232,11 +232,11 @@ impl VehicleGrowth {
     /// The vehicle where its contacts cover the line under study in a share of its passages \[-\], from 0 to 1, and run beside
     /// it in the others, which leave the line as it is.
     pub fn covering(mut self, share: f64) -> Self {
-        let course = self.course.iter_mut();
-        let course = course.flat_map(|course| &mut course.rates);
+        let spectrum = self.spectrum.iter_mut();
+        let spectrum = spectrum.flat_map(|spectrum| &mut spectrum.rates);
         let by_amplitude = self.by_amplitude.iter_mut();
         let by_amplitude = by_amplitude.flat_map(|(_, rates)| rates);
-        let rates = self.growth.rates.iter_mut().chain(course);
+        let rates = self.growth.rates.iter_mut().chain(spectrum);
         for rate in rates.chain(by_amplitude) {
             *rate *= share;
         }

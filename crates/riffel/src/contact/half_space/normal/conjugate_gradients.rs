@@ -1,7 +1,7 @@
 //! Pressures and gaps that complement one another, by conjugate gradients.
 
 use super::boussinesq::Boussinesq;
-use crate::wanted::check;
+use crate::cancel::check;
 
 /// Largest overlap, and largest gap under pressure, relative to the largest displacement.
 pub(super) const TOLERANCE: f64 = 1e-9;

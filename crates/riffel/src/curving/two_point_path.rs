@@ -1,4 +1,4 @@
-//! The way of a wheelset across the track, on which two-point contact has a length.
+//! Path of a wheelset across the track, on which two-point contact has a length.
 //!
 //! A rigid wheel whose contact jumps from one place to another touches both at one shift η* at the level of the rails. There η
 //! is held and how the two normal forces share the load is free, P₁ ≥ 0 and P₂ ≥ 0; before it P₂ = 0, after it P₁ = 0. One
@@ -11,7 +11,7 @@ use crate::Rail;
 /// Length of u \[m\] over which the load goes from one point to the other: a scale for Newton's steps, without a meaning.
 const LENGTH: f64 = 1e-3;
 
-/// A place on the way.
+/// Place on the path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place<'a> {
     /// Shift η at the level of the rails \[m\].

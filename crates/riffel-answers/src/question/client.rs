@@ -1,4 +1,4 @@
-//! Who asks a question.
+//! The client of a question.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -9,8 +9,8 @@ use riffel_study::Stop;
 /// Called after some more steps of the work.
 pub type Step<'a> = Box<dyn Fn(usize) + Sync + 'a>;
 
-/// Who asks: is told how far the work is, and what is unusual about the question.
-pub trait Asker: Sync {
+/// Client of a question, which learns how far the work is and what is unusual about the question.
+pub trait Client: Sync {
     /// Begin work of so many steps; it ends when the returned function goes.
     fn begin(&self, work: Message, steps: usize) -> Step<'_>;
 
@@ -42,7 +42,7 @@ pub trait Asker: Sync {
 /// Nobody who listens.
 pub struct Nobody;
 
-impl Asker for Nobody {
+impl Client for Nobody {
     fn begin(&self, _: Message, _: usize) -> Step<'_> {
         Box::new(|_| ())
     }

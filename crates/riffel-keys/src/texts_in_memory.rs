@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 thread_local! {
-    static GIVEN: RefCell<BTreeMap<PathBuf, String>> = const { RefCell::new(BTreeMap::new()) };
+    static IN_MEMORY: RefCell<BTreeMap<PathBuf, String>> = const { RefCell::new(BTreeMap::new()) };
 }
 
 /// The result of `read`, to which texts were given with their names: meanwhile readers on this thread take them in place of
@@ -13,15 +13,15 @@ thread_local! {
 pub fn with_texts<T>(texts: impl IntoIterator<Item = (String, String)>, read: impl FnOnce() -> T) -> T {
     let texts = texts.into_iter();
     let texts = texts.map(|(name, text)| (name.into(), text));
-    let outer = GIVEN.replace(texts.collect());
+    let outer = IN_MEMORY.replace(texts.collect());
     let done = read();
-    GIVEN.replace(outer);
+    IN_MEMORY.replace(outer);
     done
 }
 
-/// The text that was given with this name.
-pub(crate) fn given(path: &Path) -> Option<Vec<u8>> {
-    GIVEN.with_borrow(|texts| texts.get(path).map(|text| text.clone().into_bytes()))
+/// Text that stands under this name.
+pub(crate) fn in_memory(path: &Path) -> Option<Vec<u8>> {
+    IN_MEMORY.with_borrow(|texts| texts.get(path).map(|text| text.clone().into_bytes()))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! One turn of the loop at the wavelengths of a vector register, in vector instructions.
+//! Solution of the loop at the wavelengths of a vector register, in vector instructions.
 
 use pulp::{Simd, WithSimd};
 
@@ -14,8 +14,8 @@ pub(super) const NORMAL: usize = 2;
 /// The index of the shift of the contact on the rail, in a loop in which one moves.
 pub(super) const SHIFT: usize = 3;
 
-/// All that enters one turn, and what leaves it.
-pub(super) struct Turn<'a> {
+/// Inputs and results of the equations of the loop.
+pub(super) struct SolveLoop<'a> {
     pub(super) contacts: &'a [Contact],
     /// Unknowns of a contact: three, or four where a contact of the loop moves across the profiles.
     pub(super) unknowns: usize,
@@ -35,7 +35,7 @@ pub(super) struct Turn<'a> {
     pub(super) dissipation: &'a mut [f64],
 }
 
-impl WithSimd for Turn<'_> {
+impl WithSimd for SolveLoop<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -46,7 +46,7 @@ impl WithSimd for Turn<'_> {
     }
 }
 
-impl Turn<'_> {
+impl SolveLoop<'_> {
     /// The equations, with ξ = −ik (H f) in the tangent plane where an axis is compliant:
     ///
     /// ```text

@@ -8,7 +8,7 @@ import { currentLanguage, passages, t } from './words.js';
 const tenths = (value, sign = '') => `${sign && value >= 0 ? '+' : ''}${value.toLocaleString(currentLanguage(), { minimumFractionDigits: 1, maximumFractionDigits: 1 }).replace('-', '−')}`;
 
 /** "2025-05-01 12.1 dB, 2026-05-01 17.3 dB: +5.2 dB, +5.2 ± 0.8 dB a year"; the sentence of the program where the rail was ground. */
-export function courseWords({ records, levels_db: levels, ground_before: ground, slope_db: slope, slope_scatter_db: scatter, per, sentence }) {
+export function trendWords({ records, levels_db: levels, ground_before: ground, slope_db: slope, slope_scatter_db: scatter, per, sentence }) {
   if (ground) return inWords(sentence);
   const points = records.map((record, k) => `${record} ${tenths(levels[k])} dB`).join(', ');
   return t('course', { points, change: tenths(levels.at(-1) - levels[0], '+'), slope: tenths(slope, '+'), scatter: tenths(scatter), isYear: per === 'year' });

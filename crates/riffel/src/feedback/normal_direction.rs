@@ -30,14 +30,14 @@ use crate::{Rail, Receptance};
 /// Source: derived in the book. Range of validity: to first order in the slope, a contact in a point; over an ellipse the slope that counts is
 /// 3j₁(ka)/(ka) of it, 0.95 at λ = 9a.
 #[derive(Clone)]
-pub enum Hubs {
+pub enum NormalDirection {
     /// Of a wheel without a partner \[m/N\].
     Lone(Arc<dyn Receptance>),
     /// Of wheelsets, alike wherever they stand.
     OfWheelsets(Arc<dyn WheelsetWithHubs>),
 }
 
-impl Hubs {
+impl NormalDirection {
     /// Displacement of each wheel at its place, a distance along the rail \[m\] and the rail, per force through the hub of each
     /// \[m/N\], by rows.
     pub(super) fn between(&self, angular_frequency: f64, speed: f64, places: &[(f64, Rail)]) -> Vec<Complex64> {

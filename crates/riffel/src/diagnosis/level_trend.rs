@@ -55,7 +55,7 @@ impl TimeUnit {
 /// A level at one time.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
-pub struct CoursePoint {
+pub struct TrendPoint {
     /// Name or date of the record.
     pub label: String,
     /// Time in the unit of the course.
@@ -70,9 +70,9 @@ pub struct CoursePoint {
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 #[non_exhaustive]
-pub struct Course {
+pub struct LevelTrend {
     /// The records, by time.
-    pub points: Vec<CoursePoint>,
+    pub points: Vec<TrendPoint>,
     /// Place of the first record of the line: the first of all, or the first since the rail was ground, as it seems.
     pub since: usize,
     /// What time is counted in.
@@ -91,7 +91,7 @@ pub struct Slope {
     pub scatter: f64,
 }
 
-impl Course {
+impl LevelTrend {
     /// Least squares through two records or more, of equal weight.
     ///
     /// The scatter of the slope is the larger of that which follows from the scatter of the levels and that
@@ -104,7 +104,7 @@ impl Course {
     ///
     /// # Errors
     /// [`Error::Measurement`] for less than two records, or where all are of one time.
-    pub fn new(mut points: Vec<CoursePoint>, unit: TimeUnit) -> Result<Self, Error> {
+    pub fn new(mut points: Vec<TrendPoint>, unit: TimeUnit) -> Result<Self, Error> {
         points.sort_by(|a, b| a.time.total_cmp(&b.time));
         let since = since_ground(&points);
         let slope = Slope::of(&points[since..]);
@@ -122,7 +122,7 @@ impl Course {
     pub const ASSUMED_SCATTER: f64 = 1.0;
 
     /// The records of the line.
-    pub fn on_line(&self) -> &[CoursePoint] {
+    pub fn on_line(&self) -> &[TrendPoint] {
         &self.points[self.since..]
     }
 
@@ -158,15 +158,15 @@ impl Course {
     }
 }
 
-impl CoursePoint {
+impl TrendPoint {
     /// Its scatter, or what is taken for it \[dB\].
     fn known_scatter(&self) -> f64 {
-        self.scatter.unwrap_or(Course::ASSUMED_SCATTER)
+        self.scatter.unwrap_or(LevelTrend::ASSUMED_SCATTER)
     }
 }
 
 /// Place of the first record since the rail was ground; zero where it was not.
-fn since_ground(points: &[CoursePoint]) -> usize {
+fn since_ground(points: &[TrendPoint]) -> usize {
     let falls: Vec<(f64, f64)> = points
         .windows(2)
         .map(|pair| {
@@ -184,9 +184,9 @@ fn since_ground(points: &[CoursePoint]) -> usize {
 
 impl Slope {
     /// The line of least squares; none through less than two times.
-    fn of(points: &[CoursePoint]) -> Option<Self> {
+    fn of(points: &[TrendPoint]) -> Option<Self> {
         let count = points.len() as f64;
-        let mean = |value: &dyn Fn(&CoursePoint) -> f64| points.iter().map(value).sum::<f64>() / count;
+        let mean = |value: &dyn Fn(&TrendPoint) -> f64| points.iter().map(value).sum::<f64>() / count;
         let (time, level) = (mean(&|point| point.time), mean(&|point| point.level));
         let squares: f64 = points.iter().map(|point| (point.time - time).powi(2)).sum();
         if points.len() < 2 || squares <= 0.0 {
@@ -214,14 +214,14 @@ pub(super) mod tests {
     use crate::numerics::normal_numbers::normal_pair;
 
     /// Levels of one record after the other.
-    pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> Course {
-        let points = levels.iter().enumerate().map(|(index, &level)| CoursePoint {
+    pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> LevelTrend {
+        let points = levels.iter().enumerate().map(|(index, &level)| TrendPoint {
             label: index.to_string(),
             time: index as f64,
             level,
             scatter,
         });
-        Course::new(points.collect(), TimeUnit::Record).unwrap()
+        LevelTrend::new(points.collect(), TimeUnit::Record).unwrap()
     }
 
     #[test]
@@ -326,8 +326,8 @@ pub(super) mod tests {
 
     #[test]
     fn one_time_is_no_course() {
-        let point = CoursePoint { label: String::new(), time: 1.0, level: 0.0, scatter: None };
-        assert!(Course::new(vec![point.clone()], TimeUnit::Year).is_err());
-        assert!(Course::new(vec![point.clone(), point], TimeUnit::Year).is_err());
+        let point = TrendPoint { label: String::new(), time: 1.0, level: 0.0, scatter: None };
+        assert!(LevelTrend::new(vec![point.clone()], TimeUnit::Year).is_err());
+        assert!(LevelTrend::new(vec![point.clone(), point], TimeUnit::Year).is_err());
     }
 }

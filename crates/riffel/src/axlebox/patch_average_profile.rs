@@ -6,7 +6,7 @@ use crate::roughness::{Profile, ThirdOctave, WavelengthBand};
 /// The roughness that a wheel has felt along a piece of line.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
-pub struct FeltProfile {
+pub struct PatchAverageProfile {
     /// Heights, positive upward.
     pub profile: Profile,
     /// The wavelengths that it holds; others are weaker or not there.
@@ -15,7 +15,7 @@ pub struct FeltProfile {
     pub speeds: [f64; 3],
 }
 
-impl FeltProfile {
+impl PatchAverageProfile {
     /// Whether every other height tells as much: the shortest waves, which fade, become none of a known wavelength.
     pub(super) fn is_told_by_half(&self) -> bool {
         let [slowest, _, fastest] = self.speeds;

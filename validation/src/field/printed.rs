@@ -1,7 +1,7 @@
 //! The sites of the field in a table and lines.
 
 use riffel_answers::forecast::number_alone;
-use riffel_answers::{Answer, Banded, Column, Table, Told};
+use riffel_answers::{Answer, Banded, Column, Printed, Table};
 use riffel_keys::{Message, fixed, number, say};
 
 use super::{FieldDocument, Measured, OutcomeDocument, SiteDocument};
@@ -99,9 +99,9 @@ impl Answer for FieldDocument {
         reasons.chain(inside).collect()
     }
 
-    fn told(&self) -> Vec<Told> {
-        let lines = self.sentences().into_iter().map(Told::Line);
-        self.tables().into_iter().map(Told::Texts).chain(lines).collect()
+    fn printed(&self) -> Vec<Printed> {
+        let lines = self.sentences().into_iter().map(Printed::Line);
+        self.tables().into_iter().map(Printed::Texts).chain(lines).collect()
     }
 
     fn remarks(&self) -> &[Message] {

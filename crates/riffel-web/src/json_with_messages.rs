@@ -7,9 +7,9 @@ use serde::Serialize;
 
 /// What is sent as JSON, its messages as data.
 #[derive(Debug)]
-pub(crate) struct Told<T>(pub(crate) T);
+pub(crate) struct JsonWithMessages<T>(pub(crate) T);
 
-impl<T: Serialize> IntoResponse for Told<T> {
+impl<T: Serialize> IntoResponse for JsonWithMessages<T> {
     fn into_response(self) -> Response {
         match written(&self.0) {
             Ok(bytes) => ([(header::CONTENT_TYPE, "application/json")], bytes).into_response(),

@@ -14,7 +14,7 @@ const EFFECTS: usize = 5;
 
 /// Effects of a wave on a contact at a place, each linear in its height.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Felt {
+pub(super) struct PatchAverage {
     /// Height \[m\], as it presses.
     pub(super) height: f64,
     /// r' \[-\], along which the normal force is turned.
@@ -27,7 +27,7 @@ pub(super) struct Felt {
     pub(super) energy: f64,
 }
 
-impl Felt {
+impl PatchAverage {
     fn parts(self) -> [f64; EFFECTS] {
         [self.height, self.slope, self.curvature, self.force, self.energy]
     }
@@ -43,7 +43,7 @@ impl Felt {
 
     /// What lies between four of them at equal distances, each part by itself.
     pub(super) fn between(four: [Self; 4], by: impl Fn([f64; 4]) -> f64, beside_height: bool) -> Self {
-        let height = by(four.map(|felt| felt.height));
+        let height = by(four.map(|averaged| averaged.height));
         if !beside_height {
             return Self { height, ..Self::default() };
         }
@@ -56,17 +56,17 @@ impl Felt {
 
 /// The effects of a wave by its complex height, the height itself first.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct FeltWave(pub(super) [Complex64; EFFECTS]);
+pub(super) struct PatchAverageWave(pub(super) [Complex64; EFFECTS]);
 
-impl FeltWave {
+impl PatchAverageWave {
     /// A multiple.
     pub(super) fn times(self, factor: f64) -> Self {
         Self(self.0.map(|part| factor * part))
     }
 
     /// Where the wave has the given phase, e^{ikx}.
-    pub(super) fn at(&self, phase: Complex64) -> Felt {
-        Felt::of(self.0.map(|part| (part * phase).re))
+    pub(super) fn at(&self, phase: Complex64) -> PatchAverage {
+        PatchAverage::of(self.0.map(|part| (part * phase).re))
     }
 }
 
@@ -83,7 +83,7 @@ impl PassageModel {
     }
 
     /// The effects of a wave on a contact, over its amplitude.
-    pub(super) fn felt_by(&self, contact: &ContactInTime, wavelength: f64) -> FeltWave {
+    pub(super) fn average_of_wave(&self, contact: &ContactInTime, wavelength: f64) -> PatchAverageWave {
         let wavenumber = TAU / wavelength;
         let filter = self.filter_of(contact);
         let mut parts = [Complex64::ZERO; EFFECTS];
@@ -95,42 +95,44 @@ impl PassageModel {
             parts[2] = wave.per_metre(wavelength).into();
             [parts[3], parts[4]] = wave.late(wavelength);
         }
-        FeltWave(parts)
+        PatchAverageWave(parts)
     }
 
     /// The effects on a contact of equidistant heights around a ring.
-    pub(super) fn felt_around(&self, contact: &ContactInTime, heights: &[f64], spacing: f64) -> Vec<Felt> {
+    pub(super) fn averages_around(&self, contact: &ContactInTime, heights: &[f64], spacing: f64) -> Vec<PatchAverage> {
         let plain = self.filter_of(contact).is_none();
-        let mut felt: Vec<Felt> = heights.iter().map(|&height| Felt { height, ..Felt::default() }).collect();
+        let mut averaged: Vec<PatchAverage> =
+            heights.iter().map(|&height| PatchAverage { height, ..PatchAverage::default() }).collect();
         if plain && !self.feels_more_than_height(contact) {
-            return felt;
+            return averaged;
         }
         let length = heights.len() as f64 * spacing;
         let waves = spectrum(heights);
-        let effects: Vec<FeltWave> = (1..waves.len()).map(|n| self.felt_by(contact, length / n as f64)).collect();
+        let effects: Vec<PatchAverageWave> =
+            (1..waves.len()).map(|n| self.average_of_wave(contact, length / n as f64)).collect();
         for part in usize::from(plain)..EFFECTS {
             let mut waves = waves.clone();
             if part > 0 {
                 waves[0] = Complex64::ZERO;
             }
-            for (wave, FeltWave(effects)) in waves.iter_mut().skip(1).zip(&effects) {
+            for (wave, PatchAverageWave(effects)) in waves.iter_mut().skip(1).zip(&effects) {
                 *wave *= effects[part];
             }
-            for (felt, value) in felt.iter_mut().zip(series(waves, heights.len())) {
-                let mut parts = felt.parts();
+            for (averaged, value) in averaged.iter_mut().zip(series(waves, heights.len())) {
+                let mut parts = averaged.parts();
                 parts[part] = value;
-                *felt = Felt::of(parts);
+                *averaged = PatchAverage::of(parts);
             }
         }
-        felt
+        averaged
     }
 
     /// What of the effects on a contact is not height, at the heights of a profile, which goes on beyond its ends mirrored in them, so that
     /// nothing bends there.
-    pub(super) fn felt_along(&self, contact: &ContactInTime, profile: &Profile) -> Vec<Felt> {
+    pub(super) fn averages_along(&self, contact: &ContactInTime, profile: &Profile) -> Vec<PatchAverage> {
         let heights = profile.heights();
         if !self.feels_more_than_height(contact) {
-            return vec![Felt::default(); heights.len()];
+            return vec![PatchAverage::default(); heights.len()];
         }
         let last = heights.len() - 1;
         let rise = (heights[last] - heights[0]) / last as f64;
@@ -138,8 +140,8 @@ impl PassageModel {
         let there = (0..=last).map(over_line);
         let back = (1..last).rev().map(|index| -over_line(index));
         let ring: Vec<f64> = there.chain(back).collect();
-        let mut felt = self.felt_around(contact, &ring, profile.spacing());
-        felt.truncate(heights.len());
-        felt
+        let mut averaged = self.averages_around(contact, &ring, profile.spacing());
+        averaged.truncate(heights.len());
+        averaged
     }
 }

@@ -5,7 +5,7 @@
 //! [`check`] does nothing.
 //!
 //! ```
-//! use riffel::wanted::{check, run_while};
+//! use riffel::cancel::{check, run_while};
 //!
 //! assert_eq!(run_while(|| true, || { check(); 42 }), Some(42));
 //! assert_eq!(run_while(|| false, || { check(); 42 }), None);
@@ -15,10 +15,10 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 
-type Wanted = Arc<dyn Fn() -> bool + Send + Sync>;
+type CancelToken = Arc<dyn Fn() -> bool + Send + Sync>;
 
 thread_local! {
-    static WANTED: RefCell<Option<Wanted>> = const { RefCell::new(None) };
+    static CANCEL_TOKEN: RefCell<Option<CancelToken>> = const { RefCell::new(None) };
 }
 
 /// What unwinds from work that is broken off.
@@ -36,10 +36,10 @@ pub fn run_while<T: Send>(
     wanted: impl Fn() -> bool + Send + Sync + 'static,
     work: impl FnOnce() -> T + Send,
 ) -> Option<T> {
-    let wanted: Wanted = Arc::new(wanted);
+    let wanted: CancelToken = Arc::new(wanted);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(rayon::current_num_threads())
-        .start_handler(move |_| WANTED.set(Some(wanted.clone())))
+        .start_handler(move |_| CANCEL_TOKEN.set(Some(wanted.clone())))
         .build()
         .expect("threads to work on");
     match catch_unwind(AssertUnwindSafe(|| pool.install(work))) {
@@ -52,7 +52,7 @@ pub fn run_while<T: Send>(
 /// A step of long work, which ends here if nobody waits for it any more.
 #[inline]
 pub fn check() {
-    let is_wanted = WANTED.with_borrow(|wanted| wanted.as_ref().is_none_or(|wanted| wanted()));
+    let is_wanted = CANCEL_TOKEN.with_borrow(|wanted| wanted.as_ref().is_none_or(|wanted| wanted()));
     if !is_wanted {
         resume_unwind(Box::new(BrokenOff));
     }

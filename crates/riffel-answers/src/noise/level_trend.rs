@@ -18,7 +18,7 @@ const STEPS: u32 = 24;
 
 /// The A-weighted level of a train on a rail that grows rougher, or smoother, under traffic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Course {
+pub struct LevelTrend {
     /// Months from now.
     pub month: Vec<f64>,
     /// Level of all parts \[dB(A)\].
@@ -31,7 +31,7 @@ pub struct Course {
     pub beyond_linear_range: bool,
 }
 
-impl Course {
+impl LevelTrend {
     /// The level of a train while the rail changes under traffic, `None` if no months follow from how it grows, and remarks on its
     /// growth; wavelengths outside the map of the case keep their level.
     pub(super) fn new(

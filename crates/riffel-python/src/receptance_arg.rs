@@ -12,7 +12,7 @@ use riffel::Receptance;
 use riffel::receptance::MeasuredReceptance;
 use riffel::tile::{Frequencies, SplitComplex};
 use riffel_case::file::VerticalAxis;
-use riffel_case::{GivenReceptance, UniversalFunction};
+use riffel_case::{SubstituteReceptance, UniversalFunction};
 
 use crate::array::owned;
 use crate::errors::{ReceptanceError, of_case, of_physics, wrong};
@@ -137,7 +137,7 @@ impl Receptance for CallableReceptance {
 /// Checked function of a universal file, as its frequencies and receptances are asked for by a case.
 #[pyclass(frozen, module = "riffel._riffel")]
 pub(crate) struct Universal {
-    receptance: GivenReceptance,
+    receptance: SubstituteReceptance,
     /// What it was made of, to be pickled.
     function: UniversalFunction,
 }
@@ -179,7 +179,7 @@ impl Universal {
             frequencies: owned(&frequencies),
             values: owned(&values),
         };
-        Ok(Self { receptance: GivenReceptance::of_universal(&function).map_err(of_case)?, function })
+        Ok(Self { receptance: SubstituteReceptance::of_universal(&function).map_err(of_case)?, function })
     }
 
     /// How pickle makes it again.
@@ -205,11 +205,11 @@ impl Universal {
 pub(crate) fn extract(
     given: &Bound<'_, PyAny>,
     what: &'static str,
-) -> PyResult<(GivenReceptance, Option<Arc<CallableReceptance>>)> {
+) -> PyResult<(SubstituteReceptance, Option<Arc<CallableReceptance>>)> {
     if given.is_callable() {
         let callable =
             Arc::new(CallableReceptance { callable: given.clone().unbind(), what, failure: Mutex::new(None) });
-        return Ok((GivenReceptance::new(callable.clone()), Some(callable)));
+        return Ok((SubstituteReceptance::new(callable.clone()), Some(callable)));
     }
     if let Ok(universal) = given.cast::<Universal>() {
         return Ok((universal.get().receptance.clone(), None));
@@ -220,8 +220,8 @@ pub(crate) fn extract(
     let angular: Vec<f64> = table.0.as_array().iter().map(|f| TAU * f).collect();
     let measured = MeasuredReceptance::new(&angular, owned(&table.1)).map_err(of_physics)?;
     let given = match what {
-        "track" => GivenReceptance::measured_on_rail(measured),
-        _ => GivenReceptance::measured(measured),
+        "track" => SubstituteReceptance::measured_on_rail(measured),
+        _ => SubstituteReceptance::measured(measured),
     };
     let given = given.map_err(|refusal| wrong(refusal.to_string()))?;
     Ok((given, None))

@@ -9,7 +9,7 @@ use crate::{Rows, Table};
 
 /// What a wheel does along a rail, place by place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Course {
+pub struct ContactHistory {
     /// Places of the wheel centre \[m\].
     pub position_m: Vec<f64>,
     /// Height of the rail there.
@@ -32,7 +32,7 @@ pub struct Course {
     pub approach_m: Vec<f64>,
 }
 
-impl Course {
+impl ContactHistory {
     /// Places \[m\], heights \[m\] and contacts in the same order; with what is across the rail where the loop is `on_all_axes`.
     pub(super) fn new(places: Vec<f64>, heights: Vec<f64>, contacts: &[ContactInstant], on_all_axes: bool) -> Self {
         let all = |of: fn(&ContactInstant) -> f64| contacts.iter().map(of).collect();

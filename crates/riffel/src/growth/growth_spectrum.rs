@@ -13,14 +13,14 @@ use crate::numerics::golden_section::golden_section;
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 #[non_exhaustive]
-pub struct GrowthCourse {
+pub struct GrowthSpectrum {
     /// Wavelengths \[m\].
     pub wavelengths: Vec<f64>,
     /// Growth rates per passage \[-\].
     pub rates: Vec<f64>,
 }
 
-impl GrowthCourse {
+impl GrowthSpectrum {
     /// The course of a growth rate per passage over a window of wavelengths \[m\], whose number of points has no part; asked from
     /// several threads.
     pub fn of(window: Axis, rate: impl Fn(f64) -> f64 + Sync) -> Self {
