@@ -6,6 +6,7 @@
 
 mod consistency;
 mod flexible;
+mod free_motion;
 mod measured;
 mod modal;
 mod modal_names;
@@ -15,6 +16,7 @@ mod remembering;
 mod rigid;
 mod rigid_inertia;
 mod rigid_mass;
+mod rigid_motions;
 mod section;
 mod sprung_mass;
 mod suspension;

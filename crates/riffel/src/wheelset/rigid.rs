@@ -2,6 +2,8 @@
 
 use num_complex::Complex64;
 
+use super::free_motion::FreeMotion;
+use super::rigid_motions::{RigidMotions, RigidPlane};
 use super::section::{Between, SectionReceptances};
 use super::{ContactGeometry, ContactReceptances, RigidMotion, Suspension, Wheelset, WheelsetWithHubs};
 use crate::{Direction, Error};
@@ -88,7 +90,7 @@ impl Wheelset for RigidWheelset {
     }
 
     fn free_at_contacts(&self) -> [[f64; 6]; 6] {
-        self.body.free_at_contacts(self.contacts, self.suspension.as_ref())
+        self.free_motion().at_contacts()
     }
 }
 
@@ -98,7 +100,7 @@ impl WheelsetWithHubs for RigidWheelset {
     }
 
     fn free_hubs(&self) -> [[f64; 2]; 2] {
-        self.body.free_hubs(self.contacts, self.suspension.as_ref())
+        self.free_motion().of_hubs()
     }
 }
 
@@ -111,67 +113,20 @@ impl RigidWheelset {
             None => Complex64::ZERO,
         };
         let arm = self.suspension.map_or(0.0, |suspension| suspension.half_spacing().powi(2));
+        let along = |direction| (inertia(self.body.mass) + springs(direction)).inv();
         let turning = |direction| (inertia(self.body.roll_inertia) + arm * springs(direction)).inv();
+        let plane =
+            |direction| RigidPlane { shift: along(direction), coupling: Complex64::ZERO, turn: turning(direction) };
         let motions = RigidMotions {
-            along: Direction::ALL.map(|direction| (inertia(self.body.mass) + springs(direction)).inv()),
-            roll: turning(Direction::Vertical),
-            yaw: turning(Direction::Longitudinal),
+            horizontal: plane(Direction::Longitudinal),
+            sideward: along(Direction::Lateral),
+            vertical: plane(Direction::Vertical),
             spin: inertia(self.body.spin_inertia).inv(),
         };
         motions.sections(self.contacts)
     }
-}
 
-impl RigidBody {
-    /// Part A of the receptances of a wheelset with this body, see [`Wheelset::free_at_contacts`].
-    pub(super) fn free_at_contacts(&self, contacts: ContactGeometry, suspension: Option<&Suspension>) -> [[f64; 6]; 6] {
-        let sections = self.free_motions(suspension).sections(contacts);
-        sections.at_contacts(contacts.rolling_radius).map(|row| row.map(|entry| entry.re))
-    }
-
-    /// Part A of the receptances of its hubs along the rail, see [`WheelsetWithHubs::free_hubs`].
-    pub(super) fn free_hubs(&self, contacts: ContactGeometry, suspension: Option<&Suspension>) -> [[f64; 2]; 2] {
-        let sections = self.free_motions(suspension).sections(contacts);
-        sections.forward.map(|row| row.map(|entry| entry.re))
-    }
-
-    /// Acceleration by force or moment in each motion that neither springs nor dampers of a suspension hold; zero in the others.
-    fn free_motions(&self, suspension: Option<&Suspension>) -> RigidMotions {
-        let free = |direction, inertia: f64| match suspension.map(|suspension| suspension.along(direction)) {
-            None | Some([0.0, 0.0]) => Complex64::from(inertia.recip()),
-            Some(_) => Complex64::ZERO,
-        };
-        RigidMotions {
-            along: Direction::ALL.map(|direction| free(direction, self.mass)),
-            roll: free(Direction::Vertical, self.roll_inertia),
-            yaw: free(Direction::Longitudinal, self.roll_inertia),
-            spin: Complex64::from(self.spin_inertia.recip()),
-        }
-    }
-}
-
-/// Answers of the motions of a rigid wheelset, each to its own force or moment.
-struct RigidMotions {
-    /// Along x, y and z.
-    along: [Complex64; 3],
-    roll: Complex64,
-    yaw: Complex64,
-    spin: Complex64,
-}
-
-impl RigidMotions {
-    fn sections(self, contacts: ContactGeometry) -> SectionReceptances {
-        let Self { along: [forward, sideward, downward], roll, yaw, spin } = self;
-        let places = contacts.places();
-        let between =
-            |receptance: &dyn Fn(f64, f64) -> Complex64| places.map(|at| places.map(|from| receptance(at, from)));
-        SectionReceptances {
-            forward: between(&|at, from| forward + at * from * yaw),
-            downward: between(&|at, from| downward + at * from * roll),
-            downward_by_tilt: between(&|at, _| at * roll),
-            tilt: between(&|_, _| roll),
-            twist: between(&|_, _| spin),
-            sideward: between(&|_, _| sideward),
-        }
+    fn free_motion(&self) -> FreeMotion {
+        FreeMotion::new(self.body, 0.0, self.suspension.as_ref(), self.contacts)
     }
 }

@@ -21,6 +21,7 @@ use chain::{Chain, Node};
 use rod::RodSection;
 use square::Square;
 
+use super::free_motion::FreeMotion;
 use super::section::{Between, SectionReceptances};
 use super::{ContactGeometry, ContactReceptances, RigidBody, Suspension, Wheelset, WheelsetWithHubs};
 use crate::{Direction, Error};
@@ -144,6 +145,19 @@ impl FlexibleWheelset {
         body
     }
 
+    fn free_motion(&self) -> FreeMotion {
+        let ends = self.axle.joints();
+        let segments = self
+            .axle
+            .segments
+            .iter()
+            .zip(ends.windows(2))
+            .map(|(segment, ends)| 0.5 * self.axle.density * segment.area() * (ends[1].powi(2) - ends[0].powi(2)));
+        let discs = self.discs.iter().map(|disc| disc.mass * disc.position);
+        let first_moment = segments.chain(discs).sum();
+        FreeMotion::new(self.rigid_body(), first_moment, self.suspension.as_ref(), self.contacts)
+    }
+
     /// Natural modes without loss and damping up to an angular frequency \[rad/s\], in the order of their frequencies,
     /// each with its name and shape; rigid motions without a restoring force are none.
     ///
@@ -250,7 +264,7 @@ impl Wheelset for FlexibleWheelset {
     }
 
     fn free_at_contacts(&self) -> [[f64; 6]; 6] {
-        self.rigid_body().free_at_contacts(self.contacts, self.suspension.as_ref())
+        self.free_motion().at_contacts()
     }
 }
 
@@ -262,7 +276,7 @@ impl WheelsetWithHubs for FlexibleWheelset {
     }
 
     fn free_hubs(&self) -> [[f64; 2]; 2] {
-        self.rigid_body().free_hubs(self.contacts, self.suspension.as_ref())
+        self.free_motion().of_hubs()
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use proptest::prelude::*;
 use riffel::wheelset::{
     Axle, ContactReceptances, CoupledInertia, Disc, FlexibleWheelset, RigidWheelset, Segment, Suspension, Wheelset,
-    passivity_error, reciprocity_error,
+    WheelsetWithHubs, passivity_error, reciprocity_error,
 };
 
 use super::{CONTACTS, DENSITY, disc, steel};
@@ -104,6 +104,23 @@ proptest! {
         let h = built.wheelset().receptances(TAU * frequency);
         let (error, port) = passivity_error(&h);
         prop_assert!(error < 1e-11, "{error} {port:?}");
+    }
+
+    /// At a low frequency a wheelset moves as its free masses and inertias do, off the middle of the axle, too.
+    #[test]
+    fn slow_wheelsets_move_freely(built in built()) {
+        const SLOW: f64 = 0.1;
+        let held_but_along = Suspension::new([0.0, 6e6, 1.1e6], [0.0, 5e3, 20e3], 2.0).unwrap();
+        for suspension in [None, Some(held_but_along)] {
+            let wheelset = Built { suspension, ..built.clone() }.wheelset();
+            let (free, h) = (wheelset.free_at_contacts(), wheelset.receptances(SLOW));
+            let largest = free.iter().flatten().fold(0f64, |most, value| most.max(value.abs()));
+            let (hubs, forward) = (wheelset.free_hubs(), wheelset.hubs(SLOW));
+            let of_hubs = hubs.iter().flatten().zip(forward.iter().flatten());
+            for (free, h) in free.iter().flatten().zip(h.iter().flatten()).chain(of_hubs) {
+                prop_assert!((free + SLOW * SLOW * h.re).abs() < 1e-3 * largest, "{} {}", free, h);
+            }
+        }
     }
 
     /// The mirror image of a wheelset answers as the wheelset in a mirror, though it is computed from the other end: what
