@@ -2,6 +2,7 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
+use riffel::numerics::bisection::bisection;
 use riffel_study::Stop;
 
 use crate::draw::{Draw, random};
@@ -13,8 +14,6 @@ use crate::posterior::{Placed, Posterior};
 const COUNTS: f64 = 0.5;
 /// Moves of each behind a step, and behind the last.
 const MOVES: [u32; 2] = [15, 60];
-/// Halvings by which the length of a step is found.
-const HALVINGS: u32 = 60;
 
 /// A population at the posterior, one draw after the other. Its numbers fit a file.
 #[derive(Debug, Clone)]
@@ -110,17 +109,9 @@ fn step(members: &[Placed], left: f64) -> f64 {
     if counts(left) {
         return left;
     }
-    let (mut low, mut high) = (0.0, left);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if counts(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let [largest, _] = bisection([0.0, left], 1e-18 * left, |step| !counts(step));
     // A likelihood that one member alone has leaves no step to halve.
-    low.max(f64::EPSILON * left)
+    largest.max(f64::EPSILON * left)
 }
 
 /// What members count after a step.

@@ -1,7 +1,6 @@
 //! The sites that bring the most track below its limit for the money.
 
-/// Halvings of the price of a metre below its limit, beyond which no choice changes.
-const HALVINGS: usize = 60;
+use riffel::numerics::bisection::bisection;
 
 /// Sections of a line that join on: whether each is over its limit.
 pub(crate) type OverLimit = Vec<bool>;
@@ -25,25 +24,21 @@ pub(crate) struct MostTrack {
 pub(crate) fn most_track(lines: &[OverLimit], money: f64, per_section: f64, per_site: f64) -> MostTrack {
     let costs = Costs { per_section, per_site };
     // For nothing a section is worth 1; at this price none is.
-    let (mut low, mut high) = (0.0, 1.0 / per_section);
+    let highest = 1.0 / per_section;
     let mut ground: Vec<Vec<bool>> = lines.iter().map(|line| vec![false; line.len()]).collect();
     let total = |ground: &[Vec<bool>]| ground.iter().map(|line| costs.of(line)).sum::<f64>();
     let worth = |ground: &[Vec<bool>]| brought_below(lines, ground) as f64;
     let mut bound = lines.iter().flatten().filter(|over| **over).count() as f64;
-    for _ in 0..HALVINGS {
-        let price = 0.5 * (low + high);
+    bisection([0.0, highest], 1e-18 * highest, |price| {
         let chosen: Vec<Vec<bool>> = lines.iter().map(|line| costs.best(line, price)).collect();
         let cost = total(&chosen);
         bound = bound.min(worth(&chosen) + price * (money - cost));
-        if cost <= money {
-            high = price;
-            if worth(&chosen) > worth(&ground) {
-                ground = chosen;
-            }
-        } else {
-            low = price;
+        let is_enough = cost <= money;
+        if is_enough && worth(&chosen) > worth(&ground) {
+            ground = chosen;
         }
-    }
+        is_enough
+    });
     let rest = money - total(&ground);
     costs.spend(lines, &mut ground, rest);
     MostTrack { ground, bound }

@@ -105,7 +105,7 @@ pub mod forecast;
 pub mod growth;
 mod mean_wear;
 pub mod noise;
-mod numerics;
+pub mod numerics;
 pub mod paper;
 pub mod passage;
 mod place_of_wear;

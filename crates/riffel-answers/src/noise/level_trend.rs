@@ -1,6 +1,7 @@
 //! The level in months to come.
 
 use riffel::noise::Part;
+use riffel::numerics::bisection::fallible_bisection;
 use riffel::roughness::Spectrum;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Variant};
@@ -138,17 +139,10 @@ fn reached<E>(
     let Some(before) = place.checked_sub(1) else {
         return Ok(Some(months[place]));
     };
-    let (mut below, mut above) = (months[before], months[place]);
-    let enough = 1e-4 * (above - below);
-    while above - below > enough {
-        let middle = 0.5 * (below + above);
-        if level(middle)? < limit {
-            below = middle;
-        } else {
-            above = middle;
-        }
-    }
-    Ok(Some(above))
+    let between = [months[before], months[place]];
+    let enough = 1e-4 * (between[1] - between[0]);
+    let [_, first] = fallible_bisection(between, enough, |month| Ok(level(month)? >= limit))?;
+    Ok(Some(first))
 }
 
 #[cfg(test)]

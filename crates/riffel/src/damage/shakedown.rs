@@ -1,6 +1,7 @@
 //! Pressures to which a rail may be loaded again and again.
 
 use crate::cancel::check;
+use crate::numerics::bisection::bisection;
 
 /// Which limit S, as p₀/k over the utilised friction f = |Q|/P, the demand is measured against.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,18 +45,13 @@ impl ShakedownLimit {
 pub fn orthogonal_shear(ratio: f64) -> (f64, f64) {
     // a/b = √((t² − 1)(2t − 1)) rises with t.
     let square = ratio * ratio;
-    let (mut low, mut high) = (1.0, 2.0);
-    while (high * high - 1.0) * (2.0 * high - 1.0) < square {
+    let is_beyond = |t: f64| (t * t - 1.0) * (2.0 * t - 1.0) >= square;
+    let mut high = 2.0;
+    while !is_beyond(high) {
         high *= 2.0;
     }
-    for _ in 0..60 {
-        let t = 0.5 * (low + high);
-        match (t * t - 1.0) * (2.0 * t - 1.0) < square {
-            true => low = t,
-            false => high = t,
-        }
-    }
-    let t: f64 = 0.5 * (low + high);
+    let [low, high] = bisection([1.0, high], 0.0, is_beyond);
+    let t = 0.5 * (low + high);
     let root = (2.0 * t - 1.0).sqrt();
     (root / (2.0 * t * (t + 1.0)), ((t + 1.0) * root).recip())
 }

@@ -1,10 +1,11 @@
 //! When something first is so.
 
+use crate::numerics::bisection::bisection;
+
 /// Axle passages from `least` on after which something is so, which then stays so; `None` if it is not up to `most`.
 ///
 /// Method: doubling, then bisection to rounding.
 pub(super) fn passages_until(least: f64, most: f64, is_so: impl Fn(f64) -> bool) -> Option<f64> {
-    const STEPS: usize = 100;
     let (mut low, mut high) = (least, least);
     while !is_so(high) {
         (low, high) = (high, 2.0 * high.max(0.5));
@@ -12,14 +13,8 @@ pub(super) fn passages_until(least: f64, most: f64, is_so: impl Fn(f64) -> bool)
             return None;
         }
     }
-    for _ in 0..STEPS {
-        let middle = 0.5 * (low + high);
-        match is_so(middle) {
-            true => high = middle,
-            false => low = middle,
-        }
-    }
-    Some(high)
+    let [_, first] = bisection([low, high], 0.0, is_so);
+    Some(first)
 }
 
 #[cfg(test)]

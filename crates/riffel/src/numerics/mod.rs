@@ -1,5 +1,6 @@
 //! Numerical methods that several laws share.
 
+pub mod bisection;
 pub(crate) mod chebyshev;
 pub(crate) mod cubic;
 pub(crate) mod gauss;

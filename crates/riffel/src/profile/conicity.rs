@@ -2,6 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::numerics::bisection::bisection;
+
 /// Pieces of a quarter wave. The integrands are smooth in the phase but for kinks and jumps of the table, at which the
 /// midpoint rule errs with the square of the piece: 1e-7.
 const PIECES: usize = 4000;
@@ -83,7 +85,7 @@ impl<F: Fn(f64) -> f64> Swing<F> {
     }
 
     /// The middle of the motion between two ends: as much work to either side.
-    fn middle(&self, [mut low, mut high]: [f64; 2]) -> Option<f64> {
+    fn middle(&self, [low, high]: [f64; 2]) -> Option<f64> {
         let step = PI / PIECES as f64;
         let work = |middle: f64| {
             let piece = |phase: f64| self.difference(middle, phase) * phase.cos() * step;
@@ -97,13 +99,7 @@ impl<F: Fn(f64) -> f64> Swing<F> {
         if at_low > 0.0 || at_high < 0.0 {
             return None;
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            match work(middle) < 0.0 {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
+        let [low, high] = bisection([low, high], 0.0, |middle| work(middle) >= 0.0);
         Some(0.5 * (low + high))
     }
 

@@ -4,6 +4,7 @@ use super::crossing::check_outline;
 use super::side::{OVERHANG, Side};
 use super::spline::slopes;
 use super::{PointFault, ProfileError};
+use crate::numerics::bisection::bisection;
 
 /// Fewest points of a profile.
 const LEAST: usize = 8;
@@ -254,16 +255,9 @@ impl Profile {
         let coarse = self.sampled(1e-4);
         let highest = coarse.iter().enumerate().max_by(|one, other| one.1.height.total_cmp(&other.1.height));
         let place = highest.map_or(0, |(index, _)| index);
-        let mut low = coarse[place.saturating_sub(1)].x;
-        let mut high = coarse[(place + 1).min(coarse.len() - 1)].x;
+        let around = [place.saturating_sub(1), (place + 1).min(coarse.len() - 1)].map(|place| coarse[place].x);
         // The slope falls through zero.
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            match self.at(middle) {
-                Some(point) if point.slope > 0.0 => low = middle,
-                _ => high = middle,
-            }
-        }
+        let [low, high] = bisection(around, 0.0, |x| self.at(x).is_none_or(|point| point.slope <= 0.0));
         self.at(0.5 * (low + high)).unwrap_or(coarse[place])
     }
 
@@ -273,17 +267,11 @@ impl Profile {
         if let Some(face) = self.sides[0].at(height) {
             return Some(face.x);
         }
-        let (mut low, mut high) = (self.range()[0], self.crown().x);
+        let (low, high) = (self.range()[0], self.crown().x);
         if self.at(low)?.height > height || self.at(high)?.height < height {
             return None;
         }
-        for _ in 0..100 {
-            let middle = 0.5 * (low + high);
-            match self.at(middle)?.height < height {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
+        let [low, high] = bisection([low, high], 0.0, |x| self.at(x).is_none_or(|point| point.height >= height));
         Some(0.5 * (low + high))
     }
 

@@ -1,12 +1,15 @@
 //! Wear of a measured profile against a nominal one.
 
 use super::{Profile, ProfileError, ProfilePoint, ShapeFault};
+use crate::numerics::bisection::{bisection, fallible_bisection};
 
 /// Distance of the points of the nominal profile along it \[m\].
 const STEP: f64 = 2.5e-4;
 /// Farthest that wear or metal that has flowed is looked for across the profile \[m\], and the step.
 const DEEPEST: f64 = 0.02;
 const LOOK: f64 = 5e-5;
+/// How near a crossing is found \[m\].
+const TOLERANCE: f64 = 5e-14;
 /// Slope beyond which the field side of a rail is steep enough to hold it across and upward: 20 degrees.
 const FIELD_SIDE: f64 = 0.364;
 /// Fewest points of the field side.
@@ -113,15 +116,9 @@ pub(super) fn tip(profile: &Profile, without: ShapeFault) -> Result<ProfilePoint
     let Some(place) = place else {
         return Err(ProfileError::Shape(without));
     };
-    let (mut low, mut high) = (samples[place - 1].x, samples[place + 1].x);
     // The slope rises through zero.
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        match profile.at(middle) {
-            Some(point) if point.slope < 0.0 => low = middle,
-            _ => high = middle,
-        }
-    }
+    let around = [samples[place - 1].x, samples[place + 1].x];
+    let [low, high] = bisection(around, 0.0, |x| profile.at(x).is_none_or(|point| point.slope >= 0.0));
     Ok(profile.at(0.5 * (low + high)).unwrap_or(samples[place]))
 }
 
@@ -145,13 +142,8 @@ pub(super) fn depth(measured: &Profile, point: &ProfilePoint, is_wheel: bool) ->
         }
         (near, far) = (far, far + sign * LOOK);
     }
-    for _ in 0..30 {
-        let middle = 0.5 * (near + far);
-        match is_worn(middle)? == worn {
-            true => near = middle,
-            false => far = middle,
-        }
-    }
+    let is_beyond = |depth: f64| is_worn(depth).map(|there| there != worn).ok_or(());
+    let [near, far] = fallible_bisection([near, far], TOLERANCE, is_beyond).ok()?;
     let depth = 0.5 * (near + far);
     measured.is_measured(place(depth)).then_some(depth)
 }

@@ -2,6 +2,7 @@
 
 use super::wear::{depth, tip};
 use super::{Profile, ProfileError, ProfileWear, ShapeFault};
+use crate::numerics::bisection::bisection;
 
 /// Below the tread of a wheel, towards the tip, where the flange is measured \[m\].
 const FLANGE_MEASURE: f64 = 0.010;
@@ -37,14 +38,8 @@ impl WheelDimensions {
             if height < tip.height || height > datum.height || tip.x > 0.0 {
                 return Err(ProfileError::Shape(ShapeFault::NoFlank));
             }
-            let (mut low, mut high) = (tip.x, 0.0);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                match wheel.at(middle).is_some_and(|point| point.height < height) {
-                    true => low = middle,
-                    false => high = middle,
-                }
-            }
+            let is_above = |x: f64| wheel.at(x).is_none_or(|point| point.height >= height);
+            let [low, high] = bisection([tip.x, 0.0], 0.0, is_above);
             Ok(0.5 * (low + high))
         };
         let [measure, steep] = [datum.height - FLANGE_MEASURE, tip.height + BEFORE_TIP];

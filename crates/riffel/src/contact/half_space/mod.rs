@@ -41,6 +41,7 @@ use super::{
     Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, MeanState, Oscillating,
     OscillatingCreepages, QuasiStatic, RollingContact,
 };
+use crate::numerics::bisection::fallible_bisection;
 use crate::{ElasticMaterial, Error};
 
 /// What to try where rolling does not converge.
@@ -290,14 +291,14 @@ impl HalfSpace {
             (low, high) = (high, 1.1 * high);
             near = self.roll_near(high, &near)?;
         }
-        while high - low > TOLERANCE * high {
-            let middle = 0.5 * (low + high);
-            let state = self.roll_near(middle, &near)?;
-            match reached(&state) {
-                true => (high, near) = (middle, state),
-                false => low = middle,
+        fallible_bisection([low, high], TOLERANCE * low, |creepage| {
+            let state = self.roll_near(creepage, &near)?;
+            let is_beyond = reached(&state);
+            if is_beyond {
+                near = state;
             }
-        }
+            Ok(is_beyond)
+        })?;
         Ok(near)
     }
 

@@ -28,6 +28,8 @@ pub use shen_hedrick_elkins::ShenHedrickElkins;
 
 use std::sync::Arc;
 
+use crate::numerics::bisection::bisection;
+
 /// Relative rigid motion of wheel and rail, per metre rolled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Creepages {
@@ -180,21 +182,12 @@ pub trait CreepLaw: Send + Sync {
     fn creepage(&self, normal_force: f64, tractive_ratio: f64) -> Option<f64> {
         let tangential_force = tractive_ratio * self.friction() * normal_force;
         let force = |creepage: f64| self.forces(normal_force, Creepages::longitudinal(creepage)).longitudinal;
-        let (mut low, mut high) = (0.0, self.limit(normal_force).creepage());
-        if force(high) <= tangential_force {
+        let limit = self.limit(normal_force).creepage();
+        if force(limit) <= tangential_force {
             return None;
         }
-        loop {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                return Some(high);
-            }
-            if force(middle) < tangential_force {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
+        let [_, first] = bisection([0.0, limit], 0.0, |creepage| force(creepage) >= tangential_force);
+        Some(first)
     }
 }
 

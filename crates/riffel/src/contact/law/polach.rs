@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages, ForceLimit};
 use crate::Error;
+use crate::numerics::bisection::bisection;
 
 /// Friction that falls with slip velocity, μ = μ₀ \[(1 − A) e^{−Bw} + A\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,20 +190,11 @@ impl CreepLaw for Polach {
         // From zero, steps of 2 % lead nowhere.
         let mut low = first.max(f64::MIN_POSITIVE);
         while low < 1.0 {
-            let mut high = 1.02 * low;
-            if self.longitudinal_slope(normal_force, high) < 0.0 {
-                while high - low > 1e-15 * high {
-                    let middle = 0.5 * (low + high);
-                    if middle <= low || middle >= high {
-                        break;
-                    }
-                    if self.longitudinal_slope(normal_force, middle) < 0.0 {
-                        high = middle;
-                    } else {
-                        low = middle;
-                    }
-                }
-                return ForceLimit::AdhesionMaximum(low);
+            let high = 1.02 * low;
+            let falls = |creepage: f64| self.longitudinal_slope(normal_force, creepage) < 0.0;
+            if falls(high) {
+                let [last, _] = bisection([low, high], 1e-15 * low, falls);
+                return ForceLimit::AdhesionMaximum(last);
             }
             low = high;
         }

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use super::{Profile, ProfileError, ProfilePoint};
 use crate::Rail;
+use crate::numerics::bisection::fallible_bisection;
 use outline::{Attitude, attitude, outline_of};
 use track::place;
 
@@ -180,15 +181,9 @@ impl WheelsetOnTrack {
                 return None;
             }
         }
-        let mut low = f64::max(high - STEP, 0.0);
-        while high - low > 1e-6 {
-            let middle = 0.5 * (low + high);
-            match angle(middle)? < STEEP {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
-        Some(high)
+        let low = f64::max(high - STEP, 0.0);
+        let is_steep = |shift: f64| angle(shift).map(|angle| angle >= STEEP).ok_or(());
+        fallible_bisection([low, high], 1e-6, is_steep).ok().map(|[_, high]| high)
     }
 
     /// Contact at the roll at which both wheels touch, with the lateral shift of the axle \[m\] and its slope over that roll.
