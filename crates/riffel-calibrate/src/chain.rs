@@ -1,10 +1,10 @@
 //! One chain: where it begins, how it finds its steps, and its draws.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel::numerics::matrix::Matrix;
 
 use crate::draw::{Draw, random};
 use crate::emulator::Emulator;
-use crate::matrix::Matrix;
 use crate::moments::Moments;
 use crate::nuts::{Place, Potential, Statistics, transition, uniform};
 use crate::optimum::{climb, covariance};

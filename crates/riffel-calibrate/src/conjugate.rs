@@ -1,13 +1,13 @@
 //! The closed forms of `validation/calibration/conjugate.json`, for tests.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel::numerics::matrix::Matrix;
 use riffel_study::Distribution;
 use serde_json::Value;
 
 use crate::data::{Block, Conditional, Group, Place, sums};
 use crate::gaussian::{Density, Gaussian};
 use crate::linear::{Known, Normal};
-use crate::matrix::Matrix;
 use crate::model::{Model, Parameter, Role, Trial};
 use crate::nuts::normal;
 use crate::posterior::{Named, Posterior};

@@ -1,10 +1,10 @@
 //! Polynomials in place of a model, by which a sampler finds its way.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel::numerics::matrix::{Matrix, dot};
 
 use crate::data::differences;
 use crate::gaussian::Density;
-use crate::matrix::{Matrix, dot};
 use crate::moments::Moments;
 use crate::nuts::normal;
 use crate::posterior::{Named, Point, Posterior};

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use riffel_study::normal;
 
-use crate::matrix::{Matrix, dot};
+use riffel::numerics::matrix::{Matrix, dot};
 
 /// ln of the density of data, and its derivatives.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,9 +1,10 @@
 //! What the data tell of the parameters together, and what they leave to the priors.
 
+use riffel::numerics::matrix::Matrix;
+
 use crate::chains::Chains;
 use crate::decision::moments_of;
 use crate::information::mean;
-use crate::matrix::Matrix;
 use crate::model::Role;
 use crate::plan::Plan;
 

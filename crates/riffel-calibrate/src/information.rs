@@ -2,9 +2,9 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
+use riffel::numerics::matrix::{Matrix, dot};
 use riffel_study::normal;
 
-use crate::matrix::{Matrix, dot};
 use crate::nuts;
 
 /// Draws of what a measurement may find, where there are more than two actions.

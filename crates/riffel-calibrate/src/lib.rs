@@ -32,7 +32,6 @@ mod identifiability;
 pub mod information;
 mod kernel;
 mod linear;
-mod matrix;
 mod model;
 mod moments;
 mod names;

@@ -1,6 +1,6 @@
 //! What data say of numbers that they depend on linearly.
 
-use crate::matrix::{Matrix, dot};
+use riffel::numerics::matrix::{Matrix, dot};
 
 /// Numbers that are normally distributed.
 #[derive(Debug, Clone)]

@@ -1,6 +1,6 @@
 //! Mean and scatter of places.
 
-use crate::matrix::Matrix;
+use riffel::numerics::matrix::Matrix;
 
 /// Mean and scatter of places, by Welford.
 #[derive(Debug, Clone)]
@@ -35,8 +35,9 @@ impl Moments {
 
 #[cfg(test)]
 mod tests {
+    use riffel::numerics::matrix::dot;
+
     use super::*;
-    use crate::matrix::dot;
 
     /// Mean and scatter are those of the sums.
     #[test]

@@ -6,7 +6,7 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::Rng;
 
-use crate::matrix::dot;
+use riffel::numerics::matrix::dot;
 
 /// Error of the energy from which a trajectory is said to diverge.
 const DIVERGES: f64 = 1000.0;

@@ -1,6 +1,7 @@
 //! The most likely place near another.
 
-use crate::matrix::{Matrix, dot};
+use riffel::numerics::matrix::{Matrix, dot};
+
 use crate::nuts::{Place, Potential};
 
 /// Most steps of a search.

@@ -1,12 +1,12 @@
 //! Data that lie far from what all others say.
 
 use rayon::prelude::*;
+use riffel::numerics::matrix::Matrix;
 use serde::Serialize;
 
 use crate::chains::Chains;
 use crate::data::{Observable, differences};
 use crate::draw::Draw;
-use crate::matrix::Matrix;
 use crate::plan::Plan;
 use crate::posterior::Named;
 

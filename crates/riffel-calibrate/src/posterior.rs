@@ -1,11 +1,11 @@
 //! How likely values are after all that was measured.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel::numerics::matrix::{Matrix, dot};
 
 use crate::data::{Block, Size};
 use crate::draw::Draw;
 use crate::gaussian::Density;
-use crate::matrix::{Matrix, dot};
 use crate::model::{Model, Trial};
 use crate::nuts::{Statistics, uniform};
 

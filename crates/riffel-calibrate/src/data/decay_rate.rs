@@ -4,6 +4,7 @@ use std::path::Path;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::noise::FrequencyBand;
+use riffel::numerics::matrix::Matrix;
 use riffel::receptance::DecayRate;
 use riffel_case::Case;
 use riffel_keys::{CaseError, say};
@@ -12,7 +13,6 @@ use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 use super::{Block, Conditional, Group, Observable, Place, table};
 use crate::file::Kind;
 use crate::gaussian::Density;
-use crate::matrix::Matrix;
 use crate::model::Trial;
 use crate::nuts::uniform;
 

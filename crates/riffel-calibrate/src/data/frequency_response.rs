@@ -5,6 +5,7 @@ use std::path::Path;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::Complex64;
+use riffel::numerics::matrix::Matrix;
 use riffel::receptance::MeasuredReceptance;
 use riffel_case::{Case, doubts_about_rail};
 use riffel_keys::{CaseError, Message};
@@ -14,7 +15,6 @@ use super::{Block, Group, Held, Observable, Place, differences, sums, table};
 use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
-use crate::matrix::Matrix;
 use crate::model::Trial;
 use crate::nuts::normal;
 

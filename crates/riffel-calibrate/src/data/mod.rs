@@ -17,12 +17,12 @@ pub(crate) use wear::Wear;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use riffel::forecast::LEAST_PASSAGES;
+use riffel::numerics::matrix::Matrix;
 use riffel_keys::{Message, say};
 use serde::Serialize;
 
 pub(crate) use crate::gaussian::Conditional;
 use crate::gaussian::{Density, Gaussian, given_others};
-use crate::matrix::Matrix;
 use crate::model::Trial;
 use crate::nuts::normal;
 

@@ -5,6 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use riffel::Complex64;
 use riffel::diagnosis::{FALL_BY_GRINDING, fall_of_bands, first_since_ground};
+use riffel::numerics::matrix::Matrix;
 use riffel::roughness::{Profile, Spectrum, WaveGrowth, WaveGrowths};
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message, say};
@@ -14,7 +15,6 @@ use super::{Block, Observable, Place, UNIT, table, too_few};
 use crate::file::Kind;
 use crate::gaussian::Gaussian;
 use crate::kernel::Kernel;
-use crate::matrix::Matrix;
 use crate::model::Trial;
 
 /// Np of one dB.

@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use riffel::forecast::WearSpread;
+use riffel::numerics::matrix::Matrix;
 use riffel_case::file::MeasuredWear;
 use riffel_keys::CaseError;
 
 use super::{Block, Observable, Place, table};
 use crate::file::Kind;
 use crate::gaussian::Gaussian;
-use crate::matrix::Matrix;
 use crate::model::Trial;
 
 /// Depths worn off under some gross mass: ln of what is lost per 100 million tonnes, with normal errors, rows independent.

@@ -1,10 +1,11 @@
 //! What it is worth to know more: one value, or another measurement.
 
+use riffel::numerics::matrix::Matrix;
+
 use super::Worth;
 use crate::error::CalibrationError;
 use crate::information::{mean, of_a_measurement};
 use crate::linear::{Known, Normal};
-use crate::matrix::Matrix;
 use crate::plan::Plan;
 use crate::plan::decision::{Choices, Planned, PlannedData};
 

@@ -6,6 +6,7 @@ pub(crate) mod cubic;
 pub(crate) mod gauss;
 pub(crate) mod golden_section;
 pub(crate) mod inverse;
+pub mod matrix;
 pub(crate) mod normal_numbers;
 pub(crate) mod simultaneous_roots;
 pub(crate) mod square_root;

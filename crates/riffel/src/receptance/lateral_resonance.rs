@@ -1,6 +1,7 @@
 //! Frequencies at which waves of bending across the track and of twist cut on.
 
 use super::{ResonanceKind, SpatialTrack, Support, Twist, Waveguide};
+use crate::numerics::matrix::Matrix;
 
 impl SpatialTrack {
     /// Undamped angular frequencies \[rad/s\] of the lateral motion that have a name, lowest first: those at which the
@@ -71,38 +72,11 @@ fn named(modes: &[(f64, f64)]) -> Vec<(ResonanceKind, f64)> {
 
 /// ω² of N masses on springs, each of a stiffness and of what every mass contributes to its length, with the share of
 /// the second mass in the kinetic energy.
-///
-/// Method: Jacobi's rotations (1846), to rounding.
 fn modes<const N: usize>(masses: [f64; N], springs: &[(f64, [f64; N])]) -> Vec<(f64, f64)> {
-    /// Convergence is quadratic; three rows need five sweeps.
-    const SWEEPS: usize = 12;
-    let mut matrix: [[f64; N]; N] = std::array::from_fn(|row| {
-        std::array::from_fn(|column| {
-            let stiffness = springs.iter().map(|(k, length)| k * length[row] * length[column]);
-            stiffness.sum::<f64>() / (masses[row] * masses[column]).sqrt()
-        })
+    let matrix = Matrix::of(N, |row, column| {
+        let stiffness = springs.iter().map(|(k, length)| k * length[row] * length[column]);
+        stiffness.sum::<f64>() / (masses[row] * masses[column]).sqrt()
     });
-    let mut second: [f64; N] = std::array::from_fn(|mass| if mass == 1 { 1.0 } else { 0.0 });
-    for _ in 0..SWEEPS {
-        for p in 0..N {
-            for q in p + 1..N {
-                if matrix[p][q] == 0.0 {
-                    continue;
-                }
-                let tangent = 2.0 * matrix[p][q] / (matrix[q][q] - matrix[p][p]);
-                let (sine, cosine) = (0.5 * tangent.atan()).sin_cos();
-                let turn = |vector: &mut [f64; N]| {
-                    let (first, other) = (vector[p], vector[q]);
-                    vector[p] = cosine * first - sine * other;
-                    vector[q] = sine * first + cosine * other;
-                };
-                matrix.iter_mut().for_each(turn);
-                let (first, other) = (matrix[p], matrix[q]);
-                matrix[p] = std::array::from_fn(|c| cosine * first[c] - sine * other[c]);
-                matrix[q] = std::array::from_fn(|c| sine * first[c] + cosine * other[c]);
-                turn(&mut second);
-            }
-        }
-    }
-    (0..N).map(|mode| (matrix[mode][mode], second[mode] * second[mode])).collect()
+    let (squares, vectors) = matrix.eigenvectors();
+    squares.into_iter().enumerate().map(|(mode, square)| (square, vectors.at(mode, 1).powi(2))).collect()
 }

@@ -18,6 +18,7 @@ use std::f64::consts::TAU;
 
 use riffel::forecast::{LINES_PER_BAND, band_lines};
 use riffel::noise::BandRadiation;
+use riffel::numerics::matrix::Matrix;
 use riffel::roughness::ThirdOctave;
 use riffel_case::LoopOnTrack;
 
@@ -27,7 +28,6 @@ use self::row::Row;
 use super::{Block, Group, Held, Observable, Place, UNIT, sum_of, table};
 use crate::gaussian::Gaussian;
 use crate::kernel::Kernel;
-use crate::matrix::Matrix;
 use crate::model::Trial;
 
 /// Fewest dates of which one can be left out: two of the rest tell of growth.

@@ -1,9 +1,10 @@
 //! The rail that levels tell of.
 
+use riffel::numerics::matrix::Matrix;
+
 use super::measured::LevelRow;
 use super::{Levels, UNIT};
 use crate::linear::{Known, Normal};
-use crate::matrix::Matrix;
 use crate::model::Trial;
 
 /// The rail that levels tell of.

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use crate::numerics::matrix::Matrix;
+
 /// Most terms of a wave e^{ikx} over a patch: enough up to ka = 55.
 pub(in crate::contact) const TERMS: usize = 72;
 
@@ -32,26 +34,14 @@ impl PolynomialPunch {
     pub(in crate::contact) fn pressure(&self, n: usize) -> Vec<(usize, f64)> {
         let orders: Vec<usize> = (0..=n).rev().step_by(2).collect();
         let size = orders.len();
-        // Cholesky's elimination: I_n is positive.
-        let mut lower = vec![vec![0.0; size]; size];
-        let mut values = vec![0.0; size];
-        for row in 0..size {
-            for column in 0..=row {
-                let (m, other) = (orders[row], orders[column]);
-                let difference = m.abs_diff(other) / 2;
-                let sum = usize::midpoint(m, other);
-                let entry = 0.5 * (self.harmonics[difference] + self.harmonics[sum]);
-                let known = (0..column).map(|k| lower[row][k] * lower[column][k]);
-                let rest = entry - known.sum::<f64>();
-                lower[row][column] = if row == column { rest.sqrt() } else { rest / lower[column][column] };
-            }
-            let known = (0..row).map(|k| lower[row][k] * values[k]);
-            values[row] = (1.0 - known.sum::<f64>()) / lower[row][row];
-        }
-        for row in (0..size).rev() {
-            let known = (row + 1..size).map(|k| lower[k][row] * values[k]);
-            values[row] = (values[row] - known.sum::<f64>()) / lower[row][row];
-        }
+        let matrix = Matrix::of(size, |row, column| {
+            let (m, other) = (orders[row], orders[column]);
+            0.5 * (self.harmonics[m.abs_diff(other) / 2] + self.harmonics[usize::midpoint(m, other)])
+        });
+        // I_n is positive.
+        let lower = matrix.cholesky();
+        let solved = lower.map(|lower| lower.transposed().backward(&lower.forward(vec![1.0; size])));
+        let values = solved.unwrap_or_else(|| vec![f64::NAN; size]);
         orders.into_iter().zip(values).collect()
     }
 
