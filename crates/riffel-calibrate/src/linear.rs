@@ -1,13 +1,14 @@
 //! What data say of numbers that they depend on linearly.
 
-use riffel::numerics::matrix::{Matrix, dot};
+use riffel::numerics::least_squares::triangle;
+use riffel::numerics::matrix::Matrix;
 
 /// Numbers that are normally distributed.
 #[derive(Debug, Clone)]
 pub(crate) struct Normal {
     pub(crate) mean: Vec<f64>,
-    /// L of their precision LLᵀ.
-    lower: Matrix,
+    /// R of their precision RᵀR.
+    upper: Matrix,
 }
 
 /// What is known of a number before.
@@ -22,31 +23,29 @@ impl Normal {
     /// x after y = Σ x_i a_i + ε; `noise` is L of the covariance LLᵀ of ε. `None` if the data leave an x that nothing is known of.
     pub(crate) fn after(known: &[Known], columns: &[Vec<f64>], noise: &Matrix, data: &[f64]) -> Option<Self> {
         let white = |vector: &[f64]| noise.forward(vector.to_vec());
-        let columns: Vec<Vec<f64>> = columns.iter().map(|column| white(column)).collect();
-        Self::least_squares(known, &columns, &white(data))
-    }
-
-    /// Solution for errors that are independent, of variance one.
-    pub(crate) fn least_squares(known: &[Known], columns: &[Vec<f64>], data: &[f64]) -> Option<Self> {
-        let precision = Matrix::of(known.len(), |i, j| {
-            let before = if i == j { known[i].precision } else { 0.0 };
-            before + dot(&columns[i], &columns[j])
-        });
-        let lower = precision.cholesky()?;
-        let pulls = known.iter().zip(columns);
-        let pulls = pulls.map(|(known, column)| known.precision * known.mean + dot(column, data));
-        let mean = lower.transposed().backward(&lower.forward(pulls.collect()));
-        Some(Self { mean, lower })
+        let mut columns: Vec<Vec<f64>> = columns.iter().map(|column| white(column)).collect();
+        let mut data = white(data);
+        // What is known is a datum of its own.
+        for (place, known) in known.iter().enumerate().filter(|(_, known)| known.precision > 0.0) {
+            let weight = known.precision.sqrt();
+            columns
+                .iter_mut()
+                .enumerate()
+                .for_each(|(index, column)| column.push(if index == place { weight } else { 0.0 }));
+            data.push(weight * known.mean);
+        }
+        let (upper, turned) = triangle(columns, data)?;
+        Some(Self { mean: upper.backward(&turned), upper })
     }
 
     #[cfg(test)]
     pub(crate) fn covariance(&self) -> Matrix {
-        self.lower.inverse_of_square()
+        self.upper.transposed().inverse_of_square()
     }
 
     /// One draw, from as many draws of mean 0 and variance 1.
     pub(crate) fn draw(&self, normal: &[f64]) -> Vec<f64> {
-        let beside = self.lower.transposed().backward(normal);
+        let beside = self.upper.backward(normal);
         let pairs = self.mean.iter().zip(beside);
         pairs.map(|(mean, beside)| mean + beside).collect()
     }
@@ -112,7 +111,7 @@ mod tests {
         }
         let sum: f64 = covariance.values.iter().sum();
         close(sum.sqrt(), number("/U2/sd_of_sum"));
-        // The moments of draws: x = mean + L⁻ᵀ n has covariance L⁻ᵀL⁻¹.
+        // The moments of draws: x = mean + R⁻¹ n has covariance R⁻¹R⁻ᵀ.
         let [one, other] = [[1.0, 0.0], [0.0, 1.0]].map(|n| after.draw(&n));
         let product = |i: usize, j: usize| {
             (one[i] - after.mean[i]) * (one[j] - after.mean[j])

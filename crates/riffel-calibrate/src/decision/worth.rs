@@ -1,11 +1,11 @@
 //! What it is worth to know more: one value, or another measurement.
 
+use riffel::numerics::least_squares::least_squares;
 use riffel::numerics::matrix::Matrix;
 
 use super::Worth;
 use crate::error::CalibrationError;
 use crate::information::{mean, of_a_measurement};
-use crate::linear::{Known, Normal};
 use crate::plan::Plan;
 use crate::plan::decision::{Choices, Planned, PlannedData};
 
@@ -71,17 +71,10 @@ pub(super) fn worth_of_values(plan: &Plan, places: &[Vec<f64>], costs: &[Vec<f64
             let size = (z.iter().map(|z| (z - middle).powi(2)).sum::<f64>() / z.len() as f64).sqrt();
             let columns =
                 [0, 1, 2, 3].map(|power| z.iter().map(|z| ((z - middle) / size).powi(power)).collect::<Vec<f64>>());
-            let fitted: Option<Vec<Vec<f64>>> = costs.iter().map(|costs| fit(&columns, costs)).collect();
-            let best = fitted.map(|fitted| {
-                let of_draw = |draw: usize| fitted.iter().map(|costs| costs[draw]).fold(f64::INFINITY, f64::min);
-                mean(&(0..z.len()).map(of_draw).collect::<Vec<f64>>())
-            });
-            Worth {
-                title: parameter.name.clone(),
-                per_year: best.map_or(0.0, |best| (least - best).max(0.0)),
-                price: None,
-                net: None,
-            }
+            let fitted: Vec<Vec<f64>> = costs.iter().map(|costs| fit(&columns, costs)).collect();
+            let of_draw = |draw: usize| fitted.iter().map(|costs| costs[draw]).fold(f64::INFINITY, f64::min);
+            let best = mean(&(0..z.len()).map(of_draw).collect::<Vec<f64>>());
+            Worth { title: parameter.name.clone(), per_year: (least - best).max(0.0), price: None, net: None }
         })
         .collect();
     worth.sort_by(|a, b| b.per_year.total_cmp(&a.per_year));
@@ -89,11 +82,10 @@ pub(super) fn worth_of_values(plan: &Plan, places: &[Vec<f64>], costs: &[Vec<f64
 }
 
 /// Least squares of a column by some others.
-fn fit(columns: &[Vec<f64>], values: &[f64]) -> Option<Vec<f64>> {
-    let known = vec![Known::default(); columns.len()];
-    let weights = Normal::least_squares(&known, columns, values)?.mean;
+fn fit(columns: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
+    let weights = least_squares(&mut columns.to_vec(), values);
     let row = |row: usize| columns.iter().zip(&weights).map(|(column, weight)| weight * column[row]).sum();
-    Some((0..values.len()).map(row).collect())
+    (0..values.len()).map(row).collect()
 }
 
 /// What measurements are worth, beside the worth of knowing each value: Σ′ = (Σ⁻¹ + JᵀR⁻¹J)⁻¹ at the mean of the posterior.

@@ -3,9 +3,11 @@
 pub mod bisection;
 pub(crate) mod chebyshev;
 pub(crate) mod cubic;
+pub mod eigenvalues;
 pub(crate) mod gauss;
 pub(crate) mod golden_section;
 pub(crate) mod inverse;
+pub mod least_squares;
 pub mod matrix;
 pub(crate) mod normal_numbers;
 pub(crate) mod simultaneous_roots;

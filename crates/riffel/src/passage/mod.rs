@@ -12,13 +12,11 @@
 mod along_profile;
 mod damage_in_time;
 mod direction_in_time;
-mod eigenvalues;
 mod evolution;
 mod fourier_series;
 mod hertz_spring;
 mod impulse_response;
 mod late_contact;
-mod least_squares;
 mod march;
 mod memory;
 mod model;

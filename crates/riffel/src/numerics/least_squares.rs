@@ -1,18 +1,21 @@
 //! Linear least squares of real numbers, for a few dozen unknowns.
 //!
-//! Own, because a crate for dense matrices takes longer to build than all of this one.
+//! Own, because a crate for dense matrices takes longer to build than all of this one. Columns that are not as long as their right
+//! sides are an error of the caller, and may panic.
 
-/// The x of least |A x − b|, as [`least_squares_of_several`] finds it.
-pub(super) fn least_squares(columns: &mut [Vec<f64>], right: &[f64]) -> Vec<f64> {
+use super::matrix::Matrix;
+
+/// Minimiser x of |A x − b|, as [`least_squares_of_several`] finds it.
+pub fn least_squares(columns: &mut [Vec<f64>], right: &[f64]) -> Vec<f64> {
     least_squares_of_several(columns, vec![right.to_vec()]).swap_remove(0)
 }
 
-/// The x of least |A x − b| for each b, by Householder reflections (Golub & Van Loan, *Matrix Computations*, 5.2): `columns`
+/// Minimisers x of |A x − b|, one for each b, by Householder reflections (Golub & Van Loan, *Matrix Computations*, 5.2): `columns`
 /// are those of A, each as long as the `rights`, b; all are used up. Columns of any size: each is first scaled to length one. A
 /// column that depends on those before it to rounding takes no part, its unknown is zero.
 ///
 /// Cost: 2n²m operations for n unknowns and m equations, and 4nm for each b.
-pub(super) fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+pub fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let length = |column: &Vec<f64>| Some(norm(column)).filter(|length| *length > 0.0);
     let scales: Vec<f64> = columns.iter().map(|column| length(column).unwrap_or(1.0)).collect();
     for (column, scale) in columns.iter_mut().zip(&scales) {
@@ -34,13 +37,30 @@ pub(super) fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec
     rights.iter().map(solve).collect()
 }
 
-/// What the columns after the first `count` leave of each other when those have taken their part: the least |A x − b|
+/// Rows that the columns after the first `count` leave of each other when those have taken their part: the least |A x − b|
 /// over the unknowns of the first columns is that of these rows over the others.
-pub(super) fn remainder(columns: &mut [Vec<f64>], count: usize) -> Vec<Vec<f64>> {
+pub fn remainder(columns: &mut [Vec<f64>], count: usize) -> Vec<Vec<f64>> {
     let taken = triangularise(columns, &mut []);
     let from = taken.iter().filter(|(index, _)| *index < count).count();
     let others = columns[count..].iter();
     others.map(|column| column[from..taken.len()].to_vec()).collect()
+}
+
+/// Upper triangle R of A = QR with a positive diagonal, and Qᵀb: x of Rx = Qᵀb makes |A x − b| least, and (RᵀR)⁻¹ is the covariance of
+/// x where the errors of b are independent and of variance one. `None` where a column depends on those before it to rounding,
+/// or where entries are not finite.
+///
+/// Unlike RᵀR = AᵀA by Cholesky's factor it does not square the condition of A.
+pub fn triangle(mut columns: Vec<Vec<f64>>, right: Vec<f64>) -> Option<(Matrix, Vec<f64>)> {
+    let mut rights = [right];
+    let count = columns.len();
+    if triangularise(&mut columns, &mut rights).len() < count {
+        return None;
+    }
+    let sign = |row: usize| columns[row][row].signum();
+    let upper = Matrix::of(count, |row, column| if row > column { 0.0 } else { sign(row) * columns[column][row] });
+    let turned: Vec<f64> = (0..count).map(|row| sign(row) * rights[0][row]).collect();
+    upper.values.iter().chain(&turned).all(|value| value.is_finite()).then_some((upper, turned))
 }
 
 /// Householder reflections, of the others too, that leave R in the columns, zeros below it; returns the columns that take
@@ -156,6 +176,22 @@ mod tests {
         for (one, other) in all[2..].iter().zip(&some) {
             assert!((one - other).abs() < 1e-12, "{all:?} {some:?}");
         }
+    }
+
+    /// The straight line through three points: 3 and 14 are the sums of squares, 6 that of products.
+    #[test]
+    fn a_triangle_is_the_factor_of_the_normal_equations() {
+        let columns = vec![vec![1.0, 1.0, 1.0], vec![1.0, 2.0, 3.0]];
+        let (upper, turned) = triangle(columns.clone(), vec![1.0, 2.0, 4.0]).unwrap();
+        let product = upper.transposed().product(&upper);
+        for (value, expected) in product.values.iter().zip([3.0, 6.0, 6.0, 14.0]) {
+            assert!((value - expected).abs() < 1e-14);
+        }
+        assert!(upper.at(0, 0) > 0.0 && upper.at(1, 1) > 0.0 && upper.at(1, 0) == 0.0);
+        let solution = upper.backward(&turned);
+        assert!((solution[0] + 2.0 / 3.0).abs() < 1e-14 && (solution[1] - 1.5).abs() < 1e-14);
+        assert_eq!(triangle(vec![columns[0].clone(); 2], vec![1.0, 2.0, 4.0]), None);
+        assert_eq!(triangle(vec![vec![f64::NAN, 1.0]], vec![1.0, 2.0]), None);
     }
 
     #[test]
