@@ -7,6 +7,7 @@ use libm::tgamma;
 use super::Air;
 use crate::numerics::gauss::{equal_panels, panels};
 use crate::numerics::inverse::inverse;
+use crate::numerics::spherical_bessel::spherical_bessel_functions;
 use crate::{Complex64, Error};
 
 /// A thin disc in free air, both faces of which move by s(r) cos nθ along its axis.
@@ -126,7 +127,7 @@ impl VibratingDisc {
         let first = self.nodal_diameters as usize + 1;
         let mut matrix = vec![vec![Complex64::ZERO; count]; count];
         let mut add = |kappa: f64, weight: Complex64| {
-            let bessel = spherical_bessel(kappa, first + 2 * count);
+            let bessel = spherical_bessel_functions(kappa, first + 2 * count);
             for (row, line) in matrix.iter_mut().enumerate() {
                 let scaled = weight * bessel[first + 2 * row];
                 for (entry, value) in line.iter_mut().zip(bessel[first..].iter().step_by(2)) {
@@ -187,38 +188,6 @@ fn jacobi(alpha: f64, x: f64) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Spherical Bessel functions j₀(x) … of as many orders, but for a sign that all of them share, which is lost in products.
-///
-/// Method: recurrence downward from where they vanish (Miller), scaled by Σ(2l + 1)j_l² = 1.
-fn spherical_bessel(x: f64, count: usize) -> Vec<f64> {
-    /// Where to begin, and where to scale: squares of both are numbers.
-    const LARGEST: f64 = 1e100;
-    let begin = (count as f64).max(x) + 30.0 + 2.0 * x.cbrt().powi(2);
-    let begin = begin as usize;
-    let mut values = vec![0.0; count];
-    let (mut above, mut value, mut sum) = (0.0, LARGEST.recip(), 0.0);
-    for order in (0..=begin).rev() {
-        sum += (2.0 * order as f64 + 1.0) * value * value;
-        if let Some(kept) = values.get_mut(order) {
-            *kept = value;
-        }
-        let below = (2.0 * order as f64 + 1.0) / x * value - above;
-        (above, value) = (value, below);
-        if value.abs() > LARGEST {
-            for kept in &mut values {
-                *kept /= LARGEST;
-            }
-            (above, value) = (above / LARGEST, value / LARGEST);
-            sum /= LARGEST * LARGEST;
-        }
-    }
-    let scale = sum.sqrt().recip();
-    for kept in &mut values {
-        *kept *= scale;
-    }
-    values
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -231,18 +200,6 @@ mod tests {
 
     fn frequency(ka: f64) -> f64 {
         ka * Air::default().sound_speed / (2.0 * PI * 0.46)
-    }
-
-    #[test]
-    fn bessel_functions_are_those_of_their_closed_forms() {
-        for x in [1e-3, 0.3, 2.0, 31.0, 180.0] {
-            let values = spherical_bessel(x, 8);
-            let (sin, cos) = f64::sin_cos(x);
-            let expected = [sin / x, sin / (x * x) - cos / x];
-            let product = values[0] * values[1];
-            assert!((product - expected[0] * expected[1]).abs() < 1e-12, "{x}");
-            assert!((values[0].powi(2) - expected[0].powi(2)).abs() < 1e-12, "{x}");
-        }
     }
 
     /// A small rigid disc moves 8/3 ρa³ of air along: a dipole, W = (ωF)²/(12πρc³) with the force F on the air. The shape

@@ -11,4 +11,5 @@ pub mod least_squares;
 pub mod matrix;
 pub(crate) mod normal_numbers;
 pub(crate) mod simultaneous_roots;
+pub mod spherical_bessel;
 pub(crate) mod square_root;

@@ -1,8 +1,9 @@
 //! What a patch of finite size feels of the curvature of a wave.
 
 use super::HertzContact;
-use super::polynomial_punch::{PolynomialPunch, TERMS, spherical_bessel_functions};
+use super::polynomial_punch::{PolynomialPunch, TERMS};
 use crate::Error;
+use crate::numerics::spherical_bessel::spherical_bessel_functions;
 
 /// Largest ka for which [`TERMS`] are enough, a wave of a tenth of the semi-axis; from there on Φ is taken to fall as 1/ka.
 const FARTHEST: f64 = 55.0;
@@ -66,7 +67,7 @@ impl CurvatureFilter {
             return 1.0;
         }
         let inside = z.min(FARTHEST);
-        let functions = spherical_bessel_functions(inside);
+        let functions = spherical_bessel_functions(inside, TERMS + 1);
         let terms = self.weights.iter().zip(&functions[1..]);
         let sum: f64 = terms.map(|(weight, j)| weight * j * j).sum();
         sum / (inside * inside) * (inside / z)

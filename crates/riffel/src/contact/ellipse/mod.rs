@@ -19,4 +19,4 @@ pub use elliptic_contact::{ContactBody, EllipticContact};
 pub use elliptic_integrals::EllipticIntegrals;
 pub use hertz::HertzContact;
 pub use kalker_coefficients::KalkerCoefficients;
-pub(super) use polynomial_punch::{PolynomialPunch, spherical_bessel_functions};
+pub(super) use polynomial_punch::{PolynomialPunch, TERMS};

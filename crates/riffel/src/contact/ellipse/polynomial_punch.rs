@@ -73,53 +73,9 @@ fn harmonics(q: f64) -> Vec<f64> {
     (0..=TERMS).map(of).collect()
 }
 
-/// j_n(z) of z > 0, n = 0 … [`TERMS`], by Miller's recurrence downwards, scaled by Σ (2n + 1) j_n² = 1 (Abramowitz & Stegun, 10.1.50).
-pub(in crate::contact) fn spherical_bessel_functions(z: f64) -> [f64; TERMS + 1] {
-    /// An order from which nothing of a wrong beginning is left.
-    const FARTHEST: usize = TERMS + 40;
-    let mut functions = [0.0; TERMS + 1];
-    // Beyond z + 20 + 5z^⅓ they are below rounding.
-    let begin = FARTHEST.min((z + 20.0 + 5.0 * z.cbrt()) as usize);
-    let (mut higher, mut current) = (0.0, f64::MIN_POSITIVE.sqrt());
-    let mut sum = 0.0;
-    for n in (0..begin).rev() {
-        let lower = (2 * n + 3) as f64 / z * current - higher;
-        (higher, current) = (current, lower);
-        if n <= TERMS {
-            functions[n] = current;
-        }
-        sum += (2 * n + 1) as f64 * current * current;
-        if current.abs() > 1e100 {
-            let scale = current.abs().recip();
-            (higher, current) = (higher * scale, current * scale);
-            functions.iter_mut().for_each(|value| *value *= scale);
-            sum *= scale * scale;
-        }
-    }
-    // The sign is that of the larger of the first two in closed form.
-    let first = [z.sin() / z, (z.sin() / z - z.cos()) / z];
-    let larger = usize::from(functions[1].abs() > functions[0].abs());
-    let scale = (first[larger] * functions[larger]).signum() / sum.sqrt();
-    functions.map(|value| value * scale)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// In closed form to order 2, through many turns; rounding.
-    #[test]
-    fn spherical_bessel_functions_in_closed_form() {
-        for step in 1..400 {
-            let z = 0.13 * f64::from(step);
-            let (sine, cosine) = z.sin_cos();
-            let exact = [sine / z, (sine / z - cosine) / z, ((3.0 / (z * z) - 1.0) * sine - 3.0 * cosine / z) / z];
-            let got = spherical_bessel_functions(z);
-            for (got, exact) in got.iter().zip(exact) {
-                assert!((got - exact).abs() < 1e-12 / z.min(1.0), "{z}: {got} {exact}");
-            }
-        }
-    }
 
     /// Around a circle all orders have one weight, whose integral over a turn is that of two turns for the mean.
     #[test]

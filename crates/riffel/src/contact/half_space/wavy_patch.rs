@@ -2,7 +2,8 @@
 
 use num_complex::Complex64;
 
-use crate::contact::ellipse::{PolynomialPunch, spherical_bessel_functions};
+use crate::contact::ellipse::{PolynomialPunch, TERMS};
+use crate::numerics::spherical_bessel::spherical_bessel_functions;
 
 /// An elliptic patch under constant load on a rail with a wave, whose curvature under a point is κ = R k² Δ.
 ///
@@ -59,7 +60,7 @@ impl WavyPatch {
         /// What the terms left out may have.
         const NOTHING: f64 = 1e-10;
         let z = (wavenumber.abs() * self.semi_axes.0).max(LONG);
-        let functions = spherical_bessel_functions(z);
+        let functions = spherical_bessel_functions(z, TERMS + 1);
         let size = |n: usize| (2 * n + 1) as f64 * functions[n] / (z * z);
         // Past n = z they fall faster than geometrically.
         let matters = |&n: &usize| (n as f64) < z + 2.0 || size(n).abs() > NOTHING;
