@@ -3,6 +3,7 @@
 use libm::erf;
 
 use crate::Error;
+use crate::numerics::gauss::gauss_legendre;
 
 /// Standard deviations between zero and the mean of a normal distribution, at least.
 const TAIL: f64 = 4.0;
@@ -52,22 +53,6 @@ const NORMAL: [Half; 3] = [
         (1.154_405_394_739_968, 0.240_123_178_605_012_7),
         (2.366_759_410_734_541, 0.030_757_123_967_586_51),
         (3.750_439_717_725_742, 5.482_688_559_722_18e-4),
-    ],
-];
-
-/// Gauss–Legendre nodes of the even distribution from −1 to 1, of the same degrees. Abramowitz & Stegun (1964), table 25.4.
-const EVEN: [Half; 3] = [
-    &[(0.0, 4.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 18.0)],
-    &[
-        (0.0, 64.0 / 225.0),
-        (0.538_469_310_105_683, 0.239_314_335_249_683_2),
-        (0.906_179_845_938_664, 0.118_463_442_528_094_5),
-    ],
-    &[
-        (0.0, 0.208_979_591_836_734_7),
-        (0.405_845_151_377_397_2, 0.190_915_025_252_559_5),
-        (0.741_531_185_599_394_4, 0.139_852_695_744_638_3),
-        (0.949_107_912_342_758_5, 0.064_742_483_084_434_8),
     ],
 ];
 
@@ -185,12 +170,20 @@ impl Distribution {
     /// Values with weights that sum to one, of which the weighted sum of a smooth function is its mean: of shares these
     /// themselves, else 3, 5 or 7 nodes of Gauss by the number of the rule from 0, all within four standard deviations.
     pub fn nodes(&self, rule: usize) -> Vec<(f64, f64)> {
-        let (half, middle, scale) = match self {
+        let (middle, scale) = match self {
             Self::Shares(values) => return values.clone(),
-            Self::Normal { mean, deviation } => (NORMAL[rule], *mean, *deviation),
-            Self::LogNormal { median, deviation } => (NORMAL[rule], median.ln(), *deviation),
-            Self::Even { low, high } => (EVEN[rule], 0.5 * (low + high), 0.5 * (high - low)),
+            Self::Normal { mean, deviation } => (*mean, *deviation),
+            Self::LogNormal { median, deviation } => (median.ln(), *deviation),
+            Self::Even { low, high } => {
+                let nodes = match rule {
+                    0 => gauss_legendre::<3>().to_vec(),
+                    1 => gauss_legendre::<5>().to_vec(),
+                    _ => gauss_legendre::<7>().to_vec(),
+                };
+                return nodes.into_iter().map(|(place, weight)| (low + place * (high - low), weight)).collect();
+            }
         };
+        let half = NORMAL[rule];
         let below = half.iter().skip(1).rev().map(|(at, weight)| (-at, *weight));
         let nodes = below.chain(half.iter().copied());
         let value = |at: f64| match self {

@@ -10,7 +10,7 @@ use num_complex::Complex64;
 /// shifts (Francis 1961; steps as of Martin, Peters & Wilkinson 1970, Numer. Math. 14, 219–231). Accuracy: that of a matrix
 /// changed by roundings. An eigenvalue that 60 sweeps do not part from the others is not a number. Cost: some 10n³
 /// operations.
-pub fn eigenvalues(mut matrix: Vec<Vec<f64>>) -> Vec<Complex64> {
+pub(crate) fn eigenvalues(mut matrix: Vec<Vec<f64>>) -> Vec<Complex64> {
     const SWEEPS: usize = 60;
     balance(&mut matrix);
     to_hessenberg(&mut matrix);

@@ -15,7 +15,7 @@ pub fn least_squares(columns: &mut [Vec<f64>], right: &[f64]) -> Vec<f64> {
 /// column that depends on those before it to rounding takes no part, its unknown is zero.
 ///
 /// Cost: 2n²m operations for n unknowns and m equations, and 4nm for each b.
-pub fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+pub(crate) fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let length = |column: &Vec<f64>| Some(norm(column)).filter(|length| *length > 0.0);
     let scales: Vec<f64> = columns.iter().map(|column| length(column).unwrap_or(1.0)).collect();
     for (column, scale) in columns.iter_mut().zip(&scales) {
@@ -39,7 +39,7 @@ pub fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f6
 
 /// Rows that the columns after the first `count` leave of each other when those have taken their part: the least |A x − b|
 /// over the unknowns of the first columns is that of these rows over the others.
-pub fn remainder(columns: &mut [Vec<f64>], count: usize) -> Vec<Vec<f64>> {
+pub(crate) fn remainder(columns: &mut [Vec<f64>], count: usize) -> Vec<Vec<f64>> {
     let taken = triangularise(columns, &mut []);
     let from = taken.iter().filter(|(index, _)| *index < count).count();
     let others = columns[count..].iter();

@@ -3,7 +3,7 @@
 pub mod bisection;
 pub(crate) mod chebyshev;
 pub(crate) mod cubic;
-pub mod eigenvalues;
+pub(crate) mod eigenvalues;
 pub(crate) mod gauss;
 pub(crate) mod golden_section;
 pub(crate) mod inverse;
@@ -11,5 +11,5 @@ pub mod least_squares;
 pub mod matrix;
 pub(crate) mod normal_numbers;
 pub(crate) mod simultaneous_roots;
-pub mod spherical_bessel;
+pub(crate) mod spherical_bessel;
 pub(crate) mod square_root;

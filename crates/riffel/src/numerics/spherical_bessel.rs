@@ -4,7 +4,7 @@
 ///
 /// Method: Miller's recurrence downwards, scaled by Σ (2n + 1) j_n² = 1 (Abramowitz & Stegun 1964, 10.1.50). Error: rounding. Cost:
 /// one step an order up to z + 20 + 5z^⅓.
-pub fn spherical_bessel_functions(z: f64, count: usize) -> Vec<f64> {
+pub(crate) fn spherical_bessel_functions(z: f64, count: usize) -> Vec<f64> {
     /// Squares of it are numbers.
     const LARGEST: f64 = 1e100;
     let mut functions = vec![0.0; count];

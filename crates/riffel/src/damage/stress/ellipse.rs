@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
 
 use super::StressTensor;
+use crate::numerics::gauss::gauss_legendre;
 
 /// The half-space under an ellipse, lengths in its semi-axis a along x.
 ///
@@ -39,27 +40,9 @@ pub struct UnitStress {
 /// A rule of Gauss and Legendre: places and weights between 0 and 1.
 type Rule<const N: usize> = LazyLock<[(f64, f64); N]>;
 
-static RULE: Rule<16> = LazyLock::new(rule);
+static RULE: Rule<16> = LazyLock::new(gauss_legendre);
 /// For pictures and fields.
-static SHORT_RULE: Rule<6> = LazyLock::new(rule);
-
-fn rule<const N: usize>() -> [(f64, f64); N] {
-    std::array::from_fn(|index| {
-        let count = N as f64;
-        let mut x = ((index as f64 + 0.75) / (count + 0.5) * std::f64::consts::PI).cos();
-        let mut slope = 1.0;
-        for _ in 0..20 {
-            let (mut last, mut value) = (1.0, x);
-            for order in 2..=N {
-                let n = order as f64;
-                (last, value) = (value, ((2.0 * n - 1.0) * x * value - (n - 1.0) * last) / n);
-            }
-            slope = count * (x * value - last) / (x * x - 1.0);
-            x -= value / slope;
-        }
-        (0.5 * (1.0 - x), 1.0 / ((1.0 - x * x) * slope * slope))
-    })
-}
+static SHORT_RULE: Rule<6> = LazyLock::new(gauss_legendre);
 
 /// Integrals from λ on, of the longer semi-axis first.
 #[derive(Default)]

@@ -136,7 +136,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
                 let squares = inertia.iter().zip(displacement).map(|(inertia, d)| inertia * d * d);
                 weight * length * squares.sum::<f64>()
             };
-            GAUSS.into_iter().map(at).sum::<f64>()
+            GAUSS.iter().copied().map(at).sum::<f64>()
         };
         spans.map(of_span).sum()
     }
