@@ -1,5 +1,7 @@
 //! Heights at uneven positions, brought to even steps.
 
+use riffel::numerics::cubic::{cubic_at, hermite};
+
 /// Heights at `start`, `start + spacing` and so on up to the last position, by cubic interpolation between the samples
 /// about each place: exact for parabolas whatever the steps, with an error of order (2πh/λ)³ for a wave of length λ in
 /// steps of h. Positions rise; where a height is missing, those beside it are missing too.
@@ -41,11 +43,8 @@ pub(super) fn resampled(positions: &[f64], heights: &[f64], spacing: f64) -> Vec
             }
             let step = positions[at + 1] - positions[at];
             let t = (place - positions[at]) / step;
-            let (from, to) = (heights[at], heights[at + 1]);
-            // Hermite's cubic on the unit interval.
-            let (begin, end) = (step * tangent(at), step * tangent(at + 1));
-            let rise = to - from;
-            from + t * (begin + t * (3.0 * rise - 2.0 * begin - end + t * (begin + end - 2.0 * rise)))
+            let slopes = [step * tangent(at), step * tangent(at + 1)];
+            cubic_at(hermite([heights[at], heights[at + 1]], slopes), t)
         })
         .collect()
 }

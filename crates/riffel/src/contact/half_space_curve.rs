@@ -5,6 +5,7 @@ use super::{
     CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, HalfSpace, HalfSpaceRolling, OscillatingCreepages,
 };
 use crate::Error;
+use crate::numerics::cubic::{cubic_at, cubic_slope, hermite};
 
 /// Q(P, ξ) of a [`HalfSpace`] in pure longitudinal creepage, through its values and slopes at some twenty creepages. Lateral
 /// creepage and spin are ignored.
@@ -107,15 +108,12 @@ impl HalfSpaceCurve {
     }
 }
 
-/// The cubic of Hermite and its slope.
+/// Value and slope of the cubic of Hermite.
 fn between(one: &Place, other: &Place, creepage: f64) -> [f64; 2] {
     let width = other.creepage - one.creepage;
     let t = (creepage - one.creepage) / width;
-    let chord = other.ratio - one.ratio;
-    // ratio + t (s₀ + t (c₂ + t c₃))
-    let (first, last) = (one.slope * width, other.slope * width);
-    let (second, third) = (3.0 * chord - 2.0 * first - last, first + last - 2.0 * chord);
-    [one.ratio + t * (first + t * (second + t * third)), (first + t * (2.0 * second + 3.0 * t * third)) / width]
+    let cubic = hermite([one.ratio, other.ratio], [one.slope * width, other.slope * width]);
+    [cubic_at(cubic, t), cubic_slope(cubic, t) / width]
 }
 
 /// Slopes that are not known, from the chords on both sides, so that the force does not fall (Fritsch & Carlson 1980).

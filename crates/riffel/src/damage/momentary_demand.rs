@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 
 use super::{Demand, ShakedownLimit};
+use crate::numerics::cubic::{cubic_at, hermite};
 
 /// Intervals of the utilised friction from zero to one.
 const INTERVALS: usize = 256;
@@ -20,7 +21,7 @@ pub(crate) struct MomentaryDemand {
     /// d ln u/dκ.
     by_curvature: f64,
     limit: ShakedownLimit,
-    /// 1/S and its slope.
+    /// 1/S and its change over an interval at its slope.
     nodes: Vec<OnceLock<[f64; 2]>>,
 }
 
@@ -51,19 +52,14 @@ impl MomentaryDemand {
         }
         let place = (friction * INTERVALS as f64).min(INTERVALS as f64);
         let index = (place as usize).min(INTERVALS - 1);
-        let [(from, rise), (to, fall)] = [index, index + 1].map(|index| {
-            let [value, slope] = *self.nodes[index].get_or_init(|| self.node(index));
-            (value, slope / INTERVALS as f64)
-        });
-        // Hermite's cubic.
-        let t = place - index as f64;
-        let step = to - from;
-        from + t * (rise + t * (3.0 * step - 2.0 * rise - fall + t * (rise + fall - 2.0 * step)))
+        let [[from, rise], [to, fall]] =
+            [index, index + 1].map(|index| *self.nodes[index].get_or_init(|| self.node(index)));
+        cubic_at(hermite([from, to], [rise, fall]), place - index as f64)
     }
 
     fn node(&self, index: usize) -> [f64; 2] {
         let [limit, slope] = self.limit.at(index as f64 / INTERVALS as f64);
-        [limit.recip(), -slope / limit]
+        [limit.recip(), -slope / limit / INTERVALS as f64]
     }
 }
 

@@ -2,7 +2,7 @@
 
 pub mod bisection;
 pub(crate) mod chebyshev;
-pub(crate) mod cubic;
+pub mod cubic;
 pub(crate) mod eigenvalues;
 pub(crate) mod gauss;
 pub(crate) mod golden_section;

@@ -3,7 +3,7 @@
 use super::patch_average::PatchAverage;
 use super::{ContactInTime, ContactInstant, March, PassageModel};
 use crate::Error;
-use crate::numerics::cubic::cubic;
+use crate::numerics::cubic::{cubic, cubic_at, hermite};
 use crate::roughness::Profile;
 
 /// What wheels did along a profile.
@@ -118,9 +118,7 @@ fn averaged(profile: &Profile, semi_axis: f64) -> Vec<f64> {
         let from = place.floor();
         let (index, t) = (from as isize, place - from);
         let [one, other] = [0, 1].map(|by| integral[(index + by + beyond) as usize]);
-        let (first, last) = (height(index), height(index + 1));
-        let rise = other - one;
-        one + t * (first + t * (3.0 * rise - 2.0 * first - last + t * (first + last - 2.0 * rise)))
+        cubic_at(hermite([one, other], [height(index), height(index + 1)]), t)
     };
     (0..=last)
         .map(|index| {

@@ -5,6 +5,7 @@ use super::side::{OVERHANG, Side};
 use super::spline::slopes;
 use super::{PointFault, ProfileError};
 use crate::numerics::bisection::bisection;
+use crate::numerics::cubic::{cubic_at, cubic_slope, hermite};
 
 /// Fewest points of a profile.
 const LEAST: usize = 8;
@@ -319,12 +320,8 @@ impl Piece {
 
     /// Hermite's cubics between two knots.
     fn between(begin: &Knot, end: &Knot, length: f64) -> Self {
-        let cubic = |from: f64, to: f64, slope_from: f64, slope_to: f64| {
-            let (p, q) = (slope_from * length, slope_to * length);
-            [from, p, 3.0 * (to - from) - 2.0 * p - q, 2.0 * (from - to) + p + q]
-        };
-        let ([p, q], [r, s]) = (begin.by_parameter, end.by_parameter);
-        Self { x: cubic(begin.x, end.x, p, r), height: cubic(begin.height, end.height, q, s) }
+        let slopes = |axis: usize| [begin.by_parameter[axis] * length, end.by_parameter[axis] * length];
+        Self { x: hermite([begin.x, end.x], slopes(0)), height: hermite([begin.height, end.height], slopes(1)) }
     }
 
     fn straight(begin: &Knot, end: &Knot) -> Self {
@@ -333,8 +330,8 @@ impl Piece {
 
     /// Whether x increases all along.
     fn goes_outward(&self) -> bool {
-        let [_, b, c, d] = self.x;
-        let slope = |u: f64| b + u * (2.0 * c + 3.0 * d * u);
+        let [_, _, c, d] = self.x;
+        let slope = |u: f64| cubic_slope(self.x, u);
         let inner = if d == 0.0 { 0.5 } else { -c / (3.0 * d) };
         slope(0.0) > 0.0 && slope(1.0) > 0.0 && slope(inner.clamp(0.0, 1.0)) > 0.0
     }
@@ -351,12 +348,10 @@ impl Piece {
 
     /// The place at x, between the ends of the piece.
     fn at(&self, x: f64, low: f64, high: f64) -> ProfilePoint {
-        let [a, b, c, d] = self.x;
         let mut u = (x - low) / (high - low);
         // Pieces are nearly straight in x: a few steps reach rounding, and none leaves the piece for good.
         for _ in 0..20 {
-            let slope = b + u * (2.0 * c + 3.0 * d * u);
-            let step = (a + u * (b + u * (c + u * d)) - x) / slope;
+            let step = (cubic_at(self.x, u) - x) / cubic_slope(self.x, u);
             u = (u - step).clamp(0.0, 1.0);
             if step.abs() < 1e-14 {
                 break;
@@ -366,12 +361,11 @@ impl Piece {
     }
 
     fn by_parameter(&self, u: f64) -> ProfilePoint {
-        let ([a, b, c, d], [e, f, g, h]) = (self.x, self.height);
-        let (along, up) = (b + u * (2.0 * c + 3.0 * d * u), f + u * (2.0 * g + 3.0 * h * u));
-        let (along_bend, up_bend) = (2.0 * c + 6.0 * d * u, 2.0 * g + 6.0 * h * u);
+        let [along, up] = [self.x, self.height].map(|cubic| cubic_slope(cubic, u));
+        let [along_bend, up_bend] = [self.x, self.height].map(|[_, _, c, d]| 2.0 * c + 6.0 * d * u);
         ProfilePoint {
-            x: a + u * (b + u * (c + u * d)),
-            height: e + u * (f + u * (g + u * h)),
+            x: cubic_at(self.x, u),
+            height: cubic_at(self.height, u),
             slope: up / along,
             curvature: (along * up_bend - up * along_bend) / along.hypot(up).powi(3),
         }
