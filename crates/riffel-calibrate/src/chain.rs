@@ -2,11 +2,12 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::numerics::matrix::Matrix;
+use riffel::numerics::random_numbers::uniform;
 
 use crate::draw::{Draw, random};
 use crate::emulator::Emulator;
 use crate::moments::Moments;
-use crate::nuts::{Place, Potential, Statistics, transition, uniform};
+use crate::nuts::{Place, Potential, Statistics, transition};
 use crate::optimum::{climb, covariance};
 use crate::posterior::{MOST_TRIALS, Point, Posterior};
 

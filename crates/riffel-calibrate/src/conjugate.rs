@@ -2,6 +2,7 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::numerics::matrix::Matrix;
+use riffel::numerics::random_numbers::normal;
 use riffel_study::Distribution;
 use serde_json::Value;
 
@@ -9,7 +10,6 @@ use crate::data::{Block, Conditional, Group, Place, sums};
 use crate::gaussian::{Density, Gaussian};
 use crate::linear::{Known, Normal};
 use crate::model::{Model, Parameter, Role, Trial};
-use crate::nuts::normal;
 use crate::posterior::{Named, Posterior};
 use crate::prior::Prior;
 

@@ -134,8 +134,9 @@ fn ess(chains: &[Vec<f64>]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use riffel::numerics::random_numbers::normal;
+
     use super::*;
-    use crate::nuts::normal;
     use rand_xoshiro::Xoshiro256PlusPlus;
     use rand_xoshiro::rand_core::SeedableRng;
 

@@ -2,11 +2,11 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::numerics::matrix::{Matrix, dot};
+use riffel::numerics::random_numbers::normal;
 
 use crate::data::differences;
 use crate::gaussian::Density;
 use crate::moments::Moments;
-use crate::nuts::normal;
 use crate::posterior::{Named, Point, Posterior};
 
 /// Most terms of a polynomial: four powers of seven parameters, three of eleven.

@@ -3,10 +3,11 @@
 //! Nothing here is shared with the chains of trajectories: no slopes, no emulator, no top to begin from. So each checks the other.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel::numerics::random_numbers::{normal, uniform};
 use riffel_study::sensitivity::quantile;
 
 use crate::draw::{Draw, random};
-use crate::nuts::{Statistics, normal, uniform};
+use crate::nuts::Statistics;
 use crate::posterior::{Placed, Posterior};
 
 /// Walkers for each coordinate, and fewest of all.

@@ -5,7 +5,7 @@ use rand_xoshiro::rand_core::SeedableRng;
 use riffel::numerics::matrix::{Matrix, dot};
 use riffel_study::normal;
 
-use crate::nuts;
+use riffel::numerics::random_numbers::normal;
 
 /// Draws of what a measurement may find, where there are more than two actions.
 const FINDINGS: u32 = 20_000;
@@ -49,7 +49,7 @@ pub(crate) fn of_a_measurement(means: &[f64], slopes: &[Vec<f64>], told: &Matrix
     let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
     let mut best = 0.0;
     for _ in 0..FINDINGS {
-        let found: Vec<f64> = values.iter().map(|_| nuts::normal(&mut random)).collect();
+        let found: Vec<f64> = values.iter().map(|_| normal(&mut random)).collect();
         // A finding and its opposite: means stay where they are.
         for sign in [1.0, -1.0] {
             let costs = means.iter().zip(&moves);

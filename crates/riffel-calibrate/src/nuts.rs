@@ -4,9 +4,8 @@
 //! the first build.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::Rng;
-
 use riffel::numerics::matrix::dot;
+use riffel::numerics::random_numbers::{normal, uniform};
 
 /// Error of the energy from which a trajectory is said to diverge.
 const DIVERGES: f64 = 1000.0;
@@ -211,17 +210,6 @@ impl Walk<'_> {
 fn log_sum(one: f64, other: f64) -> f64 {
     let (low, high) = (one.min(other), one.max(other));
     high + (low - high).exp().ln_1p()
-}
-
-/// Above 0 and below 1.
-pub(crate) fn uniform(random: &mut Xoshiro256PlusPlus) -> f64 {
-    ((random.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64
-}
-
-/// Of mean 0 and variance 1, by Box and Muller.
-pub(crate) fn normal(random: &mut Xoshiro256PlusPlus) -> f64 {
-    let radius = (-2.0 * uniform(random).ln()).sqrt();
-    radius * (std::f64::consts::TAU * uniform(random)).cos()
 }
 
 #[cfg(test)]

@@ -2,12 +2,13 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::numerics::matrix::{Matrix, dot};
+use riffel::numerics::random_numbers::uniform;
 
 use crate::data::{Block, Size};
 use crate::draw::Draw;
 use crate::gaussian::Density;
 use crate::model::{Model, Trial};
-use crate::nuts::{Statistics, uniform};
+use crate::nuts::Statistics;
 
 /// Step in z of differences of the predictions. Forward differences: rounding of 1e-13 and curvature leave derivatives with
 /// some six digits, and decay rates are taken from a quarter of their frequencies. A sampler's steps may use any force that follows from the place alone, for they stay volume-preserving

@@ -5,12 +5,12 @@ use std::f64::consts::LN_10;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 use riffel::forecast::{GrowingSum, LINES_PER_BAND};
+use riffel::numerics::random_numbers::normal;
 
 use crate::chains::Chains;
 use crate::data::Levels;
 use crate::draw::random;
 use crate::error::CalibrationError;
-use crate::nuts::normal;
 use crate::plan::Plan;
 use crate::posterior::{Named, Posterior};
 

@@ -4,6 +4,7 @@
 //! (2023), Bayesian Analysis 20.
 
 use rayon::prelude::*;
+use riffel::numerics::random_numbers::uniform;
 use riffel::roughness::LevelLimit;
 use riffel_study::Stop;
 use serde::Serialize;
@@ -12,7 +13,6 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use crate::draw::random;
 use crate::error::CalibrationError;
 use crate::file::SamplerFile;
-use crate::nuts::uniform;
 use crate::plan::Plan;
 use crate::posterior::{Named, Posterior};
 use crate::rail_draw::{RailDraw, growing_bands};

@@ -3,11 +3,12 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 use riffel::numerics::bisection::bisection;
+use riffel::numerics::random_numbers::uniform;
 use riffel_study::Stop;
 
 use crate::draw::{Draw, random};
 use crate::ensemble::difference;
-use crate::nuts::{Statistics, uniform};
+use crate::nuts::Statistics;
 use crate::posterior::{Placed, Posterior};
 
 /// Share of the population that counts after a step towards the data.

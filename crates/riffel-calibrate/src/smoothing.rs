@@ -88,11 +88,12 @@ fn pareto(values: &[f64]) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
+    use riffel::numerics::random_numbers::{normal, uniform};
+
     use super::*;
     use crate::data::{Conditional, Held};
     use crate::draw::random;
     use crate::held_out::Score;
-    use crate::nuts::{normal, uniform};
 
     /// Ratios u^−k have a tail of shape k and the mean 1/(1 − k): the mean of a quantity that is one for u below a tenth
     /// and zero else is 0.1^{1−k}.

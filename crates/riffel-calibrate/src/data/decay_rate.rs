@@ -5,6 +5,7 @@ use std::path::Path;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::noise::FrequencyBand;
 use riffel::numerics::matrix::Matrix;
+use riffel::numerics::random_numbers::uniform;
 use riffel::receptance::DecayRate;
 use riffel_case::Case;
 use riffel_keys::{CaseError, say};
@@ -14,7 +15,6 @@ use super::{Block, Conditional, Group, Observable, Place, table};
 use crate::file::Kind;
 use crate::gaussian::Density;
 use crate::model::Trial;
-use crate::nuts::uniform;
 
 /// Frequencies of a band.
 const LINES: u32 = 16;

@@ -6,6 +6,7 @@ use std::path::Path;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::Complex64;
 use riffel::numerics::matrix::Matrix;
+use riffel::numerics::random_numbers::normal;
 use riffel::receptance::MeasuredReceptance;
 use riffel_case::{Case, doubts_about_rail};
 use riffel_keys::{CaseError, Message};
@@ -16,7 +17,6 @@ use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::model::Trial;
-use crate::nuts::normal;
 
 /// Highest frequency of a hammer test at least \[Hz\]: below it a rail rests on its bed, and no hammer is so soft.
 const LEAST_HIGHEST: f64 = 20.0;

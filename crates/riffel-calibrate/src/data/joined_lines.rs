@@ -147,9 +147,10 @@ impl Joining {
 
 #[cfg(test)]
 mod tests {
+    use riffel::numerics::random_numbers::normal;
+
     use super::*;
     use crate::draw::random;
-    use crate::nuts::normal;
 
     /// 1600 lines of a mass on a spring of loss factor 0.02 at 500 Hz: of 100 bands eight or more lie within 2 % of it, where there are
     /// 40 of the lines, and every line is in one of them with a share.

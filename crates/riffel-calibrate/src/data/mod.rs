@@ -18,13 +18,13 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 
 use riffel::forecast::LEAST_PASSAGES;
 use riffel::numerics::matrix::Matrix;
+use riffel::numerics::random_numbers::normal;
 use riffel_keys::{Message, say};
 use serde::Serialize;
 
 pub(crate) use crate::gaussian::Conditional;
 use crate::gaussian::{Density, Gaussian, given_others};
 use crate::model::Trial;
-use crate::nuts::normal;
 
 /// Passages of the unit of what the model misses of growth.
 const UNIT: f64 = 1e6;

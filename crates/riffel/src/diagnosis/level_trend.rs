@@ -211,7 +211,7 @@ pub(super) mod tests {
     use rand_xoshiro::rand_core::SeedableRng;
 
     use super::*;
-    use crate::numerics::normal_numbers::normal_pair;
+    use crate::numerics::random_numbers::{normal, normal_pair};
 
     /// Levels of one record after the other.
     pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> LevelTrend {
@@ -268,7 +268,7 @@ pub(super) mod tests {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
         let (mut ground, mut seen) = (0, 0);
         for _ in 0..RAILS {
-            let noise = [0.0; 4].map(|_| normal_pair(&mut random).re);
+            let noise = [0.0; 4].map(|_| normal(&mut random));
             ground += usize::from(course(&noise, Some(1.0)).since > 0);
             let cut = std::array::from_fn::<f64, 4, _>(|k| noise[k] - 16.0 * f64::from(k > 1));
             seen += usize::from(course(&cut, Some(1.0)).since == 2);
@@ -312,7 +312,7 @@ pub(super) mod tests {
             });
             let grown: Vec<f64> = grown.collect();
             let mut fall = |falls: &[f64]| {
-                let noise = |fall: &f64| fall + 0.7 * 2f64.sqrt() * normal_pair(&mut errors).re;
+                let noise = |fall: &f64| fall + 0.7 * 2f64.sqrt() * normal(&mut errors);
                 fall_of_bands(falls.iter().map(noise).collect::<Vec<_>>())
             };
             seen += usize::from(fall(&ground) > FALL_BY_GRINDING);

@@ -63,13 +63,14 @@ mod tests {
     use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
     use super::*;
+    use crate::numerics::random_numbers::unit;
 
     /// Of 40 000 coefficients drawn from the law, 80 and 50 % lie in the bands, to four standard errors; 80 % within the factor of
     /// three.
     #[test]
     fn the_bands_hold_their_shares() {
         let mut source = Xoshiro256PlusPlus::seed_from_u64(1);
-        let mut uniform = || -> f64 { (source.next_u64() >> 11) as f64 / (1u64 << 53) as f64 };
+        let mut uniform = || unit(source.next_u64());
         let draws = 40_000;
         let (eighty, fifty) = (WearSpread::UNMEASURED.band_80(1.0), WearSpread::UNMEASURED.band_50(1.0));
         let bands = [(eighty, 0.8), (fifty, 0.5), ([1.0 / 3.0, 3.0], 0.8)];

@@ -9,7 +9,7 @@ pub(crate) mod golden_section;
 pub(crate) mod inverse;
 pub mod least_squares;
 pub mod matrix;
-pub(crate) mod normal_numbers;
+pub mod random_numbers;
 pub(crate) mod simultaneous_roots;
 pub(crate) mod spherical_bessel;
 pub(crate) mod square_root;

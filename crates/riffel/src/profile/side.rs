@@ -56,6 +56,7 @@ impl Side {
 
 #[cfg(test)]
 mod tests {
+    use crate::numerics::random_numbers::unit;
     use crate::profile::{NominalProfile, Profile, ProfileAlignment, ProfilePoint, ProfileWear, RailWear};
 
     /// Below the crown, where W2 is measured \[m\].
@@ -69,7 +70,7 @@ mod tests {
             self.0 ^= self.0 << 13;
             self.0 ^= self.0 >> 7;
             self.0 ^= self.0 << 17;
-            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+            unit(self.0)
         }
 
         fn between(&mut self, low: f64, high: f64) -> f64 {

@@ -235,7 +235,7 @@ mod tests {
     use rand_xoshiro::rand_core::SeedableRng;
 
     use super::*;
-    use crate::numerics::normal_numbers::normal_pair;
+    use crate::numerics::random_numbers::normal;
     use crate::profile::{NominalProfile, Profile};
 
     /// A profile measured at equal steps of its length with scatter across it \[m\].
@@ -247,7 +247,7 @@ mod tests {
         while x < 0.034 {
             let point = nominal.at(x).unwrap();
             let along = (1.0 + point.slope * point.slope).sqrt();
-            let off = scatter * normal_pair(&mut random).re;
+            let off = scatter * normal(&mut random);
             points.push([x - off * point.slope / along, point.height + off / along]);
             x += step / along;
         }
@@ -274,7 +274,7 @@ mod tests {
                 let points: Vec<[f64; 2]> = (-count..=count)
                     .map(|index| {
                         let angle = step * f64::from(index) / 0.3;
-                        let radius = 0.3 + scatter * normal_pair(&mut random).re;
+                        let radius = 0.3 + scatter * normal(&mut random);
                         [radius * angle.sin(), radius * angle.cos() - 0.3]
                     })
                     .collect();

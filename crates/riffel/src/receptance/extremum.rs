@@ -117,6 +117,7 @@ fn scatter(levels: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::random_numbers::unit;
     use std::f64::consts::TAU;
 
     /// Two oscillators in series, at 100 Hz with ζ = 5 % and at 500 Hz with 2 %, on even lines of `step` \[Hz\].
@@ -167,7 +168,7 @@ mod tests {
         let mut state = 1u64;
         let mut even = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 11) as f64 / (1u64 << 53) as f64
+            unit(state)
         };
         let lines: Vec<(f64, Complex64)> = (1..5000)
             .map(|line| {

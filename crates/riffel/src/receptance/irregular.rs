@@ -8,7 +8,7 @@ use super::periodic::Station;
 use super::{Beam, FloquetWaves, PeriodicTrack, Waveguide};
 use crate::Error;
 use crate::numerics::inverse::inverse;
-use crate::numerics::normal_numbers::normal_pair;
+use crate::numerics::random_numbers::normal;
 
 /// An infinite rail on equal supports every d, of which some N side by side have moved along the rail, such as the sleepers of a
 /// track as it was laid.
@@ -78,7 +78,7 @@ impl<R: Waveguide> IrregularTrack<R> {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
         let mut drawn: Vec<f64> = Vec::with_capacity(supports + 1);
         while drawn.len() <= supports {
-            let number = normal_pair(&mut random).re;
+            let number = normal(&mut random);
             if number.abs() <= FARTHEST {
                 drawn.push(number);
             }

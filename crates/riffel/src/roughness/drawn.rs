@@ -9,6 +9,7 @@ use realfft::RealFftPlanner;
 
 use super::{BandLevel, Profile, Spectrum, mean_square};
 use crate::Error;
+use crate::numerics::random_numbers::unit;
 
 impl Spectrum {
     /// Length of a profile in longest wavelengths, so that the longest band, of a width of 0.23/λ, has three waves.
@@ -56,7 +57,7 @@ impl Spectrum {
             let weight = |n: usize| mean_square(self.between(length / n as f64)) / n as f64;
             let scale = band.mean_square() / places.clone().map(weight).sum::<f64>();
             for n in places {
-                let phase = TAU * ((random.next_u64() >> 11) as f64) / (1u64 << 53) as f64;
+                let phase = TAU * unit(random.next_u64());
                 // Mean square of a line 2|X|².
                 lines[n] = Complex64::from_polar((0.5 * scale * weight(n)).sqrt(), phase);
             }

@@ -202,6 +202,7 @@ fn spectra(one: &[f64], other: &[f64], samples: usize) -> Spectra {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::random_numbers::unit;
     use rand_xoshiro::Xoshiro256PlusPlus;
     use rand_xoshiro::rand_core::{Rng, SeedableRng};
     use std::f64::consts::TAU;
@@ -217,7 +218,7 @@ mod tests {
     /// A random rail, and what it becomes with noise of its own, moved along.
     fn rails(seed: u64, metres: f64, noise: f64, moved: f64) -> [Profile; 2] {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
-        let mut uniform = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let mut uniform = || unit(random.next_u64());
         let mut normal = || (-2.0 * uniform().max(1e-300).ln()).sqrt() * (TAU * uniform()).cos();
         let count = (metres / SPACING) as usize;
         let mut planner = RealFftPlanner::<f64>::new();

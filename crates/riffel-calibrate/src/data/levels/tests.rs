@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
+use riffel::numerics::random_numbers::normal;
 
 use super::*;
 use crate::Plan;
 use crate::data::differences;
-use crate::nuts::normal;
 
 /// The third set with levels of trains beside the track, as a plan in a folder.
 fn heard(folder: &Path, levels: &str) -> Plan {
