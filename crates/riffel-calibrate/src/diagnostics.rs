@@ -3,7 +3,7 @@
 //! Source: Vehtari, Gelman, Simpson, Carpenter & Bürkner (2021), *Rank-normalization, folding, and localization: an improved R̂*,
 //! Bayesian Analysis 16; autocorrelations are summed as by Geyer (1992).
 
-use riffel_study::normal;
+use riffel::numerics::normal_distribution;
 use riffel_study::sensitivity::quantile;
 
 /// R̂ of rank-normalised split chains: the larger of that of the draws and that of their distances from the median. NaN where a
@@ -64,7 +64,7 @@ fn rank_normalised(chains: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let end = begin + order[begin..].iter().take_while(same).count().max(1);
         let rank = 0.5 * (begin + 1 + end) as f64;
         let share = (rank - 0.375) / (all.len() as f64 + 0.25);
-        let score = normal::quantile(share);
+        let score = normal_distribution::quantile(share);
         order[begin..end].iter().for_each(|place| scores[*place] = score);
         begin = end;
     }

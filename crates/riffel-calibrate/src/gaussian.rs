@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use riffel_study::normal;
+use riffel::numerics::normal_distribution::below;
 
 use riffel::numerics::matrix::{Matrix, dot};
 
@@ -188,7 +188,7 @@ pub(crate) fn given_others(inverse: &Matrix, weighted: &[f64], group: &[usize]) 
     let shares = beside.iter().enumerate();
     Some(Conditional {
         log_density: norm + log_determinant(&lower) - 0.5 * dot(&turned, &turned),
-        shares: shares.map(|(place, beside)| normal::cumulative(beside / covariance.at(place, place).sqrt())).collect(),
+        shares: shares.map(|(place, beside)| below(beside / covariance.at(place, place).sqrt())).collect(),
     })
 }
 

@@ -3,7 +3,7 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 use riffel::numerics::matrix::{Matrix, dot};
-use riffel_study::normal;
+use riffel::numerics::normal_distribution::{below, density};
 
 use riffel::numerics::random_numbers::normal;
 
@@ -26,7 +26,7 @@ pub fn of_a_difference(difference: f64, deviation: f64) -> f64 {
         return 0.0;
     }
     let t = difference.abs() / deviation;
-    deviation * (-0.5 * t * t).exp() / std::f64::consts::TAU.sqrt() - difference.abs() * normal::cumulative(-t)
+    deviation * density(t) - difference.abs() * below(-t)
 }
 
 /// What a measurement is worth that takes the covariance of the parameters from Σ to Σ′: costs are linear in the parameters, with

@@ -1,6 +1,6 @@
 //! Correlated parameters.
 
-use crate::normal;
+use riffel::numerics::normal_distribution::{below, quantile};
 
 /// A Gaussian copula: points of the unit cube are turned into normal scores, mixed by the Cholesky factor of their
 /// correlation matrix, and turned back (Nataf 1962). Each parameter keeps its distribution.
@@ -44,13 +44,13 @@ impl GaussianCopula {
 
     /// Move a point of independent coordinates to one of correlated ones.
     pub(crate) fn apply(&self, point: &mut [f64]) {
-        let scores: Vec<f64> = point.iter().map(|&u| normal::quantile(u)).collect();
+        let scores: Vec<f64> = point.iter().map(|&u| quantile(u)).collect();
         for (u, row) in point.iter_mut().zip(&self.factor) {
             let (own, others) = row.split_last().unwrap_or((&1.0, &[]));
             // A parameter without partners keeps its share, digit for digit.
             if others.iter().any(|&factor| factor != 0.0) {
                 let mixed: f64 = row.iter().zip(&scores).map(|(factor, z)| factor * z).sum();
-                *u = normal::cumulative(mixed).clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0);
+                *u = below(mixed).clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0);
             }
             debug_assert!(*own > 0.0);
         }
@@ -74,7 +74,7 @@ mod tests {
                 let before = point[3];
                 copula.apply(&mut point);
                 assert_eq!(point[3], before);
-                point.iter().map(|&u| normal::quantile(u)).collect()
+                point.iter().map(|&u| quantile(u)).collect()
             })
             .collect();
         let correlation = |i: usize, j: usize| scores.iter().map(|z| z[i] * z[j]).sum::<f64>() / samples as f64;

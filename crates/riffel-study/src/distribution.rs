@@ -1,6 +1,6 @@
 //! Distributions of a parameter, by their quantiles.
 
-use crate::normal;
+use riffel::numerics::normal_distribution;
 
 /// How a number is spread. Values are in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,8 +92,8 @@ fn cut_normal(u: f64, [low, high]: [f64; 2]) -> f64 {
         // In the upper tail probabilities are all but one: look from the other side.
         return -cut_normal(1.0 - u, [-high, -low]);
     }
-    let (from, to) = (normal::cumulative(low), normal::cumulative(high));
-    normal::quantile(from + u * (to - from)).clamp(low, high)
+    let (from, to) = (normal_distribution::below(low), normal_distribution::below(high));
+    normal_distribution::quantile(from + u * (to - from)).clamp(low, high)
 }
 
 #[cfg(test)]

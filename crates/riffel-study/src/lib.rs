@@ -24,7 +24,6 @@ pub mod design;
 mod distribution;
 mod error;
 mod fingerprint;
-pub mod normal;
 mod outputs;
 mod parameter;
 mod plan;

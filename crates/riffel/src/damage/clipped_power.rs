@@ -1,8 +1,9 @@
 //! A power of what lies above a limit, over a wave and over the loads of traffic.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::PI;
 
 use crate::numerics::gauss::{equal_panels, panels};
+use crate::numerics::normal_distribution::{below, density};
 
 /// E⟨X + σz⟩^m, z normal, ⟨·⟩ zero below zero; for a cosine X = X₀ + U cos θ its mean and its first harmonic.
 ///
@@ -183,24 +184,23 @@ fn power(x: f64, exponent: f64, spread: f64) -> f64 {
         };
     }
     let ratio = x / spread;
-    let share = 0.5 * libm::erfc(-ratio * FRAC_1_SQRT_2);
-    let bell = |z: f64| (-0.5 * z * z).exp() / (2.0 * PI).sqrt();
+    let share = below(ratio);
     if exponent == 0.0 {
         return share;
     }
     if exponent == 1.0 {
-        return spread * bell(ratio) + x * share;
+        return spread * density(ratio) + x * share;
     }
     if exponent == 2.0 {
-        return x * spread * bell(ratio) + (x * x + spread * spread) * share;
+        return x * spread * density(ratio) + (x * x + spread * spread) * share;
     }
     let sum: f64 = match ratio > TAIL {
         true => panels(&equal_panels([-TAIL, TAIL], 0.5))
-            .map(|(z, weight)| weight * (z + ratio).powf(exponent) * bell(z))
+            .map(|(z, weight)| weight * (z + ratio).powf(exponent) * density(z))
             .sum(),
         // t = z + x/σ = w², which takes the corner at t = 0.
         false => panels(&equal_panels([0.0, (ratio + TAIL).max(0.0).sqrt()], 0.1))
-            .map(|(w, weight)| 2.0 * w * weight * (w * w).powf(exponent) * bell(w * w - ratio))
+            .map(|(w, weight)| 2.0 * w * weight * (w * w).powf(exponent) * density(w * w - ratio))
             .sum(),
     };
     spread.powf(exponent) * sum

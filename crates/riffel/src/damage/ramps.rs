@@ -1,8 +1,7 @@
 //! Laws of straight pieces, over a wave and over the loads of traffic.
 
-use std::f64::consts::FRAC_1_SQRT_2;
-
 use super::ClippedPower;
+use crate::numerics::normal_distribution::below;
 
 /// Σ c ⟨x − t⟩: a law that changes its slope by c at each t.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,14 +51,13 @@ impl Ramps {
         if sigma == 0.0 {
             return [self.value(median), median * self.slope(median)];
         }
-        let above = |deviations: f64| 0.5 * libm::erfc(-deviations * FRAC_1_SQRT_2);
         let mean = median * (0.5 * sigma * sigma).exp();
         let (mut value, mut rise) = (0.0, 0.0);
         for (corner, change) in self.0 {
             let (moment, share) = match corner > 0.0 {
                 true => {
                     let deviations = (median / corner).ln() / sigma;
-                    (mean * above(deviations + sigma), above(deviations))
+                    (mean * below(deviations + sigma), below(deviations))
                 }
                 false => (mean, 1.0),
             };

@@ -3,6 +3,7 @@
 use super::median_line::{extrapolation, median_line};
 use super::normal;
 use crate::Error;
+use crate::numerics::normal_distribution::above;
 use crate::roughness::{PowerSpectrum, Profile, level};
 
 /// Bands of an octave.
@@ -154,7 +155,7 @@ impl FineSpectrum {
             let band = &self.bands[index];
             let ratio = 10f64.powf(excess(index) / 10.0);
             let chances = (spectra * self.bands.len()) as f64;
-            normal::above(normal::of_mean_square(ratio, band.freedom)) * chances
+            above(normal::of_mean_square(ratio, band.freedom)) * chances
         };
         let stands_out = |index: usize| excess(index) >= PROMINENT && false_peaks(index) < FALSE_ALARMS;
         let mut order: Vec<usize> =

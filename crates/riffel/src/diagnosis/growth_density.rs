@@ -2,9 +2,10 @@
 
 use num_complex::Complex64;
 
-use super::{TrafficSpeeds, normal};
+use super::TrafficSpeeds;
 use crate::feedback::Loop;
 use crate::growth::{Axis, GrowthSpectrum, RowEvaluator};
+use crate::numerics::normal_distribution::density;
 
 /// Speeds at which narrow lines are looked for.
 const FEW: usize = 3;
@@ -159,7 +160,7 @@ impl GrowthDensity {
         let spread = uncertainty.max(step);
         let sum: f64 = self
             .rates()
-            .map(|(place, rate)| rate.max(0.0) * step * normal::density((place / wavelength).ln(), spread))
+            .map(|(place, rate)| rate.max(0.0) * step * density((place / wavelength).ln() / spread) / spread)
             .sum();
         sum / self.integral
     }

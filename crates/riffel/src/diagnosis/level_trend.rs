@@ -1,7 +1,7 @@
 //! How a level changes from record to record.
 
-use super::normal;
 use crate::Error;
+use crate::numerics::normal_distribution::below;
 
 /// Fall of a level between two records \[dB\] that no wear makes: the rail was ground between them. Riffel's choice.
 pub const FALL_BY_GRINDING: f64 = 3.0;
@@ -135,7 +135,7 @@ impl LevelTrend {
     /// Probability that the level rises, for errors that are normal; `None` if it is not known since the rail was ground.
     pub fn probability_of_rise(&self) -> Option<f64> {
         let Slope { mean, scatter } = self.slope?;
-        Some(normal::above(-mean / scatter.max(1e-6)))
+        Some(below(mean / scatter.max(1e-6)))
     }
 
     /// True where each record is below the one before.

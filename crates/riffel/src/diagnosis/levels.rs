@@ -3,6 +3,7 @@
 use super::DominantWavelength;
 use super::median_line::median_line;
 use super::normal;
+use crate::numerics::normal_distribution;
 use crate::roughness::{Spectrum, ThirdOctave};
 
 /// Bands to either side from which the trend is taken: half a decade.
@@ -58,7 +59,7 @@ pub fn dominant_levels(spectra: &[Spectrum]) -> Vec<DominantWavelength> {
             let scatter = standard_error(&each);
             let false_peaks = scatter.map(|scatter| {
                 let freedom = each.len() as f64 - 1.0;
-                count * normal::above(normal::of_student(above / scatter, freedom))
+                count * normal_distribution::above(normal::of_student(above / scatter, freedom))
             });
             if false_peaks.is_some_and(|peaks| peaks > FALSE_ALARMS) {
                 return None;

@@ -1,9 +1,4 @@
-//! Tails of the normal distribution, and what is brought to it.
-
-/// Probability that a standard normal number is above z.
-pub(super) fn above(z: f64) -> f64 {
-    0.5 * libm::erfc(z / std::f64::consts::SQRT_2)
-}
+//! Numbers that are brought to the normal distribution.
 
 /// Standard normal number as unlikely as the mean x of `freedom` squared normal numbers of variance one
 /// (Wilson & Hilferty 1931); within 0.01 for 4 degrees of freedom or more.
@@ -24,18 +19,13 @@ pub(super) fn of_student(t: f64, freedom: f64) -> f64 {
     distance.copysign(t) * (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0)
 }
 
-/// Density of a normal number of deviation s at the distance x.
-pub(super) fn density(x: f64, s: f64) -> f64 {
-    (-0.5 * (x / s).powi(2)).exp() / (s * (std::f64::consts::TAU).sqrt())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::normal_distribution::above;
 
     #[test]
     fn tails_are_those_of_the_tables() {
-        assert!((above(1.644_853_6) - 0.05).abs() < 1e-8);
         // Upper 1 % of chi-square with 20 degrees of freedom is 37.566; of t with 7 it is 2.998.
         assert!((above(of_mean_square(37.566 / 20.0, 20.0)) / 0.01 - 1.0).abs() < 0.02);
         assert!((above(of_student(2.998, 7.0)) / 0.01 - 1.0).abs() < 0.04);

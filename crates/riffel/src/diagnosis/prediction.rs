@@ -1,6 +1,7 @@
 //! What wavelength a mechanism predicts.
 
-use super::{GrowthDensity, MechanismKind, TrafficSpeeds, normal};
+use super::{GrowthDensity, MechanismKind, TrafficSpeeds};
+use crate::numerics::normal_distribution::{above, density};
 
 /// Wavelength or frequency that a mechanism fixes.
 #[derive(Debug, Clone, PartialEq)]
@@ -148,13 +149,13 @@ impl Mechanism {
         match &self.prediction {
             Prediction::Frequency { frequency, spread, .. } => {
                 let spread = spread.hypot(uncertainty);
-                let at = |speed: f64| normal::density(place - (speed / frequency).ln(), spread);
+                let at = |speed: f64| density((place - (speed / frequency).ln()) / spread) / spread;
                 let shares = speeds.shares().iter();
                 shares.map(|&(speed, share)| share * at(speed)).sum()
             }
             Prediction::Growth(density) => density.at(wavelength, uncertainty),
             Prediction::Range { from, to } => {
-                let below = |edge: f64| normal::above((place - edge.ln()) / uncertainty);
+                let below = |edge: f64| above((place - edge.ln()) / uncertainty);
                 (below(*to) - below(*from)) / (to / from).ln()
             }
             Prediction::Orders { length, orders, spread } => {
@@ -163,7 +164,7 @@ impl Mechanism {
                 let sum: f64 = (1..=*orders).map(weight).sum();
                 let at = |n: u32| {
                     let distance = place - (length / f64::from(n)).ln();
-                    weight(n) * normal::density(distance, spread)
+                    weight(n) * density(distance / spread) / spread
                 };
                 (1..=*orders).map(at).sum::<f64>() / sum
             }

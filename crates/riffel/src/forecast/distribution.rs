@@ -1,9 +1,8 @@
 //! How a value is spread over the wheels of a traffic.
 
-use libm::erf;
-
 use crate::Error;
 use crate::numerics::gauss::gauss_legendre;
+use crate::numerics::normal_distribution;
 
 /// Standard deviations between zero and the mean of a normal distribution, at least.
 const TAIL: f64 = 4.0;
@@ -201,20 +200,16 @@ impl Distribution {
                 inside.map(|(_, share)| share).sum()
             }
             Self::Normal { mean, deviation } => {
-                normal_below((high - mean) / deviation) - normal_below((low - mean) / deviation)
+                normal_distribution::below((high - mean) / deviation)
+                    - normal_distribution::below((low - mean) / deviation)
             }
             Self::LogNormal { median, deviation } => {
-                let below = |value: f64| normal_below((value.max(0.0) / median).ln() / deviation);
+                let below = |value: f64| normal_distribution::below((value.max(0.0) / median).ln() / deviation);
                 below(high) - below(low)
             }
             Self::Even { low: from, high: to } => ((high.min(*to) - low.max(*from)) / (to - from)).max(0.0),
         }
     }
-}
-
-/// The share of a standard normal distribution below a value.
-fn normal_below(value: f64) -> f64 {
-    0.5 * (1.0 + erf(value / 2f64.sqrt()))
 }
 
 fn finite(value: f64) -> Result<(), Error> {

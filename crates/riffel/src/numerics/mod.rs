@@ -9,6 +9,7 @@ pub(crate) mod golden_section;
 pub(crate) mod inverse;
 pub mod least_squares;
 pub mod matrix;
+pub mod normal_distribution;
 pub mod random_numbers;
 pub(crate) mod simultaneous_roots;
 pub(crate) mod spherical_bessel;
