@@ -1,6 +1,7 @@
 //! Newton's method on a small dense system, with halved steps.
 
 use crate::cancel::check;
+use crate::numerics::elimination::solve;
 
 /// A system of equations of which evaluating a part is what costs.
 pub(super) trait Equations {
@@ -89,34 +90,6 @@ fn newton_step<E: Equations>(
         }
     }
     solve(jacobian, values.to_vec())
-}
-
-/// The solution of a system of equations; none for a singular one.
-fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
-    let count = right.len();
-    for column in 0..count {
-        let weight = |row: &usize| matrix[*row][column].abs();
-        let pivot = (column..count).max_by(|one, other| weight(one).total_cmp(&weight(other)))?;
-        let largest = matrix[pivot][column].abs();
-        if largest == 0.0 || largest.is_nan() {
-            return None;
-        }
-        matrix.swap(column, pivot);
-        right.swap(column, pivot);
-        let (above, below) = matrix.split_at_mut(column + 1);
-        let pivot_row = &above[column];
-        for (row, below) in below.iter_mut().enumerate() {
-            let factor = below[column] / pivot_row[column];
-            let entries = below.iter_mut().zip(pivot_row).skip(column);
-            entries.for_each(|(entry, above)| *entry -= factor * above);
-            right[column + 1 + row] -= factor * right[column];
-        }
-    }
-    for row in (0..count).rev() {
-        let known: f64 = (row + 1..count).map(|entry| matrix[row][entry] * right[entry]).sum();
-        right[row] = (right[row] - known) / matrix[row][row];
-    }
-    right.iter().all(|value| value.is_finite()).then_some(right)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use crate::Error;
 use crate::damage::DamageLaw;
 use crate::feedback::Loop;
-use crate::numerics::inverse::{identity, inverse};
+use crate::numerics::elimination::{identity, inverse};
 use crate::receptance::MovingLoadOnSupports;
 
 /// Growth per passage as an operator over the wavenumbers k_n = 2π/λ + 2πn/d, n = −N … N.
@@ -188,7 +188,7 @@ mod tests {
     use super::*;
 
     /// Of a matrix with the eigenvalues −3, 1 and 1 + 10⁻³ ± 5i, made by a similarity, the upper of the pair or the
-    /// lower; and an inverse is one.
+    /// lower.
     #[test]
     fn the_largest_real_part_leads() {
         let values = [Complex64::from(-3.0), Complex64::from(1.0), Complex64::new(1.001, 5.0)];
@@ -196,12 +196,6 @@ mod tests {
             .map(|i| (0..3).map(|j| Complex64::new(1.0 / f64::from(1 + i + j), f64::from(i * j))).collect())
             .collect();
         let back = inverse(basis.clone());
-        let unit = product(&basis, &back);
-        for (i, row) in unit.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate() {
-                assert!((entry - f64::from(i == j)).norm() < 1e-13);
-            }
-        }
         let mut scaled = back;
         for (row, value) in scaled.iter_mut().zip(values) {
             row.iter_mut().for_each(|entry| *entry *= value);

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use libm::tgamma;
 
 use super::Air;
+use crate::numerics::elimination::inverse;
 use crate::numerics::gauss::{equal_panels, panels};
-use crate::numerics::inverse::inverse;
 use crate::numerics::spherical_bessel::spherical_bessel_functions;
 use crate::{Complex64, Error};
 

@@ -34,11 +34,13 @@ impl Matrix {
     }
 
     /// Entry in a row and a column.
+    #[inline]
     pub fn at(&self, row: usize, column: usize) -> f64 {
         self.values[row * self.size + column]
     }
 
     /// Entries of a row.
+    #[inline]
     pub fn row(&self, row: usize) -> &[f64] {
         &self.values[row * self.size..(row + 1) * self.size]
     }
@@ -168,6 +170,7 @@ impl Matrix {
 }
 
 /// Sum of the products of the entries.
+#[inline]
 pub fn dot(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{Evolution, Sinusoid};
 use crate::Error;
+use crate::numerics::matrix::dot;
 use crate::roughness::{BandPass, Profile, WavelengthBand};
 
 impl Evolution {
@@ -86,10 +87,9 @@ impl Evolution {
 /// How alike the first heights are to as many from another on, from −1 to 1; 0 where either is still.
 fn correlation(heights: &[f64], from: usize, count: usize) -> f64 {
     let (first, last) = (&heights[..count], &heights[from..from + count]);
-    let product = |one: &[f64], other: &[f64]| -> f64 { one.iter().zip(other).map(|(one, other)| one * other).sum() };
-    let scale = (product(first, first) * product(last, last)).sqrt();
+    let scale = (dot(first, first) * dot(last, last)).sqrt();
     match scale > 0.0 {
-        true => product(first, last) / scale,
+        true => dot(first, last) / scale,
         false => 0.0,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::boussinesq::Boussinesq;
 use crate::cancel::check;
+use crate::numerics::matrix::dot;
 
 /// Largest overlap, and largest gap under pressure, relative to the largest displacement.
 pub(super) const TOLERANCE: f64 = 1e-9;
@@ -183,8 +184,4 @@ fn along_in_contact(pressures: &[f64], field: &[f64], cosines: &[f64]) -> f64 {
         .filter(|(pressure, _)| **pressure > 0.0)
         .fold((0.0, 0.0), |(sum, squares), (_, (value, cosine))| (sum + value * cosine, squares + cosine * cosine));
     sum / squares
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
