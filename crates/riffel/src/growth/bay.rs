@@ -6,6 +6,7 @@ use num_complex::Complex64;
 
 use super::{Axis, GrowthMap, Ridge};
 use crate::feedback::{Loop, LoopState};
+use crate::numerics::simpson::simpson;
 use crate::receptance::{CrossReceptance, Uncoupled};
 
 /// Nodes of Simpson's rule over half a bay, a support and mid-span among them.
@@ -110,16 +111,8 @@ impl Bay {
 
     /// Places from a support to mid-span \[m\] with their weights, which sum to one.
     fn nodes(&self) -> impl Iterator<Item = (f64, f64)> {
-        let step = 0.5 * self.spacing / (NODES - 1) as f64;
-        (0..NODES).map(move |index| {
-            let weight = match index {
-                0 => 1.0,
-                _ if index == NODES - 1 => 1.0,
-                _ if index % 2 == 1 => 4.0,
-                _ => 2.0,
-            };
-            (step * index as f64, weight / (3.0 * (NODES - 1) as f64))
-        })
+        let half = 0.5 * self.spacing;
+        simpson(NODES - 1).map(move |(share, weight)| (half * share, weight))
     }
 }
 

@@ -12,6 +12,7 @@ pub mod least_squares;
 pub mod matrix;
 pub mod normal_distribution;
 pub mod random_numbers;
+pub(crate) mod simpson;
 pub(crate) mod simultaneous_roots;
 pub(crate) mod spherical_bessel;
 pub(crate) mod square_root;

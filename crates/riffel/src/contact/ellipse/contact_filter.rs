@@ -6,6 +6,7 @@ use libm::j1;
 
 use super::HertzContact;
 use crate::Error;
+use crate::numerics::simpson::simpson;
 
 /// Contact filter of an elliptic patch: the oscillation of the wheel's approach at constant load, over the
 /// amplitude of the roughness that causes it.
@@ -109,19 +110,8 @@ impl ContactFilter {
         let along = wavenumber * self.semi_axis_longitudinal;
         let widest = wavenumber * across * self.semi_axis_lateral;
         let panels = 2 * (4.0 * widest).ceil().max(32.0) as usize;
-        let sum: f64 = (0..=panels)
-            .map(|node| {
-                let weight = match node {
-                    0 => 1.0,
-                    _ if node == panels => 1.0,
-                    _ if node % 2 == 1 => 4.0,
-                    _ => 2.0,
-                };
-                let angle = along.hypot(widest * node as f64 / panels as f64);
-                weight * factor(angle).powi(2)
-            })
-            .sum();
-        Ok(sum / (3.0 * panels as f64))
+        let squares = simpson(panels).map(|(share, weight)| weight * factor(along.hypot(widest * share)).powi(2));
+        Ok(squares.sum())
     }
 }
 
