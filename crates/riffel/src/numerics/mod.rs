@@ -1,4 +1,6 @@
-//! Numerical methods that several laws share.
+//! Numerical methods that several laws and crates share, one of each.
+//!
+//! Lengths and units are those of the arguments. A tolerance is absolute, and zero means rounding.
 
 pub mod bisection;
 pub(crate) mod chebyshev;
