@@ -11,8 +11,8 @@ use pyo3::types::{PyTuple, PyType};
 use riffel::Receptance;
 use riffel::receptance::MeasuredReceptance;
 use riffel::tile::{Frequencies, SplitComplex};
-use riffel_case::file::VerticalAxis;
-use riffel_case::{SubstituteReceptance, UniversalFunction};
+use riffel_case::SubstituteReceptance;
+use riffel_rail::response::{UniversalFunction, VerticalAxis};
 
 use crate::array::owned;
 use crate::errors::{ReceptanceError, of_case, of_physics, wrong};

@@ -1,8 +1,9 @@
 //! # Files of measured rails
 //!
 //! Profiles and one-third-octave spectra as instruments write them: told apart by their first lines, read, checked
-//! against what rails can be, put right where that is safe. Limits to hold them to, recipes to synthesise them, and
-//! what stands out of the records of a rail over the years.
+//! against what rails can be, put right where that is safe. Profiles of wheels and rails across the track, and
+//! [frequency responses](response). Limits to hold them to, recipes to synthesise them, and what stands out of the
+//! records of a rail over the years.
 //!
 //! ```
 //! use riffel_rail::{Layout, RoughnessFile};
@@ -40,6 +41,7 @@ mod part;
 mod places;
 mod plausibility;
 mod profile_columns;
+mod profile_file;
 mod rail;
 mod rail_name;
 mod rail_record;
@@ -48,6 +50,7 @@ mod recipe;
 mod record;
 mod refusal;
 mod resampling;
+pub mod response;
 mod roughness_file;
 mod spectra;
 mod survey;
@@ -73,6 +76,7 @@ pub use limit::{Limit, LimitTable};
 pub use line_place::LinePlace;
 pub use part::RecordPart;
 pub use plausibility::{check_felt, levels_unlike_a_rail, unlike_a_rail};
+pub use profile_file::{ProfileKind, ProfileOfName, ProfileOrientation, ProfileReading, profile_of, read_profile};
 pub use rail::{EarlierRails, Rail};
 pub use rail_name::{are_opposite, find_rail, is_rail_column, name_in_words, rail_in_words, rail_of_channel};
 pub use rail_record::{RailRecord, RailRoughness};

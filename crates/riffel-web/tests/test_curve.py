@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from conftest import PROGRAM, ROOT
 
-PROFILES = pathlib.Path(__file__).resolve().parents[2] / "riffel-case/tests/profiles"
+PROFILES = pathlib.Path(__file__).resolve().parents[2] / "riffel-rail/tests/profiles"
 # Under trains within a tenth of 45 km/h, the speed of the curve.
 GROWTH = """async () => {
   const body = { case: { keys: window.riffel.state.accepted }, traffic: { vehicle: [{ name: 'any', share: 1, speed: { mean: 12.5, standard_deviation: 2.5 / Math.sqrt(12) } }] } };

@@ -308,7 +308,7 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     assert again.value.suggested_filename == "trolley-report.html"
 
 
-PROFILES = pathlib.Path(__file__).resolve().parents[2] / "riffel-case/tests/profiles"
+PROFILES = pathlib.Path(__file__).resolve().parents[2] / "riffel-rail/tests/profiles"
 
 
 def test_profiles_and_the_wheels_of_a_curve(page):

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use riffel::profile::{Profile, ProfilePoint};
-use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, Series};
+use riffel_rail::{ProfileReading, profile_of};
 use serde::Serialize;
 
 use super::or_dash;

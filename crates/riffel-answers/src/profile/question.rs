@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use riffel::profile::ProfileAlignment;
-use riffel_case::file::{Inclination, ProfileOrientation};
-use riffel_case::{CurvingCase, ProfileReading};
+use riffel_case::CurvingCase;
+use riffel_case::file::Inclination;
 use riffel_keys::quantity::{Angle, Force, Length, Quantity};
+use riffel_rail::{ProfileOrientation, ProfileReading};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use riffel::profile::{Profile, ProfileAlignment, ProfileError, ProfileWear, RailWear, WheelDimensions, WornPoint};
-use riffel_case::file::{Inclination, ProfileKind};
-use riffel_case::{ProfileReading, profile_of};
+use riffel_case::file::Inclination;
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use riffel_rail::{ProfileKind, ProfileReading, profile_of};
 use serde::{Serialize, Serializer};
 
 use super::or_dash;

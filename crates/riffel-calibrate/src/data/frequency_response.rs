@@ -8,8 +8,9 @@ use riffel::Complex64;
 use riffel::numerics::matrix::Matrix;
 use riffel::numerics::random_numbers::normal;
 use riffel::receptance::MeasuredReceptance;
-use riffel_case::{Case, doubts_about_rail};
+use riffel_case::Case;
 use riffel_keys::{CaseError, Message};
+use riffel_rail::response::doubts_about_rail;
 
 use super::joined_lines::{Band, Line, joined};
 use super::{Block, Group, Held, Observable, Place, differences, sums, table};

@@ -9,10 +9,10 @@ use riffel::receptance::{
 };
 use riffel::{Direction, ElasticMaterial, STEEL_DENSITY};
 use riffel_keys::quantity::{Dimension, Quantity};
+use riffel_rail::response;
 
 use crate::file::{BeamModel, Support, TrackModel};
 use crate::keys::checked_keys::CheckedKeys;
-use crate::parts::measurement;
 use crate::parts::track::{Origin, Track};
 
 impl CheckedKeys {
@@ -142,7 +142,7 @@ impl CheckedKeys {
     fn measured(&self) -> Result<Track, CaseError> {
         let measurement = self.required("track.measurement", self.file.track.measurement.as_ref())?;
         let folder = self.folder.as_ref().ok_or_else(|| self.text.names_a_file("track.measurement.file"))?;
-        let measured = measurement::read(measurement, folder).map_err(|error| {
+        let measured = response::read(measurement, folder).map_err(|error| {
             let key = match error.key {
                 "" => "track.measurement".to_owned(),
                 key => format!("track.measurement.{key}"),

@@ -10,9 +10,8 @@ use riffel_keys::{Message, Value, fixed, number, say, shown_speed};
 use super::stability;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
 use crate::keys::checked_keys::CheckedKeys;
-use crate::parts::measurement;
 use crate::parts::short_waves::{shorter_than_patch, shortest_not_averaged};
-use crate::parts::track::Track;
+use crate::parts::track::{Track, known_range};
 use crate::parts::wheelset::CaseWheelset;
 
 /// Frequency from which a rail on its supports moves like a free one \[Hz\]; Afferrante & Ciavarella
@@ -88,7 +87,7 @@ pub(crate) fn remarks(
         remarks.extend(wheelset.beyond_its_modes(highest));
     }
     // Outside the frequencies of a measurement there is nothing to look at.
-    let of_track = measurement::range(&*track.receptance);
+    let of_track = known_range(&*track.receptance);
     let of_wheelset = wheelset.map_or((0.0, f64::INFINITY), CaseWheelset::frequency_range);
     let known_from = of_track.0.max(of_wheelset.0);
     let known_to = of_track.1.min(of_wheelset.1);

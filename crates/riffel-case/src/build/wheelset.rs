@@ -7,11 +7,11 @@ use riffel::wheelset::{
 };
 use riffel::{ElasticMaterial, Rail};
 use riffel_keys::{CaseError, Message};
+use riffel_rail::response::{MeasurementError, WheelsetModes, WheelsetReceptances};
 
 use crate::file;
 use crate::keys::checked_keys::CheckedKeys;
 use crate::keys::general_keys::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
-use crate::parts::measurement::{MeasurementError, WheelsetModes, WheelsetReceptances};
 use crate::parts::wheelset::{BuiltWheelset, CaseWheelset};
 
 impl CheckedKeys {

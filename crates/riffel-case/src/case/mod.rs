@@ -26,9 +26,8 @@ use crate::file::setting::Setting;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::keys::checked_keys::CheckedKeys;
 use crate::keys::substitutes::{SubstituteReceptance, Substitutes};
-use crate::parts::measurement;
 use crate::parts::shared::Shared;
-use crate::parts::track::Track;
+use crate::parts::track::{Track, known_range};
 use crate::parts::wheelset::CaseWheelset;
 use crate::parts::window::Window;
 use crate::text::case_text::CaseText;
@@ -369,10 +368,10 @@ impl Case {
             Some(_) => "receptance of the track",
             None => "track.measurement.file",
         };
-        let mut known = vec![(track, measurement::range(&*self.track.receptance))];
+        let mut known = vec![(track, known_range(&*self.track.receptance))];
         let wheel = self.keys.given.wheel.as_ref();
         known.extend(wheel.map(|wheel| {
-            let range = measurement::range(&*wheel.receptance);
+            let range = known_range(&*wheel.receptance);
             ("receptance of the wheel", range)
         }));
         known.extend(self.known_wheelset());

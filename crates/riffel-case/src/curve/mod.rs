@@ -3,14 +3,11 @@
 mod build;
 mod equilibrium;
 mod keys;
-mod profile_file;
 mod running_gear;
 mod wheelset;
 
 pub(crate) use equilibrium::Equilibrium;
 pub(crate) use wheelset::SharedProfiles;
-
-pub use profile_file::{ProfileOfName, ProfileReading, profile_of, read_profile};
 
 use std::path::{Path, PathBuf};
 

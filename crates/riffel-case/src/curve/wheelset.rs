@@ -9,12 +9,12 @@ use riffel::profile::{
     WheelsetOnTrack,
 };
 use riffel::{ElasticMaterial, Rail};
+use riffel_rail::{ProfileKind, ProfileOfName, ProfileReading, profile_of};
 use std::sync::Arc;
 
 use super::CurvingCase;
 use super::build::is_cone;
-use super::profile_file::{ProfileOfName, ProfileReading, profile_of};
-use crate::file::{CurvingTheory, LEFT_WHEEL, ProfileKind, Profiles, RailProfiles};
+use crate::file::{CurvingTheory, LEFT_WHEEL, Profiles, RailProfiles};
 use crate::parts::shared::Shared;
 
 /// Lateral shift \[m\] to either side over which contact is tabulated, and the step.

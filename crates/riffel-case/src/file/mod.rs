@@ -11,7 +11,6 @@ mod damage;
 mod from_curve;
 mod map;
 mod measured_wear;
-mod measurement;
 mod opposite_contact;
 mod rail;
 mod track;
@@ -29,14 +28,13 @@ pub use creepage::{Creepage, VectorCreepage};
 pub(crate) use curving::LEFT_WHEEL;
 pub use curving::{
     Body, Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw, CurvingTheory,
-    CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination, ProfileKind, ProfileOrientation, Profiles,
-    RailFriction, RailProfiles, RailProfilesByRail,
+    CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination, Profiles, RailFriction, RailProfiles,
+    RailProfilesByRail,
 };
 pub use damage::{Bending, Damage, DamageLawName, Fatigue, Flow, FlowAlong, LimitName, Load, RailGrade};
 pub use from_curve::{ContactOfWheel, CurveRail, FromCurve, Patch};
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measured_wear::MeasuredWear;
-pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
 pub use opposite_contact::OppositeContact;
 pub use rail::{BeamModel, Rail};
 pub use track::{Sleeper, Support, Track, TrackModel};

@@ -1,10 +1,9 @@
 //! The keys of the track.
 
 use riffel_keys::quantity::{Damping, DampingPerLength, Length, Mass, Quantity, Ratio, Stiffness};
+use riffel_rail::response::Measurement;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use super::Measurement;
 
 /// What the rail lies on. Values are per support and per rail; a model takes those it needs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use riffel::receptance::MeasuredReceptance;
 use riffel::{Receptance, RollingContact};
 use riffel_keys::{CaseError, Message};
+use riffel_rail::response::{self, UniversalFunction};
 
 use crate::curve::Equilibrium;
 use crate::curve::SharedProfiles;
 use crate::file::MeasuredWear;
-use crate::parts::measurement::{self, UniversalFunction};
 use crate::parts::shared::Shared;
 use crate::parts::track::Origin;
 use crate::parts::wheelset::BuiltWheelset;
@@ -36,7 +36,7 @@ impl SubstituteReceptance {
     /// # Errors
     /// [`CaseError::Data`] for another function, a unit that does not fit, or frequencies with gaps.
     pub fn of_universal(function: &UniversalFunction) -> Result<Self, CaseError> {
-        let measured = measurement::of_universal(function).map_err(|error| CaseError::Data {
+        let measured = response::of_universal(function).map_err(|error| CaseError::Data {
             path: function.title.clone().into(),
             line: None,
             message: error.message,
@@ -50,7 +50,7 @@ impl SubstituteReceptance {
     /// # Errors
     /// The sentence for one with the wrong signs.
     pub fn measured(receptance: MeasuredReceptance) -> Result<Self, Message> {
-        let remarks = measurement::doubts(&receptance, measurement::Remedy::Values)?;
+        let remarks = response::doubts(&receptance, response::Remedy::Values)?;
         Ok(Self::of_table(receptance, remarks))
     }
 
@@ -59,7 +59,7 @@ impl SubstituteReceptance {
     /// # Errors
     /// The sentence for one that no rail has.
     pub fn measured_on_rail(receptance: MeasuredReceptance) -> Result<Self, Message> {
-        let remarks = measurement::doubts_about_rail(&receptance)?;
+        let remarks = response::doubts_about_rail(&receptance)?;
         Ok(Self::of_table(receptance, remarks))
     }
 

@@ -1,6 +1,5 @@
 //! Parts that cases are built of and share.
 
-pub(crate) mod measurement;
 pub(crate) mod shared;
 pub(crate) mod short_waves;
 pub(crate) mod track;

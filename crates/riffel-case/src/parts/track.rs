@@ -89,3 +89,9 @@ impl Track {
         resonances
     }
 }
+
+/// Lowest and highest frequency \[Hz\] at which a receptance is known.
+pub(crate) fn known_range(receptance: &dyn Receptance) -> (f64, f64) {
+    let (low, high) = receptance.frequency_range();
+    (low / std::f64::consts::TAU, high / std::f64::consts::TAU)
+}

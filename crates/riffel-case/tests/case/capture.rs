@@ -171,7 +171,8 @@ fn every_case_is_captured() {
     let into = PathBuf::from(std::env::var_os("RIFFEL_CAPTURE").expect("RIFFEL_CAPTURE names a folder"));
     fs::create_dir_all(&into).unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = [root.join("cases"), root.join("tests/general-loop"), root.join("tests/measured-tables")];
+    let folders =
+        [root.join("cases"), root.join("tests/general-loop"), root.join("../riffel-rail/tests/measured-tables")];
     let cases: Vec<PathBuf> = folders.iter().flat_map(|folder| files(folder)).collect();
     assert!(cases.len() > 30);
     cases.par_iter().for_each(|path| {

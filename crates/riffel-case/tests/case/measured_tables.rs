@@ -9,7 +9,7 @@ use riffel::diagnosis::MechanismKind;
 use riffel_case::Case;
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/measured-tables")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel-rail/tests/measured-tables")
 }
 
 fn model() -> Case {

@@ -124,7 +124,7 @@ fn reads_universal_files() {
         ("mobility_single_even.uff", 1e-5),
         ("accelerance_single_uneven.uff", 1e-4),
     ] {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/universal-files");
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel-rail/tests/universal-files");
         let case = case(name, &fs::read(folder.join(name)).unwrap(), "negate = true").unwrap();
         let exact = fs::read_to_string(folder.join("exact.csv")).unwrap();
         let mut compared = 0;
@@ -262,7 +262,7 @@ fn bad_universal_files() {
 /// Frequencies in radians a second, and what a file does not say of its own: the key that says it is asked for.
 #[test]
 fn what_a_universal_file_leaves_unsaid_is_asked_for() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/universal-files");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel-rail/tests/universal-files");
     let text = fs::read_to_string(folder.join("receptance_double_even.uff")).unwrap();
     let changed = |changes: &[(&str, &str)], keys: &str| {
         let text = changes.iter().fold(text.clone(), |text, (from, to)| {

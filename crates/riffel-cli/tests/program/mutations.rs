@@ -8,11 +8,11 @@ use std::time::{Duration, Instant};
 
 use riffel_answers::report::Site;
 use riffel_case::traffic::Traffic;
-use riffel_case::{Case, CurvingCase, ProfileReading, Variant, read_profile};
+use riffel_case::{Case, CurvingCase, Variant};
 use riffel_keys::CaseError;
 use riffel_rail::{
-    AxleBoxFile, AxleBoxLayout, AxleBoxReading, Layout, LimitTable, LinePlace, ReaderFormat, RecipeFile, RoughnessFile,
-    TransferTable, WheelModesTable, read_decay_rates,
+    AxleBoxFile, AxleBoxLayout, AxleBoxReading, Layout, LimitTable, LinePlace, ProfileReading, ReaderFormat,
+    RecipeFile, RoughnessFile, TransferTable, WheelModesTable, read_decay_rates, read_profile,
 };
 
 use crate::sandbox::root;
@@ -209,15 +209,15 @@ const READERS: [(&str, Reader, &[Files]); 18] = [
         "response",
         receptance,
         &[
-            ("crates/riffel-case/tests/universal-files", ""),
-            ("crates/riffel-case/tests/measured-tables", ".csv"),
+            ("crates/riffel-rail/tests/universal-files", ""),
+            ("crates/riffel-rail/tests/measured-tables", ".csv"),
             ("validation/reference/receptance", ".csv"),
         ],
     ),
     (
         "profile",
         |path, _| read(read_profile(path, ProfileReading::default())),
-        &[("cases", "worn-rail.csv"), ("cases", "worn-wheel.csv"), ("crates/riffel-case/tests/profiles", "")],
+        &[("cases", "worn-rail.csv"), ("cases", "worn-wheel.csv"), ("crates/riffel-rail/tests/profiles", "")],
     ),
     ("axle box", axle_box, &[]),
     (

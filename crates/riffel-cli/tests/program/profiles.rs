@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::sandbox::{Sandbox, root};
 
 /// Files of the formats of devices and programs.
-const FORMATS: &str = "crates/riffel-case/tests/profiles";
+const FORMATS: &str = "crates/riffel-rail/tests/profiles";
 
 fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new();

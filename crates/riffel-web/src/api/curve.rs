@@ -6,10 +6,10 @@ use axum::extract::State;
 use riffel::profile::NominalProfile;
 use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::OutlineAnswer;
-use riffel_case::file::ProfileOrientation;
-use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
+use riffel_case::{CurvingCase, METRO_CURVE_CASE};
 use riffel_keys::text_file::with_texts;
 use riffel_keys::{CaseError, Message};
+use riffel_rail::{ProfileOrientation, ProfileReading};
 use serde::{Deserialize, Serialize};
 
 use crate::Page;

@@ -7,6 +7,7 @@ mod rail_profiles;
 use riffel_keys::quantity::{
     Angle, Force, Length, Mass, Moment, Quantity, Ratio, Speed, Stiffness, TorsionalStiffness,
 };
+use riffel_rail::ProfileOrientation;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -247,54 +248,6 @@ impl Profiles {
 
     fn usual_flange_back_position() -> Quantity<Length> {
         Quantity::new(-0.07)
-    }
-}
-
-/// How the coordinates of a file of a profile stand; Riffel's x is positive to the field side, its y upward.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ProfileOrientation {
-    /// Orientation found from the shape: flange inside and below, crown above; the gauge side of a rail is that of x below zero.
-    Found,
-    /// x to the field side, y upward.
-    AsWritten,
-    /// x to the gauge side.
-    Mirrored,
-    /// y downward.
-    UpsideDown,
-    /// x to the gauge side, y downward.
-    Turned,
-}
-
-impl ProfileOrientation {
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Found => "found",
-            Self::AsWritten => "as-written",
-            Self::Mirrored => "mirrored",
-            Self::UpsideDown => "upside-down",
-            Self::Turned => "turned",
-        }
-    }
-}
-
-/// What a profile is of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ProfileKind {
-    /// A wheel.
-    Wheel,
-    /// A rail.
-    Rail,
-}
-
-impl ProfileKind {
-    /// "wheel" or "rail".
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Wheel => "wheel",
-            Self::Rail => "rail",
-        }
     }
 }
 

@@ -35,7 +35,7 @@ pub(super) const FIXTURES: [&str; 11] = [
 ];
 
 fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel-case/tests/universal-files").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel-rail/tests/universal-files").join(name)
 }
 
 pub(super) fn fixture(name: &str) -> Vec<u8> {

@@ -26,7 +26,7 @@ type Line = (f64, Complex64);
 
 /// How a response is turned that has the wrong signs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Remedy {
+pub enum Remedy {
     /// By keys of the case, which are so now.
     Keys {
         /// `track.measurement.conjugate`.
@@ -78,7 +78,7 @@ pub fn doubts_about_rail(receptance: &MeasuredReceptance) -> Result<Vec<Message>
 ///
 /// # Errors
 /// The sentence for one with the wrong signs, or with the upper half of a two-sided spectrum: what it says of growth is another track's.
-pub(crate) fn doubts(receptance: &MeasuredReceptance, remedy: Remedy) -> Result<Vec<Message>, Message> {
+pub fn doubts(receptance: &MeasuredReceptance, remedy: Remedy) -> Result<Vec<Message>, Message> {
     let lines: Vec<Line> = receptance.lines().map(|(w, h)| (w / TAU, h)).collect();
     if let Some(middle) = mirrored::mirrored_from(&lines) {
         return Err(say!(response_mirrored, hertz = fixed(middle, 0)));

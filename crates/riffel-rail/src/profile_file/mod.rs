@@ -2,6 +2,7 @@
 
 mod mini_prof;
 mod orientation;
+mod reading;
 mod simpack;
 mod table;
 #[cfg(test)]
@@ -11,12 +12,12 @@ mod written;
 
 use std::path::Path;
 
-use riffel::Rail;
 use riffel::profile::{NominalProfile, Profile, ProfileError, SmoothedPoints};
 use riffel_keys::{CaseError, Message, Value, fixed, say, text_file};
 
-use self::written::{Fault, NARROWEST, WIDEST_IN_METRES, WrittenProfile};
-use crate::file::{ProfileKind, ProfileOrientation};
+pub use self::reading::{ProfileKind, ProfileOrientation, ProfileReading};
+use self::written::{NARROWEST, WIDEST_IN_METRES, WrittenProfile};
+use crate::refusal::Refusal;
 
 /// Largest file of a profile \[bytes\].
 const LARGEST: u64 = 16 << 20;
@@ -32,27 +33,6 @@ pub struct ProfileOfName {
     pub kind: ProfileKind,
     /// Of a file whose points scatter, or whose coordinates were turned.
     pub remarks: Vec<Message>,
-}
-
-/// How a file of a profile is read.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ProfileReading {
-    /// Wheel or rail, where it is known beforehand.
-    pub kind: Option<ProfileKind>,
-    /// Which side is taken of a file that has both.
-    pub side: Rail,
-    /// How the coordinates stand; none for what the format says.
-    pub orientation: Option<ProfileOrientation>,
-    /// Standard deviation of the points across their curve \[m\], which is then a smooth one.
-    pub scatter: Option<f64>,
-    /// Where the flange back of a wheel is taken to lie \[m\], from its datum circle.
-    pub flange_back: f64,
-}
-
-impl Default for ProfileReading {
-    fn default() -> Self {
-        Self { kind: None, side: Rail::Right, orientation: None, scatter: None, flange_back: -0.07 }
-    }
 }
 
 /// A profile of a name or of a file.
@@ -87,9 +67,8 @@ pub fn profile_of(name: &str, folder: &Path, reading: ProfileReading) -> Result<
 /// [`CaseError`] with file and line.
 pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfName, CaseError> {
     let bytes = text_file::read_bounded(path, "profile", LARGEST)?;
-    let at_fault =
-        |line: Option<usize>, message: Message| CaseError::Data { path: path.to_owned(), line, message, help: None };
-    let of_fault = |fault: Fault| at_fault(fault.line, fault.message);
+    let at_fault = |line: Option<usize>, message: Message| Refusal::new(line, message).of(path);
+    let of_fault = |fault: Refusal| fault.of(path);
     let text = text_file::decode(bytes).map_err(|binary| at_fault(Some(binary.line), binary.into()))?;
     let extension = path.extension().and_then(|extension| extension.to_str());
     let extension = extension.unwrap_or_default().to_lowercase();
@@ -182,9 +161,9 @@ fn of_smoothing(name: &str, smooth: &SmoothedPoints, lines: &[usize]) -> Vec<Mes
 }
 
 /// The points of a text, by its format.
-fn of_format(text: &str, extension: &str, reading: ProfileReading) -> Result<WrittenProfile, Fault> {
+fn of_format(text: &str, extension: &str, reading: ProfileReading) -> Result<WrittenProfile, Refusal> {
     if matches!(extension, "slcs" | "slcw") {
-        return Err(Fault::of_file(say!(is_list_of_slices)));
+        return Err(Refusal::new(None, say!(is_list_of_slices)));
     }
     let first = text.lines().map(table::without_comment).find(|line| !line.is_empty());
     let written = match first.unwrap_or_default() {

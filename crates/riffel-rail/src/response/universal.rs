@@ -7,9 +7,7 @@ use riffel_keys::{Exponents, Message, say};
 
 use super::response_unit::{ValueUnit, response_of};
 use super::table::hertz_of;
-use super::{FrequencyResponse, MeasurementError};
-use crate::UniversalFunction;
-use crate::file::{Measurement, Response, VerticalAxis};
+use super::{FrequencyResponse, Measurement, MeasurementError, Response, UniversalFunction, VerticalAxis};
 
 /// Kinds of the format, dataset 58.
 const FREQUENCY_RESPONSE: i32 = 4;

@@ -10,9 +10,10 @@ use std::collections::BTreeMap;
 use riffel_keys::table::number_in;
 use riffel_keys::{clipped, say};
 
+use super::reading::ProfileKind;
 use super::table::without_comment;
-use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
-use crate::file::ProfileKind;
+use super::written::{WIDEST_IN_METRES, WrittenProfile};
+use crate::refusal::Refusal;
 
 /// Whether the first line is that of such a file.
 pub(super) fn is_first_line(line: &str) -> bool {
@@ -25,28 +26,28 @@ pub(super) fn is_first_line(line: &str) -> bool {
 struct Keys(BTreeMap<String, (String, usize)>);
 
 impl Keys {
-    fn number(&self, key: &str) -> Result<Option<f64>, Fault> {
+    fn number(&self, key: &str) -> Result<Option<f64>, Refusal> {
         match self.0.get(key) {
             None => Ok(None),
             Some((text, line)) => match number_in(text) {
                 Some(value) => Ok(Some(value)),
-                None => Err(Fault::at(*line, say!(value_must_be_number, name = key, value = clipped(text)))),
+                None => Err(Refusal::new(Some(*line), say!(value_must_be_number, name = key, value = clipped(text)))),
             },
         }
     }
 
-    fn number_or(&self, key: &str, default: f64) -> Result<f64, Fault> {
+    fn number_or(&self, key: &str, default: f64) -> Result<f64, Refusal> {
         Ok(self.number(key)?.unwrap_or(default))
     }
 
     /// Units of the file in a metre, of a profile of this width.
-    fn units_per_metre(&self, width: f64) -> Result<f64, Fault> {
+    fn units_per_metre(&self, width: f64) -> Result<f64, Refusal> {
         let unit = self.0.get("spline.units.len");
         Ok(match (self.number("spline.units.len.f")?, unit) {
             (Some(per_metre), _) if per_metre > 0.0 => per_metre,
             (Some(_), _) => {
                 let line = self.0["spline.units.len.f"].1;
-                return Err(Fault::at(line, say!(units_per_metre_above_zero)));
+                return Err(Refusal::new(Some(line), say!(units_per_metre_above_zero)));
             }
             (None, Some((unit, _))) if unit == "mm" => 1e3,
             (None, Some((unit, _))) if unit == "m" => 1.0,
@@ -56,7 +57,7 @@ impl Keys {
     }
 }
 
-pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
+pub(super) fn read(text: &str) -> Result<WrittenProfile, Refusal> {
     let (mut written, keys) = sections(text)?;
     written.kind = keys.number("header.type")?.map(|kind| match kind {
         0.0 => ProfileKind::Rail,
@@ -72,7 +73,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
 }
 
 /// The points as they are written, and the keys.
-fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
+fn sections(text: &str) -> Result<(WrittenProfile, Keys), Refusal> {
     let mut written = WrittenProfile { of_any_orientation: true, ..WrittenProfile::default() };
     // Sections that are open, with the lines of their beginnings.
     let mut open: Vec<(String, usize)> = Vec::new();
@@ -86,7 +87,7 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
         if let Some(section) = lower.strip_suffix(".begin") {
             if !matches!(section, "header" | "spline" | "point") {
                 let other = say!(no_section_of_profile, text = clipped(line));
-                return Err(Fault::at(index + 1, other));
+                return Err(Refusal::new(Some(index + 1), other));
             }
             open.push((section.to_owned(), index + 1));
         } else if let Some(section) = lower.strip_suffix(".end") {
@@ -94,7 +95,7 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
                 Some((begun, _)) if begun == section => {}
                 _ => {
                     let closes_none = say!(section_closes_none, section);
-                    return Err(Fault::at(index + 1, closes_none));
+                    return Err(Refusal::new(Some(index + 1), closes_none));
                 }
             }
         } else if open.last().is_some_and(|(section, _)| section == "point") {
@@ -103,7 +104,7 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
                 (Some(y), Some(z)) => written.push([y, z], index + 1),
                 _ => {
                     let no_point = say!(line_is_no_point, text = clipped(line));
-                    return Err(Fault::at(index + 1, no_point));
+                    return Err(Refusal::new(Some(index + 1), no_point));
                 }
             }
         } else if let Some((key, value)) = line.split_once('=') {
@@ -112,17 +113,17 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
             keys.0.insert(key, (value.trim().trim_matches('\'').to_owned(), index + 1));
         } else {
             let neither = say!(line_is_no_key, text = clipped(line));
-            return Err(Fault::at(index + 1, neither));
+            return Err(Refusal::new(Some(index + 1), neither));
         }
     }
     if let Some((section, line)) = open.first() {
-        return Err(Fault::at(*line, say!(section_without_end, section)));
+        return Err(Refusal::new(Some(*line), say!(section_without_end, section)));
     }
     Ok((written, keys))
 }
 
 /// What the section `spline` asks for, and z upward.
-fn transform(written: &mut WrittenProfile, keys: &Keys, per_metre: f64) -> Result<(), Fault> {
+fn transform(written: &mut WrittenProfile, keys: &Keys, per_metre: f64) -> Result<(), Refusal> {
     let or = |key: &str, default: f64| keys.number_or(key, default);
     let apart = or("spline.point.dist.min", 0.0)?;
     if apart > 0.0 {

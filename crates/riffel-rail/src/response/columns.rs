@@ -3,7 +3,7 @@
 use riffel_keys::table::{is_one_of, it_has, words};
 
 use super::MeasurementError;
-use crate::file::Measurement;
+use super::keys::Measurement;
 
 /// The columns that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

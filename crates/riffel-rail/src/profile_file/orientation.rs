@@ -2,9 +2,9 @@
 
 use riffel_keys::{Message, fixed, say};
 
-use super::ProfileReading;
-use super::written::{Fault, WrittenProfile};
-use crate::file::{ProfileKind, ProfileOrientation};
+use super::reading::{ProfileKind, ProfileOrientation, ProfileReading};
+use super::written::WrittenProfile;
+use crate::refusal::Refusal;
 
 /// A profile wider than this \[m\] is a wheel: rail heads have 60 to 80 mm, wheels 120 to 150.
 const WIDEST_RAIL: f64 = 0.1;
@@ -22,7 +22,7 @@ const OFF_HEIGHT: f64 = 0.010;
 
 /// Turn the points to x positive to the field side and y upward, as it is asked or as it is found, and put the origin in its
 /// place.
-pub(super) fn turn(written: &mut WrittenProfile, reading: ProfileReading, kind: ProfileKind) -> Result<(), Fault> {
+pub(super) fn turn(written: &mut WrittenProfile, reading: ProfileReading, kind: ProfileKind) -> Result<(), Refusal> {
     let default = match written.of_any_orientation {
         true => ProfileOrientation::Found,
         false => ProfileOrientation::AsWritten,
@@ -257,7 +257,7 @@ fn tell_of_rail(written: &mut WrittenProfile, is_found: bool, signs: [f64; 2]) {
 }
 
 /// Move an origin that lies elsewhere to the datum circle or to the crown.
-fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), Fault> {
+fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), Refusal> {
     let higher = |one: &&[f64; 2], other: &&[f64; 2]| one[1].total_cmp(&other[1]);
     match kind {
         ProfileKind::Rail => {
@@ -277,11 +277,10 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
             if !TIP.contains(&tip) {
                 let back = written.points.iter().fold(f64::MAX, |least, [x, _]| least.min(*x));
                 if tip - back < BEFORE_TIP {
-                    return Err(Fault::of_file(say!(
-                        datum_circle_not_known,
-                        tip = fixed(1e3 * tip, 1),
-                        back = fixed(1e3 * BACK, 0)
-                    )));
+                    return Err(Refusal::new(
+                        None,
+                        say!(datum_circle_not_known, tip = fixed(1e3 * tip, 1), back = fixed(1e3 * BACK, 0)),
+                    ));
                 }
                 moved = back + BACK;
                 written.map(|[x, y]| [x - moved, y]);

@@ -5,7 +5,7 @@ use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, Unit, say};
 
 use super::MeasurementError;
-use crate::file::Response;
+use super::keys::Response;
 
 /// What is known of the unit of a column.
 pub(super) struct ValueUnit<'a> {

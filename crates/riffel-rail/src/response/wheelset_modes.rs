@@ -24,7 +24,7 @@ const GENERALISED_MASS: [&str; 3] = ["generalised_mass", "generalized_mass", "mo
 const RESIDUAL: &str = "residual";
 
 /// Modes as they stand in a file, in SI.
-pub(crate) struct WheelsetModes {
+pub struct WheelsetModes {
     modes: Vec<ElasticMode>,
     /// Where each mode stands, as "line 12".
     places: Vec<String>,
@@ -36,7 +36,10 @@ pub(crate) struct WheelsetModes {
 
 impl WheelsetModes {
     /// The file at the path.
-    pub(crate) fn read(path: &Path) -> Result<Self, MeasurementError> {
+    ///
+    /// # Errors
+    /// [`MeasurementError`] for a file that cannot be read or is no table of modes.
+    pub fn read(path: &Path) -> Result<Self, MeasurementError> {
         Self::parse(&decoded(bytes_of(path, "table of modes")?)?)
     }
 
@@ -79,7 +82,10 @@ impl WheelsetModes {
     }
 
     /// The wheelset of these modes over its motion as a rigid body.
-    pub(crate) fn wheelset(self, rigid: RigidWheelset) -> Result<ModalWheelset, MeasurementError> {
+    ///
+    /// # Errors
+    /// [`MeasurementError`] with the line of a mode that no wheelset has.
+    pub fn wheelset(self, rigid: RigidWheelset) -> Result<ModalWheelset, MeasurementError> {
         let wheelset = ModalWheelset::new(Some(rigid), self.modes);
         let wheelset = wheelset.map_err(|error| at(&self.places, error))?;
         let matrix = match self.residual[..] {

@@ -2,29 +2,12 @@
 
 use riffel_keys::Message;
 
-use crate::file::ProfileKind;
+use super::reading::ProfileKind;
 
 /// A profile without a unit is in millimetres if it is wider than this number; none is wider than this in metres.
 pub(super) const WIDEST_IN_METRES: f64 = 1.0;
 /// No profile is narrower than this \[m\].
 pub(super) const NARROWEST: f64 = 5e-3;
-
-/// What is wrong with a file, and in which line.
-#[derive(Debug)]
-pub(super) struct Fault {
-    pub(super) line: Option<usize>,
-    pub(super) message: Message,
-}
-
-impl Fault {
-    pub(super) fn at(line: usize, message: Message) -> Self {
-        Self { line: Some(line), message }
-    }
-
-    pub(super) fn of_file(message: Message) -> Self {
-        Self { line: None, message }
-    }
-}
 
 /// Points in the order of the file, x lateral and y the height, with their lines.
 #[derive(Debug, Default)]

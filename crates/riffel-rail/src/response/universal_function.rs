@@ -2,7 +2,7 @@
 
 use riffel::Complex64;
 
-use crate::file::VerticalAxis;
+use super::keys::VerticalAxis;
 
 /// A function at a nodal degree of freedom (dataset 58) by the numbers of the format.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,24 +10,29 @@ use riffel_keys::{Message, fixed, say};
 
 use super::columns::{Parts, Role, without_unit};
 use super::doubts::check_sign;
+use super::keys::AngleUnit;
 use super::layout::{Layout, Row, find, rows, unit};
 use super::response_unit::{Decoded, ValueUnit, after_decibel, response_of};
 use super::table::{angle, hertz_of};
 use super::{FrequencyResponse, MeasurementError, bytes_of, decoded};
-use crate::file::AngleUnit;
 
 /// Violations of reciprocity and passivity up to which nothing is said \[-\]: rounding to four digits stays below.
 const ROUNDING: f64 = 1e-3;
 
 /// A measured wheelset, and what the reader of the case should know of it.
-pub(crate) struct WheelsetReceptances {
-    pub(crate) wheelset: MeasuredWheelset,
-    pub(crate) remarks: Vec<Message>,
+pub struct WheelsetReceptances {
+    /// The wheelset.
+    pub wheelset: MeasuredWheelset,
+    /// What was taken for granted, and what no wheelset can have.
+    pub remarks: Vec<Message>,
 }
 
 impl WheelsetReceptances {
     /// The file at the path; where it holds one wheel, that on `rail`.
-    pub(crate) fn read(path: &Path, rail: Rail) -> Result<Self, MeasurementError> {
+    ///
+    /// # Errors
+    /// [`MeasurementError`] for a file that cannot be read or is no table of receptances of a wheelset.
+    pub fn read(path: &Path, rail: Rail) -> Result<Self, MeasurementError> {
         let bytes = bytes_of(path, "table of receptances")?;
         Self::parse(&decoded(bytes)?, rail)
     }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use riffel::Rail;
 use riffel_keys::Language;
 
 use super::*;

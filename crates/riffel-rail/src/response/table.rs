@@ -5,10 +5,10 @@ use riffel_keys::table::marks;
 use riffel_keys::{Exponents, Message, Unit};
 
 use super::columns::{Columns, Parts};
+use super::keys::{AngleUnit, Measurement};
 use super::layout::{Layout, find, rows, unit};
 use super::response_unit::{Decoded, ValueUnit};
 use super::{FrequencyResponse, MeasurementError};
-use crate::file::{AngleUnit, Measurement};
 
 /// Read a table below the names of its columns, with what was taken for granted.
 pub(super) fn read(

@@ -3,10 +3,11 @@
 use riffel_keys::table::{Delimiter, cells, is_one_of, label, number_in, words};
 use riffel_keys::{Message, clipped, say};
 
-use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
+use super::written::{WIDEST_IN_METRES, WrittenProfile};
+use crate::refusal::Refusal;
 
 /// The points of two columns, lateral coordinate and height, in millimetres or metres as a head says or their size.
-pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
+pub(super) fn read(text: &str) -> Result<WrittenProfile, Refusal> {
     let mut written = WrittenProfile::default();
     let mut head = Head::default();
     let mut may_be_head = true;
@@ -18,7 +19,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
         let cells = cells_of(line);
         let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number_in(cell)).collect();
         if may_be_head && numbers.iter().all(Option::is_none) {
-            head = Head::read(&cells).map_err(|rule| Fault::at(index + 1, rule))?;
+            head = Head::read(&cells).map_err(|rule| Refusal::new(Some(index + 1), rule))?;
         } else {
             let point = head.columns.map(|column| numbers.get(column).copied().flatten());
             match point {
@@ -26,11 +27,11 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
                     written.push([x, height], index + 1);
                 }
                 [Some(_), Some(_)] => {
-                    return Err(Fault::at(index + 1, columns_there(numbers.len())));
+                    return Err(Refusal::new(Some(index + 1), columns_there(numbers.len())));
                 }
                 _ => {
                     let no_pair = say!(line_is_no_pair, text = clipped(line));
-                    return Err(Fault::at(index + 1, no_pair));
+                    return Err(Refusal::new(Some(index + 1), no_pair));
                 }
             }
         }

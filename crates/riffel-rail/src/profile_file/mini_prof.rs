@@ -8,9 +8,10 @@
 use riffel_keys::table::number_in;
 use riffel_keys::{clipped, say};
 
+use super::reading::ProfileKind;
 use super::table::without_comment;
-use super::written::{Fault, WrittenProfile};
-use crate::file::ProfileKind;
+use super::written::WrittenProfile;
+use crate::refusal::Refusal;
 
 /// Keys that a wheel or a rail alone has, if a value follows.
 const OF_WHEELS: [&str; 6] = ["sd", "sh", "qr", "wheelid", "diameterflange", "diametertaperline"];
@@ -23,7 +24,7 @@ pub(super) fn is_first_line(line: &str) -> bool {
     is_key || line.eq_ignore_ascii_case("[FileInfo]") || line.to_uppercase().contains("MINIPROF")
 }
 
-pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault> {
+pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Refusal> {
     let mut written = WrittenProfile { of_any_orientation: true, ..WrittenProfile::default() };
     let (mut masked, mut announced, mut sections) = (0, None, 0);
     let mut columns = [0, 1];
@@ -45,7 +46,7 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
                 is_head = false;
             }
             if sections > 1 {
-                return Err(Fault::at(index + 1, say!(file_of_several_profiles)));
+                return Err(Refusal::new(Some(index + 1), say!(file_of_several_profiles)));
             }
             continue;
         }
@@ -56,7 +57,7 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
                 "columndef" => {
                     columns = columns_of(value).ok_or_else(|| {
                         let other = say!(column_def_without_x_and_y, value = clipped(value));
-                        Fault::at(index + 1, other)
+                        Refusal::new(Some(index + 1), other)
                     })?;
                 }
                 "xoffset" | "yoffset" => {
@@ -85,7 +86,7 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
             _ if is_head => {}
             _ => {
                 let none = say!(line_without_x_and_y, text = clipped(line));
-                return Err(Fault::at(index + 1, none));
+                return Err(Refusal::new(Some(index + 1), none));
             }
         }
     }
@@ -106,8 +107,8 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
 }
 
 /// The millimetres of an offset.
-fn offset(line: &str, value: &str, number: usize) -> Result<f64, Fault> {
-    number_in(value).ok_or_else(|| Fault::at(number, say!(line_without_millimetres, text = clipped(line))))
+fn offset(line: &str, value: &str, number: usize) -> Result<f64, Refusal> {
+    number_in(value).ok_or_else(|| Refusal::new(Some(number), say!(line_without_millimetres, text = clipped(line))))
 }
 
 /// Where X and Y are among the columns.

@@ -7,9 +7,10 @@ use riffel::Rail;
 use riffel_keys::table::number_in;
 use riffel_keys::{clipped, fixed, say};
 
+use super::reading::ProfileKind;
 use super::table::without_comment;
-use super::written::{Fault, WrittenProfile};
-use crate::file::ProfileKind;
+use super::written::WrittenProfile;
+use crate::refusal::Refusal;
 
 /// Millimetres of an inch.
 const INCH: f64 = 25.4;
@@ -31,7 +32,7 @@ fn kind_of(line: &str) -> Option<ProfileKind> {
 ///
 /// `flange_back` \[mm\] is where the flange back lies in the coordinates of a wheel, by which it is placed on its axle; heights are
 /// from the file's own datum.
-pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenProfile, Fault> {
+pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenProfile, Refusal> {
     let mut written = WrittenProfile { of_any_orientation: true, gauge_side_known: true, ..WrittenProfile::default() };
     let mut lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
     let first = lines.find(|(_, line)| !line.is_empty());
@@ -58,7 +59,7 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
             }
             [Some(_), ..] => {
                 let other = say!(line_without_both_sides, text = clipped(text));
-                return Err(Fault::at(line, other));
+                return Err(Refusal::new(Some(line), other));
             }
             _ => {}
         }
@@ -67,7 +68,7 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
         let value = value.trim();
         let asked = || {
             let number = value.rsplit([' ', '\t']).next().and_then(number_in);
-            number.ok_or_else(|| Fault::at(line, say!(value_not_known, name = key, value = clipped(value))))
+            number.ok_or_else(|| Refusal::new(Some(line), say!(value_not_known, name = key, value = clipped(value))))
         };
         match key {
             "TREADDATUM" => {
@@ -87,7 +88,7 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
             }
             "FLANGEBACK" | "GAUGE" => distance = Some(asked()?),
             _ => {
-                return Err(Fault::at(line, say!(line_of_no_head, text = clipped(text))));
+                return Err(Refusal::new(Some(line), say!(line_of_no_head, text = clipped(text))));
             }
         }
     }

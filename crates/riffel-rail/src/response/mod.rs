@@ -1,7 +1,8 @@
-//! A measured receptance, read from a file that the case names.
+//! Frequency responses of rails and wheelsets in files: tables and universal files, as a receptance or as modes.
 
 mod columns;
 mod doubts;
+mod keys;
 mod layout;
 mod response_unit;
 mod smoothing;
@@ -13,16 +14,15 @@ mod wheelset_receptances;
 
 use std::path::Path;
 
+use riffel::Complex64;
 use riffel::receptance::MeasuredReceptance;
-use riffel::{Complex64, Receptance};
 use riffel_keys::{Exponents, Message, say, text_file};
 
-use crate::file::{Measurement, Response};
-pub use doubts::doubts_about_rail;
-pub(crate) use doubts::{Remedy, doubts};
+pub use doubts::{Remedy, doubts, doubts_about_rail};
+pub use keys::{AngleUnit, Measurement, Response, VerticalAxis};
 pub use universal_function::UniversalFunction;
-pub(crate) use wheelset_modes::WheelsetModes;
-pub(crate) use wheelset_receptances::WheelsetReceptances;
+pub use wheelset_modes::WheelsetModes;
+pub use wheelset_receptances::WheelsetReceptances;
 
 /// Widest step between two frequencies, as a ratio: beyond it the file says nothing of what lies
 /// between.
@@ -30,11 +30,11 @@ const WIDEST_STEP: f64 = 2.0;
 
 /// What is wrong with a measurement.
 #[derive(Debug)]
-pub(crate) struct MeasurementError {
+pub struct MeasurementError {
     /// Key below `track.measurement` that is at fault, or whose file is; of a file of a wheelset it is always `file`.
-    pub(crate) key: &'static str,
+    pub key: &'static str,
     /// The sentence.
-    pub(crate) message: Message,
+    pub message: Message,
 }
 
 impl MeasurementError {
@@ -60,13 +60,18 @@ struct FrequencyResponse {
 }
 
 /// A receptance, and what the reader of the case should know of it.
-pub(crate) struct Measured {
-    pub(crate) receptance: MeasuredReceptance,
-    pub(crate) remarks: Vec<Message>,
+pub struct Measured {
+    /// The receptance \[m/N\].
+    pub receptance: MeasuredReceptance,
+    /// What was left out, smoothed or taken for granted, and what is to be asked of it.
+    pub remarks: Vec<Message>,
 }
 
 /// Read the measurement; file names are relative to `folder`.
-pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured, MeasurementError> {
+///
+/// # Errors
+/// [`MeasurementError`] for a file that cannot be read, a key that does not fit it, and a response that no rail has.
+pub fn read(measurement: &Measurement, folder: &Path) -> Result<Measured, MeasurementError> {
     let path = folder.join(&measurement.file);
     let bytes = bytes_of(&path, "measurement")?;
     let Measurement { conjugate, negate, .. } = *measurement;
@@ -95,7 +100,10 @@ fn decoded(bytes: Vec<u8>) -> Result<String, MeasurementError> {
 }
 
 /// A function that was read elsewhere.
-pub(crate) fn of_universal(function: &UniversalFunction) -> Result<Measured, MeasurementError> {
+///
+/// # Errors
+/// [`MeasurementError`] for another function, a unit that does not fit, or frequencies with gaps.
+pub fn of_universal(function: &UniversalFunction) -> Result<Measured, MeasurementError> {
     universal::of_function(function)?.read()?.doubted(Remedy::Values)
 }
 
@@ -219,10 +227,4 @@ impl Response {
             Self::Accelerance => "an accelerance in m/s2/N",
         }
     }
-}
-
-/// Lowest and highest frequency \[Hz\].
-pub(crate) fn range(receptance: &dyn Receptance) -> (f64, f64) {
-    let (low, high) = receptance.frequency_range();
-    (low / std::f64::consts::TAU, high / std::f64::consts::TAU)
 }
