@@ -10,7 +10,6 @@ mod damage_stress;
 mod full_sliding;
 mod general_loop;
 mod measured_resonances;
-mod measured_tables;
 mod measured_wear;
 mod measurement;
 mod models;

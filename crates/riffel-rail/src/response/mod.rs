@@ -7,6 +7,8 @@ mod layout;
 mod response_unit;
 mod smoothing;
 mod table;
+#[cfg(test)]
+mod tests;
 mod universal;
 mod universal_function;
 mod wheelset_modes;

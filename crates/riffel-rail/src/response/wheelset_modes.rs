@@ -43,7 +43,7 @@ impl WheelsetModes {
         Self::parse(&decoded(bytes_of(path, "table of modes")?)?)
     }
 
-    fn parse(text: &str) -> Result<Self, MeasurementError> {
+    pub(super) fn parse(text: &str) -> Result<Self, MeasurementError> {
         let example = "frequency_hz,damping_ratio,generalised_mass_kg,left_x,left_y,left_z,right_x,right_y,right_z";
         let layout = find(text, example, ModeColumns::find, ModeColumns::numbers)?;
         let units = Units::of(&layout)?;

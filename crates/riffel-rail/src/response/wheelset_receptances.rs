@@ -37,7 +37,7 @@ impl WheelsetReceptances {
         Self::parse(&decoded(bytes)?, rail)
     }
 
-    fn parse(text: &str, rail: Rail) -> Result<Self, MeasurementError> {
+    pub(super) fn parse(text: &str, rail: Rail) -> Result<Self, MeasurementError> {
         let example = "frequency_hz,zz_re,zz_im";
         let layout = find(text, example, EntryColumns::find, EntryColumns::numbers)?;
         let EntryColumns { frequency, entries } = &layout.columns;

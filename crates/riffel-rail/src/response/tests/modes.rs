@@ -1,20 +1,27 @@
-//! Wheelsets by files of their modes.
-
-use std::f64::consts::TAU;
+//! Modes of wheelsets.
 
 use riffel::wheelset::{ContactGeometry, ElasticMode, ModalWheelset, RigidBody, RigidWheelset, Wheelset};
 
-use super::{MODAL, case, error, wheelset};
+use super::*;
 
 /// Two modes with all that stands in a table of them.
 const MODES: &str = "frequency_hz,damping_ratio,generalised_mass_kg,left_x,left_y,left_z,right_x,right_y,right_z\n\
                      78.6,0.002,55,1,0,0,-1,0,0\n\
                      97.2,0.003,300,0,0.4,1,0,-0.4,1\n";
 
+fn rigid() -> RigidWheelset {
+    let body = RigidBody { mass: 1100.0, roll_inertia: 620.0, spin_inertia: 85.0 };
+    RigidWheelset::new(body, ContactGeometry { contact_spacing: 1.5, rolling_radius: 0.42 }).unwrap()
+}
+
+/// The wheelset of the modes of a text.
+fn parse(text: &str) -> Result<ModalWheelset, String> {
+    let modes = WheelsetModes::parse(text).and_then(|modes| modes.wheelset(rigid()));
+    modes.map_err(|error| error.message.to_string())
+}
+
 /// The wheelset of [`MODES`].
 pub(super) fn modal(residual: Option<[[f64; 6]; 6]>) -> ModalWheelset {
-    let body = RigidBody { mass: 1100.0, roll_inertia: 620.0, spin_inertia: 85.0 };
-    let contacts = ContactGeometry { contact_spacing: 1.5, rolling_radius: 0.42 };
     let mode = |frequency: f64, damping_ratio, generalised_mass, shape| ElasticMode {
         angular_frequency: TAU * frequency,
         damping_ratio,
@@ -25,8 +32,7 @@ pub(super) fn modal(residual: Option<[[f64; 6]; 6]>) -> ModalWheelset {
         mode(78.6, 0.002, 55.0, [1.0, 0.0, 0.0, -1.0, 0.0, 0.0]),
         mode(97.2, 0.003, 300.0, [0.0, 0.4, 1.0, 0.0, -0.4, 1.0]),
     ];
-    let rigid = RigidWheelset::new(body, contacts).unwrap();
-    let wheelset = ModalWheelset::new(Some(rigid), modes).unwrap();
+    let wheelset = ModalWheelset::new(Some(rigid()), modes).unwrap();
     match residual {
         Some(residual) => wheelset.with_residual(residual).unwrap(),
         None => wheelset,
@@ -65,25 +71,15 @@ fn modes_are_read_in_their_units() {
     })),
 ];
     for (file, residual) in cases {
-        let case = case(MODAL, &file).unwrap();
-        let expected = modal(residual);
+        let (read, expected) = (parse(&file).unwrap(), modal(residual));
         for frequency in [10.0, 78.0, 97.0, 300.0] {
             let w = TAU * frequency;
-            let (got, expected) = (wheelset(&case).receptances(w), expected.receptances(w));
+            let (got, expected) = (read.receptances(w), expected.receptances(w));
             for (got, expected) in got.iter().flatten().zip(expected.iter().flatten()) {
                 // The tables hold twelve digits, which resonances make eight of.
                 assert!((got - expected).norm() <= 1e-8 * expected.norm(), "{frequency}: {got} {expected}");
             }
         }
-        let modes = case.wheelset_modes(wheelset(&case), 90.0).unwrap();
-        assert_eq!(modes.len(), 1);
-        assert!((modes[0].frequency - 78.6).abs() < 1e-6);
-        assert_eq!(modes[0].name.to_string(), "first torsion");
-        let ends = |remark: &riffel_keys::Message| {
-            let up_to = if residual.is_some() { "97 Hz" } else { "49 Hz" };
-            remark.to_string().contains(&format!("up to some {up_to}, and the window reaches 500 Hz"))
-        };
-        assert!(case.remarks.iter().any(ends), "{:?}", case.remarks);
     }
 }
 
@@ -140,7 +136,7 @@ fn refuses_what_are_no_modes() {
         ("78.6,0.002,55,1,0,0,-1,0,0\n".to_owned(), "has no header: its columns need names above them"),
         (MODES.lines().next().unwrap().to_owned(), "has no mode below its header"),
     ] {
-        let error = error(MODAL, &file);
-        assert!(error.starts_with("`wheelset.file`") && error.contains(sentence), "{error}");
+        let error = parse(&file).err().unwrap();
+        assert!(error.contains(sentence), "{error}");
     }
 }
