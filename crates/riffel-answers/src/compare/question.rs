@@ -197,7 +197,7 @@ impl CompareQuestion {
         let speed = self.speed.as_ref().map(|speed| speed.within("--speed", client)).transpose()?;
         let case = self.case.read(client)?;
         let steps = match models.len() {
-            0 => FieldModel::ALL.len(),
+            0 => FieldModel::all().len(),
             named => named,
         };
         let request = ModelsRequest { models: models.to_vec(), speed };

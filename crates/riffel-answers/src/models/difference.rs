@@ -2,7 +2,7 @@
 
 use riffel::growth::GrowthSpectrum;
 use riffel_case::Case;
-use riffel_case::model::{FieldModel, Joints};
+use riffel_case::model::Joints;
 use serde::Serialize;
 
 use super::on_case;
@@ -31,7 +31,7 @@ impl Difference {
         (course, highest): (&GrowthSpectrum, Option<Highest>),
         passing: &Passing,
     ) -> Vec<Self> {
-        let exact = FieldModel::EXACT.joints;
+        let exact = Joints::OURS;
         let mut differences: Vec<Self> = joints
             .differences(exact)
             .map(|joint| {

@@ -30,7 +30,7 @@ pub(super) fn growth(answer: &ModelsAnswer) -> LineFigure {
     let looks = (0..).map(look);
     let lines = others.zip(looks).chain(ours.zip(std::iter::once((Rgb::BLACK, LineStyle::Solid)))).map(
         |(of, (color, style))| GrowthLine {
-            label: of.model.title,
+            label: &of.model.title,
             rates: of.growth_rate_per_passage.as_deref().unwrap_or_default(),
             highest: of.highest,
             color,

@@ -103,7 +103,7 @@ impl ModelsAnswer {
         let named = !request.models.is_empty();
         let models = match named {
             true => request.models.clone(),
-            false => FieldModel::ALL.to_vec(),
+            false => FieldModel::all().iter().collect(),
         };
         let (own, passing, usual) = match request.speed {
             None => {
@@ -121,7 +121,7 @@ impl ModelsAnswer {
             let growth = ModelGrowth::of(&own, model, &passing);
             progress(1);
             match growth {
-                Err(reason) if named => Err(AnswerError::NotOnCase { model: model.name, reason }),
+                Err(reason) if named => Err(AnswerError::NotOnCase { model: &model.name, reason }),
                 growth => Ok((model, growth)),
             }
         };
@@ -139,7 +139,7 @@ impl ModelsAnswer {
         let speed = passing.mean();
         let unstable = models.iter().filter_map(|of| {
             let remark = Message::verbatim(of.unstable.clone()?);
-            Some(remark.about(of.model.title))
+            Some(remark.about(&of.model.title))
         });
         Ok(Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
@@ -170,7 +170,7 @@ impl ModelsAnswer {
         Table {
             name: "models",
             columns: vec![
-                on_case.shown(Message::verbatim(""), |of| Message::verbatim(of.model.title)),
+                on_case.shown(Message::verbatim(""), |of| Message::verbatim(&of.model.title)),
                 on_case.shown(say!(highest_growth_column), |of| match of.highest {
                     Some(highest) => number_alone(format!("{:+.4}", 1e6 * highest.rate)),
                     None => say!(no_growth_in_table),
@@ -186,7 +186,7 @@ impl ModelsAnswer {
 
     /// One row for each wavelength, a column for each model on the case.
     fn growth_table(&self) -> Table {
-        let grown = self.on_case().filter_map(|of| Some((of.model.name, of.growth_rate_per_passage.as_deref()?)));
+        let grown = self.on_case().filter_map(|of| Some((&*of.model.name, of.growth_rate_per_passage.as_deref()?)));
         growth_lines::table(&self.wavelength_m, grown)
     }
 }
@@ -218,7 +218,7 @@ impl Answer for ModelsAnswer {
         let heading = (!moves.is_empty()).then(|| say!(what_moves_models_most));
         let left_out = self.models.iter().filter_map(|of| {
             let reason = of.not_on_this_case.as_deref()?;
-            Some(say!(model_not_on_this_case, model = of.model.title, reason))
+            Some(say!(model_not_on_this_case, model = &of.model.title, reason))
         });
         heading.into_iter().chain(moves).chain(left_out).collect()
     }
@@ -282,7 +282,7 @@ impl ModelGrowth {
             highest,
             differs_by: Difference::all(case, model.joints, (&course, highest), passing),
             complex_plane: model
-                .has_complex_plane()
+                .complex_plane
                 .then(|| ComplexPlane::of(&on, passing.frequencies(case), speed))
                 .flatten(),
             remarks: remarks.map(ToString::to_string).chain(unstable.clone()).collect(),

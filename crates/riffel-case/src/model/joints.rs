@@ -1,6 +1,6 @@
 //! The joints of a model of the field, each as one of the choices that the models differ by.
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::file::Rotation;
 
@@ -73,7 +73,8 @@ impl Joint {
 }
 
 /// What stands at each joint of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct Joints {
     pub(crate) track: TrackJoint,
     pub(crate) wheel: WheelJoint,
@@ -94,7 +95,8 @@ impl Serialize for Joints {
 }
 
 /// Rail and supports.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum TrackJoint {
     /// Track of the case.
     Own,
@@ -111,7 +113,8 @@ pub(crate) enum TrackJoint {
 }
 
 /// Wheel or wheelset.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum WheelJoint {
     /// Wheel or wheelset of the case.
     Own,
@@ -130,7 +133,8 @@ pub(crate) enum WheelJoint {
 }
 
 /// Steady creepage.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum CreepageJoint {
     /// Steady creepage of the case.
     Own,
@@ -143,7 +147,8 @@ pub(crate) enum CreepageJoint {
 }
 
 /// Creep law and its response.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum ContactJoint {
     /// The exact theory of non-steady rolling.
     Exact,
@@ -156,7 +161,8 @@ pub(crate) enum ContactJoint {
 }
 
 /// Phase between dissipation and wear.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum PlaceOfWearJoint {
     /// Phase of the case, or that which the exact contact resolves.
     Own,
@@ -167,7 +173,8 @@ pub(crate) enum PlaceOfWearJoint {
 }
 
 /// What wears the rail.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum WearJoint {
     /// Dissipated energy.
     Energy,
@@ -175,9 +182,15 @@ pub(crate) enum WearJoint {
     NormalForce,
 }
 
+impl Default for Joints {
+    fn default() -> Self {
+        Self::OURS
+    }
+}
+
 impl Joints {
     /// What Riffel takes for right: the track and wheelset of the case, and the exact contact.
-    pub(crate) const OURS: Self = Self {
+    pub const OURS: Self = Self {
         track: TrackJoint::Own,
         wheel: WheelJoint::Own,
         creepage: CreepageJoint::Own,

@@ -138,7 +138,7 @@ fn told(path: &Path) -> String {
             Err(error) => writeln!(text, "{error}").unwrap(),
         }
     }
-    for model in FieldModel::ALL {
+    for model in FieldModel::all() {
         writeln!(text, "== {}", model.name).unwrap();
         match ModelOnCase::new(&case, model.joints) {
             Ok(on) => {
