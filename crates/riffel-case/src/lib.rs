@@ -14,11 +14,17 @@
 //! # Ok::<(), riffel_keys::CaseError>(())
 //! ```
 
+#[cfg(test)]
+extern crate self as riffel_case;
+
 mod ask;
 mod build;
 mod case;
 mod curve;
 pub mod file;
+#[cfg(test)]
+#[path = "../tests/case/fixtures.rs"]
+mod fixtures;
 mod keys;
 pub mod model;
 mod parts;

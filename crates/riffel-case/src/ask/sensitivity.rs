@@ -178,12 +178,8 @@ fn extrapolated(value: f64, size: f64, at: impl Fn(f64) -> Option<f64>) -> Optio
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::case;
     use crate::{METRO_CASE, NOMINAL_CASE};
-
-    fn case(text: &str, overrides: &[&str]) -> Case {
-        let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-        Case::parse("case", text, &overrides).unwrap()
-    }
 
     fn of<'a>(all: &'a [Sensitivity], key: &str) -> &'a Sensitivity {
         all.iter().find(|sensitivity| sensitivity.key == key).unwrap()

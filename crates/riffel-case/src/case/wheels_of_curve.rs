@@ -113,13 +113,8 @@ impl Case {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    const CURVE: &str = include_str!("../../cases/metro-curve.toml");
-
-    fn case(text: &str, overrides: &[&str]) -> Case {
-        let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
-        Case::parse("curve.toml", text, &overrides).unwrap()
-    }
+    use crate::METRO_CURVE_CASE as CURVE;
+    use crate::fixtures::case;
 
     fn growth(case: &Case) -> f64 {
         case.point(0.06, 12.5).unwrap().growth_rate

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use riffel::Complex64;
 use riffel::damage::{ClippedPower, Fatigue, Hardening, Ramps};
-use riffel_case::{Case, DamagePoint, Point};
+use riffel_case::{DamagePoint, Point};
 use serde_json::Value;
 
 /// A file of `validation/reference/damage`.
@@ -102,7 +102,7 @@ fn case_of(parameters: &Value, rotation: &str, shear_yield: f64, more: &str) -> 
 }
 
 fn point(text: &str, amplitude: f64, at: [f64; 2]) -> (Point, DamagePoint) {
-    let mut case = Case::parse("case.toml", text, &[]).unwrap();
+    let mut case = crate::case(text, &[]);
     // Some lie beyond what a case may have.
     case.feedback = case.feedback.clone().with_amplitude(amplitude).unwrap();
     let point = Point::new(&case, &case.feedback.at(at[0], at[1]));
@@ -282,7 +282,7 @@ fn hardening() {
             of("hardening_depth_m")
         );
         let text = case_of(&growth["cases"][name], "inertia", yield_in_shear, &more);
-        let case = Case::parse("case.toml", &text, &[]).unwrap();
+        let case = crate::case(&text, &[]);
         let gains = (1..=row["harmonics_of_force"].as_u64().unwrap()).map(|order| {
             let state = case.feedback.at(wavelength / order as f64, speed);
             state.contacts[0].damage.unwrap().demand
@@ -360,11 +360,11 @@ fn first_yield_follows_the_shape_of_the_patch() {
     let text = case_of(&growth["cases"]["heavy"], "inertia", 300e6, "limit = \"elastic\"\n");
     let demand = |radius: f64| {
         let text = text.replace("rolling_radius = 0.46\n", &format!("rolling_radius = {radius}\n"));
-        let case = Case::parse("case.toml", &text, &[]).unwrap();
+        let case = crate::case(&text, &[]);
         case.feedback.contacts()[0].damage.as_ref().unwrap().demand.value
     };
     let waves = text.replace("wave_geometry = false", "wave_geometry = true");
-    let case = Case::parse("case.toml", &waves, &[]).unwrap();
+    let case = crate::case(&waves, &[]);
     let own = case.feedback.contacts()[0].damage.as_ref().unwrap().demand;
     let step = 1e-3;
     let slope = (demand(0.46 / (1.0 + step)) - demand(0.46 / (1.0 - step))) / (2.0 * step);

@@ -361,7 +361,7 @@ fn cracks_along_a_wave() {
         differ += usize::from((phases[0].now.damage - phases[2].now.damage).abs() > 1e-7);
     }
     assert!(differ > 3);
-    let plain = Case::parse("case.toml", METRO, &["track.model=one-layer".to_owned()]).unwrap();
+    let plain = crate::case(METRO, &["track.model=one-layer"]);
     let smooth = self::forecast(&plain, speed);
     assert!(smooth.cracks(&smooth.bands()[0], 1e3).is_none());
 }

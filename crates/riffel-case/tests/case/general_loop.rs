@@ -25,9 +25,9 @@ const TWO_WHEELSETS: &str = include_str!("../general-loop/two-wheelsets.toml");
 #[test]
 fn a_completed_case_reads_back() -> Result<(), CaseError> {
     for text in [RIGID, STEPPED_AXLE, TRAIN, TWO_WHEELSETS] {
-        let case = Case::parse("case.toml", text, &["contact.contact_angle=2°".to_owned()])?;
+        let case = crate::parsed(text, &["contact.contact_angle=2°"])?;
         let printed = toml::to_string(&case.file).unwrap_or_default();
-        let read = Case::parse("case.toml", &printed, &[])?;
+        let read = crate::parsed(&printed, &[])?;
         let restored = Case::restore(&case.portable(), None, None)?;
         for again in [read, restored] {
             assert_eq!(again.file, case.file, "{printed}");
@@ -261,7 +261,7 @@ fn overrides_that_make_a_table_are_named() {
 /// With less friction a creepage in any direction stays; no tractive ratio brings it back.
 #[test]
 fn a_creepage_in_any_direction_is_held() -> Result<(), CaseError> {
-    let case = Case::parse("case.toml", RIGID, &[])?;
+    let case = crate::parsed(RIGID, &[])?;
     let mut variant = Variant::parse("less.toml", "[contact]\nfriction = 0.38")?;
     for hold in [None, Some(Hold::Creepage)] {
         variant.hold = hold;

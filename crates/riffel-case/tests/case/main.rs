@@ -7,6 +7,7 @@ mod contact;
 mod damage;
 mod damage_in_loop;
 mod damage_stress;
+mod fixtures;
 mod full_sliding;
 mod general_loop;
 mod measured_resonances;
@@ -24,16 +25,4 @@ mod wheelset_cases;
 mod wheelset_files;
 mod wheelset_presets;
 
-use riffel_case::Case;
-use riffel_keys::CaseError;
-
-/// The case of a text, with overrides.
-fn parsed(text: &str, overrides: &[&str]) -> Result<Case, CaseError> {
-    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    Case::parse("case.toml", text, &overrides)
-}
-
-/// One that is right.
-fn case(text: &str, overrides: &[&str]) -> Case {
-    parsed(text, overrides).unwrap()
-}
+use fixtures::{case, parsed, trailer};

@@ -1,6 +1,6 @@
 //! What the reader of a case is told, in both languages.
 
-use riffel_case::{Case, NOMINAL_CASE};
+use riffel_case::NOMINAL_CASE;
 use riffel_keys::{Language, Message};
 
 fn remarks(overrides: &[&str]) -> Vec<Message> {
@@ -68,8 +68,7 @@ fn every_remark_says_the_same_in_german() {
 #[test]
 fn a_loop_whose_stability_cannot_be_told_says_so() {
     let text = include_str!("../../cases/curve.toml");
-    let overrides = ["wheelset.axle.loss_factor=1e-9".to_owned()];
-    let case = Case::parse("curve.toml", text, &overrides).unwrap();
+    let case = crate::case(text, &["wheelset.axle.loss_factor=1e-9"]);
     let mut told = case.remarks.iter().map(|remark| remark.text(Language::English));
     assert!(told.any(|text| text.contains("whether the loop is stable")));
     assert_eq!(case.stability(20.0), None);

@@ -78,8 +78,7 @@ fn a_vehicle_fills_in_wheel_and_load() {
         .replace("rolling_radius = \"460 mm\"", "")
         .replace("mass = \"350 kg\"", "")
         .replace("normal_load = \"50 kN\"", "");
-    let overrides = ["vehicle=locomotive".to_owned()];
-    let case = Case::parse("case.toml", &text, &overrides).unwrap();
+    let case = crate::case(&text, &["vehicle=locomotive"]);
     assert_eq!(case.hertz.normal_force(), 104.2e3);
     assert_eq!(case.file.wheel.rolling_radius.si(), 0.625);
     let idle = self::case(&["vehicle=locomotive"]).unwrap();

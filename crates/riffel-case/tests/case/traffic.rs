@@ -6,7 +6,7 @@ use riffel_keys::CaseError;
 use riffel_rail::{Layout, RoughnessFile, Survey};
 
 fn nominal() -> Case {
-    Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap()
+    crate::case(NOMINAL_CASE, &[])
 }
 
 /// What the traffic makes of the case as it is.
@@ -197,7 +197,7 @@ fn unusual_amounts_are_asked_about() {
         let text = format!("[line]\n{amount}\n[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = {{ mean = 20 }}\n");
         Traffic::parse("t.toml", &text).unwrap()
     };
-    let case = Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap();
+    let case = crate::case(NOMINAL_CASE, &[]);
     let remarks = |amount: &str| -> Vec<String> {
         let on = on(&traffic(amount), &case);
         on.unwrap().remarks.iter().map(ToString::to_string).collect()

@@ -310,7 +310,7 @@ fn each_spread_tells_what_it_does() -> Result<(), CaseError> {
 /// Any key of the case may be spread, as the stiffness of pads along the track: growth is the mean of runs with each value.
 #[test]
 fn a_spread_of_a_key_is_the_mean_of_its_values() -> Result<(), CaseError> {
-    let case = Case::parse("c.toml", BHASKAR_TRACK_CASE, &[])?;
+    let case = crate::parsed(BHASKAR_TRACK_CASE, &[])?;
     let bands = bands_of(&case);
     let rates = |keys: &str| {
         let text = format!("[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = {{ mean = 30 }}\n{keys}\n");
@@ -384,7 +384,7 @@ fn what_is_no_spread_is_refused_with_its_key() {
         let message = refusal(&case, &format!("{vehicle}\n{speed}"));
         assert!(message.contains(key), "{vehicle}: {message}");
     }
-    let narrow = Case::parse("c.toml", NOMINAL_CASE, &["wear.band_width=2 mm".to_owned()]);
+    let narrow = crate::parsed(NOMINAL_CASE, &["wear.band_width=2 mm"]);
     let narrow = narrow.map(|_| ()).unwrap_err().to_string();
     assert!(narrow.contains("wear.band_width") && narrow.contains("one contact"), "{narrow}");
 }

@@ -40,7 +40,7 @@ fn what_is_left_out_is_told() {
     };
     assert_eq!(said(&case(&[])), 0);
     let without = NOMINAL_CASE.replace("wave_geometry = false", "");
-    let without = Case::parse("case.toml", &without, &[]).unwrap();
+    let without = crate::case(&without, &[]);
     assert_eq!(said(&without), 1);
     assert_eq!(per_metre(&without, 0.05, 20.0), per_metre(&case(&[]), 0.05, 20.0));
     assert_eq!(said(&case(&["contact.wave_geometry=true"])), 0);

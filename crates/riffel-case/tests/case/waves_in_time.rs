@@ -7,21 +7,7 @@ use riffel::passage::{Evolution, EvolutionStep, Sinusoid};
 use riffel::roughness::Profile;
 use riffel_case::{Case, NOMINAL_CASE};
 
-use crate::case;
-
-const TRAILER: &str = include_str!("../../../../cases/wheelset-metro-trailer.toml");
-
-/// A flexible wheelset on a track whose layers are viscous, so that nothing of it is cut.
-fn trailer(overrides: &[&str]) -> Case {
-    let viscous = [
-        "track.model=one-layer",
-        "track.pad.loss_factor=0",
-        "track.pad.damping=20e3",
-        "rail.loss_factor=0",
-        "contact.creep_law=polach",
-    ];
-    case(TRAILER, &[&viscous, overrides].concat())
-}
+use crate::{case, trailer};
 
 /// Largest difference of the first harmonics of forces and creepages over waves of 1 µm at any contact from those of the linear loop, over the
 /// largest of its kind, and what the shape of the waves makes of it.

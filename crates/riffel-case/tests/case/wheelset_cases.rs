@@ -1,6 +1,6 @@
 //! The example cases of wheelsets.
 
-use riffel_case::{Case, CaseWheelset, preset};
+use riffel_case::{CaseWheelset, preset};
 
 /// Value of a preset \[SI\].
 fn of_preset(name: &str, key: &str) -> f64 {
@@ -19,7 +19,7 @@ fn example_wheelsets_are_what_they_say() {
         (include_str!("../../cases/wheelset-locomotive.toml"), None),
         (include_str!("../../cases/wheelset-tram.toml"), None),
     ] {
-        let case = Case::parse("case.toml", text, &[]).unwrap();
+        let case = crate::case(text, &[]);
         let said: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
         let wanted = |remark: &&String| remark.contains("usual") || remark.contains("taken as rigid");
         assert_eq!(said.iter().find(wanted), None);

@@ -170,7 +170,7 @@ fn discs_carry_coupled_inertias() {
         assert!(differ(&plain, &heavy) > 0.05, "{frequency}");
     }
     let printed = toml::to_string(&stiff.file).unwrap();
-    assert_eq!(Case::parse("case.toml", &printed, &[]).unwrap().file, stiff.file);
+    assert_eq!(crate::case(&printed, &[]).file, stiff.file);
     let refused = with(&spring("0 N m/rad")).err().unwrap().to_string();
     assert!(refused.contains("`wheelset.discs[1].coupled.stiffness` is 0 N m/rad, but must be"), "{refused}");
     let refused = with(&spring("3 kN/m")).err().unwrap().to_string();

@@ -129,10 +129,9 @@ fn keys_of_side(keys: &GeneralKeys, rail: Rail) -> &ContactKeys {
 mod tests {
     use super::*;
     use crate::NOMINAL_CASE;
+    use crate::fixtures::{case, trailer};
     use riffel::Complex64;
     use riffel::passage::Sinusoid;
-
-    const TRAILER: &str = include_str!("../../../cases/wheelset-metro-trailer.toml");
 
     /// Largest difference of the first harmonics of forces and creepages at any contact from those of the linear loop, each
     /// over the largest of its kind.
@@ -169,23 +168,6 @@ mod tests {
         fn relative(&self) -> f64 {
             self.0[0] / self.0[1]
         }
-    }
-
-    fn case(text: &str, overrides: &[&str]) -> Case {
-        let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
-        Case::parse("case", text, &overrides).unwrap()
-    }
-
-    /// A flexible wheelset on a track whose layers are viscous, so that nothing of it is cut.
-    fn trailer(overrides: &[&str]) -> Case {
-        let viscous = [
-            "track.model=one-layer",
-            "track.pad.loss_factor=0",
-            "track.pad.damping=20e3",
-            "rail.loss_factor=0",
-            "contact.creep_law=polach",
-        ];
-        case(TRAILER, &[&viscous, overrides].concat())
     }
 
     /// First harmonics of small waves at every contact, over the largest; the fit of the structures and the step leave

@@ -193,8 +193,7 @@ fn overrides_replace_values_and_exclusive_keys() {
 
 #[test]
 fn a_written_value_goes_before_that_of_the_preset() {
-    let overrides = ["track.pad.stiffness=100 MN/m".to_owned()];
-    let case = Case::parse("case.toml", BHASKAR_TRACK_CASE, &overrides).unwrap();
+    let case = crate::case(BHASKAR_TRACK_CASE, &["track.pad.stiffness=100 MN/m"]);
     let pad = case.file.track.pad.unwrap();
     assert_eq!(pad.stiffness.unwrap().si(), 100e6);
     assert_eq!(pad.damping.unwrap().si(), 20e3);

@@ -18,7 +18,7 @@ fn axes_of_the_map_are_read_from_ranges() -> Result<(), CaseError> {
         "{}\n[map]\nwavelength = \"25-60 mm\"\nspeed = \"60..90 km/h\"\n",
         NOMINAL_CASE.split("[map]").next().unwrap_or_default()
     );
-    let case = Case::parse("case.toml", &text, &[])?;
+    let case = crate::parsed(&text, &[])?;
     assert_eq!((case.wavelength.min(), case.wavelength.max()), (0.025, 0.06));
     assert_eq!(case.wavelength.points(), 241);
     assert!((case.speed.min() - 60.0 / 3.6).abs() < 1e-12 && case.speed.max() == 25.0);
@@ -43,7 +43,7 @@ fn wrong_ranges_are_refused() {
         "contact.friction=0.2-0.4 => \"0.2-0.4\" is a range, but one value is needed",
     ] {
         let (set, part) = row.split_once(" => ").unwrap();
-        let error = Case::parse("case.toml", NOMINAL_CASE, &[set.to_owned()]).err();
+        let error = crate::parsed(NOMINAL_CASE, &[set]).err();
         let error = error.expect("a mistake").to_string();
         assert!(error.starts_with(&format!("--set {set}: ")), "{error}");
         assert!(error.contains(part), "{error}");
@@ -62,7 +62,7 @@ fn unusual_values_are_remarks() -> Result<(), CaseError> {
     ] {
         assert!(remarks.iter().any(|remark| remark.starts_with(part)), "{remarks:?}");
     }
-    let nominal = Case::parse("case.toml", NOMINAL_CASE, &[])?;
+    let nominal = crate::parsed(NOMINAL_CASE, &[])?;
     let said = |remark: &riffel_keys::Message| remark.to_string().contains("usual values");
     assert!(!nominal.remarks.iter().any(said));
     Ok(())
@@ -71,7 +71,7 @@ fn unusual_values_are_remarks() -> Result<(), CaseError> {
 /// A point outside the window is computed, one outside of physics is not.
 #[test]
 fn points_are_checked() -> Result<(), CaseError> {
-    let case = Case::parse("case.toml", NOMINAL_CASE, &[])?;
+    let case = crate::parsed(NOMINAL_CASE, &[])?;
     assert_eq!(case.point(0.055, 30.0)?, case.feedback.at(0.055, 30.0));
     assert!(case.point(0.5, 80.0)?.growth_rate.is_finite());
     for (wavelength, speed, sentence) in [
