@@ -133,6 +133,13 @@ pub use wear::EnergyWear;
 pub use wear_regime::{WearCorners, WearRegimes};
 
 /// The listings of the book, compiled and run.
+#[cfg(test)]
+extern crate self as riffel;
+
+#[cfg(test)]
+#[path = "../tests/physics/fixtures.rs"]
+mod fixtures;
+
 #[cfg(doctest)]
 mod book {
     #[doc = include_str!("../../../docs/src/adding-a-track-model.md")]

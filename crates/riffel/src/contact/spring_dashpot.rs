@@ -87,14 +87,14 @@ impl<C: RollingContact> RollingContact for SpringDashpot<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ElasticMaterial;
     use crate::contact::{Carter3d, Creepages, MeanState, QuasiStatic};
+    use crate::fixtures::steel;
 
     /// Long waves are quasi-static, short ones leave the creep force behind the creepage by a quarter
     /// of a wave. The relaxation length of small traction is some 1.8 a.
     #[test]
     fn answers_late() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let hertz = HertzContact::new(steel, 0.46, 0.46, 50e3).unwrap();
         let law = Carter3d::new(hertz, 0.4).unwrap();
         let law = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.01)).unwrap();
@@ -117,7 +117,7 @@ mod tests {
     /// The law along a creepage at 45° is that of the law along the rail, turned.
     #[test]
     fn answers_alike_in_every_direction() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let hertz = HertzContact::new(steel, 0.46, 0.46, 50e3).unwrap();
         let law = Carter3d::new(hertz, 0.4).unwrap();
         let about = |longitudinal: f64, lateral: f64| {

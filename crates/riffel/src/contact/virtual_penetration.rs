@@ -241,6 +241,7 @@ impl PenetrationState {
 mod tests {
     use super::*;
     use crate::HertzContact;
+    use crate::fixtures::steel;
 
     fn strips(rolling_radius: f64, transverse_radius: f64) -> Vec<GapStrip> {
         let strip = |index: i32| {
@@ -255,7 +256,7 @@ mod tests {
     /// that of Hertz. 5e-4: linear pieces between strips 0.1 mm apart, midpoint rule.
     #[test]
     fn a_sphere_has_its_closed_form() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let contact = VirtualPenetration::new([steel; 2], strips(0.46, 0.46)).unwrap();
         let (approach, modulus) = (60e-6, 207e9 / (2.0 * 0.91));
         let state = contact.at_approach(approach).unwrap();
@@ -273,7 +274,7 @@ mod tests {
     /// large. The limits are what was measured, rounded up.
     #[test]
     fn ellipses_are_near_those_of_hertz() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         for (transverse, approach, peak) in [(0.23, 0.04, 0.08), (0.46, 0.05, 0.1), (1.2, 0.05, 0.1)] {
             let exact = HertzContact::exact(steel, 0.46, transverse, 50e3).unwrap();
             let contact = VirtualPenetration::new([steel; 2], strips(0.46, transverse)).unwrap();

@@ -180,13 +180,13 @@ mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
-    use crate::ElasticMaterial;
+    use crate::fixtures::steel;
     use crate::receptance::{Layer, ShearSection, Support};
 
     const SPACING: f64 = 0.6;
 
     fn even() -> PeriodicTrack {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let shear = ShearSection {
             area: 7.67e-3,
             shear_coefficient: 0.4,

@@ -108,14 +108,9 @@ impl Receptance for MovingBeam {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ElasticMaterial;
+    use crate::fixtures::rail;
     use crate::receptance::FreeBeam;
     use proptest::prelude::*;
-
-    fn rail() -> EulerBernoulliBeam {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-        EulerBernoulliBeam::new(steel, 2.35e-5, 56.0).unwrap()
-    }
 
     #[test]
     fn speed_zero_is_the_stationary_load() {

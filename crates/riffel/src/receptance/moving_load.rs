@@ -284,17 +284,9 @@ impl Polynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ElasticMaterial;
-    use crate::receptance::{EulerBernoulliBeam, MovingBeam, ShearSection};
+    use crate::fixtures::{rail, steel};
+    use crate::receptance::{MovingBeam, ShearSection};
     use proptest::prelude::*;
-
-    fn steel() -> ElasticMaterial {
-        ElasticMaterial::new(207e9, 0.3).unwrap()
-    }
-
-    fn rail() -> EulerBernoulliBeam {
-        EulerBernoulliBeam::new(steel(), 2.35e-5, 56.0).unwrap()
-    }
 
     fn shearing() -> Beam {
         let shear = ShearSection { area: 7.17e-3, shear_coefficient: 0.4, shear_modulus: 80e9, density: 7850.0 };

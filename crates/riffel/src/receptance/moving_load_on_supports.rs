@@ -166,16 +166,11 @@ impl Harmonics {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ElasticMaterial;
-    use crate::receptance::{CrossReceptance, Layer, ShearSection};
+    use crate::fixtures::{on_sleepers, steel};
+    use crate::receptance::{CrossReceptance, Layer};
 
     fn track() -> PeriodicTrack<Beam> {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-        let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
-        let rail = Beam::timoshenko(steel, 3.04e-5, 60.2, shear).and_then(|rail| rail.with_damping(300.0)).unwrap();
-        let layer = |stiffness, damping| Layer::new(stiffness, damping).unwrap();
-        let support = Support::two_layer(layer(300e6, 40e3), 150.0, layer(80e6, 80e3));
-        PeriodicTrack::new(rail, support.unwrap(), 0.6).unwrap()
+        on_sleepers(300.0)
     }
 
     /// A load that hardly moves is one at rest at each place: to the share of |n| > 8, which falls like n⁻² where
@@ -243,7 +238,7 @@ mod tests {
     fn moving_loads_from_loads_at_rest() {
         let soft = |stiffness, damping| Layer::new(stiffness, damping).unwrap();
         let support = Support::two_layer(soft(200e6, 80e3), 150.0, soft(80e6, 80e3)).unwrap();
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         // Without shear H has no kink at the force, and the integral over ω converges fast.
         let rail = crate::receptance::EulerBernoulliBeam::new(steel, 3.04e-5, 60.2).unwrap();
         let rail = Beam::from(rail).with_damping(6e3).unwrap();

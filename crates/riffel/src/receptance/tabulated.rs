@@ -196,10 +196,11 @@ impl Receptance for Tabulated {
 mod tests {
     use super::*;
     use crate::ElasticMaterial;
+    use crate::fixtures::steel;
     use crate::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack, ShearSection, Support};
 
     fn track(damping: f64) -> ContinuousTrack {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let rail = EulerBernoulliBeam::new(steel, 2.35e-5, 56.0).unwrap();
         let (pad, ballast) = (Layer::new(1.1e8, damping).unwrap(), Layer::new(8.6e7, damping).unwrap());
         ContinuousTrack::new(rail.into(), Support::two_layer(pad, 157.0, ballast).unwrap())

@@ -12,6 +12,7 @@ use riffel::receptance::{
 use riffel::wheelset::{Motion, RigidMass};
 use riffel::{Complex64, Direction, ElasticMaterial, Place, Rail, Receptance};
 
+use crate::fixtures;
 use crate::general_loop::{AMPLITUDE, close, contact, hertz, rolling, wheel};
 
 const COMPLIANT: [Motion<()>; 2] = [Motion::Compliant(()), Motion::Compliant(())];
@@ -24,12 +25,6 @@ fn axis(direction: Direction) -> usize {
         Direction::Lateral => 1,
         Direction::Vertical => 2,
     }
-}
-
-/// The rail of the paper, free and without loss.
-fn beam() -> EulerBernoulliBeam {
-    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-    EulerBernoulliBeam::new(steel, 2.35e-5, 56.0).unwrap()
 }
 
 /// Wavenumber √ω (m/EI)^{1/4} of that rail \[1/m\].
@@ -46,7 +41,7 @@ fn free_rail(w: f64, distance: f64) -> Complex64 {
 
 /// The rail as it is computed.
 fn rail() -> SpatialTrack {
-    SpatialTrack::free(Beam::from(beam()).into())
+    SpatialTrack::free(Beam::from(fixtures::rail()).into())
 }
 
 fn down(along: f64) -> Place {

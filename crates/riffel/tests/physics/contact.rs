@@ -1,12 +1,13 @@
 //! Convergence of the exact theory of rolling contact.
 
 use riffel::contact::HalfSpace;
-use riffel::{Complex64, ElasticMaterial, HertzContact};
+use riffel::{Complex64, HertzContact};
+
+use crate::fixtures::steel;
 
 /// Creep force and, at λ = 8a and over its quasi-static value, its response to creepage.
 fn at(across: usize) -> (f64, Complex64) {
-    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-    let hertz = HertzContact::exact(steel, 0.46, 0.23, 50e3).unwrap();
+    let hertz = HertzContact::exact(steel(), 0.46, 0.23, 50e3).unwrap();
     let contact = HalfSpace::new(hertz, 0.4, across).unwrap();
     let state = contact.roll(2.5e-4).unwrap();
     let response = |wavelength| contact.response(&state, wavelength).unwrap().by_longitudinal.force[0];

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
-use riffel::contact::{MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::forecast::{
     Forecast, GrowingSum, LINES_PER_BAND, MeanGrowth, MeasuredChange, MeasuredGrowth, Reach, SpeedDistribution,
@@ -14,31 +13,17 @@ use riffel::forecast::{
 use riffel::growth::Bay;
 use riffel::receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, Support};
 use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
-use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{
-    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, RollingContact,
-};
+use riffel::{ElasticMaterial, EnergyWear, Error, HertzContact, Loop};
+
+use crate::fixtures::{one_wheel, rail, steel};
 
 /// The nominal loop with a load, a tractive ratio and a wear coefficient.
 fn feedback(load: f64, ratio: f64, wear: f64) -> Result<Loop, Error> {
-    let steel = ElasticMaterial::new(207e9, 0.3)?;
-    let hertz = HertzContact::new(steel, 0.46, 0.23, load)?;
-    let contact = QuasiStatic::new(Carter3d::new(hertz, 0.4)?, load, MeanState::TractiveRatio(ratio))?;
-    let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
+    let hertz = HertzContact::new(steel(), 0.46, 0.23, load)?;
     OneWheel {
-        track: Arc::new(FreeBeam::new(EulerBernoulliBeam::new(steel, 2.35e-5, 56.0)?)),
-        wheel: Arc::new(RigidMass::new(350.0)?),
-        contact_stiffness: hertz.stiffness(),
-        wave: None,
-        place_of_wear: PlaceOfWear::new(
-            DissipationPhase::Lag,
-            hertz.semi_axis_longitudinal(),
-            contact.steady().tractive_ratio(),
-        ),
-        contact: Arc::new(contact),
-        rotation: Motion::compliant(RigidInertia::new(inertia, 0.46)?),
         wear: EnergyWear::new(wear, 7850.0, hertz.semi_axis_lateral())?,
         amplitude: 31.5e-6,
+        ..one_wheel(Arc::new(FreeBeam::new(rail())), hertz, 0.4, ratio)
     }
     .close()
 }

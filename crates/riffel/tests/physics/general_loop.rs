@@ -10,16 +10,17 @@ use riffel::growth::RowEvaluator;
 use riffel::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, Layer, Structure, Support, Uncoupled};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, Place, PlaceOfWear, Rail,
-    Receptance, RollingContact,
+    Complex64, DissipationPhase, EnergyWear, Error, HertzContact, Loop, Place, PlaceOfWear, Rail, Receptance,
+    RollingContact,
 };
+
+use crate::fixtures::steel;
 
 pub(crate) const AMPLITUDE: f64 = 20e-6;
 const RADIUS: f64 = 0.46;
 
 pub(crate) fn hertz() -> HertzContact {
-    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-    HertzContact::new(steel, RADIUS, 0.3, 60e3).unwrap()
+    HertzContact::new(steel(), RADIUS, 0.3, 60e3).unwrap()
 }
 
 /// The paper's law, which is alike in all directions, answering late.
@@ -30,8 +31,7 @@ pub(crate) fn rolling(longitudinal: f64, lateral: f64) -> Arc<dyn RollingContact
 }
 
 fn track() -> Arc<dyn Receptance> {
-    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-    let rail = Beam::from(EulerBernoulliBeam::new(steel, 3e-5, 60.0).unwrap());
+    let rail = Beam::from(EulerBernoulliBeam::new(steel(), 3e-5, 60.0).unwrap());
     let pad = Layer::new(200e6, 30e3).unwrap();
     Arc::new(ContinuousTrack::new(rail, Support::one_layer(pad)))
 }

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use proptest::prelude::*;
-use riffel::contact::{MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::growth::{Bay, GrowthOnIrregularSupports, RidgeRow, RidgeSearch, RowEvaluator};
 use riffel::receptance::{
@@ -12,10 +11,9 @@ use riffel::receptance::{
 };
 use riffel::tile::TILE;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{
-    Axis, Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap, HertzContact, Loop, LoopState,
-    PlaceOfWear, Receptance, Ridge, RollingContact,
-};
+use riffel::{Axis, ElasticMaterial, GrowthMap, HertzContact, Loop, LoopState, Receptance, Ridge};
+
+use crate::fixtures;
 
 /// The range of railways: from a metro car to a freight wagon, from wet to very dry rail.
 #[derive(Debug, Clone, Copy)]
@@ -68,26 +66,11 @@ impl Railway {
         let steel = ElasticMaterial::new(207e9, self.poisson_ratio).unwrap();
         let (radius, across) = (self.rolling_radius, self.transverse_radius);
         let hertz = HertzContact::new(steel, radius, across, self.normal_force).unwrap();
-        let contact = QuasiStatic::new(
-            Carter3d::new(hertz, self.friction).unwrap(),
-            hertz.normal_force(),
-            MeanState::TractiveRatio(self.tractive_ratio),
-        )
-        .unwrap();
         OneWheel {
-            track: Arc::new(track),
             wheel: Arc::new(RigidMass::new(self.wheel_mass).unwrap()),
-            contact_stiffness: hertz.stiffness(),
-            contact: Arc::new(contact),
             rotation,
-            wave: None,
-            place_of_wear: PlaceOfWear::new(
-                DissipationPhase::Lag,
-                hertz.semi_axis_longitudinal(),
-                contact.steady().tractive_ratio(),
-            ),
-            wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
             amplitude: 1e-5,
+            ..fixtures::one_wheel(Arc::new(track), hertz, self.friction, self.tractive_ratio)
         }
     }
 

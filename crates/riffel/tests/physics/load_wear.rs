@@ -8,32 +8,22 @@ use riffel::contact::{LoadWear, MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::receptance::RigidGround;
 use riffel::wheelset::{Motion, RigidMass, SprungMass};
-use riffel::{
-    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance,
-    RollingContact,
-};
+use riffel::{Carter3d, Loop, Receptance};
+
+use crate::fixtures::{hertz, one_wheel};
 
 /// A wheel on rigid ground on the spring of its contact.
 fn on_rigid_ground(wheel: impl Receptance + 'static, stiffness: f64) -> Loop {
-    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
-    let hertz = HertzContact::new(steel, 0.46, 0.23, 50e3).unwrap();
+    let hertz = hertz();
     let law = Carter3d::new(hertz, 0.4).unwrap();
     let rolling = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.3)).unwrap();
+    // The patch takes no part, so neither does the reading of its phase.
     OneWheel {
-        track: Arc::new(RigidGround),
         wheel: Arc::new(wheel),
         contact_stiffness: stiffness,
         contact: Arc::new(LoadWear::new(Arc::new(rolling))),
         rotation: Motion::Held,
-        // The patch takes no part, so neither does the reading of its phase.
-        wave: None,
-        place_of_wear: PlaceOfWear::new(
-            DissipationPhase::Lag,
-            hertz.semi_axis_longitudinal(),
-            rolling.steady().tractive_ratio(),
-        ),
-        wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
-        amplitude: 1e-5,
+        ..one_wheel(Arc::new(RigidGround), hertz, 0.4, 0.3)
     }
     .close()
     .unwrap()

@@ -3,6 +3,7 @@
 mod all_axes_in_time;
 mod closed_forms;
 mod contact;
+mod fixtures;
 mod forecast;
 mod general_loop;
 mod geometric_creepage;

@@ -11,9 +11,9 @@ use riffel::wheelset::{
     Axle, ContactGeometry, Disc, FlexibleWheelset, Motion, RigidBody, RigidInertia, RigidMass, RigidWheelset, Segment,
     Wheelset, WheelsetWithHubs,
 };
-use riffel::{
-    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, Rail, Receptance,
-};
+use riffel::{Complex64, ElasticMaterial, Error, HertzContact, Loop, Rail, Receptance};
+
+use crate::fixtures::{self, steel};
 
 const RADIUS: f64 = 0.46;
 const LOAD: f64 = 50e3;
@@ -21,13 +21,9 @@ const MASS: f64 = 350.0;
 const INERTIA: f64 = 27.7725;
 const AMPLITUDE: f64 = 1e-6;
 
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
-
 /// The contact of the paper on a wheel of the radius R/(1 + κ).
 fn hertz(curvature: f64) -> Result<HertzContact, Error> {
-    HertzContact::new(steel(), RADIUS, 0.23, LOAD)?.with_longitudinal_radius(RADIUS / (1.0 + curvature))
+    fixtures::hertz().with_longitudinal_radius(RADIUS / (1.0 + curvature))
 }
 
 fn law(curvature: f64) -> Result<Carter3d, Error> {
@@ -45,28 +41,19 @@ fn turning(mass: f64) -> RigidInertia {
 }
 
 fn free_beam() -> Arc<dyn Receptance> {
-    let rail = EulerBernoulliBeam::new(steel(), 4.8645e6 / 207e9, 56.0).unwrap();
-    Arc::new(FreeBeam::new(rail))
+    Arc::new(FreeBeam::new(EulerBernoulliBeam::new(steel(), 4.8645e6 / 207e9, 56.0).unwrap()))
 }
 
 /// The paper's wheel on waves that have a geometry, or on none.
 fn one_wheel(ratio: f64, on_waves: bool, mass: f64) -> OneWheel {
-    let of_contact = hertz(0.0).unwrap();
     let mean = MeanState::TractiveRatio(ratio);
     let rolling = QuasiStatic::new(law(0.0).unwrap(), LOAD, mean).unwrap();
-    let filter = CurvatureFilter::of(&of_contact).unwrap();
-    let patch = WavePatch::Ellipse(Arc::new(filter));
-    let a = of_contact.semi_axis_longitudinal();
+    let patch = WavePatch::Ellipse(Arc::new(CurvatureFilter::of(&fixtures::hertz()).unwrap()));
     OneWheel {
-        track: free_beam(),
-        wheel: rigid(MASS),
         rotation: Motion::compliant(turning(mass)),
-        contact_stiffness: of_contact.stiffness(),
         contact: Arc::new(rolling.on_waves(law).unwrap()),
-        place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, a, ratio),
         wave: on_waves.then(|| WaveGeometry::new(RADIUS, patch).unwrap()),
-        wear: EnergyWear::new(2.5e-9, 7850.0, of_contact.semi_axis_lateral()).unwrap(),
-        amplitude: AMPLITUDE,
+        ..fixtures::one_wheel(free_beam(), fixtures::hertz(), 0.4, ratio)
     }
 }
 

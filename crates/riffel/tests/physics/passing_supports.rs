@@ -10,48 +10,24 @@ use riffel::passage::{
     ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel, Sinusoid, StructuresInTime,
     WearOfPassages,
 };
-use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, Support};
+use riffel::receptance::{Beam, MovingLoadOnSupports, PeriodicTrack};
 use riffel::roughness::Profile;
-use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{
-    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance,
-    RollingContact,
-};
+use riffel::wheelset::{RigidInertia, RigidMass};
+use riffel::{Carter3d, Complex64, DissipationPhase, HertzContact, Loop, PlaceOfWear, Receptance, RollingContact};
+
+use crate::fixtures::{on_sleepers, one_wheel, steel};
 
 const SPACING: f64 = 0.6;
 const SPEED: f64 = 30.0;
 
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
-
-/// 60E1 on concrete sleepers with viscous loss everywhere: causal, and pinned-pinned at 1060 Hz.
 fn track() -> PeriodicTrack<Beam> {
-    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
-    let rail = Beam::timoshenko(steel(), 3.04e-5, 60.2, shear).and_then(|rail| rail.with_damping(1e4)).unwrap();
-    let layer = |stiffness, damping| Layer::new(stiffness, damping).unwrap();
-    let support = Support::two_layer(layer(300e6, 40e3), 150.0, layer(80e6, 80e3));
-    PeriodicTrack::new(rail, support.unwrap(), SPACING).unwrap()
+    on_sleepers(1e4)
 }
 
 fn feedback(amplitude: f64) -> Loop {
     let hertz = HertzContact::new(steel(), 0.46, 0.3, 50e3).unwrap();
-    let law = Carter3d::new(hertz, 0.35).unwrap();
-    let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.3)).unwrap();
-    let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
-    OneWheel {
-        track: Arc::new(track()),
-        wheel: Arc::new(RigidMass::new(350.0).unwrap()),
-        contact_stiffness: hertz.stiffness(),
-        contact: Arc::new(contact),
-        rotation: Motion::compliant(RigidInertia::new(inertia, 0.46).unwrap()),
-        wave: None,
-        place_of_wear: PlaceOfWear::new(DissipationPhase::None, 0.0, 0.3),
-        wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
-        amplitude,
-    }
-    .close()
-    .unwrap()
+    let place_of_wear = PlaceOfWear::new(DissipationPhase::None, 0.0, 0.3);
+    OneWheel { place_of_wear, amplitude, ..one_wheel(Arc::new(track()), hertz, 0.35, 0.3) }.close().unwrap()
 }
 
 fn moving(speed: f64) -> MovingLoadOnSupports {

@@ -7,12 +7,13 @@ use riffel::contact::{CreepLaw, Creepages, MeanState, QuasiStatic};
 use riffel::feedback::{Contact, Loop};
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, StructuresInTime};
 use riffel::receptance::{
-    Bar, Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, SpatialMovingLoad, SpatialRail, SpatialTrack,
-    Structure, Support, Supports, Uncoupled,
+    Bar, MovingLoadOnSupports, PeriodicTrack, SpatialMovingLoad, SpatialRail, SpatialTrack, Structure, Support,
+    Supports, Uncoupled,
 };
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{Carter3d, Complex64, Direction, ElasticMaterial, Place, Rail, RollingContact};
+use riffel::{Carter3d, Complex64, Direction, Place, Rail, RollingContact};
 
+use crate::fixtures::{layer, sheared as beam, sleepers as down, steel};
 use crate::general_loop::{contact, hertz};
 
 const SPACING: f64 = 0.6;
@@ -21,23 +22,6 @@ const MASS: f64 = 400.0;
 const INERTIA: f64 = 40.0;
 const RADIUS: f64 = 0.46;
 const LOAD: f64 = 60e3;
-
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
-
-fn beam(second_moment: f64, damping: f64) -> Beam {
-    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
-    Beam::timoshenko(steel(), second_moment, 60.2, shear).and_then(|rail| rail.with_damping(damping)).unwrap()
-}
-
-fn layer(stiffness: f64, damping: f64) -> Layer {
-    Layer::new(stiffness, damping).unwrap()
-}
-
-fn down() -> Support {
-    Support::two_layer(layer(300e6, 40e3), 150.0, layer(80e6, 80e3)).unwrap()
-}
 
 /// 60E1 that bends both ways and stretches, with so much viscous loss that the quadrature is quick.
 fn track() -> SpatialTrack {

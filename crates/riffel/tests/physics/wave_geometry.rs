@@ -12,9 +12,10 @@ use riffel::growth::RowEvaluator;
 use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Uncoupled};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, Rail, Receptance,
-    RollingContact,
+    Complex64, DissipationPhase, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, Rail, Receptance, RollingContact,
 };
+
+use crate::fixtures::{self, steel};
 
 const RADIUS: f64 = 0.46;
 const LOAD: f64 = 50e3;
@@ -23,8 +24,7 @@ const AMPLITUDE: f64 = 1e-6;
 
 /// The contact of the paper on a wheel of the radius R/(1 + κ).
 fn hertz(curvature: f64) -> Result<HertzContact, Error> {
-    let steel = ElasticMaterial::new(207e9, 0.3)?;
-    HertzContact::new(steel, RADIUS, 0.23, LOAD)?.with_longitudinal_radius(RADIUS / (1.0 + curvature))
+    fixtures::hertz().with_longitudinal_radius(RADIUS / (1.0 + curvature))
 }
 
 fn law(curvature: f64) -> Result<Carter3d, Error> {
@@ -46,24 +46,18 @@ fn wave(patch: WavePatch) -> Option<WaveGeometry> {
 }
 
 fn free_beam() -> Arc<dyn Receptance> {
-    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
     // EI = 4.8645 MN m².
-    let rail = EulerBernoulliBeam::new(steel, 4.8645e6 / 207e9, 56.0).unwrap();
-    Arc::new(FreeBeam::new(rail))
+    Arc::new(FreeBeam::new(EulerBernoulliBeam::new(steel(), 4.8645e6 / 207e9, 56.0).unwrap()))
 }
 
 fn one_wheel(ratio: f64, phase: DissipationPhase, inertia: f64) -> OneWheel {
-    let hertz = hertz(0.0).unwrap();
+    let hertz = fixtures::hertz();
     OneWheel {
-        track: free_beam(),
-        wheel: Arc::new(RigidMass::new(350.0).unwrap()),
         rotation: Motion::compliant(RigidInertia::new(inertia, RADIUS).unwrap()),
-        contact_stiffness: hertz.stiffness(),
         contact: Arc::new(rolling(ratio)),
         place_of_wear: PlaceOfWear::new(phase, hertz.semi_axis_longitudinal(), ratio),
         wave: wave(patch()),
-        wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
-        amplitude: AMPLITUDE,
+        ..fixtures::one_wheel(free_beam(), hertz, FRICTION, ratio)
     }
 }
 

@@ -6,14 +6,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use riffel::cancel::run_while;
 use riffel::contact::{CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, MeanState, QuasiStatic};
-use riffel::feedback::OneWheel;
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, StructuresInTime};
-use riffel::receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated};
-use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{
-    Axis, Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap, HertzContact, Loop,
-    PlaceOfWear, Receptance, Ridge,
-};
+use riffel::receptance::{Beam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated};
+use riffel::wheelset::{RigidInertia, RigidMass};
+use riffel::{Axis, Carter3d, Complex64, ElasticMaterial, GrowthMap, Loop, Receptance, Ridge};
+
+use crate::fixtures::{self, hertz, one_wheel};
 
 /// A structure that counts how often it is asked.
 struct Counted<R> {
@@ -33,10 +31,6 @@ impl<R: Receptance> Receptance for Counted<R> {
     }
 }
 
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
-
 /// UIC 60 on stiff pads, discrete, of a loss factor of 0.02.
 fn sleepers() -> PeriodicTrack {
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
@@ -53,26 +47,13 @@ fn sleepers() -> PeriodicTrack {
 /// The nominal wheel on a track that counts.
 fn feedback<R: Receptance + 'static>(structure: R, worth_tabulating: bool) -> (Loop, Arc<AtomicUsize>) {
     let asked = Arc::new(AtomicUsize::new(0));
-    let hertz = HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap();
-    let law = Carter3d::new(hertz, 0.4).unwrap();
-    let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.1)).unwrap();
-    let track = Counted { structure, asked: asked.clone(), worth_tabulating };
-    let feedback = OneWheel {
-        track: Arc::new(track),
-        wheel: Arc::new(RigidMass::new(350.0).unwrap()),
-        contact_stiffness: hertz.stiffness(),
-        contact: Arc::new(contact),
-        rotation: Motion::compliant(RigidInertia::new(27.77, 0.46).unwrap()),
-        wave: None,
-        place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, hertz.semi_axis_longitudinal(), 0.1),
-        wear: EnergyWear::new(1e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
-        amplitude: 20e-6,
-    };
+    let track = Arc::new(Counted { structure, asked: asked.clone(), worth_tabulating });
+    let feedback = one_wheel(track, hertz(), 0.4, 0.1);
     (feedback.close().unwrap(), asked)
 }
 
 fn rail() -> FreeBeam {
-    FreeBeam::new(EulerBernoulliBeam::new(steel(), 2.35e-5, 56.0).unwrap())
+    FreeBeam::new(fixtures::rail())
 }
 
 fn window() -> (Axis, Axis) {
@@ -146,7 +127,7 @@ fn fit_and_march_of_a_wheel() {
     let by_fit = track.asked.load(Ordering::Relaxed);
     assert!((1..=770).contains(&by_fit), "{by_fit} receptances for a fit");
 
-    let hertz = HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap();
+    let hertz = hertz();
     let law = Arc::new(CountedLaw { law: Carter3d::new(hertz, 0.4).unwrap(), asked: Arc::default() });
     let contact = QuasiStatic::new(law.clone(), 50e3, MeanState::TractiveRatio(0.1)).unwrap();
     let mean = riffel::RollingContact::steady(&contact);

@@ -259,17 +259,18 @@ impl HertzContact {
 mod tests {
     use super::*;
     use crate::contact::{ContactBody, EllipticContact};
+    use crate::fixtures::steel;
     use approx::assert_relative_eq;
 
     fn sphere(normal_force: f64) -> HertzContact {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         HertzContact::new(steel, 0.3, 0.3, normal_force).unwrap()
     }
 
     /// Radii of an ellipse are those that it was made of, and another stiffness goes over the load as Hertz's.
     #[test]
     fn an_ellipse_tells_its_radii() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         for (along, across) in [(0.46, 0.23), (0.46, 0.46), (0.3, 4.0), (0.9, 0.01)] {
             let hertz = HertzContact::exact(steel, 0.46, across, 60e3)
                 .and_then(|hertz| hertz.with_longitudinal_radius(along))
@@ -318,7 +319,7 @@ mod tests {
     /// `hertz.csv`: P, a, b, p₀, δ by exact elliptic integrals, to its six digits.
     #[test]
     fn exact_contact_is_the_reference() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         for [force, a, b, pressure, approach] in [
             [45e3, 5.73857e-3, 3.61872e-3, 1034.656e6, 64.262e-6],
             [50e3, 5.94369e-3, 3.74806e-3, 1071.639e6, 68.938e-6],
@@ -354,7 +355,7 @@ mod tests {
     /// An exact wheel on a rail is the general contact of its two bodies, under any load.
     #[test]
     fn exact_contact_is_that_of_two_bodies() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let contact = HertzContact::exact(steel, 0.46, 0.23, 50e3).unwrap().under(45e3);
         let body = |longitudinal_curvature, lateral_curvature| ContactBody {
             material: steel,
@@ -372,7 +373,7 @@ mod tests {
     /// The section of a conical wheel along the rail, in the plane of the normal, is curved by cos γ/R: from its points.
     #[test]
     fn a_wheel_is_flatter_under_a_contact_angle() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         for angle in [0.05_f64, 0.6, 1.2] {
             let radius = 0.46;
             // At the angle θ about the axle the cone r = R − y tan γ meets that plane at y; x ahead, h against the normal.
@@ -392,7 +393,7 @@ mod tests {
     /// The equivalent sphere has the area of the patch: c² = ab with c³ = 3 P R_e / 4E*.
     #[test]
     fn equivalent_radius_keeps_the_area() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         for make in [HertzContact::new, HertzContact::exact] {
             let contact = make(steel, 0.46, 0.23, 50e3).unwrap();
             let modulus = 207e9 / (2.0 * (1.0 - 0.09));

@@ -5,14 +5,14 @@ use num_complex::Complex64;
 use super::super::grid_sweep::GridSweep;
 use super::super::{Grid, Input};
 use super::*;
-use crate::ElasticMaterial;
+use crate::fixtures::steel;
 
 const FRICTION: f64 = 0.4;
 const LOAD: f64 = 50e3;
 const LIMIT: f64 = FRICTION * LOAD;
 
 fn hertz() -> HertzContact {
-    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+    let steel = steel();
     HertzContact::exact(steel, 0.3, 0.3, LOAD).unwrap()
 }
 

@@ -75,8 +75,8 @@ mod tests {
     use num_complex::Complex64;
 
     use super::*;
-    use crate::ElasticMaterial;
     use crate::contact::{HalfSpace, HertzContact, OscillatingCreepages};
+    use crate::fixtures::steel;
 
     /// Under a constant load and slip speed a wave of 12 µm leaves on the rail what the response at its frequency says, along with the
     /// creep force. Both grids of 24 elements: 0.03 of κ.
@@ -86,7 +86,7 @@ mod tests {
         const ACROSS: usize = 24;
         const PER_WAVE: usize = 100;
         const AMPLITUDE: f64 = 12e-6;
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let hertz = HertzContact::exact(steel, 0.46, 0.23, LOAD).unwrap();
         let half_space = HalfSpace::new(hertz, 0.4, ACROSS).unwrap();
         let state = half_space.roll_at_tractive_ratio(0.5).unwrap();

@@ -147,11 +147,11 @@ impl Degree {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ElasticMaterial;
     use crate::contact::{CurvatureFilter, HertzContact};
+    use crate::fixtures::steel;
 
     fn hertz(curvature: f64) -> HertzContact {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         HertzContact::exact(steel, 0.46 / (1.0 + curvature), 0.23, 50e3).unwrap()
     }
 

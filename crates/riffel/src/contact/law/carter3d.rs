@@ -125,13 +125,13 @@ impl CreepLaw for Carter3d {
 mod tests {
     use super::super::checks::{derivatives_match, grows_to_limit, stays_below_friction};
     use super::*;
-    use crate::ElasticMaterial;
     use crate::contact::{MeanState, QuasiStatic, RollingContact};
+    use crate::fixtures::steel;
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 
     fn law(normal_force: f64, friction: f64) -> Carter3d {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let hertz = HertzContact::new(steel, 0.46, 0.23, normal_force).unwrap();
         Carter3d::new(hertz, friction).unwrap()
     }

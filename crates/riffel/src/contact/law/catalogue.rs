@@ -144,13 +144,13 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ElasticMaterial;
     use crate::contact::{Creepages, MeanState, QuasiStatic, RollingContact};
+    use crate::fixtures::steel;
 
     /// Every entry builds, under a name of its own; far in full slip the force is most of friction times load.
     #[test]
     fn every_law_is_built_by_its_name() {
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let hertz = HertzContact::exact(steel, 0.46, 0.23, 50e3).unwrap();
         let inputs = CreepLawInputs {
             hertz,

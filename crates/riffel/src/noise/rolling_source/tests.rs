@@ -1,12 +1,13 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::contact::{ContactFilter, MeanState, QuasiStatic};
+use crate::contact::ContactFilter;
 use crate::feedback::OneWheel;
+use crate::fixtures;
 use crate::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack};
 use crate::roughness::{Spectrum, ThirdOctave};
 use crate::wheelset::{Motion, RigidInertia, RigidMass};
-use crate::{Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear};
+use crate::{DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear};
 
 const SPACING: f64 = 0.6;
 
@@ -28,18 +29,12 @@ fn even_track(pad: f64) -> ContinuousTrack {
 fn feedback(track: Arc<dyn crate::Receptance>) -> Loop {
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
     let hertz = HertzContact::new(steel, 0.46, 0.3, 50e3).unwrap();
-    let law = Carter3d::new(hertz, 0.4).unwrap();
-    let contact = QuasiStatic::new(law, hertz.normal_force(), MeanState::TractiveRatio(0.1)).unwrap();
     OneWheel {
-        track,
         wheel: Arc::new(RigidMass::new(600.0).unwrap()),
-        contact_stiffness: hertz.stiffness(),
-        contact: Arc::new(contact),
         rotation: Motion::compliant(RigidInertia::new(60.0, 0.46).unwrap()),
-        wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, 5e-3, 0.1),
         wear: EnergyWear::new(2.5e-9, 7850.0, 5e-3).unwrap(),
-        amplitude: 1e-6,
+        ..fixtures::one_wheel(track, hertz, 0.4, 0.1)
     }
     .close()
     .unwrap()

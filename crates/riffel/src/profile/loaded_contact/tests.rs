@@ -5,13 +5,10 @@ use approx::assert_relative_eq;
 use super::*;
 use crate::HertzContact;
 use crate::contact::HalfSpace;
+use crate::fixtures::steel;
 use crate::profile::{ContactSurface, NominalProfile, Profile, Track, Wheels};
 
 const RAIL_RADIUS: f64 = 0.3;
-
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
 
 /// A cylinder, with a flange far off, on the arc of a circle.
 fn circles() -> WheelsetOnTrack {

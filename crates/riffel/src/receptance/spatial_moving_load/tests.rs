@@ -1,24 +1,12 @@
 use super::*;
+use crate::fixtures::{layer, sheared as beam, steel};
 use crate::receptance::{
-    Bar, ContactPoint, EulerBernoulliBeam, FloquetWaves, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection,
-    SpatialRail, Structure, Support, Twist, TwistSection,
+    Bar, ContactPoint, EulerBernoulliBeam, FloquetWaves, MovingLoadOnSupports, PeriodicTrack, SpatialRail, Structure,
+    Support, Twist, TwistSection,
 };
-use crate::{Direction, ElasticMaterial, Rail};
+use crate::{Direction, Rail};
 
 const SPACING: f64 = 0.6;
-
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
-
-fn beam(second_moment: f64, damping: f64) -> Beam {
-    let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.4, shear_modulus: 79.6e9, density: 7850.0 };
-    Beam::timoshenko(steel(), second_moment, 60.2, shear).and_then(|rail| rail.with_damping(damping)).unwrap()
-}
-
-fn layer(stiffness: f64, damping: f64) -> Layer {
-    Layer::new(stiffness, damping).unwrap()
-}
 
 /// 60E1 that bends both ways and twists, on two layers of viscous loss downward and one across.
 fn track(twists: bool) -> SpatialTrack {

@@ -283,7 +283,8 @@ impl WheelsetWithHubs for FlexibleWheelset {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Complex64, ElasticMaterial};
+    use crate::Complex64;
+    use crate::fixtures::steel;
 
     const INERTIA: f64 = 38.0;
 
@@ -291,7 +292,7 @@ mod tests {
     /// stiffness.
     fn torsion(coupled: Option<CoupledInertia>) -> (FlexibleWheelset, f64) {
         let segment = Segment { length: 1.5, diameter: 0.16 };
-        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        let steel = steel();
         let axle = Axle::new(steel, 1e-9, vec![segment]).unwrap();
         let wheel = |position| Disc { position, mass: 330.0, polar_inertia: INERTIA, diametral_inertia: 20.0, coupled };
         let contacts = ContactGeometry { contact_spacing: 1.5, rolling_radius: 0.46 };

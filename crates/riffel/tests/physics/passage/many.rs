@@ -8,9 +8,10 @@ use riffel::damage::{
 };
 use riffel::passage::{DamageInTime, Evolution, EvolutionStep, PassageModel, PassingWheel, WearOfPassages};
 use riffel::roughness::Profile;
-use riffel::{DissipationPhase, HertzContact, Loop, PlaceOfWear, WearCorners, WearRegimes};
+use riffel::{DissipationPhase, Loop, PlaceOfWear, WearCorners, WearRegimes};
 
-use super::{RADIUS, at, both, carter, free_beam, steel, two_layers};
+use super::{at, both, carter, free_beam, two_layers};
+use crate::fixtures;
 
 /// Growth of two waves over many passages is that of the linear loop, to 2·10⁻³: Heun's steps of 8 % leave half of it; also by a law
 /// of wear with regimes, whose coefficient changes over the wave.
@@ -19,7 +20,7 @@ fn growth_over_passages_is_linear_growth() {
     for (track, regimes) in [(two_layers(), false), (free_beam(), false), (two_layers(), true)] {
         let (mut feedback, model) = both(track, carter, 0.3, 30.0, 1e-6);
         if regimes {
-            let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+            let hertz = fixtures::hertz();
             let corners = WearCorners::Rounded;
             let law = WearRegimes::TgammaArea { corners, spread: 0.5 };
             let wear = law.wear(&hertz, &feedback.contact.steady(), 7850.0, 1.0);
@@ -86,7 +87,7 @@ fn waves_under(
 #[test]
 fn flow_that_hardens_over_passages() {
     let (speed, wavelength, amplitude) = (14.0, 0.3, 2e-6);
-    let pressure = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap().peak_pressure();
+    let pressure = fixtures::hertz().peak_pressure();
     let (feedback, model) = both(two_layers(), carter, 0.6, speed, amplitude);
     let feedback = feedback.close().unwrap();
     let steady = feedback.contacts()[0].rolling.steady();
@@ -136,7 +137,7 @@ fn flow_that_hardens_over_passages() {
 #[test]
 fn laws_of_damage_over_passages_are_those_of_the_loop() {
     let (speed, wavelength, amplitude) = (20.0, 0.3, 2e-6);
-    let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+    let hertz = fixtures::hertz();
     let (feedback, model) = both(two_layers(), carter, 0.6, speed, amplitude);
     let feedback = feedback.close().unwrap();
     let steady = feedback.contacts()[0].rolling.steady();

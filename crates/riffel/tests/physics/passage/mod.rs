@@ -9,24 +9,15 @@ use std::sync::Arc;
 use riffel::contact::{CreepLaw, JohnsonVermeulen, MeanState, QuasiStatic, ShenHedrickElkins};
 use riffel::feedback::OneWheel;
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Settled, Sinusoid, StructuresInTime};
-use riffel::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support};
+use riffel::receptance::{Beam, ContinuousTrack, FreeBeam, Layer, ShearSection, Support};
 use riffel::roughness::Profile;
-use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{
-    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, LoopState, PlaceOfWear,
-    Receptance,
-};
+use riffel::wheelset::{RigidInertia, RigidMass};
+use riffel::{Carter3d, Complex64, DissipationPhase, Error, HertzContact, LoopState, PlaceOfWear, Receptance};
+
+use crate::fixtures::{hertz, layer, one_wheel, rail, steel};
 
 const RADIUS: f64 = 0.46;
 const MASS: f64 = 350.0;
-
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
-
-fn rail() -> EulerBernoulliBeam {
-    EulerBernoulliBeam::new(steel(), 2.35e-5, 56.0).unwrap()
-}
 
 fn timoshenko() -> Beam {
     let shear =
@@ -36,8 +27,8 @@ fn timoshenko() -> Beam {
 
 /// Two layers: stiffness and damping of pad and ballast.
 fn support(pad: [f64; 2], ballast: [f64; 2]) -> Support {
-    let layer = |[stiffness, damping]: [f64; 2]| Layer::new(stiffness, damping).unwrap();
-    let support = Support::two_layer(layer(pad), 110.0, layer(ballast)).unwrap();
+    let [pad, ballast] = [pad, ballast].map(|[stiffness, damping]| layer(stiffness, damping));
+    let support = Support::two_layer(pad, 110.0, ballast).unwrap();
     support.per_metre(0.7).unwrap()
 }
 
@@ -58,7 +49,7 @@ fn both(
     speed: f64,
     amplitude: f64,
 ) -> (OneWheel, PassageModel) {
-    let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+    let hertz = hertz();
     let law = law(hertz);
     let mean = MeanState::TractiveRatio(ratio);
     let contact = QuasiStatic::new(law.clone(), 50e3, mean).unwrap();
@@ -75,15 +66,10 @@ fn both(
         speed,
     };
     let feedback = OneWheel {
-        track,
-        wheel: Arc::new(wheel),
-        contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
-        rotation: Motion::compliant(rotation),
-        wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 0.0, ratio),
-        wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
         amplitude,
+        ..one_wheel(track, hertz, 0.4, ratio)
     };
     (feedback, passage)
 }

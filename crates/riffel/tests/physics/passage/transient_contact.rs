@@ -3,21 +3,22 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use riffel::Error;
 use riffel::contact::{CreepLaw, HalfSpace, HalfSpaceCurve, NonSteady, OscillatingCreepages};
 use riffel::feedback::OneWheel;
 use riffel::passage::{
     Evolution, EvolutionStep, LateContact, PassingWheel, Sinusoid, TransientContact, WearOfPassages,
 };
 use riffel::roughness::Profile;
-use riffel::{Error, HertzContact};
 
-use super::{RADIUS, at, both, carter, settle, steel, two_layers};
+use super::{at, both, carter, settle, two_layers};
+use crate::fixtures;
 
 /// A contact that answers late, by the exact theory: over waves as short as two semi-axes the first harmonics are those of the
 /// linear loop with the table of that contact, and growth is its growth rate.
 #[test]
 fn a_late_contact_is_that_of_the_linear_loop() {
-    let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+    let hertz = fixtures::hertz();
     let a = hertz.semi_axis_longitudinal();
     let contact = HalfSpace::new(hertz, 0.4, 24).unwrap();
     let state = contact.roll_at_tractive_ratio(0.4).unwrap();
@@ -74,7 +75,7 @@ fn a_late_contact_is_that_of_the_linear_loop() {
 /// errors reach a fifth of the harmonics).
 #[test]
 fn transient_contact_at_small_amplitude() {
-    let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+    let hertz = fixtures::hertz();
     let a = hertz.semi_axis_longitudinal();
     let contact = HalfSpace::new(hertz, 0.4, 32).unwrap();
     let state = contact.roll_at_tractive_ratio(0.4).unwrap();
@@ -108,12 +109,7 @@ fn transient_contact_at_small_amplitude() {
 fn transient_contact_that_is_lost() {
     let (_, model) = both(two_layers(), carter, 0.4, 30.0, 1.0);
     let profile = Sinusoid { amplitude: 200e-6, wavelength: 0.055 };
-    let contact = TransientContact {
-        hertz: HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap(),
-        friction: 0.4,
-        across: 16,
-        over_true_gap: false,
-    };
+    let contact = TransientContact { hertz: fixtures::hertz(), friction: 0.4, across: 16, over_true_gap: false };
     let got = model.settle_transient(profile, 256, contact).unwrap().settled;
     assert!(got.contact_loss > 0.05);
     for instant in &got.wave {

@@ -5,17 +5,9 @@ use num_complex::Complex64;
 
 use super::influence::Convolution;
 use super::*;
-use crate::ElasticMaterial;
 use crate::contact::NonSteady;
+use crate::fixtures::{hertz, steel};
 use every_direction::{derivatives, oblique};
-
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
-
-fn hertz() -> HertzContact {
-    HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap()
-}
 
 fn contact(across: usize) -> HalfSpace {
     HalfSpace::new(hertz(), 0.4, across).unwrap()

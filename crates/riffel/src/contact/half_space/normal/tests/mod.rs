@@ -7,10 +7,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::contact::{ContactBody, EllipticContact};
-
-fn steel() -> ElasticMaterial {
-    ElasticMaterial::new(207e9, 0.3).unwrap()
-}
+use crate::fixtures::steel;
 
 /// A wheel of the radius R on a rail of the transverse radius R_r \[m\].
 fn hertz(radii: (f64, f64), materials: [ElasticMaterial; 2], load: f64) -> EllipticContact {
