@@ -24,11 +24,15 @@ const TWO_WHEELSETS: &str = include_str!("../general-loop/two-wheelsets.toml");
 /// What a case writes after defaults and presets reads back as the same case, here and in another process.
 #[test]
 fn a_completed_case_reads_back() -> Result<(), CaseError> {
-    for text in [RIGID, STEPPED_AXLE, TRAIN, TWO_WHEELSETS] {
+    const SUSPENDED: &str = include_str!("../general-loop/rigid-suspended.toml");
+    const ANTIPHASE: &str = include_str!("../general-loop/flexible-antiphase.toml");
+    for text in [RIGID, SUSPENDED, TWIST, STEPPED_AXLE, ANTIPHASE, TRAIN, TWO_WHEELSETS] {
         let case = crate::parsed(text, &["contact.contact_angle=2°"])?;
         let printed = toml::to_string(&case.file).unwrap_or_default();
         let read = crate::parsed(&printed, &[])?;
         let restored = Case::restore(&case.portable(), None, None)?;
+        let as_json = serde_json::to_value(&case.file).unwrap();
+        assert_eq!(serde_json::from_value::<riffel_case::file::CaseFile>(as_json).unwrap(), case.file);
         for again in [read, restored] {
             assert_eq!(again.file, case.file, "{printed}");
             let growth = |case: &Case| case.feedback.at(0.05, 20.0).growth_rate;

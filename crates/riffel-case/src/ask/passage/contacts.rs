@@ -130,62 +130,6 @@ mod tests {
     use super::*;
     use crate::NOMINAL_CASE;
     use crate::fixtures::{case, trailer};
-    use riffel::Complex64;
-    use riffel::passage::Sinusoid;
-
-    /// Largest difference of the first harmonics of forces and creepages at any contact from those of the linear loop, each
-    /// over the largest of its kind.
-    fn off(case: &Case, wavelength: f64, speed: f64) -> f64 {
-        let amplitude = 1e-8;
-        let profile = Sinusoid { amplitude, wavelength };
-        let passage = case.in_time(speed).unwrap();
-        let settled = passage.settle(profile, 256).unwrap();
-        let linear = case.feedback.at(wavelength, speed);
-        let scale = amplitude / case.feedback.amplitude();
-        let [mut of_forces, mut of_creepages] = [Off::default(); 2];
-        for (contact, settled) in linear.contacts.iter().zip(&settled) {
-            let first = &settled.harmonics[1];
-            let forces = [first.tangential_force, first.lateral_force, first.normal_force];
-            let creepages = [first.creepage, first.lateral_creepage];
-            of_forces.add(&forces, &contact.force.map(|force| scale * force));
-            of_creepages.add(&creepages, &contact.creepage.map(|creep| scale * creep));
-        }
-        of_forces.relative().max(of_creepages.relative())
-    }
-
-    /// Largest difference and largest size.
-    #[derive(Clone, Copy, Default)]
-    struct Off([f64; 2]);
-
-    impl Off {
-        fn add(&mut self, got: &[Complex64], expected: &[Complex64]) {
-            for (got, expected) in got.iter().zip(expected) {
-                self.0[0] = self.0[0].max((got - expected).norm());
-                self.0[1] = self.0[1].max(expected.norm());
-            }
-        }
-
-        fn relative(&self) -> f64 {
-            self.0[0] / self.0[1]
-        }
-    }
-
-    /// First harmonics of small waves at every contact, over the largest; the fit of the structures and the step leave
-    /// 10⁻⁴.
-    #[test]
-    fn small_waves_are_those_of_the_linear_loop() {
-        let lone = ["contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}", "contact.creep_law=polach"];
-        let (antiphase, angle) = ("wheelset.opposite_rail=antiphase", "contact.contact_angle=\"5 deg\"");
-        let (absent, two) = ("wheelset.opposite_rail=absent", "train.wheels=[0, 2.1]");
-        for (case, wavelength, speed) in [
-            (case(NOMINAL_CASE, &lone), 0.12, 15.0),
-            (trailer(&[antiphase, angle]), 0.05, 20.0),
-            (trailer(&[absent, two]), 0.03, 12.0),
-        ] {
-            let off = off(&case, wavelength, speed);
-            assert!(off < 3e-4, "{wavelength} {speed}: {off:.1e}");
-        }
-    }
 
     /// Wheels on all axes pass discrete supports, but do not come to rest on them.
     #[test]

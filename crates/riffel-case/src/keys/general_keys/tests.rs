@@ -8,7 +8,8 @@ use riffel_keys::KeyFile;
 use super::wheelset::{RigidBodyKeys, WheelsetModelKeys};
 use super::*;
 use crate::NOMINAL_CASE;
-use crate::file::{CaseFile, Comb, WheelsetModel};
+use crate::file::{Comb, WheelsetModel};
+use crate::fixtures::{edits, mutated};
 use crate::keys::substitutes::Substitutes;
 use crate::parts::window::Window;
 use crate::text::case_text::CaseText;
@@ -28,31 +29,6 @@ fn reference(name: &str) -> String {
 
 fn general(text: &str, overrides: &[&str]) -> GeneralKeys {
     keys(text, overrides).unwrap().general().unwrap().unwrap()
-}
-
-/// Reference cases read, and what is printed of them reads back as the same case.
-#[test]
-fn reference_cases_read_and_read_back() {
-    for name in [
-        "rigid-spin.toml",
-        "rigid-suspended.toml",
-        "twist.toml",
-        "eight-wheels.toml",
-        "flexible-antiphase.toml",
-        "stepped-axle.toml",
-        "two-wheelsets.toml",
-    ] {
-        let text = reference(name);
-        let read = keys(&text, &[]).unwrap();
-        let general = read.general().unwrap();
-        assert!(general.is_some());
-        let printed = toml::to_string(&read.file).unwrap();
-        let again = keys(&printed, &[]).unwrap();
-        assert_eq!(again.file, read.file, "{printed}");
-        assert_eq!(again.general().unwrap(), general);
-        let as_json = serde_json::to_value(&read.file).unwrap();
-        assert_eq!(serde_json::from_value::<CaseFile>(as_json).unwrap(), read.file);
-    }
 }
 
 /// Keys with their overrides go to another process as text, and make the same case there.
@@ -204,30 +180,6 @@ fn files_are_relative_to_the_case() {
     assert!(error.contains("`wheelset.file` is a file"), "{error}");
 }
 
-/// Pieces that a mutation may put into a case file.
-const PIECES: [&str; 20] = [
-    "=",
-    "[",
-    "]",
-    "{",
-    "}",
-    "\"",
-    "\n",
-    ".",
-    ",",
-    "-",
-    "nan",
-    "1e999",
-    "0",
-    "-1",
-    "\"90 deg\"",
-    "\"0.3 1/m\"",
-    "[train]",
-    "[wheelset]",
-    "mass",
-    "segments",
-];
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
@@ -235,17 +187,11 @@ proptest! {
     /// with an error, and never panics.
     #[test]
     fn fuzz_general_case(
-        edits in prop::collection::vec((any::<prop::sample::Index>(), 0..12usize, 0..PIECES.len()), 1..5),
+        edits in edits(),
         stepped in any::<bool>(),
     ) {
         let name = if stepped { "stepped-axle.toml" } else { "rigid-suspended.toml" };
-        let mut text: Vec<char> = reference(name).chars().collect();
-        for (place, cut, piece) in edits {
-            let start = place.index(text.len());
-            let end = (start + cut).min(text.len());
-            text.splice(start..end, PIECES[piece].chars());
-        }
-        let text: String = text.into_iter().collect();
+        let text = mutated(&reference(name), &edits);
         match keys(&text, &[]).map(|keys| keys.general()) {
             Ok(general) => {
                 let words = format!("{:?}", general.unwrap());

@@ -7,6 +7,8 @@ use proptest::prelude::*;
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::CaseError;
 
+use crate::fixtures::{edits, mutated};
+
 fn parse(text: &str) -> Result<Case, CaseError> {
     Case::parse("case.toml", text, &[])
 }
@@ -210,34 +212,6 @@ fn the_schema_knows_every_key() {
     assert_eq!(schema["$defs"]["Contact"]["properties"]["normal_load"]["unit"], "N");
 }
 
-/// Pieces that a mutation may put into a case file.
-const PIECES: [&str; 24] = [
-    "=",
-    "[",
-    "]",
-    "{",
-    "}",
-    "\"",
-    "'",
-    "\n",
-    ".",
-    ",",
-    "#",
-    "-",
-    "1e999",
-    "nan",
-    "0",
-    "-1",
-    "\"5 kN/%\"",
-    "\"1 m-9\"",
-    "[contact]",
-    "points",
-    "wheel",
-    "creepage",
-    "µ",
-    "9999999999999999999999",
-];
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
@@ -245,17 +219,9 @@ proptest! {
     /// case or an error and never panics; a case it accepts can be computed.
     #[test]
     fn fuzz_case_file(
-        edits in prop::collection::vec((any::<prop::sample::Index>(), 0..12usize, 0..PIECES.len(), any::<bool>()), 1..6),
-        noise in "\\PC{0,8}",
+        edits in edits(),
     ) {
-        let mut text: Vec<char> = BHASKAR_TRACK_CASE.chars().collect();
-        for (place, cut, piece, insert_noise) in edits {
-            let start = place.index(text.len());
-            let end = (start + cut).min(text.len());
-            let piece = if insert_noise { noise.as_str() } else { PIECES[piece] };
-            text.splice(start..end, piece.chars());
-        }
-        let text: String = text.into_iter().collect();
+        let text = mutated(BHASKAR_TRACK_CASE, &edits);
         match parse(&text) {
             Ok(case) => {
                 let state = case.feedback.at(case.wavelength.min(), case.speed.min());
