@@ -373,8 +373,7 @@ mod tests {
     /// A chain that is written and read goes on bit for bit, through the end of a window.
     #[test]
     fn a_chain_that_was_kept_goes_on_with_the_same_draws() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let plan = root.join("../../validation/calibration/b-three-dates/plan.toml");
+        let plan = crate::fixtures::folder("b-three-dates").join("plan.toml");
         let posterior = crate::Plan::read(&plan).unwrap().posterior;
         let mut chain = Chain::begin(&posterior, 3, 1, 40).unwrap();
         (0..4).for_each(|_| drop(chain.draw(&posterior)));

@@ -26,7 +26,7 @@ const VALUES: [&str; 8] = [
 /// The plan of a problem: two to nine values, begun at another one each time, the levels of three bands at two to four dates, and
 /// one speed.
 pub(crate) fn plan(folder: &Path, problem: u64) -> Plan {
-    let set = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/calibration/b-three-dates");
+    let set = crate::fixtures::folder("b-three-dates");
     fs::copy(set.join("case.toml"), folder.join("case.toml")).unwrap();
     let traffic = fs::read_to_string(set.join("traffic.toml")).unwrap();
     let one_speed = traffic.replace("standard_deviation = \"8 km/h\"", "standard_deviation = \"0 km/h\"");

@@ -284,8 +284,7 @@ mod tests {
     /// mean, the gradient as the differences of the density have it, and along the model the density of the model.
     #[test]
     fn an_emulator_follows_its_model() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let plan = root.join("../../validation/calibration/b-three-dates/plan.toml");
+        let plan = crate::fixtures::folder("b-three-dates").join("plan.toml");
         let posterior = crate::Plan::read(&plan).unwrap().posterior;
         let middle = posterior.place(&[3.5e-9, 0.6, 0.17, 32.0, 2.5, 460.0, 2.3e8, 0.4]);
         let parameters = posterior.parameters();

@@ -179,8 +179,7 @@ mod tests {
     /// two alone, and along it the product stays.
     #[test]
     fn growth_leaves_the_share_of_traction_to_the_prior() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let plan = root.join("../../validation/calibration/b-three-dates/plan.toml");
+        let plan = crate::fixtures::folder("b-three-dates").join("plan.toml");
         let plan = Plan::read(&plan).unwrap();
         let parameters = plan.posterior.parameters();
         let values: Vec<f64> = parameters.iter().map(|it| it.prior.quantile(0.5)).collect();

@@ -24,6 +24,9 @@ mod emulator;
 mod ensemble;
 mod error;
 pub mod file;
+#[cfg(test)]
+#[path = "../tests/calibration/fixtures.rs"]
+mod fixtures;
 mod folder;
 mod forecast;
 mod gaussian;

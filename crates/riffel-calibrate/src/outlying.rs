@@ -113,8 +113,7 @@ mod tests {
 
     /// The third set with an error added to one of its data, held against its truth: draws about that would say the same.
     fn with_error(error: f64) -> Vec<Outlying> {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let plan = root.join("../../validation/calibration/c-all-together/plan.toml");
+        let plan = crate::fixtures::folder("c-all-together").join("plan.toml");
         let mut plan = Plan::read(&plan).unwrap();
         let medians = plan.posterior.parameters().iter();
         let values: Vec<f64> = medians.map(|it| it.prior.quantile(0.5)).collect();

@@ -102,8 +102,7 @@ mod tests {
     /// widely: of 94 data and 8 of a run a band of 90 % holds all but a tenth.
     #[test]
     fn data_stand_at_their_places_within_what_priors_predict() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let plan = root.join("../../validation/calibration/c-all-together/plan.toml");
+        let plan = crate::fixtures::folder("c-all-together").join("plan.toml");
         let plan = Plan::read(&plan).unwrap();
         let draw = |index: u64| {
             let values = plan.posterior.drawn_from_priors(&mut random(5, 0, index));

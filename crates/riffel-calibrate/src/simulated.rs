@@ -255,7 +255,6 @@ mod tests {
     use super::*;
     use crate::conjugate::U1;
     use riffel::roughness::Spectrum;
-    use std::path::Path;
 
     /// Ranks that fill all bins alike, one end, or the middle.
     #[test]
@@ -284,13 +283,8 @@ mod tests {
     /// Hammer, decay rates, dates and a run take other data in the order of their own, and a bound stays one only above the rate.
     #[test]
     fn every_kind_takes_simulated_data() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let set = root.join("../../validation/calibration/c-all-together");
         let folder = tempfile::TempDir::new().unwrap();
-        for entry in std::fs::read_dir(set).unwrap() {
-            let path = entry.unwrap().path();
-            std::fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
-        }
+        crate::fixtures::copy_set("c-all-together", folder.path());
         let decay = "frequency_hz,decay_rate_db_per_m,upper_bound\n500,10,0\n630,5,1\n";
         std::fs::write(folder.path().join("decay.csv"), decay).unwrap();
         let plan = Plan::read(&folder.path().join("plan.toml")).unwrap();
@@ -327,8 +321,7 @@ mod tests {
     /// 38 to 57 hold the truth but for one in a thousand of right samplers (binomial).
     #[test]
     fn the_truth_lies_anywhere_among_forecasts() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let set = root.join("../../validation/calibration/b-three-dates");
+        let set = crate::fixtures::folder("b-three-dates");
         let folder = tempfile::TempDir::new().unwrap();
         let path = folder.path().join("plan.toml");
         let head = "passages,wavelength_mm,level_db,standard_error_db\n";

@@ -331,8 +331,7 @@ mod tests {
     /// the two differ by √(w′² − w²) in standard deviation, taken four times. What is lost is how lines differ within a mean.
     #[test]
     fn means_of_lines_tell_what_all_lines_tell() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let plan = root.join("../../validation/calibration/a-hammer-and-decay/plan.toml");
+        let plan = crate::fixtures::folder("a-hammer-and-decay").join("plan.toml");
         let posterior = crate::Plan::read(&plan).unwrap().posterior;
         let values = [420e6, 0.22, 75e6, 0.9, 0.012, 0.05, 0.06];
         let place = posterior.place(&values);

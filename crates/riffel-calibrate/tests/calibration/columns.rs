@@ -8,10 +8,7 @@ use riffel_keys::{CaseError, Language};
 /// Set b or c with another text of one of its tables.
 fn with(set: &str, file: &str, text: &str) -> Result<Plan, CaseError> {
     let copy = tempfile::tempdir().unwrap();
-    for entry in fs::read_dir(crate::folder(set)).unwrap() {
-        let path = entry.unwrap().path();
-        fs::copy(&path, copy.path().join(path.file_name().unwrap())).unwrap();
-    }
+    crate::copy_set(set, copy.path());
     fs::write(copy.path().join(file), text).unwrap();
     Plan::read(&copy.path().join("plan.toml"))
 }

@@ -7,7 +7,7 @@ use riffel_calibrate::{Decision, Folder, Forecast, Plan};
 use riffel_study::Stop;
 use tempfile::TempDir;
 
-use crate::{folder, json};
+use crate::json;
 
 const DAYS_PER_MONTH: f64 = 365.2425 / 12.0;
 
@@ -20,9 +20,7 @@ type Asked = ([f64; 3], [[bool; 3]; 3]);
 /// A folder with the case and the traffic of set b, one uncertain value, and some rows of levels.
 fn one_value(rows: &str, more: &str) -> TempDir {
     let copy = TempDir::new().unwrap();
-    for name in ["case.toml", "traffic.toml", "friction.toml"] {
-        fs::copy(folder("b-three-dates").join(name), copy.path().join(name)).unwrap();
-    }
+    crate::copy_set("b-three-dates", copy.path());
     let head = "passages,wavelength_mm,level_db,standard_error_db\n";
     fs::write(copy.path().join("roughness.csv"), format!("{head}{rows}")).unwrap();
     let plan = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\

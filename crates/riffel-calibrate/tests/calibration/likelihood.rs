@@ -140,9 +140,7 @@ fn what_growth_cannot_tell_leaves_the_likelihood_alone() {
     let text = std::fs::read_to_string(crate::folder("b-three-dates").join("plan.toml")).unwrap();
     let with_friction = |friction: f64| {
         let copy = tempfile::tempdir().unwrap();
-        for file in ["case.toml", "traffic.toml", "roughness.csv", "soft-pads.toml", "friction.toml"] {
-            std::fs::copy(crate::folder("b-three-dates").join(file), copy.path().join(file)).unwrap();
-        }
+        crate::copy_set("b-three-dates", copy.path());
         let set = format!("case = \"case.toml\"\nset = {{ \"contact.friction\" = {friction} }}");
         let text = text.replacen("case = \"case.toml\"", &set, 1);
         std::fs::write(copy.path().join("plan.toml"), text).unwrap();

@@ -3,6 +3,7 @@
 mod columns;
 mod decision;
 mod drawn;
+mod fixtures;
 mod likelihood;
 mod posterior;
 mod profiles;
@@ -11,17 +12,11 @@ mod results;
 mod usual;
 mod wear;
 
-use std::path::PathBuf;
-
+use fixtures::{copy_set, folder};
 use riffel_calibrate::Plan;
 use serde_json::Value;
 
 const SETS: [&str; 3] = ["a-hammer-and-decay", "b-three-dates", "c-all-together"];
-
-fn folder(set: &str) -> PathBuf {
-    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    root.join("../../validation/calibration").join(set)
-}
 
 fn plan(set: &str) -> Plan {
     Plan::read(&folder(set).join("plan.toml")).unwrap()

@@ -62,9 +62,7 @@ fn rail(case: &Case, seed: u64, noise: f64) -> Vec<Vec<f64>> {
 
 /// A plan of set b with these profiles in place of its levels.
 fn plan(to: &Path, rails: &[Vec<f64>], keys: &str) -> Result<Plan, String> {
-    for file in ["case.toml", "traffic.toml"] {
-        fs::copy(folder("b-three-dates").join(file), to.join(file)).unwrap();
-    }
+    crate::copy_set("b-three-dates", to);
     let mut table = "passages,profile\n".to_owned();
     for ((date, heights), passages) in rails.iter().enumerate().zip(PASSAGES) {
         // Counted since the line was opened.

@@ -6,15 +6,12 @@ use riffel_calibrate::Plan;
 use riffel_keys::{CaseError, Language};
 use tempfile::TempDir;
 
-use crate::folder;
+use crate::{copy_set, folder};
 
 /// A copy of set b or c with a text in a file in place of another.
 fn changed(set: &str, file: &str, from: &str, to: &str) -> (TempDir, Result<Plan, CaseError>) {
     let copy = TempDir::new().unwrap();
-    for entry in fs::read_dir(folder(set)).unwrap() {
-        let path = entry.unwrap().path();
-        fs::copy(&path, copy.path().join(path.file_name().unwrap())).unwrap();
-    }
+    copy_set(set, copy.path());
     let path = copy.path().join(file);
     let text = fs::read_to_string(&path).unwrap();
     assert!(text.contains(from), "{from}");
@@ -26,176 +23,84 @@ fn changed(set: &str, file: &str, from: &str, to: &str) -> (TempDir, Result<Plan
 #[test]
 fn what_cannot_be_used_is_said() {
     let (b, c) = ("b-three-dates", "c-all-together");
-    for (set, file, from, to, parts) in [
+    // The file is the plan unless it is named; + stands for what was there.
+    for (set, from, to, parts) in [
         // Data outside the window of the case.
-        (b, "case.toml", "min = \"36 mm\"", "min = \"60 mm\"", &["50.1", "outside the window", "60.0"][..]),
+        (b, "case.toml: min = \"36 mm\"", "min = \"60 mm\"", &["50.1", "outside the window", "60.0"][..]),
         // Decisions.
-        (b, "plan.toml", "grinding = \"9000 EUR\"", "grinding = 9000", &["cost.grinding", "9000", "currency"]),
-        (b, "plan.toml", "\"12000 EUR\"", "\"12000 CHF\"", &["action[0].upkeep", "12000 CHF", "in EUR"]),
-        (b, "plan.toml", "deviation\" = 2.0", "deviation\" = -2.0", &["is -2", "greater than zero"]),
+        (b, "grinding = \"9000 EUR\"", "grinding = 9000", &["cost.grinding", "9000", "currency"]),
+        (b, "\"12000 EUR\"", "\"12000 CHF\"", &["action[0].upkeep", "12000 CHF", "in EUR"]),
+        (b, "deviation\" = 2.0", "deviation\" = -2.0", &["is -2", "greater than zero"]),
+        (b, "{ \"vehicle.speed.standard_deviation", "{ \"vehicle.speed", &["no [[parameter]]", "wheel.mass"]),
+        (b, "factor = 1.05", "factor = 0.95", &["measurement[0].factor", "0.95", "greater than one"]),
+        (b, "from_limit = \"-6 dB\"", "from_limit = \"6 dB\"", &["cost.from_limit", "6 dB", "below zero"]),
+        (b, "\"240 months\"", "\"240 moons\"", &["cost.horizon", "240 moons", "18 months"]),
         (
             b,
-            "plan.toml",
-            "{ \"vehicle.speed.standard_deviation",
-            "{ \"vehicle.speed",
-            &["no [[parameter]]", "wheel.mass"],
-        ),
-        (b, "plan.toml", "factor = 1.05", "factor = 0.95", &["measurement[0].factor", "0.95", "greater than one"]),
-        (b, "plan.toml", "from_limit = \"-6 dB\"", "from_limit = \"6 dB\"", &["cost.from_limit", "6 dB", "below zero"]),
-        (b, "plan.toml", "\"240 months\"", "\"240 moons\"", &["cost.horizon", "240 moons", "18 months"]),
-        (
-            b,
-            "plan.toml",
             "kind = \"dated-levels\"\nprice",
             "kind = \"decay-rate\"\nprice",
             &["measurement[1].kind", "decay-rate", "no such"],
         ),
-        (b, "plan.toml", "upkeep = \"4000 EUR\"", "investment = \"4000 EUR\"", &["action[1].life", "missing"]),
-        (b, "plan.toml", "grinding = \"9000 EUR\"", "grinding = \"9000 EUR\"\ndiscount = 3", &["discount"]),
-        (b, "friction.toml", "friction = 0.25", "frixion = 0.25", &["frixion"]),
-        (
-            b,
-            "plan.toml",
-            "grinding = \"9000 EUR\"",
-            "grinding = \"9000 EUR\"\nbudget = \"-1 EUR\"",
-            &["cost.budget", "-1 EUR", "zero or more"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "grinding = \"9000 EUR\"",
-            "grinding = \"9000 EUR\"\nnoise_limit = \"-3 dB\"",
-            &["cost.noise_limit", "-3 dB", "zero or more"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "grinding = \"9000 EUR\"",
-            "grinding = \"9000 EUR\"\nnoise_limit = 3",
-            &["cost.noise_limit", "3 dB"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "grinding = \"9000 EUR\"",
-            "grinding = \"9000 EUR\"\npossession_hours = \"40 h\"",
-            &["cost.grinding_hours", "missing"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "grinding = \"9000 EUR\"",
-            "grinding = \"9000 EUR\"\ngrinding_hours = \"6 EUR\"",
-            &["cost.grinding_hours", "6 EUR", "6 h"],
-        ),
+        (b, "upkeep = \"4000 EUR\"", "investment = \"4000 EUR\"", &["action[1].life", "missing"]),
+        (b, "grinding = \"9000 EUR\"", "+\ndiscount = 3", &["discount"]),
+        (b, "friction.toml: friction = 0.25", "frixion = 0.25", &["frixion"]),
+        (b, "grinding = \"9000 EUR\"", "+\nbudget = \"-1 EUR\"", &["cost.budget", "-1 EUR", "zero or more"]),
+        (b, "grinding = \"9000 EUR\"", "+\nnoise_limit = \"-3 dB\"", &["cost.noise_limit", "-3 dB", "zero or more"]),
+        (b, "grinding = \"9000 EUR\"", "+\nnoise_limit = 3", &["cost.noise_limit", "3 dB"]),
+        (b, "grinding = \"9000 EUR\"", "+\npossession_hours = \"40 h\"", &["cost.grinding_hours", "missing"]),
+        (b, "grinding = \"9000 EUR\"", "+\ngrinding_hours = \"6 EUR\"", &["cost.grinding_hours", "6 EUR", "6 h"]),
         // Comparisons.
+        (b, "[sampler]", "[hold_out]\ndate = \"latest\"\n+", &["hold_out.date", "latest", "\"last\"", "3500000"]),
+        (b, "[sampler]", "[hold_out]\ndate = 7\n+", &["hold_out.date", "7", "since the first"]),
+        (b, "[sampler]", "[hold_out]\nposition = \"0.3 m\"\n+", &["hold_out.position", "0.3 m", "two places"]),
+        (b, "[sampler]", "[hold_out]\ndata = \"growth\"\n+", &["hold_out.data", "growth", "only data"]),
+        (c, "[sampler]", "[hold_out]\ndata = \"axle-box\"\n+", &["hold_out.data", "axle-box", "by date"]),
+        (c, "[sampler]", "[hold_out]\ndata = \"hamer\"\n+", &["hold_out.data", "hamer", "no [[data]]", "decay"]),
+        (c, "[sampler]", "[hold_out]\ndate = \"last\"\ndata = \"decay\"\n+", &["hold_out", "must name one"]),
+        (b, "[sampler]", "[[compare]]\nset = { \"contact.creep_law\" = \"half-space\" }\n+", &["compare[0]", "title"]),
+        (b, "[sampler]", "[[compare]]\ntitle = \"same\"\n+", &["compare[0].set", "missing"]),
         (
             b,
-            "plan.toml",
             "[sampler]",
-            "[hold_out]\ndate = \"latest\"\n[sampler]",
-            &["hold_out.date", "latest", "\"last\"", "3500000"],
-        ),
-        (b, "plan.toml", "[sampler]", "[hold_out]\ndate = 7\n[sampler]", &["hold_out.date", "7", "since the first"]),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[hold_out]\nposition = \"0.3 m\"\n[sampler]",
-            &["hold_out.position", "0.3 m", "two places"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[hold_out]\ndata = \"growth\"\n[sampler]",
-            &["hold_out.data", "growth", "only data"],
-        ),
-        (
-            c,
-            "plan.toml",
-            "[sampler]",
-            "[hold_out]\ndata = \"axle-box\"\n[sampler]",
-            &["hold_out.data", "axle-box", "by date"],
-        ),
-        (
-            c,
-            "plan.toml",
-            "[sampler]",
-            "[hold_out]\ndata = \"hamer\"\n[sampler]",
-            &["hold_out.data", "hamer", "no [[data]]", "decay"],
-        ),
-        (
-            c,
-            "plan.toml",
-            "[sampler]",
-            "[hold_out]\ndate = \"last\"\ndata = \"decay\"\n[sampler]",
-            &["hold_out", "must name one"],
-        ),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[[compare]]\nset = { \"contact.creep_law\" = \"half-space\" }\n[sampler]",
-            &["compare[0]", "title"],
-        ),
-        (b, "plan.toml", "[sampler]", "[[compare]]\ntitle = \"same\"\n[sampler]", &["compare[0].set", "missing"]),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[[compare]]\ntitle = \"heavy\"\nset = { \"track.pad.stiffness\" = \"500 MN/m\" }\n[sampler]",
+            "[[compare]]\ntitle = \"heavy\"\nset = { \"track.pad.stiffness\" = \"500 MN/m\" }\n+",
             &["compare[0].set", "track.pad.stiffness", "uncertain"],
         ),
-        (
-            b,
-            "plan.toml",
-            "[sampler]",
-            "[[compare]]\ntitle = \"odd\"\nset = { \"contact.frixion\" = 1 }\n[sampler]",
-            &["odd", "frixion"],
-        ),
+        (b, "[sampler]", "[[compare]]\ntitle = \"odd\"\nset = { \"contact.frixion\" = 1 }\n+", &["odd", "frixion"]),
         (
             c,
-            "plan.toml",
             "[sampler]",
-            "[[compare]]\ntitle = \"hard\"\nwithout = [\"preload\"]\n[sampler]",
+            "[[compare]]\ntitle = \"hard\"\nwithout = [\"preload\"]\n+",
             &["compare[0].without", "preload", "preload_stiffening"],
         ),
         (
             c,
-            "plan.toml",
             "[sampler]",
-            "[[compare]]\ntitle = \"a\"\nwithout = [\"preload_stiffening\"]\n[[compare]]\ntitle = \"a\"\nset = { \"contact.friction\" = 0.3 }\n[sampler]",
+            "[[compare]]\ntitle = \"a\"\nwithout = [\"preload_stiffening\"]\n[[compare]]\ntitle = \"a\"\nset = { \"contact.friction\" = 0.3 }\n+",
             &["compare[1].title", "second time"],
         ),
         // The prior excludes what the case says.
-        (b, "plan.toml", "mean = \"110 km/h\"", "mean = \"200 km/h\"", &["excludes", "vehicle.speed.mean"]),
-        (b, "plan.toml", "min = 0.05, max = 0.95", "min = 0.6, max = 0.95", &["excludes 0.5"]),
-        (b, "plan.toml", "median = \"300 MN/m\"", "median = \"300 kg\"", &["lognormal.median", "300 kg"]),
-        (b, "plan.toml", "vehicle.tractive_ratio", "vehicle.tractiveratio", &["vehicle.tractiveratio"]),
-        (b, "plan.toml", "wheel.mass", "wheel.mas", &["wheel.mas", "no such key"]),
-        (b, "plan.toml", "traffic = \"traffic.toml\"", "", &["names no traffic"]),
-        (b, "plan.toml", "[sampler]", "[sampler]\nkind = \"gibbs\"", &["sampler.kind", "gibbs"]),
-        (b, "plan.toml", "[sampler]", "[sampler]\nkind = \"smc\"", &["`sampler.warmup` is 1000", "left out", "smc"]),
-        (b, "plan.toml", "unit = \"dB per 1e6 passages\"", "unit = \"dB\"", &["unit", "dB per 1e6 passages"]),
-        (b, "plan.toml", "first_level = \"flat\"", "first_level = \"normal\"", &["first_level", "flat"]),
-        (b, "plan.toml", "kernel = \"exponential\"", "kernel = \"linear\"", &["kernel", "matern-3/2"]),
+        (b, "mean = \"110 km/h\"", "mean = \"200 km/h\"", &["excludes", "vehicle.speed.mean"]),
+        (b, "min = 0.05, max = 0.95", "min = 0.6, max = 0.95", &["excludes 0.5"]),
+        (b, "median = \"300 MN/m\"", "median = \"300 kg\"", &["lognormal.median", "300 kg"]),
+        (b, "vehicle.tractive_ratio", "vehicle.tractiveratio", &["vehicle.tractiveratio"]),
+        (b, "wheel.mass", "wheel.mas", &["wheel.mas", "no such key"]),
+        (b, "traffic = \"traffic.toml\"", "", &["names no traffic"]),
+        (b, "[sampler]", "+\nkind = \"gibbs\"", &["sampler.kind", "gibbs"]),
+        (b, "[sampler]", "+\nkind = \"smc\"", &["`sampler.warmup` is 1000", "left out", "smc"]),
+        (b, "unit = \"dB per 1e6 passages\"", "unit = \"dB\"", &["unit", "dB per 1e6 passages"]),
+        (b, "first_level = \"flat\"", "first_level = \"normal\"", &["first_level", "flat"]),
+        (b, "kernel = \"exponential\"", "kernel = \"linear\"", &["kernel", "matern-3/2"]),
         // Units that are not those of the column.
-        (b, "roughness.csv", "level_db", "level_um", &["level_db", "level_um"]),
-        (b, "roughness.csv", "199.52623,1.8841084", "150,1.8841084", &["wavelength_mm", "150", "centre"]),
-        (c, "plan.toml", "averages = 8 ", "# averages = 8 ", &["averages", "coherence"]),
-        (
-            c,
-            "plan.toml",
-            "in_data = [\"growth\", \"axle-box\"]",
-            "in_data = [\"growth\", \"axlebox\"]",
-            &["axlebox", "no [[data]]"],
-        ),
-        (c, "plan.toml", "speed = \"100 km/h\"", "", &["speed", "missing"]),
-        (c, "plan.toml", "at_date = \"last\"", "at_date = \"latest\"", &["at_date", "latest"]),
-        (c, "plan.toml", "student_degrees = 5", "averages = 5", &["averages", "frequency-response"]),
+        (b, "roughness.csv: level_db", "level_um", &["level_db", "level_um"]),
+        (b, "roughness.csv: 199.52623,1.8841084", "150,1.8841084", &["wavelength_mm", "150", "centre"]),
+        (c, "averages = 8 ", "# averages = 8 ", &["averages", "coherence"]),
+        (c, "in_data = [\"growth\", \"axle-box\"]", "in_data = [\"growth\", \"axlebox\"]", &["axlebox", "no [[data]]"]),
+        (c, "speed = \"100 km/h\"", "", &["speed", "missing"]),
+        (c, "at_date = \"last\"", "at_date = \"latest\"", &["at_date", "latest"]),
+        (c, "student_degrees = 5", "averages = 5", &["averages", "frequency-response"]),
     ] {
-        let (_folder, plan) = changed(set, file, from, to);
+        let (file, from) = from.split_once(": ").unwrap_or(("plan.toml", from));
+        let (_folder, plan) = changed(set, file, from, &to.replace('+', from));
         let Err(error) = plan else {
             panic!("{to} is taken");
         };

@@ -8,13 +8,9 @@ use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Variant};
 use tempfile::TempDir;
 
-use crate::folder;
-
 /// A plan of the second set with one table of wear, and whether there is a traffic.
 fn plan(to: &TempDir, table: &str, traffic: bool) -> Result<Plan, String> {
-    for name in ["case.toml", "traffic.toml"] {
-        fs::copy(folder("b-three-dates").join(name), to.path().join(name)).unwrap();
-    }
+    crate::copy_set("b-three-dates", to.path());
     fs::write(to.path().join("wear.csv"), table).unwrap();
     let traffic = if traffic { "traffic = \"traffic.toml\"\n" } else { "" };
     let text = format!(

@@ -1,6 +1,6 @@
 //! Whether errors of levels are what they are taken for.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
@@ -12,11 +12,7 @@ use crate::data::differences;
 
 /// The third set with levels of trains beside the track, as a plan in a folder.
 fn heard(folder: &Path, levels: &str) -> Plan {
-    let set = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../validation/calibration/c-all-together");
-    for entry in std::fs::read_dir(set).unwrap() {
-        let path = entry.unwrap().path();
-        std::fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
-    }
+    crate::fixtures::copy_set("c-all-together", folder);
     std::fs::write(folder.join("pass-by.csv"), levels).unwrap();
     let plan = folder.join("plan.toml");
     let text = std::fs::read_to_string(&plan).unwrap();
