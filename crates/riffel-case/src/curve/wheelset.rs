@@ -36,6 +36,11 @@ impl SharedProfiles {
     pub(crate) fn kept() -> Self {
         Self { wheelsets: Shared::kept(), surfaces: Shared::kept() }
     }
+
+    /// These, or others that are kept where these are not.
+    pub(crate) fn or_kept(&self) -> Self {
+        if self.wheelsets.is_kept() { self.clone() } else { Self::kept() }
+    }
 }
 
 /// Lateral shift \[m\] over which the contact of a wheelset is tabulated.

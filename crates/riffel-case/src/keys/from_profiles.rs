@@ -4,7 +4,7 @@ use riffel::Rail;
 use riffel::profile::{Profile, ProfileContact, WheelsetContact};
 use riffel_keys::CaseError;
 
-use crate::curve::CurvingCase;
+use crate::curve::{CurvingCase, Equilibrium};
 
 /// A contact is that of the equilibrium if its angle is within this of it \[rad\]: positions between the rows of the table are
 /// interpolated, and those under load lie beside the rigid ones.
@@ -21,36 +21,41 @@ pub(crate) struct PlaceOnRail {
     pub(crate) rail_curvature: f64,
 }
 
-impl CurvingCase {
-    /// Where the wheel on a rail stands at a lateral shift \[m\] under a contact angle \[rad\]; none on cones, and where no rigid contact has that
-    /// angle.
+impl Equilibrium {
+    /// Where a wheel of the first state stands on its rail under a contact angle \[rad\]; none on cones, and where no rigid contact has
+    /// that angle.
     ///
     /// # Errors
     /// [`CaseError`] for profiles that cannot be read.
     pub(crate) fn place_on_rail(
         &self,
+        wheelset: usize,
         rail: Rail,
-        lateral_shift: f64,
         contact_angle: f64,
     ) -> Result<Option<PlaceOnRail>, CaseError> {
-        let profiles = self.file.profiles.as_ref();
+        let profiles = self.curving.file.profiles.as_ref();
         if profiles.is_none_or(|profiles| profiles.wheel == "cone") {
             return Ok(None);
         }
-        let wheelset = self.wheelset_on_track()?;
-        let index = usize::from(rail == Rail::Right);
-        let shifts = BESIDE.map(|beside| lateral_shift + beside);
-        let found = shifts.iter().filter_map(|&shift| Some(wheelset.contact(shift, 0.0).ok()?.contacts[index]));
+        let on_track = self.curving.wheelset_on_track()?;
+        let beside = self.beside[wheelset].get_or_init(|| {
+            let shift = self.states[0].wheelsets[wheelset].lateral_shift;
+            let contacts = BESIDE.iter().filter_map(|beside| on_track.contact(shift + beside, 0.0).ok());
+            contacts.map(|contact| contact.contacts).collect()
+        });
+        let found = beside.iter().map(|contacts| contacts[usize::from(rail == Rail::Right)]);
         let off = |contact: &ProfileContact| (contact.contact_angle - contact_angle).abs();
         let nearest = found.min_by(|one, other| off(one).total_cmp(&off(other)));
         let Some(contact) = nearest.filter(|contact| off(contact) < SAME_ANGLE) else {
             return Ok(None);
         };
         let [_, across, below] = contact.on_track;
-        let outward = self.outward_on_rail(rail, [across, below])?;
+        let outward = self.curving.outward_on_rail(rail, [across, below])?;
         Ok(outward.map(|outward| PlaceOnRail { outward, rail_curvature: contact.rail_curvature }))
     }
+}
 
+impl CurvingCase {
     /// From the axis of the upright rail to the field side \[m\], of a point to the right of the middle of the track and below the
     /// crowns \[m\].
     pub(crate) fn outward_on_rail(&self, rail: Rail, [across, below]: [f64; 2]) -> Result<Option<f64>, CaseError> {

@@ -89,6 +89,7 @@ impl Traffic {
                 curving = curving.with(&format!("{key}={value}"))?;
             }
         }
+        curving.shared = case.keys.given.profiles.or_kept();
         let vehicle = curving.vehicle_in_curve()?;
         Ok(Some(ThroughCurve { curving, vehicle }))
     }
@@ -105,7 +106,7 @@ impl ThroughCurve {
         let mut vehicle = self.vehicle.clone();
         vehicle.curve.speed = speed;
         let state = self.curving.equilibrium(&vehicle)?;
-        Ok(Equilibrium { curving: self.curving.clone(), states: vec![state], vehicle })
+        Ok(Equilibrium::new(self.curving.clone(), vehicle, vec![state]))
     }
 }
 

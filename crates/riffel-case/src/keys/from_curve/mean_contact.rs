@@ -1,11 +1,11 @@
 //! What the equilibrium of a vehicle says of one contact.
 
 use riffel::contact::Creepages;
-use riffel::curving::{VehicleState, WheelState};
+use riffel::curving::WheelState;
 use riffel::{HertzContact, Rail};
 use riffel_keys::{CaseError, number, say};
 
-use crate::curve::CurvingCase;
+use crate::curve::{CurvingCase, Equilibrium};
 use crate::file::{ContactOfWheel, FromCurve};
 use crate::keys::from_profiles::PlaceOnRail;
 use crate::text::case_text::CaseText;
@@ -48,10 +48,10 @@ impl CaseText {
     pub(super) fn contact_of(
         &self,
         from: &FromCurve,
-        curving: &CurvingCase,
-        state: &VehicleState,
+        equilibrium: &Equilibrium,
         rail: Rail,
     ) -> Result<MeanContact, CaseError> {
+        let (curving, state) = (&equilibrium.curving, &equilibrium.states[0]);
         let is_it = |wheel: &&WheelState| wheel.wheelset == usize::from(from.wheelset) && wheel.rail == rail;
         let Some(wheel) = state.wheels.iter().find(is_it) else {
             unreachable!("every wheelset has a wheel on either rail")
@@ -84,7 +84,7 @@ impl CaseText {
             lateral_shift: shift,
             stiffness: None,
             longitudinal_radius: wheel.rolling_radius / wheel.contact_angle.cos(),
-            place: curving.place_on_rail(rail, shift, wheel.contact_angle)?,
+            place: equilibrium.place_on_rail(wheelset, rail, wheel.contact_angle)?,
             normal_force: wheel.normal_force,
             transverse_radius: radius_of(wheel.lateral_curvature),
             friction,

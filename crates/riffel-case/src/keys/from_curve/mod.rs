@@ -71,7 +71,7 @@ impl CaseText {
             true => vec![curving.equilibrium(&vehicle)?],
             false => curving.equilibria(&vehicle)?,
         };
-        self.fill_in_of(&from, &Equilibrium { curving, vehicle, states }, given.quick)
+        self.fill_in_of(&from, &Equilibrium::new(curving, vehicle, states), given.quick)
     }
 
     /// `Ok` if a vehicle has the wheelset that is asked for.
@@ -91,7 +91,7 @@ impl CaseText {
 
     /// The keys of one contact in an equilibrium; quickly, one of many, without the remarks that take a contact under load.
     fn fill_in_of(&mut self, from: &FromCurve, equilibrium: &Equilibrium, quick: bool) -> Result<(), CaseError> {
-        let Equilibrium { curving, vehicle, states } = equilibrium;
+        let Equilibrium { curving, vehicle, states, .. } = equilibrium;
         self.curve_remarks.extend(curving.remarks_of_profiles()?);
         let radius = vehicle.curve.radius;
         let rail = from.rail.in_curve(radius);
@@ -103,7 +103,7 @@ impl CaseText {
             self.curve_remarks.push(say!(several_equilibria, count = states.len(), which));
         }
         let file = &curving.file;
-        let mut study = self.contact_of(from, curving, &states[0], rail)?;
+        let mut study = self.contact_of(from, equilibrium, rail)?;
         let has_wheelset = self.keys.has("wheelset");
         if has_wheelset && self.keys.has("wheelset.rail") {
             let written = self.keys.text_of("wheelset.rail").unwrap_or_default();
@@ -163,11 +163,11 @@ impl CaseText {
         if opposite.is_none_or(|kind| kind == "absent") {
             return Ok(());
         }
-        let Equilibrium { curving, vehicle, states } = equilibrium;
+        let Equilibrium { curving, vehicle, .. } = equilibrium;
         let rail = from.rail.in_curve(vehicle.curve.radius).opposite();
         let told = self.curve_remarks.len();
         let on_tread = FromCurve { contact: None, ..from.clone() };
-        let mut other = self.contact_of(&on_tread, curving, &states[0], rail)?;
+        let mut other = self.contact_of(&on_tread, equilibrium, rail)?;
         // Nothing will be said of a smooth rail.
         self.take_patch(from.patch.unwrap_or_default(), curving, rail, &mut other, quick || is_smooth)?;
         self.put_friction("opposite_contact", other.friction, instead);
