@@ -104,6 +104,7 @@ pub mod feedback;
 pub mod forecast;
 pub mod growth;
 mod mean_wear;
+mod memory;
 pub mod noise;
 pub mod numerics;
 pub mod paper;

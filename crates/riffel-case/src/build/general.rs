@@ -5,9 +5,9 @@ use std::sync::Arc;
 use riffel::contact::{Conformity, CreepLaw, MeanState, MovingContact, OscillatingCreepages};
 use riffel::feedback::{Contact, NormalDirection};
 use riffel::receptance::{
-    ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
+    ContactPoint, RememberingTrack, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
 };
-use riffel::wheelset::Motion;
+use riffel::wheelset::{Motion, RememberingWheelset};
 use riffel::{Direction, ElasticMaterial, HertzContact, Loop, Rail, Receptance, STEEL_DENSITY};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 
@@ -16,7 +16,7 @@ use crate::file::{Comb, Rotation, TrackModel};
 use crate::keys::checked_keys::CheckedKeys;
 use crate::keys::general_keys::{ConformityKeys, ContactKeys, GeneralKeys, TwistKeys};
 use crate::parts::track::Track;
-use crate::parts::wheelset::CaseWheelset;
+use crate::parts::wheelset::BuiltWheelset;
 
 /// One side of the wheelsets: its contact but for where it stands.
 struct Side {
@@ -74,7 +74,7 @@ impl CheckedKeys {
         let spatial = self.spatial_track(keys, steel, &points, &mut remarks)?;
         let lateral_resonances = spatial.as_ref().map(SpatialTrack::lateral_resonances);
         let track: Arc<dyn Structure> = match spatial {
-            Some(spatial) => Arc::new(spatial),
+            Some(spatial) => self.remembering(spatial)?,
             None => {
                 Arc::new(Uncoupled { longitudinal: None, lateral: None, vertical: Some(vertical.receptance.clone()) })
             }
@@ -84,10 +84,11 @@ impl CheckedKeys {
             let radius = hertz.rolling_radius();
             self.wheelset(wheelset, radius, keys.rail, &mut remarks)
         });
-        let (wheelset, wheels): (_, Arc<dyn Structure>) = match wheelset.transpose()? {
-            Some((wheelset, Some(kept))) => (Some(wheelset), kept),
-            Some((wheelset, None)) => (Some(wheelset.clone()), wheelset),
-            None => (None, self.lone_wheels(hertz, &mut remarks)?),
+        let wheelset = wheelset.transpose()?;
+        let wheels: Arc<dyn Structure> = match &wheelset {
+            Some((_, Some(kept))) => kept.clone(),
+            Some((wheelset, None)) => wheelset.clone(),
+            None => self.lone_wheels(hertz, &mut remarks)?,
         };
         let amplitude = self.file.corrugation.amplitude.si();
         let feedback = Loop::new(track, wheels, contacts, amplitude);
@@ -108,22 +109,35 @@ impl CheckedKeys {
             hertz,
             steady,
             law,
-            wheelset,
+            wheelset: wheelset.map(|(wheelset, _)| wheelset),
             spatial_track: spatial,
             lateral_resonances: lateral_resonances.unwrap_or_default(),
             remarks,
         })
     }
 
+    /// The track, with a memory of its motions where the case shares its parts.
+    fn remembering(&self, track: SpatialTrack) -> Result<Arc<dyn Structure>, CaseError> {
+        let tracks = &self.given.tracks;
+        if !tracks.is_kept() {
+            return Ok(Arc::new(track));
+        }
+        let but_for_contacts =
+            Rail::BOTH.into_iter().fold(track, |track, rail| track.with_contact(rail, ContactPoint::default()));
+        let memory = tracks.get(|| format!("{but_for_contacts:?}"), || Ok(Arc::default()))?;
+        Ok(Arc::new(RememberingTrack::new(track, memory)))
+    }
+
     /// The loop of wheelsets, whose normal forces turn with the wave where the case says so.
-    fn with_direction_of_wheelsets(&self, feedback: Loop, wheelset: &CaseWheelset) -> Result<Loop, CaseError> {
+    fn with_direction_of_wheelsets(&self, feedback: Loop, (wheelset, kept): &BuiltWheelset) -> Result<Loop, CaseError> {
         let Some(keys) = &self.file.wheelset else {
             return Ok(feedback);
         };
         if !keys.normal_direction {
             return Ok(feedback);
         }
-        let Some(hubs) = wheelset.with_hubs() else {
+        let hubs = kept.as_ref().map_or_else(|| wheelset.with_hubs(), RememberingWheelset::with_hubs);
+        let Some(hubs) = hubs else {
             return Err(self.text.keys.invalid(
                 "wheelset.normal_direction",
                 say!(is_true_but_wheelset_model_tells, model = keys.model.name()),

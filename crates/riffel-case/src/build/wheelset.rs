@@ -34,7 +34,7 @@ impl CheckedKeys {
                     || format!("{keys:?} {rolling_radius:?}"),
                     || {
                         let wheelset = Arc::new(new()?);
-                        let remembering = || Arc::new(RememberingWheelset::new(wheelset.clone()));
+                        let remembering = || Arc::new(RememberingWheelset::new(wheelset.clone(), wheelset.with_hubs()));
                         let remembering = wheelsets.is_kept().then(remembering);
                         Ok((wheelset, remembering))
                     },

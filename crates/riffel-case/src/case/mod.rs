@@ -233,6 +233,7 @@ impl Case {
         let mut case = self.clone();
         case.keys.given.tables = Shared::kept();
         case.keys.given.wheelsets = Shared::kept();
+        case.keys.given.tracks = Shared::kept();
         case.sharing_profiles()
     }
 

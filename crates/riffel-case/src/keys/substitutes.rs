@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use riffel::receptance::MeasuredReceptance;
+use riffel::receptance::{MeasuredReceptance, TrackMemory};
 use riffel::{Receptance, RollingContact};
 use riffel_keys::{CaseError, Message};
 use riffel_rail::response::{self, UniversalFunction};
@@ -89,6 +89,8 @@ pub(crate) struct Substitutes {
     pub(crate) tables: Shared<Arc<dyn RollingContact>>,
     /// Wheelsets that other cases have, too: of a vehicle in its curve every wheel at every speed has a case of its own.
     pub(crate) wheelsets: Shared<BuiltWheelset>,
+    /// Memories of tracks that differ from those of other cases in their points of contact alone.
+    pub(crate) tracks: Shared<Arc<TrackMemory>>,
     /// Profiles on their track that other cases have, too.
     pub(crate) profiles: SharedProfiles,
     /// Whether it is one of many cases, without the remarks that cost time.

@@ -87,4 +87,4 @@ impl CaseWheelset {
 }
 
 /// A wheelset, and beside it, where cases share their parts, the same with a memory of what it answered.
-pub(crate) type BuiltWheelset = (Arc<CaseWheelset>, Option<Arc<RememberingWheelset<Arc<CaseWheelset>>>>);
+pub(crate) type BuiltWheelset = (Arc<CaseWheelset>, Option<Arc<RememberingWheelset>>);

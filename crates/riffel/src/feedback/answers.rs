@@ -79,26 +79,24 @@ impl Answers {
         &self.wavenumbers
     }
 
-    /// Answers of each contact, in their order.
+    /// Answers of a contact, by its number.
     #[inline(always)]
-    pub(super) fn of_contacts<S: Simd>(&self) -> impl Iterator<Item = Answer<Vector<S>>> {
-        let (contacts, _) = Vector::<S>::row(&self.numbers).as_chunks::<NUMBERS>();
-        contacts.iter().map(|&numbers| {
-            let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = numbers.map(Vector::from);
-            Answer {
-                force_by_load: [a, b],
-                force_by_creepage: [[c, d], [e, f]],
-                profile: g,
-                force_by_shift: [h, i],
-                approach_by_shift: j,
-                roll: k,
-                growth_by_load: l,
-                growth_by_creepage: [m, n],
-                growth_by_shift: o,
-                force_by_profile: [p, q],
-                growth_by_profile: r,
-            }
-        })
+    pub(super) fn of_contact<S: Simd>(&self, index: usize) -> Answer<Vector<S>> {
+        let numbers = &Vector::<S>::row(&self.numbers)[NUMBERS * index..][..NUMBERS];
+        let at = |number: usize| numbers[number].into();
+        Answer {
+            force_by_load: [at(0), at(1)],
+            force_by_creepage: [[at(2), at(3)], [at(4), at(5)]],
+            profile: at(6),
+            force_by_shift: [at(7), at(8)],
+            approach_by_shift: at(9),
+            roll: at(10),
+            growth_by_load: at(11),
+            growth_by_creepage: [at(12), at(13)],
+            growth_by_shift: at(14),
+            force_by_profile: [at(15), at(16)],
+            growth_by_profile: at(17),
+        }
     }
 }
 

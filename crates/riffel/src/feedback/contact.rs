@@ -96,14 +96,21 @@ impl Contact {
         self.moving.is_some_and(|moving| moving.effects.rail_roll)
     }
 
-    /// Turn the rows of three axes from those of the track to those of the contact,
+    /// Turn the rows of three axes from those of the track to those of the contact, by what this hands out:
     /// u_t = u_y cos γ ∓ u_z sin γ and u_n = u_z cos γ ± u_y sin γ, upper sign on the right rail.
-    pub(super) fn turn(&self, lateral: &mut Complex64, vertical: &mut Complex64) {
-        let (sine, cosine) = match self.rail {
+    pub(super) fn turning(&self) -> impl Fn(&mut Complex64, &mut Complex64) + use<> {
+        let (sine, cosine) = self.sine_and_cosine();
+        move |lateral, vertical| {
+            (*lateral, *vertical) = (*lateral * cosine - *vertical * sine, *vertical * cosine + *lateral * sine);
+        }
+    }
+
+    /// ± sin γ and cos γ of the contact angle, upper sign on the right rail.
+    pub(super) fn sine_and_cosine(&self) -> (f64, f64) {
+        match self.rail {
             Rail::Right => self.angle.sin_cos(),
             Rail::Left => (-self.angle).sin_cos(),
-        };
-        (*lateral, *vertical) = (*lateral * cosine - *vertical * sine, *vertical * cosine + *lateral * sine);
+        }
     }
 
     /// `Ok` if its numbers are those of a contact, and its creep forces answer to all that moves.

@@ -30,8 +30,12 @@ impl LineGroup {
         }
         let groups = wavelengths.chunks(lanes_of(Arch::new()));
         let groups = groups.map(|wavelengths| {
-            let (first, _) = places.first()?;
-            let wheels = Arc::new(Remembered::new(first.wheels.clone()));
+            let (first, others) = places.split_first()?;
+            // A wheel at one place asks for nothing twice.
+            let wheels: Arc<dyn Structure> = match others {
+                [] => first.0.wheels.clone(),
+                _ => Arc::new(Remembered::new(first.0.wheels.clone())),
+            };
             let places = places.iter().map(|(feedback, weight)| {
                 let feedback = Loop { wheels: wheels.clone(), ..feedback.clone() };
                 let system = System::new(&feedback);

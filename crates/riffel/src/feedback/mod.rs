@@ -245,6 +245,7 @@ impl Loop {
         let mut system = System::new(self);
         let answers = system.answers(self, &[wavelength]);
         system.solve(self, &answers, speed);
+        system.take(self, 0);
         let states = (0..self.contacts.len()).map(|index| system.state(self, index, wavelength));
         let contacts: Vec<ContactState> = states.collect();
         let equivalent = system.equivalent(self, wavelength, speed, 0);
@@ -333,7 +334,10 @@ impl Loop {
 
     /// Receptances of the hubs along the rail \[m/N\] between all contacts, by rows; `None` if normal forces stay upright.
     pub(crate) fn hub_receptances(&self, angular_frequency: f64, speed: f64) -> Option<Vec<Complex64>> {
-        Some(self.normal_direction.as_ref()?.between(angular_frequency, speed, &self.places_of_wheels()))
+        let (hubs, places) = (self.normal_direction.as_ref()?, self.places_of_wheels());
+        let mut matrix = vec![Complex64::ZERO; places.len() * places.len()];
+        hubs.between(&[angular_frequency], speed, &places, &mut matrix);
+        Some(matrix)
     }
 
     /// Part A \[1/kg\] of the receptances of the hubs, as [`free_motion`](Self::free_motion) of those of the wheels.

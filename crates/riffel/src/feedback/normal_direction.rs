@@ -39,35 +39,50 @@ pub enum NormalDirection {
 
 impl NormalDirection {
     /// Displacement of each wheel at its place, a distance along the rail \[m\] and the rail, per force through the hub of each
-    /// \[m/N\], by rows.
-    pub(super) fn between(&self, angular_frequency: f64, speed: f64, places: &[(f64, Rail)]) -> Vec<Complex64> {
+    /// \[m/N\], at one angular frequency \[rad/s\] after the other: matrices by rows, one behind the other.
+    pub(super) fn between(
+        &self,
+        angular_frequencies: &[f64],
+        speed: f64,
+        places: &[(f64, Rail)],
+        matrices: &mut [Complex64],
+    ) {
+        let size = places.len() * places.len();
         match self {
-            Self::Lone(receptance) => alone(receptance.receptance(angular_frequency, speed), places),
-            Self::OfWheelsets(wheelset) => on_axles(wheelset.hubs(angular_frequency), places),
+            Self::Lone(receptance) => {
+                for (index, &w) in angular_frequencies.iter().enumerate() {
+                    alone(receptance.receptance(w, speed), places, &mut matrices[index * size..][..size]);
+                }
+            }
+            Self::OfWheelsets(wheelset) => wheelset.hubs_at(angular_frequencies, &mut |index, hubs| {
+                on_axles(hubs, places, &mut matrices[index * size..][..size]);
+            }),
         }
     }
 
     /// Part A \[1/kg\] of [`between`](Self::between), −A/ω² for ω → 0.
     pub(super) fn free(&self, places: &[(f64, Rail)]) -> Vec<f64> {
+        let mut free = vec![0.0; places.len() * places.len()];
         match self {
-            Self::Lone(receptance) => alone(receptance.free(), places),
-            Self::OfWheelsets(wheelset) => on_axles(wheelset.free_hubs(), places),
+            Self::Lone(receptance) => alone(receptance.free(), places, &mut free),
+            Self::OfWheelsets(wheelset) => on_axles(&wheelset.free_hubs(), places, &mut free),
         }
+        free
     }
 }
 
-/// Numbers between places by rows, of wheels that do not feel each other.
-fn alone<T: Copy + Default>(own: T, places: &[(f64, Rail)]) -> Vec<T> {
+/// Fill a matrix between places by rows, of wheels that do not feel each other.
+fn alone<T: Copy + Default>(own: T, places: &[(f64, Rail)], matrix: &mut [T]) {
     let pairs = places.iter().flat_map(|at| places.iter().map(move |from| at == from));
-    pairs.map(|same| if same { own } else { T::default() }).collect()
+    for (entry, same) in matrix.iter_mut().zip(pairs) {
+        *entry = if same { own } else { T::default() };
+    }
 }
 
-/// Numbers between places by rows, of wheels that feel the other one on their axle.
-fn on_axles<T: Copy + Default>(own: [[T; 2]; 2], places: &[(f64, Rail)]) -> Vec<T> {
+/// Fill a matrix between places by rows, of wheels that feel the other one on their axle.
+fn on_axles<T: Copy + Default>(own: &[[T; 2]; 2], places: &[(f64, Rail)], matrix: &mut [T]) {
     let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
-    let entry = |((along, rail), (from, of)): ((f64, Rail), (f64, Rail))| match along == from {
-        true => own[rail as usize][of as usize],
-        false => T::default(),
-    };
-    pairs.map(entry).collect()
+    for (entry, ((along, rail), (from, of))) in matrix.iter_mut().zip(pairs) {
+        *entry = if along == from { own[rail as usize][of as usize] } else { T::default() };
+    }
 }

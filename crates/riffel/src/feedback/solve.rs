@@ -5,6 +5,7 @@ use pulp::{Simd, WithSimd};
 use super::Contact;
 use super::answers::{Answer, Answers};
 use super::linear::Equations;
+use super::system::turn_lanes;
 use crate::vector::{Parts, Vector};
 use crate::wheelset::Motion;
 
@@ -24,7 +25,9 @@ pub(super) struct SolveLoop<'a> {
     pub(super) answers: &'a Answers,
     /// Receptances H of track and wheels together, by rows; zero by unknowns that are no forces. In a loop in which a contact moves the
     /// fourth row of a contact is θ − u_t/R_t, and its fourth column is by the moment of a shift.
-    pub(super) receptances: &'a [f64],
+    pub(super) receptances: &'a mut [f64],
+    /// Receptances of the wheels, where those above are of the track alone and both in the axes of the track, and shares of the forces.
+    pub(super) to_gather: Option<(&'a mut [f64], &'a [f64])>,
     /// −ik T N of each contact and excitation, by rows: the slip that the direction of the normal forces makes; `None` if they stay.
     pub(super) direction: Option<&'a [f64]>,
     /// Made here and solved.
@@ -40,6 +43,7 @@ impl WithSimd for SolveLoop<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(mut self, simd: S) {
+        self.gather(simd);
         self.assemble(simd);
         self.equations.solve(simd);
         self.close(simd);
@@ -47,6 +51,25 @@ impl WithSimd for SolveLoop<'_> {
 }
 
 impl SolveLoop<'_> {
+    /// Receptances of track and wheels together in the axes of the contacts.
+    #[inline(always)]
+    fn gather<S: Simd>(&mut self, simd: S) {
+        let Some((wheels, shares)) = &mut self.to_gather else {
+            return;
+        };
+        let (track, wheels) = (Vector::<S>::row_mut(self.receptances), Vector::<S>::row_mut(wheels));
+        turn_lanes(simd, self.contacts, track);
+        turn_lanes(simd, self.contacts, wheels);
+        let size = shares.len();
+        for row in 0..size {
+            for column in 0..size {
+                let place = row * size + column;
+                let both = Vector::from(track[place]).plus(simd, wheels[place].into());
+                track[place] = both.scaled(simd, simd.splat_f64s(shares[column])).parts();
+            }
+        }
+    }
+
     /// The equations, with ξ = −ik (H f) in the tangent plane where an axis is compliant:
     ///
     /// ```text
@@ -72,10 +95,8 @@ impl SolveLoop<'_> {
         let (wavenumbers, _) = S::as_simd_f64s(self.answers.wavenumbers());
         let zero = Vector::<S>::zero(simd);
         let contacts = self.contacts.iter().zip(self.excitation);
-        let answers = self.answers.of_contacts::<S>();
-        for (index, (((contact, &excitation), answer), (rows, receptances))) in
-            contacts.zip(answers).zip(rows.zip(receptances)).enumerate()
-        {
+        for (index, ((contact, &excitation), (rows, receptances))) in contacts.zip(rows.zip(receptances)).enumerate() {
+            let answer = self.answers.of_contact::<S>(index);
             let own = unknowns * index;
             let (along, rest) = receptances.split_at(size);
             let (across, rest) = rest.split_at(size);
@@ -93,9 +114,10 @@ impl SolveLoop<'_> {
                 if shifts {
                     by_across = by_across.plus(simd, answer.force_by_shift[axis]);
                 }
-                for ((entry, &along), &across) in row.iter_mut().zip(along).zip(across) {
-                    let share = by_along.times(simd, along.into());
-                    *entry = by_across.times_plus(simd, across.into(), share).parts();
+                // By number: iterators over vectors are calls here.
+                for column in 0..size {
+                    let share = by_along.times(simd, along[column].into());
+                    row[column] = by_across.times_plus(simd, across[column].into(), share).parts();
                 }
                 // −F_ξ ξ by creepages that are unknowns themselves.
                 for (other, by) in by_creepage.into_iter().enumerate() {
@@ -111,10 +133,10 @@ impl SolveLoop<'_> {
                 right.fill(zero.parts());
                 right[excitation] = answer.force_by_profile[axis].parts();
                 if let Some(direction) = self.direction {
-                    let slips = Vector::<S>::row(direction).chunks_exact(width - size);
-                    let slips = slips.skip(index).take(1).flatten();
-                    for (entry, &slip) in right.iter_mut().zip(slips) {
-                        add(simd, entry, by_creepage[0].times(simd, slip.into()));
+                    let slips = &Vector::<S>::row(direction)[index * (width - size)..];
+                    for column in 0..width - size {
+                        let slip = Vector::<S>::from(slips[column]);
+                        add(simd, &mut right[column], by_creepage[0].times(simd, slip));
                     }
                 }
             }
@@ -154,19 +176,19 @@ impl SolveLoop<'_> {
         let (wavenumbers, _) = S::as_simd_f64s(self.answers.wavenumbers());
         let mut dissipation = Vector::<S>::zero(simd);
         let contacts = self.contacts.iter().zip(self.excitation);
-        let answers = self.answers.of_contacts::<S>();
-        for (index, (((contact, &column), answer), (creepages, receptances))) in
-            contacts.zip(answers).zip(creepages.iter_mut().zip(receptances)).enumerate()
+        for (index, ((contact, &column), (creepages, receptances))) in
+            contacts.zip(creepages.iter_mut().zip(receptances)).enumerate()
         {
+            let answer = self.answers.of_contact::<S>(index);
             let Answer { growth_by_load, growth_by_creepage, growth_by_shift, growth_by_profile, .. } = answer;
             let mut displacements = [Vector::<S>::zero(simd); 2];
             let (along, rest) = receptances.split_at(size);
-            for (from, (&along, &across)) in along.iter().zip(rest).enumerate() {
+            for from in 0..size {
                 let unknown = equations.unknown(from, column);
                 let [by_along, by_across] = displacements;
                 displacements = [
-                    unknown.times_plus(simd, along.into(), by_along),
-                    unknown.times_plus(simd, across.into(), by_across),
+                    unknown.times_plus(simd, along[from].into(), by_along),
+                    unknown.times_plus(simd, rest[from].into(), by_across),
                 ];
             }
             let load = equations.unknown::<S>(unknowns * index + NORMAL, column);

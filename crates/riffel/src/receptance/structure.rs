@@ -51,6 +51,22 @@ pub trait Structure: Send + Sync {
             matrix
         })
     }
+
+    /// [`receptance_matrix`](Self::receptance_matrix) at one frequency after the other, one matrix behind the other.
+    ///
+    /// Provided; a structure that remembers its answers looks them up at once.
+    fn receptance_matrices(
+        &self,
+        angular_frequencies: &[f64],
+        speed: f64,
+        places: &[Place],
+        matrices: &mut [Complex64],
+    ) {
+        let size = places.len() * places.len();
+        for (index, &w) in angular_frequencies.iter().enumerate() {
+            self.receptance_matrix(w, speed, places, &mut matrices[index * size..][..size]);
+        }
+    }
 }
 
 /// A structure whose axes do not feel each other and which answers at the place of the force alone: a wheel without a

@@ -29,7 +29,7 @@ pub use flexible::{
 pub use measured::{MeasuredEntry, MeasuredWheelset, Violation};
 pub use modal::{ElasticMode, ModalWheelset};
 pub use motion::Motion;
-pub use port::{ContactReceptances, Port, Wheelset, WheelsetWithHubs};
+pub use port::{ContactReceptances, HubReceptances, Port, Wheelset, WheelsetWithHubs};
 pub use remembering::RememberingWheelset;
 pub use rigid::{RigidBody, RigidWheelset};
 pub use rigid_inertia::RigidInertia;

@@ -46,6 +46,9 @@ impl Port {
 /// Receptances of a wheelset at its contacts \[m/N\]: `[at][from]`, both in the order of [`Port::ALL`].
 pub type ContactReceptances = [[Complex64; 6]; 6];
 
+/// Receptances of the hubs of a wheelset along the rail \[m/N\]: `[at][from]`, left and right.
+pub type HubReceptances = [[Complex64; 2]; 2];
+
 /// A wheelset on two rails, as its contacts feel it.
 ///
 /// Every wheelset is a [`Structure`]: alike wherever it stands, and wheelsets at different places do not feel each
@@ -56,6 +59,15 @@ pub trait Wheelset: Send + Sync {
     ///
     /// The loop wants the displacement under the force of the *wheel on the rail*, u_w = −H f.
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances;
+
+    /// [`receptances`](Self::receptances) at one frequency after the other, each handed on with its number.
+    ///
+    /// Provided; a wheelset that remembers its answers looks them up at once.
+    fn receptances_at(&self, angular_frequencies: &[f64], take: &mut dyn FnMut(usize, &ContactReceptances)) {
+        for (index, &w) in angular_frequencies.iter().enumerate() {
+            take(index, &self.receptances(w));
+        }
+    }
 
     /// Part A \[1/kg\] of the receptances, H → −A/ω² for ω → 0: of the motions that no suspension holds, the spin among them.
     ///
@@ -68,9 +80,20 @@ pub trait Wheelset: Send + Sync {
 
 /// A wheelset whose hubs move along the rail under forces through them, which do not turn its wheels.
 pub trait WheelsetWithHubs: Send + Sync {
-    /// Displacement along the rail of the wheels at the contacts per force along it through their hubs \[m/N\], `[at][from]`, left and
-    /// right.
-    fn hubs(&self, angular_frequency: f64) -> [[Complex64; 2]; 2];
+    /// Displacement along the rail of the wheels at the contacts per force along it through their hubs \[m/N\].
+    fn hubs(&self, angular_frequency: f64) -> HubReceptances;
+
+    /// [`hubs`](Self::hubs) at one frequency after the other, each handed on with its number.
+    ///
+    /// Provided; a wheelset that remembers its answers looks them up at once.
+    fn hubs_at(&self, angular_frequencies: &[f64], take: &mut dyn FnMut(usize, &HubReceptances)) {
+        for (index, &w) in angular_frequencies.iter().enumerate() {
+            take(index, &self.hubs(w));
+        }
+    }
+
+    /// [`receptances`](Wheelset::receptances) and [`hubs`](Self::hubs).
+    fn receptances_and_hubs(&self, angular_frequency: f64) -> (ContactReceptances, HubReceptances);
 
     /// Part A \[1/kg\] of [`hubs`](Self::hubs), −A/ω² for ω → 0.
     fn free_hubs(&self) -> [[f64; 2]; 2];
@@ -79,6 +102,10 @@ pub trait WheelsetWithHubs: Send + Sync {
 impl<W: Wheelset + ?Sized> Wheelset for Arc<W> {
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances {
         (**self).receptances(angular_frequency)
+    }
+
+    fn receptances_at(&self, angular_frequencies: &[f64], take: &mut dyn FnMut(usize, &ContactReceptances)) {
+        (**self).receptances_at(angular_frequencies, take);
     }
 
     fn free_at_contacts(&self) -> [[f64; 6]; 6] {
@@ -96,16 +123,21 @@ impl<W: Wheelset> Structure for W {
     }
 
     fn receptance_matrix(&self, angular_frequency: f64, _speed: f64, places: &[Place], matrix: &mut [Complex64]) {
-        if places.is_empty() {
-            return;
-        }
-        let receptances = self.receptances(angular_frequency);
-        for (row, &at) in matrix.chunks_exact_mut(places.len()).zip(places) {
-            let row_of_all = &receptances[Port::of(at).index()];
-            for (entry, &from) in row.iter_mut().zip(places) {
-                *entry = if at.along == from.along { row_of_all[Port::of(from).index()] } else { Complex64::ZERO };
-            }
-        }
+        between(&self.receptances(angular_frequency), places, matrix);
+    }
+
+    fn receptance_matrices(
+        &self,
+        angular_frequencies: &[f64],
+        _speed: f64,
+        places: &[Place],
+        matrices: &mut [Complex64],
+    ) {
+        let size = places.len() * places.len();
+        let mut take = |index: usize, found: &ContactReceptances| {
+            between(found, places, &mut matrices[index * size..][..size]);
+        };
+        self.receptances_at(angular_frequencies, &mut take);
     }
 
     fn free(&self, places: &[Place]) -> Vec<f64> {
@@ -116,5 +148,18 @@ impl<W: Wheelset> Structure for W {
             false => 0.0,
         };
         pairs.map(entry).collect()
+    }
+}
+
+/// Fill a [`receptance_matrix`](Structure::receptance_matrix) with receptances at the contacts of wheelsets.
+fn between(receptances: &ContactReceptances, places: &[Place], matrix: &mut [Complex64]) {
+    if places.is_empty() {
+        return;
+    }
+    for (row, &at) in matrix.chunks_exact_mut(places.len()).zip(places) {
+        let row_of_all = &receptances[Port::of(at).index()];
+        for (entry, &from) in row.iter_mut().zip(places) {
+            *entry = if at.along == from.along { row_of_all[Port::of(from).index()] } else { Complex64::ZERO };
+        }
     }
 }

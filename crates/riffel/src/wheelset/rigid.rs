@@ -99,6 +99,10 @@ impl WheelsetWithHubs for RigidWheelset {
         self.sections(angular_frequency).forward
     }
 
+    fn receptances_and_hubs(&self, angular_frequency: f64) -> (ContactReceptances, Between) {
+        (self.receptances(angular_frequency), self.hubs(angular_frequency))
+    }
+
     fn free_hubs(&self) -> [[f64; 2]; 2] {
         self.free_motion().of_hubs()
     }

@@ -1,8 +1,10 @@
 //! Receptance matrices in the axes of the contacts.
 
 use num_complex::Complex64;
+use pulp::Simd;
 
-use crate::feedback::Loop;
+use crate::feedback::{Contact, Loop};
+use crate::vector::Parts;
 
 /// Turn a receptance matrix of all contacts from the axes of the track to those of each contact: T H Tᵀ.
 pub(super) fn turn_axes(of: &Loop, matrix: &mut [Complex64]) {
@@ -11,15 +13,44 @@ pub(super) fn turn_axes(of: &Loop, matrix: &mut [Complex64]) {
         if contact.angle == 0.0 {
             continue;
         }
+        let turn = contact.turning();
         let (lateral, vertical) = (3 * index + 1, 3 * index + 2);
         let (above, below) = matrix.split_at_mut(vertical * size);
         let rows = above[lateral * size..].iter_mut().zip(&mut below[..size]);
         for (lateral, vertical) in rows {
-            contact.turn(lateral, vertical);
+            turn(lateral, vertical);
         }
         for row in matrix.chunks_exact_mut(size) {
             let (left, right) = row.split_at_mut(vertical);
-            contact.turn(&mut left[lateral], &mut right[0]);
+            turn(&mut left[lateral], &mut right[0]);
+        }
+    }
+}
+
+/// [`turn_axes`] of matrices that lie in the lanes of vector registers, to the last bit.
+#[inline(always)]
+pub(in crate::feedback) fn turn_lanes<S: Simd>(simd: S, contacts: &[Contact], matrix: &mut [Parts<S>]) {
+    let size = 3 * contacts.len();
+    for (index, contact) in contacts.iter().enumerate() {
+        if contact.angle == 0.0 {
+            continue;
+        }
+        let (sine, cosine) = contact.sine_and_cosine();
+        let (sine, cosine) = (simd.splat_f64s(sine), simd.splat_f64s(cosine));
+        let (lateral, vertical) = (3 * index + 1, 3 * index + 2);
+        // Rows, then columns.
+        for (step, stride) in [(size, 1), (1, size)] {
+            for other in 0..size {
+                let [first, second] = [lateral, vertical].map(|axis| axis * step + other * stride);
+                for part in 0..2 {
+                    let (across, down) = (matrix[first][part], matrix[second][part]);
+                    let turned = |one, other| [simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine)];
+                    let [left, right] = turned(across, down);
+                    matrix[first][part] = simd.sub_f64s(left, right);
+                    let [left, right] = turned(down, across);
+                    matrix[second][part] = simd.add_f64s(left, right);
+                }
+            }
         }
     }
 }

@@ -16,6 +16,7 @@ use crate::vector::lanes_of;
 use crate::wheelset::Motion;
 use crate::{Place, Rail};
 use axes::turn_axes;
+pub(super) use axes::turn_lanes;
 use moved::Moved;
 
 /// The equations and their scratch, for one loop at one group of points after the other: as many as a vector register has
@@ -40,7 +41,11 @@ pub(crate) struct System {
     wheels: Vec<Complex64>,
     /// Receptances of both in the axes of the contacts; of each entry the real parts of all lanes, then the imaginary ones.
     receptances: Vec<f64>,
+    /// Receptances of the wheels alone in the axes of the track, alike; where no contact moves.
+    wheels_by_lanes: Vec<f64>,
     equations: Equations,
+    /// What was asked for all lanes at once.
+    of_lanes: OfLanes,
     /// Where the hubs stand, and −ik T N of each contact and excitation, where normal forces turn with the wave.
     hubs: Vec<(f64, Rail)>,
     direction: Option<Vec<f64>>,
@@ -49,6 +54,15 @@ pub(crate) struct System {
     /// Creepages of the contacts, and Ŵ₁ of the mean growth.
     creepages: Vec<f64>,
     dissipation: Vec<f64>,
+}
+
+/// Angular frequencies \[rad/s\] of the lanes and matrices at each, one behind the other.
+#[derive(Clone)]
+struct OfLanes {
+    frequencies: Vec<f64>,
+    track: Vec<Complex64>,
+    wheels: Vec<Complex64>,
+    hubs: Vec<Complex64>,
 }
 
 impl System {
@@ -99,8 +113,15 @@ impl System {
             track: vec![Complex64::ZERO; places_count * places_count],
             wheels: vec![Complex64::ZERO; places_count * places_count],
             receptances: vec![0.0; 2 * size * size * lanes],
+            wheels_by_lanes: vec![0.0; if moves { 0 } else { 2 * size * size * lanes }],
             equations: Equations::new(size, columns, lanes),
             hubs: of.places_of_wheels(),
+            of_lanes: OfLanes {
+                frequencies: Vec::with_capacity(lanes),
+                track: vec![Complex64::ZERO; lanes * places_count * places_count],
+                wheels: vec![Complex64::ZERO; lanes * places_count * places_count],
+                hubs: vec![Complex64::ZERO; lanes * count * count],
+            },
             direction: (of.normal_direction.as_ref()).map(|_| vec![0.0; 2 * count * columns * lanes]),
             excitation,
             creepages: vec![0.0; 2 * 2 * of.contacts.len() * lanes],
@@ -120,22 +141,41 @@ impl System {
 
     /// Solve the equations at the wavelengths of the answers and a speed \[m/s\], one wavelength a lane.
     pub(crate) fn solve(&mut self, of: &Loop, answers: &Answers, speed: f64) {
+        self.ask(of, answers.wavelengths(), speed);
+        let stays = self.unknowns == SHIFT;
         for (lane, &wavelength) in answers.wavelengths().iter().enumerate() {
-            self.receptances(of, 2.0 * PI * speed / wavelength, speed);
-            self.turn_normals(of, speed, wavelength, lane);
-            self.gather(of, lane);
+            self.turn_normals(of, wavelength, lane);
+            if stays {
+                let size = self.size() * self.size();
+                let lanes = self.lanes;
+                scatter(&self.of_lanes.track[lane * size..][..size], &mut self.receptances, lane, lanes);
+                scatter(&self.of_lanes.wheels[lane * size..][..size], &mut self.wheels_by_lanes, lane, lanes);
+            } else {
+                self.take(of, lane);
+                self.ask_rolls(of, 2.0 * PI * speed / wavelength, speed);
+                self.gather(of, lane);
+            }
         }
         self.arch.dispatch(SolveLoop {
             contacts: &of.contacts,
             unknowns: self.unknowns,
             excitation: &self.excitation,
             answers,
-            receptances: &self.receptances,
+            receptances: &mut self.receptances,
+            to_gather: stays.then_some((&mut self.wheels_by_lanes, &self.force_shares)),
             direction: self.direction.as_deref(),
             equations: &mut self.equations,
             creepages: &mut self.creepages,
             dissipation: &mut self.dissipation,
         });
+    }
+
+    /// Take what track and wheels answered in a lane for the point asked last, in the axes of the contacts.
+    pub(super) fn take(&mut self, of: &Loop, lane: usize) {
+        let size = self.size() * self.size();
+        self.track.copy_from_slice(&self.of_lanes.track[lane * size..][..size]);
+        self.wheels.copy_from_slice(&self.of_lanes.wheels[lane * size..][..size]);
+        self.turn_axes(of);
     }
 
     /// Ŵ₁ of the mean growth at the point solved in a lane.
@@ -193,6 +233,22 @@ impl System {
     pub(super) fn receptances(&mut self, of: &Loop, angular_frequency: f64, speed: f64) {
         of.track.receptance_matrix(angular_frequency, speed, &self.on_track, &mut self.track);
         of.wheels.receptance_matrix(angular_frequency, speed, &self.on_wheels, &mut self.wheels);
+        self.ask_rolls(of, angular_frequency, speed);
+    }
+
+    /// Receptances of track, wheels and hubs at wavelengths \[m\], one a lane.
+    fn ask(&mut self, of: &Loop, wavelengths: &[f64], speed: f64) {
+        let OfLanes { frequencies, track, wheels, hubs } = &mut self.of_lanes;
+        frequencies.clear();
+        frequencies.extend(wavelengths.iter().map(|wavelength| 2.0 * PI * speed / wavelength));
+        of.track.receptance_matrices(frequencies, speed, &self.on_track, track);
+        of.wheels.receptance_matrices(frequencies, speed, &self.on_wheels, wheels);
+        if let Some(asked) = &of.normal_direction {
+            asked.between(frequencies, speed, &self.hubs, hubs);
+        }
+    }
+
+    fn ask_rolls(&mut self, of: &Loop, angular_frequency: f64, speed: f64) {
         if !self.rolling.is_empty() {
             let track = &of.track;
             track.roll_matrix(angular_frequency, speed, &self.rolling, &mut self.rolls);
@@ -200,38 +256,36 @@ impl System {
     }
 
     /// What the direction of the normal forces makes of the waves under the contacts, after their receptances.
-    fn turn_normals(&mut self, of: &Loop, speed: f64, wavelength: f64, lane: usize) {
+    fn turn_normals(&mut self, of: &Loop, wavelength: f64, lane: usize) {
         let (size, count, lanes) = (self.size(), of.contacts.len(), self.lanes);
-        let (Some(hubs), Some(direction)) = (&of.normal_direction, &mut self.direction) else {
+        let Some(direction) = &mut self.direction else {
             return;
         };
         let wavenumber = 2.0 * PI / wavelength;
-        let of_hubs = hubs.between(wavenumber * speed, speed, &self.hubs);
+        let of_hubs = &self.of_lanes.hubs[lane * count * count..];
+        let track = &self.of_lanes.track[lane * size * size..];
         let columns = direction.len() / (2 * lanes * count);
         for (to, contact) in of.contacts.iter().enumerate() {
-            let mut slips = vec![Complex64::ZERO; columns];
+            let slips = &mut direction[2 * to * columns * lanes..][..2 * columns * lanes];
+            slips.iter_mut().skip(lane).step_by(lanes).for_each(|part| *part = 0.0);
             // A surface that is held does not slip, and one that is free slips as its force asks for.
-            if matches!(contact.motion[0], Motion::Compliant(())) {
-                for (from, source) in of.contacts.iter().enumerate() {
-                    let profile = of.amplitude * source.profile * source.phase(wavenumber);
-                    let load = source.rolling.steady().normal_force;
-                    let along = self.track[3 * to * size + 3 * from] + of_hubs[to * count + from];
-                    slips[self.excitation[from]] += wavenumber * wavenumber * load * along * profile;
-                }
+            if !matches!(contact.motion[0], Motion::Compliant(())) {
+                continue;
             }
-            for (column, slip) in slips.into_iter().enumerate() {
-                let parts = &mut direction[2 * (to * columns + column) * lanes..];
-                (parts[lane], parts[lanes + lane]) = (slip.re, slip.im);
+            for (from, source) in of.contacts.iter().enumerate() {
+                let profile = of.amplitude * source.profile * source.phase(wavenumber);
+                let load = source.rolling.steady().normal_force;
+                let along = track[3 * to * size + 3 * from] + of_hubs[to * count + from];
+                let slip = wavenumber * wavenumber * load * along * profile;
+                let parts = &mut slips[2 * self.excitation[from] * lanes..];
+                parts[lane] += slip.re;
+                parts[lanes + lane] += slip.im;
             }
         }
     }
 
-    /// Gather the receptances of track and wheels in a lane, in the axes of the contacts.
+    /// Gather the receptances of track and wheels in a lane of a loop in which a contact moves.
     fn gather(&mut self, of: &Loop, lane: usize) {
-        self.turn_axes(of);
-        if self.unknowns == SHIFT {
-            return self.gather_forces(lane);
-        }
         self.turn_rolls(of);
         let (unknowns, count) = (self.unknowns, of.contacts.len());
         for to in 0..count {
@@ -245,20 +299,6 @@ impl System {
                         (parts[lane], parts[self.lanes + lane]) = (entry.re, entry.im);
                     }
                 }
-            }
-        }
-    }
-
-    /// Gather the receptances of contacts that stay.
-    fn gather_forces(&mut self, lane: usize) {
-        let (lanes, size) = (self.lanes, self.size());
-        let rows = self.receptances.chunks_exact_mut(2 * lanes * size);
-        let ours = self.track.chunks_exact(size).zip(self.wheels.chunks_exact(size));
-        for (row, (track, wheels)) in rows.zip(ours) {
-            let entries = row.chunks_exact_mut(2 * lanes).zip(&self.force_shares);
-            for ((entry, share), (track, wheels)) in entries.zip(track.iter().zip(wheels)) {
-                let both = (track + wheels) * share;
-                (entry[lane], entry[lanes + lane]) = (both.re, both.im);
             }
         }
     }
@@ -312,7 +352,7 @@ impl System {
         for row in self.rolls.chunks_exact_mut(4 * of.contacts.len()) {
             for (entries, contact) in row.chunks_exact_mut(4).zip(&of.contacts) {
                 let (left, right) = entries.split_at_mut(NORMAL);
-                contact.turn(&mut left[1], &mut right[0]);
+                contact.turning()(&mut left[1], &mut right[0]);
             }
         }
     }
@@ -447,5 +487,12 @@ impl System {
 
     fn size(&self) -> usize {
         self.on_track.len()
+    }
+}
+
+/// Put complex numbers into a lane: of each the real parts of all lanes, then the imaginary ones.
+fn scatter(numbers: &[Complex64], into: &mut [f64], lane: usize, lanes: usize) {
+    for (parts, number) in into.chunks_exact_mut(2 * lanes).zip(numbers) {
+        (parts[lane], parts[lanes + lane]) = (number.re, number.im);
     }
 }

@@ -1,6 +1,9 @@
 //! Rail that moves along, across and down at once, on any support.
 
+mod remembering;
 mod spatial_waves;
+
+use std::ops::Range;
 
 use num_complex::Complex64;
 
@@ -10,6 +13,8 @@ use super::twisting_rail::{Foundation, TwistingRail};
 use super::{Bar, Beam, FloquetWaves, Structure, Support, Twist, Waveguide};
 use crate::{Direction, Error, Place, Rail};
 use spatial_waves::{AxisWaves, LateralWaves};
+
+pub use remembering::{RememberingTrack, TrackMemory};
 
 pub(super) use spatial_waves::{Motions, SpatialWaves};
 
@@ -289,6 +294,64 @@ impl SpatialTrack {
         }
     }
 
+    /// Fill a [`receptance_matrix`](Structure::receptance_matrix) with what the motions between distinct places along the track,
+    /// asked by their numbers, make at the contacts.
+    pub(super) fn fill_receptances(
+        &self,
+        places: &[Place],
+        matrix: &mut [Complex64],
+        alongs: &[f64],
+        motions: impl Fn(usize, usize) -> Motions,
+    ) {
+        let count = places.len();
+        matrix.fill(Complex64::ZERO);
+        // The axes of one contact stand beside each other.
+        let mut contacts: Vec<(usize, Range<usize>)> = Vec::with_capacity(count);
+        for places in places.chunk_by(is_beside) {
+            let along = alongs.iter().position(|&along| along == places[0].along);
+            let first = contacts.last().map_or(0, |contact| contact.1.end);
+            contacts.push((along.unwrap_or_default(), first..first + places.len()));
+        }
+        // Contacts of a wheelset on both rails have the same motions.
+        let mut last = None;
+        for (index, (to, rows)) in contacts.iter().enumerate() {
+            for (from, columns) in &contacts[..=index] {
+                if places[rows.start].rail != places[columns.start].rail {
+                    continue;
+                }
+                let between = match last {
+                    Some((known, between)) if known == (*from, *to) => between,
+                    _ => motions(*from, *to),
+                };
+                last = Some(((*from, *to), between));
+                for row in rows.clone() {
+                    for column in columns.clone() {
+                        let entry = self.entry(&between, places[row], places[column]);
+                        matrix[row * count + column] = entry;
+                        matrix[column * count + row] = entry;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Fill a [`roll_matrix`](Structure::roll_matrix) with what the motions between its places make, asked by their numbers.
+    fn fill_rolls(&self, places: &[(f64, Rail)], matrix: &mut [Complex64], motions: impl Fn(usize, usize) -> Motions) {
+        let rows = matrix.chunks_exact_mut(4 * places.len()).enumerate();
+        for ((to, row), (_, rail)) in rows.zip(places) {
+            for (from, (entries, (_, other))) in row.chunks_exact_mut(4).zip(places).enumerate() {
+                entries.fill(Complex64::ZERO);
+                if rail == other {
+                    let [_, [by_force, by_moment]] = motions(from, to).lateral;
+                    let contact = self.contacts[side(*other)];
+                    entries[1] = by_force + by_moment * contact.height;
+                    entries[2] = by_moment * contact.lateral_offset;
+                    entries[3] = by_moment;
+                }
+            }
+        }
+    }
+
     /// Displacement at one place per force at another, from the motions between them.
     pub(super) fn entry(&self, motions: &Motions, at: Place, from: Place) -> Complex64 {
         use Direction::{Lateral, Longitudinal, Vertical};
@@ -326,49 +389,25 @@ impl Structure for SpatialTrack {
     fn roll_matrix(&self, angular_frequency: f64, _speed: f64, places: &[(f64, Rail)], matrix: &mut [Complex64]) {
         let alongs = places.iter().map(|(along, _)| *along).collect();
         let waves = self.waves(angular_frequency, alongs);
-        let rows = matrix.chunks_exact_mut(4 * places.len()).enumerate();
-        for ((to, row), (_, rail)) in rows.zip(places) {
-            for (from, (entries, (_, other))) in row.chunks_exact_mut(4).zip(places).enumerate() {
-                entries.fill(Complex64::ZERO);
-                if rail == other {
-                    let [_, [by_force, by_moment]] = waves.motions(from, to).lateral;
-                    let contact = self.contacts[side(*other)];
-                    entries[1] = by_force + by_moment * contact.height;
-                    entries[2] = by_moment * contact.lateral_offset;
-                    entries[3] = by_moment;
-                }
-            }
-        }
+        self.fill_rolls(places, matrix, |from, to| waves.motions(from, to));
     }
 
     fn receptance_matrix(&self, angular_frequency: f64, _speed: f64, places: &[Place], matrix: &mut [Complex64]) {
-        let count = places.len();
-        // The axes of one contact stand beside each other.
-        let mut contacts = Vec::with_capacity(count);
-        for (index, place) in places.iter().enumerate() {
-            match contacts.last_mut() {
-                Some((first, indices)) if is_beside(first, place) => {
-                    let indices: &mut std::ops::Range<usize> = indices;
-                    indices.end = index + 1;
-                }
-                _ => contacts.push((*place, index..index + 1)),
-            }
-        }
-        let alongs = contacts.iter().map(|(place, _)| place.along).collect();
-        let waves = self.waves(angular_frequency, alongs);
-        for (to, (_, rows)) in contacts.iter().enumerate() {
-            for (from, (_, columns)) in contacts[..=to].iter().enumerate() {
-                let motions = waves.motions(from, to);
-                for row in rows.clone() {
-                    for column in columns.clone() {
-                        let entry = self.entry(&motions, places[row], places[column]);
-                        matrix[row * count + column] = entry;
-                        matrix[column * count + row] = entry;
-                    }
-                }
-            }
+        let alongs = alongs_of(places);
+        let waves = self.waves(angular_frequency, alongs.clone());
+        self.fill_receptances(places, matrix, &alongs, |from, to| waves.motions(from, to));
+    }
+}
+
+/// Distinct places along the track, in their order.
+pub(super) fn alongs_of(places: &[Place]) -> Vec<f64> {
+    let mut alongs = Vec::with_capacity(places.len());
+    for place in places {
+        if !alongs.contains(&place.along) {
+            alongs.push(place.along);
         }
     }
+    alongs
 }
 
 fn is_beside(one: &Place, other: &Place) -> bool {

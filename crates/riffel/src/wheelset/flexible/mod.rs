@@ -248,19 +248,7 @@ fn entry<const N: usize>(between: &[[Square<N>; 2]; 2], row: usize, column: usiz
 
 impl Wheelset for FlexibleWheelset {
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances {
-        let (motions, w) = (&self.motions, angular_frequency);
-        let contacts = motions.contacts;
-        let vertical = motions.vertical.between(contacts, w);
-        let horizontal = motions.horizontal.as_ref().map(|chain| chain.between(contacts, w));
-        let sections = SectionReceptances {
-            forward: entry(horizontal.as_ref().unwrap_or(&vertical), 0, 0),
-            downward: entry(&vertical, 0, 0),
-            downward_by_tilt: entry(&vertical, 0, 1),
-            tilt: entry(&vertical, 1, 1),
-            twist: entry(&motions.torsion.between(contacts, w), 0, 0),
-            sideward: entry(&motions.stretch.between(contacts, w), 0, 0),
-        };
-        sections.at_contacts(self.contacts.rolling_radius)
+        self.receptances_and_hubs(angular_frequency).0
     }
 
     fn free_at_contacts(&self) -> [[f64; 6]; 6] {
@@ -273,6 +261,22 @@ impl WheelsetWithHubs for FlexibleWheelset {
         let motions = &self.motions;
         let bending = motions.horizontal.as_ref().unwrap_or(&motions.vertical);
         entry(&bending.between(motions.contacts, angular_frequency), 0, 0)
+    }
+
+    fn receptances_and_hubs(&self, angular_frequency: f64) -> (ContactReceptances, Between) {
+        let (motions, w) = (&self.motions, angular_frequency);
+        let contacts = motions.contacts;
+        let vertical = motions.vertical.between(contacts, w);
+        let horizontal = motions.horizontal.as_ref().map(|chain| chain.between(contacts, w));
+        let sections = SectionReceptances {
+            forward: entry(horizontal.as_ref().unwrap_or(&vertical), 0, 0),
+            downward: entry(&vertical, 0, 0),
+            downward_by_tilt: entry(&vertical, 0, 1),
+            tilt: entry(&vertical, 1, 1),
+            twist: entry(&motions.torsion.between(contacts, w), 0, 0),
+            sideward: entry(&motions.stretch.between(contacts, w), 0, 0),
+        };
+        (sections.at_contacts(self.contacts.rolling_radius), sections.forward)
     }
 
     fn free_hubs(&self) -> [[f64; 2]; 2] {
