@@ -12,7 +12,7 @@ const PAGE: &str = "docs/src/models.md";
 /// The chapter with the descriptions of all models.
 pub(crate) fn page() -> Result<String, String> {
     let page = fs::read_to_string(root().join(PAGE)).map_err(|error| format!("cannot read {PAGE}: {error}"))?;
-    let models = FieldModel::ALL.map(described).join("\n");
+    let models = FieldModel::all().iter().map(described).collect::<Vec<_>>().join("\n");
     between_marks(PAGE, &page, "models", models.trim_end())
 }
 
@@ -23,9 +23,9 @@ fn described(model: &FieldModel) -> String {
         text += &format!("| {} | {} |\n", joint.name(), model.joints.words(joint));
     }
     for (head, items) in [
-        ("Assumes", model.assumptions),
-        ("Leaves out", model.leaves_out),
-        ("Not given, or not at hand", model.not_given),
+        ("Assumes", &model.assumptions),
+        ("Leaves out", &model.leaves_out),
+        ("Not given, or not at hand", &model.not_given),
     ] {
         if items.is_empty() {
             continue;

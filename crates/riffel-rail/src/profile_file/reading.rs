@@ -29,7 +29,7 @@ impl Default for ProfileReading {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ProfileOrientation {
-    /// As the shape tells: flange inside and below, crown above; the gauge side of a rail is that of x below zero.
+    /// Orientation found from the shape: flange inside and below, crown above; the gauge side of a rail is that of x below zero.
     Found,
     /// x to the field side, y upward.
     AsWritten,

@@ -109,15 +109,9 @@ fn lower(matrix: &ContactReceptances) -> [Complex64; ENTRIES] {
 
 /// The symmetric matrix of which the entries up to the diagonal are given.
 fn whole(lower: &[Complex64; ENTRIES]) -> ContactReceptances {
-    let mut matrix = ContactReceptances::default();
-    let mut entries = lower.iter();
-    for row in 0..matrix.len() {
-        for (column, &entry) in (0..=row).zip(&mut entries) {
-            matrix[row][column] = entry;
-            matrix[column][row] = entry;
-        }
-    }
-    matrix
+    // Row by row, the entry of row i and column j < i at i(i + 1)/2 + j.
+    let entry = |row: usize, column: usize| lower[row * (row + 1) / 2 + column];
+    std::array::from_fn(|row| std::array::from_fn(|column| entry(row.max(column), row.min(column))))
 }
 
 #[cfg(test)]

@@ -42,14 +42,11 @@ pub(in crate::feedback) fn turn_lanes<S: Simd>(simd: S, contacts: &[Contact], ma
         for (step, stride) in [(size, 1), (1, size)] {
             for other in 0..size {
                 let [first, second] = [lateral, vertical].map(|axis| axis * step + other * stride);
-                for part in 0..2 {
-                    let (across, down) = (matrix[first][part], matrix[second][part]);
-                    let turned = |one, other| [simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine)];
-                    let [left, right] = turned(across, down);
-                    matrix[first][part] = simd.sub_f64s(left, right);
-                    let [left, right] = turned(down, across);
-                    matrix[second][part] = simd.add_f64s(left, right);
-                }
+                let ([re, im], [re_down, im_down]) = (matrix[first], matrix[second]);
+                let less = |one, other| simd.sub_f64s(simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine));
+                let more = |one, other| simd.add_f64s(simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine));
+                matrix[first] = [less(re, re_down), less(im, im_down)];
+                matrix[second] = [more(re_down, re), more(im_down, im)];
             }
         }
     }
