@@ -70,7 +70,7 @@ fn shapes_of_waves_are_those_of_the_linear_loop() {
     }
 }
 
-/// The same of small waves without a shape; the fit of the structures and the step leave 10⁻⁴.
+/// Growth of small waves without a shape is that of the linear loop; the fit of the structures and the step leave 10⁻⁴.
 #[test]
 fn small_waves_are_those_of_the_linear_loop() {
     let lone = ["contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}", "contact.creep_law=polach"];

@@ -368,7 +368,7 @@ fn other_frequencies_are_refused() {
     }
 }
 
-/// The same receptance with its frequencies in another unit.
+/// Receptance with its frequencies in another unit.
 fn with_frequencies(head: &str, per_hertz: f64) -> Result<Measured, String> {
     let head = format!("{head},real [m/N],imaginary [m/N]");
     with_rows(&head, |f, re, im| format!("{:.12},{re:.12e},{im:e}", per_hertz * f), "")

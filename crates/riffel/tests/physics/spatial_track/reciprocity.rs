@@ -1,9 +1,11 @@
 //! Random tracks are reciprocal, periodic and passive.
 
+use std::sync::Arc;
+
 use proptest::prelude::*;
 use riffel::receptance::{
-    Beam, ContactPoint, ContinuousTrack, CrossReceptance, PeriodicTrack, SpatialRail, SpatialTrack, Structure, Support,
-    Supports, TwistSection,
+    Beam, ContactPoint, ContinuousTrack, CrossReceptance, PeriodicTrack, RememberingTrack, SpatialRail, SpatialTrack,
+    Structure, Support, Supports, TrackMemory, TwistSection,
 };
 use riffel::{Complex64, Direction, Place, Rail};
 
@@ -105,9 +107,45 @@ pub(super) fn least_pivot(mut matrix: Vec<Vec<f64>>) -> f64 {
     least
 }
 
+fn bits(numbers: &[Complex64]) -> Vec<[u64; 2]> {
+    numbers.iter().map(|number| [number.re.to_bits(), number.im.to_bits()]).collect()
+}
+
 proptest! {
     /// A force here moves the rail there as a force there moves it here, whatever their axes; each bay is like the next,
     /// and the matrix is made of its entries. Errors are relative to the point receptances of both places.
+    /// What a track remembers of another point of contact is what it answers, to the last bit.
+    #[test]
+    fn remembers_what_it_answers(random in random()) {
+        let w = random.angular_frequency;
+        let frequencies = [w, 1.1 * w, 0.7 * w];
+        let places: Vec<Place> = Rail::BOTH.into_iter().flat_map(|rail| {
+            let places = places(&random.places);
+            places.into_iter().map(move |place| Place { rail, ..place })
+        }).collect();
+        let rolling: Vec<(f64, Rail)> = places.iter().step_by(3).map(|place| (place.along, place.rail)).collect();
+        for track in random.tracks() {
+            let memory = Arc::new(TrackMemory::default());
+            for offset in [0.0, 0.01, 0.0] {
+                let point = ContactPoint { lateral_offset: offset, ..random.contact };
+                let track = track.with_contact(Rail::Left, point);
+                let remembering = RememberingTrack::new(track, memory.clone());
+                let size = places.len() * places.len();
+                let mut matrices = [(); 2].map(|()| vec![Complex64::ZERO; frequencies.len() * size]);
+                track.receptance_matrices(&frequencies, 20.0, &places, &mut matrices[0]);
+                remembering.receptance_matrices(&frequencies, 20.0, &places, &mut matrices[1]);
+                prop_assert_eq!(bits(&matrices[0]), bits(&matrices[1]));
+                let mut rolls = [(); 2].map(|()| vec![Complex64::ZERO; 4 * rolling.len() * rolling.len()]);
+                track.roll_matrix(w, 20.0, &rolling, &mut rolls[0]);
+                remembering.roll_matrix(w, 20.0, &rolling, &mut rolls[1]);
+                prop_assert_eq!(bits(&rolls[0]), bits(&rolls[1]));
+                let [at, from] = [places[1], places[5]];
+                let [own, other] = [&track as &dyn Structure, &remembering].map(|track| track.cross_receptance(w, 20.0, at, from));
+                prop_assert_eq!(bits(&[own]), bits(&[other]));
+            }
+        }
+    }
+
     #[test]
     fn reciprocal_and_periodic(random in random()) {
         let (w, [a, b]) = (random.angular_frequency, random.places);
