@@ -107,10 +107,8 @@ impl SolveLoop<'_> {
                 let (row, right) = rows[axis * width..][..width].split_at_mut(size);
                 let by_creepage = answer.force_by_creepage[axis];
                 // −F_ξ ξ by displacements.
-                let [by_along, mut by_across] = [0, 1].map(|other| match contact.motion[other] {
-                    Motion::Compliant(()) => times_i(simd, by_creepage[other], wavenumbers[0]),
-                    Motion::Held | Motion::Free => zero,
-                });
+                let by_along = by_displacement(simd, &contact.motion[0], by_creepage[0], wavenumbers[0]);
+                let mut by_across = by_displacement(simd, &contact.motion[1], by_creepage[1], wavenumbers[0]);
                 if shifts {
                     by_across = by_across.plus(simd, answer.force_by_shift[axis]);
                 }
@@ -221,6 +219,15 @@ impl SolveLoop<'_> {
             }
         }
         Vector::<S>::row_mut(self.dissipation)[0] = dissipation.parts();
+    }
+}
+
+/// Share −F_ξ ξ of the force by a displacement along an axis, ξ = −ik u; nothing where that is held or free.
+#[inline(always)]
+fn by_displacement<S: Simd>(simd: S, motion: &Motion<()>, by_creepage: Vector<S>, wavenumbers: S::f64s) -> Vector<S> {
+    match motion {
+        Motion::Compliant(()) => times_i(simd, by_creepage, wavenumbers),
+        Motion::Held | Motion::Free => Vector::zero(simd),
     }
 }
 

@@ -36,18 +36,26 @@ pub(in crate::feedback) fn turn_lanes<S: Simd>(simd: S, contacts: &[Contact], ma
             continue;
         }
         let (sine, cosine) = contact.sine_and_cosine();
-        let (sine, cosine) = (simd.splat_f64s(sine), simd.splat_f64s(cosine));
+        let by = [simd.splat_f64s(cosine), simd.splat_f64s(sine)];
         let (lateral, vertical) = (3 * index + 1, 3 * index + 2);
         // Rows, then columns.
         for (step, stride) in [(size, 1), (1, size)] {
             for other in 0..size {
                 let [first, second] = [lateral, vertical].map(|axis| axis * step + other * stride);
                 let ([re, im], [re_down, im_down]) = (matrix[first], matrix[second]);
-                let less = |one, other| simd.sub_f64s(simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine));
-                let more = |one, other| simd.add_f64s(simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine));
-                matrix[first] = [less(re, re_down), less(im, im_down)];
-                matrix[second] = [more(re_down, re), more(im_down, im)];
+                matrix[first] = [less(simd, [re, re_down], by), less(simd, [im, im_down], by)];
+                matrix[second] = [more(simd, [re_down, re], by), more(simd, [im_down, im], by)];
             }
         }
     }
+}
+
+#[inline(always)]
+fn less<S: Simd>(simd: S, [one, other]: [S::f64s; 2], [cosine, sine]: [S::f64s; 2]) -> S::f64s {
+    simd.sub_f64s(simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine))
+}
+
+#[inline(always)]
+fn more<S: Simd>(simd: S, [one, other]: [S::f64s; 2], [cosine, sine]: [S::f64s; 2]) -> S::f64s {
+    simd.add_f64s(simd.mul_f64s(one, cosine), simd.mul_f64s(other, sine))
 }

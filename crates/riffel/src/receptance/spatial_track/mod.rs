@@ -296,26 +296,19 @@ impl SpatialTrack {
 
     /// Fill a [`receptance_matrix`](Structure::receptance_matrix) with what the motions between distinct places along the track,
     /// asked by their numbers, make at the contacts.
-    pub(super) fn fill_receptances(
+    fn fill_receptances(
         &self,
         places: &[Place],
+        contacts: &[ContactAxes],
         matrix: &mut [Complex64],
-        alongs: &[f64],
         motions: impl Fn(usize, usize) -> Motions,
     ) {
         let count = places.len();
         matrix.fill(Complex64::ZERO);
-        // The axes of one contact stand beside each other.
-        let mut contacts: Vec<(usize, Range<usize>)> = Vec::with_capacity(count);
-        for places in places.chunk_by(is_beside) {
-            let along = alongs.iter().position(|&along| along == places[0].along);
-            let first = contacts.last().map_or(0, |contact| contact.1.end);
-            contacts.push((along.unwrap_or_default(), first..first + places.len()));
-        }
         // Contacts of a wheelset on both rails have the same motions.
         let mut last = None;
         for (index, (to, rows)) in contacts.iter().enumerate() {
-            for (from, columns) in &contacts[..=index] {
+            for (other, (from, columns)) in contacts[..=index].iter().enumerate() {
                 if places[rows.start].rail != places[columns.start].rail {
                     continue;
                 }
@@ -325,7 +318,9 @@ impl SpatialTrack {
                 };
                 last = Some(((*from, *to), between));
                 for row in rows.clone() {
-                    for column in columns.clone() {
+                    // Within a contact one half says all.
+                    let columns = if other == index { columns.start..row + 1 } else { columns.clone() };
+                    for column in columns {
                         let entry = self.entry(&between, places[row], places[column]);
                         matrix[row * count + column] = entry;
                         matrix[column * count + row] = entry;
@@ -394,8 +389,9 @@ impl Structure for SpatialTrack {
 
     fn receptance_matrix(&self, angular_frequency: f64, _speed: f64, places: &[Place], matrix: &mut [Complex64]) {
         let alongs = alongs_of(places);
-        let waves = self.waves(angular_frequency, alongs.clone());
-        self.fill_receptances(places, matrix, &alongs, |from, to| waves.motions(from, to));
+        let contacts = contacts_of(places, &alongs);
+        let waves = self.waves(angular_frequency, alongs);
+        self.fill_receptances(places, &contacts, matrix, |from, to| waves.motions(from, to));
     }
 }
 
@@ -408,6 +404,19 @@ pub(super) fn alongs_of(places: &[Place]) -> Vec<f64> {
         }
     }
     alongs
+}
+
+/// Contacts of places: of each its number among the distinct places along the track, and its axes, which stand beside each other.
+type ContactAxes = (usize, Range<usize>);
+
+fn contacts_of(places: &[Place], alongs: &[f64]) -> Vec<ContactAxes> {
+    let mut contacts: Vec<ContactAxes> = Vec::with_capacity(places.len());
+    for places in places.chunk_by(is_beside) {
+        let along = alongs.iter().position(|&along| along == places[0].along);
+        let first = contacts.last().map_or(0, |contact| contact.1.end);
+        contacts.push((along.unwrap_or_default(), first..first + places.len()));
+    }
+    contacts
 }
 
 fn is_beside(one: &Place, other: &Place) -> bool {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use super::{Motions, SpatialTrack, alongs_of};
+use super::{Motions, SpatialTrack, alongs_of, contacts_of};
 use crate::memory::{Memory, bits};
 use crate::receptance::Structure;
 use crate::{Place, Rail};
@@ -81,10 +81,11 @@ impl Structure for RememberingTrack {
         matrices: &mut [Complex64],
     ) {
         let alongs = alongs_of(places);
+        let contacts = contacts_of(places, &alongs);
         let (count, size) = (alongs.len(), places.len() * places.len());
         self.motions(angular_frequencies, &alongs, |motions| {
             for (matrix, motions) in matrices.chunks_exact_mut(size).zip(motions.chunks_exact(count * count)) {
-                self.of.fill_receptances(places, matrix, &alongs, |from, to| motions[from * count + to]);
+                self.of.fill_receptances(places, &contacts, matrix, |from, to| motions[from * count + to]);
             }
         });
     }
