@@ -5,7 +5,8 @@
 
 use super::matrix::Matrix;
 
-/// Minimiser x of |A x − b|, as [`least_squares_of_several`] finds it.
+/// Minimiser x of |A x − b| by Householder reflections (Golub & Van Loan, *Matrix Computations*, 5.2), for the columns of A and b; the
+/// columns are used up.
 pub fn least_squares(columns: &mut [Vec<f64>], right: &[f64]) -> Vec<f64> {
     least_squares_of_several(columns, vec![right.to_vec()]).swap_remove(0)
 }
