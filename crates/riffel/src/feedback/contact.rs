@@ -96,7 +96,7 @@ impl Contact {
         self.moving.is_some_and(|moving| moving.effects.rail_roll)
     }
 
-    /// Turn the rows of three axes from those of the track to those of the contact, by what this hands out:
+    /// Rotation of a lateral and a vertical number from the axes of the track to those of the contact,
     /// u_t = u_y cos γ ∓ u_z sin γ and u_n = u_z cos γ ± u_y sin γ, upper sign on the right rail.
     pub(super) fn turning(&self) -> impl Fn(&mut Complex64, &mut Complex64) + use<> {
         let (sine, cosine) = self.sine_and_cosine();

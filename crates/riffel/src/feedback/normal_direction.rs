@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
+use crate::receptance::pairs;
 use crate::wheelset::WheelsetWithHubs;
 use crate::{Rail, Receptance};
 
@@ -73,16 +74,14 @@ impl NormalDirection {
 
 /// Fill a matrix between places by rows, of wheels that do not feel each other.
 fn alone<T: Copy + Default>(own: T, places: &[(f64, Rail)], matrix: &mut [T]) {
-    let pairs = places.iter().flat_map(|at| places.iter().map(move |from| at == from));
-    for (entry, same) in matrix.iter_mut().zip(pairs) {
-        *entry = if same { own } else { T::default() };
+    for (entry, (at, from)) in matrix.iter_mut().zip(pairs(places)) {
+        *entry = if at == from { own } else { T::default() };
     }
 }
 
 /// Fill a matrix between places by rows, of wheels that feel the other one on their axle.
 fn on_axles<T: Copy + Default>(own: &[[T; 2]; 2], places: &[(f64, Rail)], matrix: &mut [T]) {
-    let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
-    for (entry, ((along, rail), (from, of))) in matrix.iter_mut().zip(pairs) {
-        *entry = if along == from { own[rail as usize][of as usize] } else { T::default() };
+    for (entry, ((along, rail), (from, of))) in matrix.iter_mut().zip(pairs(places)) {
+        *entry = if along == from { own[*rail as usize][*of as usize] } else { T::default() };
     }
 }

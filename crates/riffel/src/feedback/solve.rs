@@ -26,7 +26,8 @@ pub(super) struct SolveLoop<'a> {
     /// Receptances H of track and wheels together, by rows; zero by unknowns that are no forces. In a loop in which a contact moves the
     /// fourth row of a contact is θ − u_t/R_t, and its fourth column is by the moment of a shift.
     pub(super) receptances: &'a mut [f64],
-    /// Receptances of the wheels, where those above are of the track alone and both in the axes of the track, and shares of the forces.
+    /// Receptances of the wheels and shares of the forces, if `receptances` holds those of the track alone: both are in the axes of
+    /// the track then. `None` if they are gathered already.
     pub(super) to_gather: Option<(&'a mut [f64], &'a [f64])>,
     /// −ik T N of each contact and excitation, by rows: the slip that the direction of the normal forces makes; `None` if they stay.
     pub(super) direction: Option<&'a [f64]>,

@@ -51,6 +51,7 @@ pub use resonance::{Resonance, ResonanceKind};
 pub use rigid_ground::RigidGround;
 pub use spatial_moving_load::{HarmonicMatrices, SpatialMovingLoad};
 pub use spatial_track::{ContactPoint, RememberingTrack, SpatialRail, SpatialTrack, Supports, TrackMemory};
+pub(crate) use structure::pairs;
 pub use structure::{Structure, Uncoupled};
 pub use support::{Layer, Support};
 pub use tabulated::Tabulated;

@@ -34,8 +34,7 @@ pub trait Structure: Send + Sync {
     ///
     /// Provided, each entry by itself; a structure whose places share their work does it once a frequency.
     fn receptance_matrix(&self, angular_frequency: f64, speed: f64, places: &[Place], matrix: &mut [Complex64]) {
-        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
-        for (entry, (at, from)) in matrix.iter_mut().zip(pairs) {
+        for (entry, (&at, &from)) in matrix.iter_mut().zip(pairs(places)) {
             *entry = self.cross_receptance(angular_frequency, speed, at, from);
         }
     }
@@ -104,11 +103,15 @@ impl Structure for Uncoupled {
     }
 
     fn free(&self, places: &[Place]) -> Vec<f64> {
-        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
-        let entry = |(at, from): (Place, Place)| match self.along(at.direction) {
+        let entry = |(at, from): (&Place, &Place)| match self.along(at.direction) {
             Some(receptance) if at == from => receptance.free(),
             _ => 0.0,
         };
-        pairs.map(entry).collect()
+        pairs(places).map(entry).collect()
     }
+}
+
+/// Every place with every place, in the order of a matrix by rows.
+pub(crate) fn pairs<T>(places: &[T]) -> impl Iterator<Item = (&T, &T)> {
+    places.iter().flat_map(move |at| places.iter().map(move |from| (at, from)))
 }

@@ -141,25 +141,21 @@ impl<W: Wheelset> Structure for W {
     }
 
     fn free(&self, places: &[Place]) -> Vec<f64> {
-        let free = self.free_at_contacts();
-        let pairs = places.iter().flat_map(|&at| places.iter().map(move |&from| (at, from)));
-        let entry = |(at, from): (Place, Place)| match at.along == from.along {
-            true => free[Port::of(at).index()][Port::of(from).index()],
-            false => 0.0,
-        };
-        pairs.map(entry).collect()
+        let mut matrix = vec![0.0; places.len() * places.len()];
+        between(&self.free_at_contacts(), places, &mut matrix);
+        matrix
     }
 }
 
-/// Fill a [`receptance_matrix`](Structure::receptance_matrix) with receptances at the contacts of wheelsets.
-fn between(receptances: &ContactReceptances, places: &[Place], matrix: &mut [Complex64]) {
+/// Fill a matrix of places by rows with numbers between the contacts of one wheelset; wheelsets apart do not feel each other.
+fn between<T: Copy + Default>(own: &[[T; 6]; 6], places: &[Place], matrix: &mut [T]) {
     if places.is_empty() {
         return;
     }
     for (row, &at) in matrix.chunks_exact_mut(places.len()).zip(places) {
-        let row_of_all = &receptances[Port::of(at).index()];
+        let row_of_all = &own[Port::of(at).index()];
         for (entry, &from) in row.iter_mut().zip(places) {
-            *entry = if at.along == from.along { row_of_all[Port::of(from).index()] } else { Complex64::ZERO };
+            *entry = if at.along == from.along { row_of_all[Port::of(from).index()] } else { T::default() };
         }
     }
 }

@@ -396,7 +396,7 @@ impl Structure for SpatialTrack {
 }
 
 /// Distinct places along the track, in their order.
-pub(super) fn alongs_of(places: &[Place]) -> Vec<f64> {
+fn alongs_of(places: &[Place]) -> Vec<f64> {
     let mut alongs = Vec::with_capacity(places.len());
     for place in places {
         if !alongs.contains(&place.along) {
@@ -406,9 +406,10 @@ pub(super) fn alongs_of(places: &[Place]) -> Vec<f64> {
     alongs
 }
 
-/// Contacts of places: of each its number among the distinct places along the track, and its axes, which stand beside each other.
+/// One contact: the number of its place among the distinct ones along the track, and which places are its axes.
 type ContactAxes = (usize, Range<usize>);
 
+/// Contacts of places, of which the axes of one stand beside each other.
 fn contacts_of(places: &[Place], alongs: &[f64]) -> Vec<ContactAxes> {
     let mut contacts: Vec<ContactAxes> = Vec::with_capacity(places.len());
     for places in places.chunk_by(is_beside) {
