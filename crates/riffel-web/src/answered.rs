@@ -52,12 +52,12 @@ impl Answered {
         &self,
         path: &'static str,
         question: Bytes,
-        wanted: &CancelToken,
+        cancel: &CancelToken,
         answer: impl FnOnce() -> Result<Reply, Fault>,
     ) -> Result<Arc<Reply>, Fault> {
         let begun = Instant::now();
         let reply = Arc::new(answer()?);
-        if begun.elapsed() >= WORTH_KEEPING && wanted.still() {
+        if begun.elapsed() >= WORTH_KEEPING && cancel.is_wanted() {
             self.0.insert((path, question), reply.clone());
         }
         Ok(reply)
@@ -94,8 +94,8 @@ mod tests {
         let question = Bytes::from_static(b"question");
         let asked = |reply: Result<Reply, Fault>| {
             let (answered, question) = (answered.clone(), question.clone());
-            move |wanted: &CancelToken| {
-                answered.keep("/api/line", question, wanted, || {
+            move |cancel: &CancelToken| {
+                answered.keep("/api/line", question, cancel, || {
                     std::thread::sleep(WORTH_KEEPING);
                     reply
                 })
@@ -107,9 +107,9 @@ mod tests {
         assert!(answered.to("/api/line", &question).is_none());
         let closing = queue.clone();
         let given_up = asked(Ok(reply()));
-        let outcome = queue.run(None, move |wanted| {
+        let outcome = queue.run(None, move |cancel| {
             closing.close();
-            given_up(wanted)
+            given_up(cancel)
         });
         assert!(outcome.await.is_err());
         assert!(answered.to("/api/line", &question).is_none());

@@ -113,9 +113,9 @@ impl Program {
         folder: &Path,
         name: &str,
         question: &Value,
-        wanted: &CancelToken,
+        cancel: &CancelToken,
     ) -> Result<Value, Fault> {
-        let printed = self.answer(folder, name, question, Language::English, wanted)?;
+        let printed = self.answer(folder, name, question, Language::English, cancel)?;
         serde_json::from_str(&printed).map_err(|_| Fault::defect("the program printed something else than a document"))
     }
 
@@ -126,16 +126,16 @@ impl Program {
         name: &str,
         question: &Value,
         language: Language,
-        wanted: &CancelToken,
+        cancel: &CancelToken,
     ) -> Result<String, Fault> {
         let own = std::process::id().to_string();
         let arguments = ["ask", "--messages", "--page", &own, "--language", language.code()];
         let arguments: Vec<&str> = arguments.into_iter().chain(name.split(' ')).collect();
-        self.run(folder, &arguments, question, wanted)
+        self.run(folder, &arguments, question, cancel)
     }
 
     /// What the program prints when it is run with the arguments in the folder, and a document on standard input.
-    fn run(&self, folder: &Path, arguments: &[&str], input: &Value, wanted: &CancelToken) -> Result<String, Fault> {
+    fn run(&self, folder: &Path, arguments: &[&str], input: &Value, cancel: &CancelToken) -> Result<String, Fault> {
         let failed = |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
         // Files, not pipes: nobody has to read while it runs.
         let place = tempfile::tempdir_in(folder).map_err(disk)?;
@@ -158,7 +158,7 @@ impl Program {
             if let Some(status) = running.0.try_wait().map_err(failed)? {
                 break status;
             }
-            if !wanted.still() {
+            if !cancel.is_wanted() {
                 return Err(Fault::superseded());
             }
             if memory.exceeds(self.most_memory) {
@@ -169,7 +169,7 @@ impl Program {
                 ));
             }
             if let Some(progress) = progress_of(&fs::read_to_string(&err).unwrap_or_default()) {
-                wanted.tell(progress);
+                cancel.tell(progress);
             }
             std::thread::sleep(LOOK);
         };

@@ -63,7 +63,7 @@ struct Flags {
 
 impl CancelToken {
     /// True while the answer is waited for.
-    pub(crate) fn still(&self) -> bool {
+    pub(crate) fn is_wanted(&self) -> bool {
         let closing = self.0.closing.as_ref();
         !self.0.dropped.load(Ordering::Relaxed) && !closing.is_some_and(|closing| closing.load(Ordering::Relaxed))
     }
@@ -87,7 +87,7 @@ impl CancelToken {
 
     /// The result of work that ran to its end, or the reason why it did not.
     fn or_dropped<T>(&self, result: Result<T, Fault>) -> Result<T, Fault> {
-        if self.still() {
+        if self.is_wanted() {
             return result;
         }
         Err(Fault::superseded())
@@ -142,8 +142,8 @@ impl Queue {
     /// How far the work on a subject is; `None` where none is under way.
     pub(crate) fn progress(&self, subject: &str) -> Option<Progress> {
         let newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
-        let wanted = newest.get(subject).filter(|wanted| wanted.still())?;
-        let told = wanted.0.progress.lock();
+        let cancel = newest.get(subject).filter(|cancel| cancel.is_wanted())?;
+        let told = cancel.0.progress.lock();
         Some(*told.unwrap_or_else(PoisonError::into_inner))
     }
 
@@ -154,9 +154,9 @@ impl Queue {
         subject: Option<String>,
         work: impl FnOnce(&CancelToken) -> Result<T, Fault> + Send + 'static,
     ) -> Result<T, Refusal> {
-        let wanted = self.register(subject);
-        let waiting = Waiting(wanted.clone());
-        let outcome = tokio::time::timeout(self.time_limit, self.wait_and_work(wanted, work)).await;
+        let cancel = self.register(subject);
+        let waiting = Waiting(cancel.clone());
+        let outcome = tokio::time::timeout(self.time_limit, self.wait_and_work(cancel, work)).await;
         drop(waiting);
         let outcome = outcome.unwrap_or_else(|_| {
             Err(Fault::busy(say!(the_answer_took_longer_than_s, seconds = self.time_limit.as_secs_f64())))
@@ -166,27 +166,27 @@ impl Queue {
 
     async fn wait_and_work<T: Send + 'static>(
         &self,
-        wanted: CancelToken,
+        cancel: CancelToken,
         work: impl FnOnce(&CancelToken) -> Result<T, Fault> + Send + 'static,
     ) -> Result<T, Fault> {
         let place = Place(self.waiting.clone());
         if self.waiting.fetch_add(1, Ordering::Relaxed) >= self.most_waiting {
             return Err(Fault::busy(say!(too_much_is_being_computed_at)));
         }
-        *wanted.0.place.lock().unwrap_or_else(PoisonError::into_inner) = Some(place);
+        *cancel.0.place.lock().unwrap_or_else(PoisonError::into_inner) = Some(place);
         let worker = tokio::select! {
             worker = self.workers.clone().acquire_owned() => worker,
             // Its place is for the newer one.
-            () = wanted.0.gone.notified() => return Err(Fault::superseded()),
+            () = cancel.0.gone.notified() => return Err(Fault::superseded()),
         };
-        wanted.leave();
+        cancel.leave();
         let worker = worker.map_err(|_| Fault::busy(say!(the_program_is_ending)))?;
         let task = tokio::task::spawn_blocking(move || {
             // Given back when the work has really ended, not when its request is given up.
             let _worker = worker;
-            let waits = wanted.clone();
-            let result = run_while(move || waits.still(), || work(&wanted));
-            wanted.or_dropped(result.unwrap_or_else(|| Err(Fault::superseded())))
+            let waits = cancel.clone();
+            let result = run_while(move || waits.is_wanted(), || work(&cancel));
+            cancel.or_dropped(result.unwrap_or_else(|| Err(Fault::superseded())))
         });
         task.await.unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))
     }
@@ -194,7 +194,7 @@ impl Queue {
     /// A request becomes the newest for its subject, and the one before it is dropped.
     fn register(&self, subject: Option<String>) -> CancelToken {
         static NUMBER: AtomicU64 = AtomicU64::new(0);
-        let wanted = CancelToken(Arc::new(Flags {
+        let cancel = CancelToken(Arc::new(Flags {
             closing: Some(self.closing.clone()),
             number: NUMBER.fetch_add(1, Ordering::Relaxed),
             ..Flags::default()
@@ -202,16 +202,16 @@ impl Queue {
         if let Some(subject) = subject {
             let mut newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
             if newest.len() >= MOST_PAGES && !newest.contains_key(&subject) {
-                let oldest = newest.iter().min_by_key(|(_, wanted)| wanted.0.number);
+                let oldest = newest.iter().min_by_key(|(_, cancel)| cancel.0.number);
                 if let Some(oldest) = oldest.map(|(subject, _)| subject.clone()) {
                     newest.remove(&oldest);
                 }
             }
-            if let Some(older) = newest.insert(subject, wanted.clone()) {
+            if let Some(older) = newest.insert(subject, cancel.clone()) {
                 older.drop_it();
             }
         }
-        wanted
+        cancel
     }
 }
 
@@ -271,8 +271,8 @@ mod tests {
     async fn work_under_way_tells_how_far_it_is() {
         let queue = Queue::new(1);
         let (release, held) = std::sync::mpsc::channel::<()>();
-        let work = move |wanted: &CancelToken| {
-            wanted.tell(Progress { done: 3, of: 8 });
+        let work = move |cancel: &CancelToken| {
+            cancel.tell(Progress { done: 3, of: 8 });
             Ok(held.recv())
         };
         let subject = "remedies of a";
@@ -301,9 +301,9 @@ mod tests {
         let older = tokio::spawn({
             let queue = queue.clone();
             async move {
-                let work = move |wanted: &CancelToken| {
+                let work = move |cancel: &CancelToken| {
                     begun.send(()).unwrap();
-                    while wanted.still() {
+                    while cancel.is_wanted() {
                         std::thread::yield_now();
                     }
                     Ok(())
@@ -323,8 +323,8 @@ mod tests {
     #[tokio::test]
     async fn what_takes_too_long_is_told_so_and_its_worker_comes_back() {
         let queue = Queue::with_limits(1, 2, Duration::from_millis(20));
-        let endless = |wanted: &CancelToken| {
-            while wanted.still() {
+        let endless = |cancel: &CancelToken| {
+            while cancel.is_wanted() {
                 std::thread::yield_now();
             }
             Ok(())
@@ -340,9 +340,9 @@ mod tests {
         let queue = Queue::with_limits(1, 2, TIME_LIMIT);
         let endless = {
             let queue = queue.clone();
-            move |wanted: &CancelToken| {
+            move |cancel: &CancelToken| {
                 queue.close();
-                while wanted.still() {
+                while cancel.is_wanted() {
                     std::thread::yield_now();
                 }
                 Ok(())

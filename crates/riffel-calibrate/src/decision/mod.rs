@@ -196,7 +196,7 @@ impl Decision {
         let allowed: Vec<Vec<f64>> = allowed.map(|(_, costs)| costs.clone()).collect();
         let costs = if allowed.is_empty() { costs } else { allowed };
         let places: Vec<Vec<f64>> = draws.into_iter().map(|draw| draw.place).collect();
-        let told = LinearDraws::of(&places, &costs);
+        let linear = LinearDraws::of(&places, &costs);
         let values = worth_of_values(plan, &places, &costs);
         Ok(Self {
             rise_db: choices.rise,
@@ -204,7 +204,7 @@ impl Decision {
             draws: places.len(),
             actions,
             evpi_per_year: of_everything(&costs),
-            measurements: worth_of_measurements(plan, &choices, &told, &values)?,
+            measurements: worth_of_measurements(plan, &choices, &linear, &values)?,
             evppi_per_year: values,
             currency: choices.currency,
         })

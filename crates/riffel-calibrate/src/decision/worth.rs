@@ -92,18 +92,18 @@ fn fit(columns: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
 pub(super) fn worth_of_measurements(
     plan: &Plan,
     choices: &Choices,
-    told: &LinearDraws,
+    linear: &LinearDraws,
     values: &[Worth],
 ) -> Result<Vec<Worth>, CalibrationError> {
-    let before = inverse(&told.covariance);
+    let before = inverse(&linear.covariance);
     let mut worth = Vec::new();
     for measurement in &choices.measurements {
-        let information = information(plan, measurement, &told.place).map_err(CalibrationError::Refused)?;
+        let information = information(plan, measurement, &linear.place).map_err(CalibrationError::Refused)?;
         let size = before.size;
         let sum = Matrix::of(size, |i, j| before.at(i, j) + information.at(i, j));
         let after = inverse(&sum);
-        let difference = Matrix::of(size, |i, j| told.covariance.at(i, j) - after.at(i, j));
-        let per_year = of_a_measurement(&told.means, &told.slopes, &difference);
+        let difference = Matrix::of(size, |i, j| linear.covariance.at(i, j) - after.at(i, j));
+        let per_year = of_a_measurement(&linear.means, &linear.slopes, &difference);
         // To measure one value cannot be worth more than to know it, which is told without costs that are linear in it.
         let known = match measurement.of {
             PlannedData::Parameter(index, _) => {

@@ -61,10 +61,10 @@ pub(crate) async fn post(
     // Others take a minute at the most, and hold up neither the files nor the sliders.
     let queue = if ABOUT_FILES.contains(&&*name) { &page.long } else { &page.marches };
     let answer = queue
-        .run(subject, move |wanted| {
+        .run(subject, move |cancel| {
             // The folder of the page stays as long as there is work in it.
             let _sent = sent;
-            let printed = program.answer(files.path(), question.name(), &Value::Object(keys), language, wanted)?;
+            let printed = program.answer(files.path(), question.name(), &Value::Object(keys), language, cancel)?;
             let kind = if printed.starts_with('{') { "application/json" } else { "text/csv; charset=utf-8" };
             Ok(([(header::CONTENT_TYPE, kind)], printed))
         })

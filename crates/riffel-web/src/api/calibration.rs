@@ -48,7 +48,7 @@ pub(crate) struct Question {
 
 impl Question {
     /// Case, traffic, data and plan in a folder of their own; and what the program says of the plan.
-    fn put(&self, own: &Sent, program: &Program, wanted: &CancelToken) -> Result<(Workspace, Value), Fault> {
+    fn put(&self, own: &Sent, program: &Program, cancel: &CancelToken) -> Result<(Workspace, Value), Fault> {
         // They are checked here, and open no file.
         self.case.read()?;
         let traffic = self.traffic.toml()?;
@@ -57,7 +57,7 @@ impl Question {
         files.write(TRAFFIC_FILE, &traffic)?;
         let tables = self.data.iter().map(|data| files.put(&own.file(data.upload)?, &data.name));
         let tables = tables.collect::<Result<Vec<String>, Fault>>()?;
-        let ask = |question: Value| program.ask(files.path(), "calibrate", &question, wanted);
+        let ask = |question: Value| program.ask(files.path(), "calibrate", &question, cancel);
         let usual = ask(json!({
             "plan": CASE_FILE, "with": tables, "traffic": TRAFFIC_FILE, "output": ".", "dry_run": true,
         }))?;
@@ -79,8 +79,8 @@ pub(crate) async fn plan(
     let program = page.program.clone();
     page.queue
         // Plans of single files and of all are asked for side by side: none takes the place of another.
-        .run(None, move |wanted| {
-            let (files, mut plan) = question.put(&own, &program, wanted)?;
+        .run(None, move |cancel| {
+            let (files, mut plan) = question.put(&own, &program, cancel)?;
             for (key, file) in [("case", CASE_FILE), ("traffic", TRAFFIC_FILE)] {
                 plan[key] = files.read(file)?.into();
             }
@@ -97,10 +97,10 @@ pub(crate) async fn post(
     let own = page.uploads.of(&client.owner()?)?;
     let program = page.program.clone();
     page.chains
-        .run(client.subject("calibration"), move |wanted| {
-            let (files, plan) = question.put(&own, &program, wanted)?;
+        .run(client.subject("calibration"), move |cancel| {
+            let (files, plan) = question.put(&own, &program, cancel)?;
             let asked = json!({ "plan": PLAN_FILE, "output": POSTERIOR });
-            let answer = program.ask(files.path(), "calibrate", &asked, wanted)?;
+            let answer = program.ask(files.path(), "calibrate", &asked, cancel)?;
             let plan = plan["text"].as_str().unwrap_or_default().to_owned();
             own.keep(Drawn { files, plan });
             Ok(JsonWithMessages(answer))

@@ -62,14 +62,14 @@ pub(crate) async fn post(
     let drawn = page.uploads.of(&client.owner()?)?.drawn()?;
     let program = page.program.clone();
     page.chains
-        .run(client.subject("decision"), move |wanted| {
+        .run(client.subject("decision"), move |cancel| {
             let (plan, changes) = question.plan(&drawn.plan)?;
             drawn.files.write(DECISION_FILE, &plan)?;
             for (name, text) in &changes {
                 drawn.files.write(name, text)?;
             }
             let asked = json!({ "dir": POSTERIOR, "plan": DECISION_FILE });
-            let mut answer = program.ask(drawn.files.path(), "decide", &asked, wanted)?;
+            let mut answer = program.ask(drawn.files.path(), "decide", &asked, cancel)?;
             answer["plan"] = plan.into();
             answer["files"] = json!(changes);
             Ok(JsonWithMessages(answer))

@@ -31,9 +31,9 @@ pub(crate) async fn post(
     let subject = kind.and_then(|kind| client.subject(&kind));
     let answered = page.answered.clone();
     let reply = queue
-        .run(subject, move |wanted| {
-            let tell = |done, of| wanted.tell(Progress { done, of });
-            answered.keep(path, json, wanted, || question.answer_telling(&tell))
+        .run(subject, move |cancel| {
+            let tell = |done, of| cancel.tell(Progress { done, of });
+            answered.keep(path, json, cancel, || question.answer_telling(&tell))
         })
         .await?;
     // One that is not kept has no other owner, and is not copied.
