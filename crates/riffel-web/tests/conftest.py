@@ -183,6 +183,11 @@ class Page:
             field.fill(value)
             field.press("Tab")
 
+    def give(self, selector, files):
+        """Choose files once their place is shown: what is given to a hidden one is lost, as an earlier record is while the record itself is on its way."""
+        self.until(lambda: self.page.locator(selector).evaluate("(input) => !input.disabled && !input.closest('[hidden]')"))
+        self.page.set_input_files(selector, files)
+
     def open_case(self, text, name="case.toml"):
         """Open a case file and wait until it is the case of the page: what is typed before would be lost to it."""
         self.page.set_input_files("#open-toml", files=[{"name": name, "mimeType": "text/plain", "buffer": text.encode()}])

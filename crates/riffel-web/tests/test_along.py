@@ -15,7 +15,7 @@ DATA = "() => (document.getElementById('along').data ?? []).map(({ name, x, y, y
 
 def measured(page, text, name="trolley.csv"):
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": name, "mimeType": "text/csv", "buffer": text.encode()}])
+    page.give("#record", files=[{"name": name, "mimeType": "text/csv", "buffer": text.encode()}])
 
 
 def along(page):
@@ -160,7 +160,7 @@ def test_sections_are_judged_the_worst_first_and_lead_to_their_part(open_page, t
 def test_what_lies_along_the_line_is_read_by_the_program(page):
     measured(page, two_rails(240))
     along(page)
-    table = lambda text, name="line.csv": page.page.set_input_files("#line-table", files=[{"name": name, "mimeType": "text/csv", "buffer": text.encode("cp1252")}])
+    table = lambda text, name="line.csv": page.give("#line-table", files=[{"name": name, "mimeType": "text/csv", "buffer": text.encode("cp1252")}])
     table("von_m;bis_m;Art;Name\n20;90;Bogen;R 300\n50;50;Schweißung;S 7\n")
     page.until(lambda: "Bogen" in along(page))
     found = along(page)
@@ -328,7 +328,7 @@ def test_columns_of_other_encodings_are_offered(page, encoding):
     rows = "".join(f"{k * 1e-3:.3f};{20e-3 * math.sin(2 * math.pi * k / 50):.5f};{20 * math.sin(2 * math.pi * k / 50):.3f}\n".replace(".", ",") for k in range(4000))
     text = "Weg [m];Höhe links [mm];Höhe rechts [µm]\n" + rows
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "umlaut.csv", "mimeType": "text/csv", "buffer": text.encode(encoding)}])
+    page.give("#record", files=[{"name": "umlaut.csv", "mimeType": "text/csv", "buffer": text.encode(encoding)}])
     along(page)
     page.page.evaluate("() => (document.getElementById('columns').open = true)")
     assert page.page.locator("#columns-table th").all_inner_texts() == ["Weg [m]", "Höhe links [mm]", "Höhe rechts [µm]"]

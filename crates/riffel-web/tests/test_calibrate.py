@@ -139,9 +139,9 @@ def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alon
     wrong = tmp_path / "wrong.csv"
     wrong.write_text("a,b\n1,2\n")
     for name in ["hammer", "decay", "axlebox"]:
-        page.page.set_input_files("#calibration-file", SETS / f"c-all-together/{name}.csv")
+        page.give("#calibration-file", SETS / f"c-all-together/{name}.csv")
         page.settle()
-    page.page.set_input_files("#calibration-file", wrong)
+    page.give("#calibration-file", wrong)
     page.page.locator("#calibration-files li:nth-child(4) .fault").wait_for()
     page.settle()
     rows = page.page.locator("#calibration-files li").all_inner_texts()
@@ -183,7 +183,7 @@ def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alon
 @pytest.mark.without_curves
 def test_a_file_that_is_removed_while_it_is_read_leaves_the_others(page):
     opened(page)
-    page.page.set_input_files("#calibration-file", SETS / "c-all-together/axlebox.csv")
+    page.give("#calibration-file", SETS / "c-all-together/axlebox.csv")
     page.settle()
     asked = []
     page.page.on("request", lambda request: request.url.endswith("/api/calibration/plan") and asked.append(request))
@@ -193,7 +193,7 @@ def test_a_file_that_is_removed_while_it_is_read_leaves_the_others(page):
     page.until(lambda: asked)
     with page.page.expect_response("**/api/upload/remove"):
         page.page.locator("#calibration-files button").click()
-    page.page.set_input_files("#calibration-file", SETS / "c-all-together/hammer.csv")
+    page.give("#calibration-file", SETS / "c-all-together/hammer.csv")
     page.page.locator("#calibration-files li").wait_for()
     release()
     page.settle()

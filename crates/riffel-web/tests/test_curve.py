@@ -88,11 +88,11 @@ def test_a_file_that_stands_the_wrong_way_round_is_turned(page):
     orientation = page.page.locator("#orientation-wheel")
     assert not orientation.is_visible()
     drawn = "() => document.getElementById('outlines').data[0].y"
-    page.page.set_input_files("#profile-file-wheel", str(ROOT / "cases/worn-wheel.csv"))
+    page.give("#profile-file-wheel", str(ROOT / "cases/worn-wheel.csv"))
     page.until(orientation.is_visible)
     page.settle()
     right = page.page.evaluate(drawn)
-    page.page.set_input_files("#profile-file-wheel", files=[{"name": "mirrored.csv", "mimeType": "text/csv", "buffer": mirrored.encode()}])
+    page.give("#profile-file-wheel", files=[{"name": "mirrored.csv", "mimeType": "text/csv", "buffer": mirrored.encode()}])
     page.page.select_option("#orientation-wheel", "as-written")
     page.until(lambda: page.page.evaluate(drawn) != pytest.approx(right))
     page.page.select_option("#orientation-wheel", "mirrored")

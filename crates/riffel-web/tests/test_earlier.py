@@ -82,11 +82,11 @@ def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page,
     add_vehicles(page)
     assert not page.page.locator("#trouble").is_visible() and not page.page.locator("#traffic-from").is_visible()
     texts = {"before": record(8, seed=2), "now": record(14)}
-    page.page.set_input_files("#record", files=files(now=texts["now"]))
+    page.give("#record", files=files(now=texts["now"]))
     page.until(page.page.locator("#earlier").is_visible)
     # Nothing of dates before there is something to compare with.
     assert not page.page.locator("#record-date").is_visible()
-    page.page.set_input_files("#earlier-file", files=files(before=texts["before"]))
+    page.give("#earlier-file", files=files(before=texts["before"]))
     page.page.locator("#earlier-records input").wait_for()
     given = {}
     page.page.on("response", lambda response: response.url.endswith("/api/ask/measure") and response.ok and given.update(json.loads(response.text())))
@@ -168,10 +168,10 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
     date = lambda k: rows.nth(k).locator("input")
     asked = lambda: [(one["name"], day) for one, day in zip(questions[-1].get("earlier", []), questions[-1].get("dates", [None] * 6))]
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=files(messung=record(14, metres=3)))
+    page.give("#record", files=files(messung=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
     good = record(8, metres=3)
-    page.page.set_input_files("#earlier-file", files=files(last=good, older=good) + [{"name": "notes.txt", "mimeType": "text/plain", "buffer": b"no table\n"}])
+    page.give("#earlier-file", files=files(last=good, older=good) + [{"name": "notes.txt", "mimeType": "text/plain", "buffer": b"no table\n"}])
     page.until(lambda: rows.count() == 3 and rows.nth(2).locator(".fault").last.is_visible())
     # What cannot be read says so under the name that the user knows, and the rest is asked for without it.
     assert "notes.txt" in rows.nth(2).inner_text() and "earlier-3" not in rows.nth(2).inner_text()
@@ -205,7 +205,7 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
     rows.nth(1).locator("button").click()
     page.until(lambda: asked() == [("last.csv", "2025-05-01")])
     # Another record has no earlier ones until they are added.
-    page.page.set_input_files("#record", files=files(another=good))
+    page.give("#record", files=files(another=good))
     page.until(lambda: "another.csv" in page.text("#record-state") and "earlier" not in questions[-1])
     assert rows.count() == 0 and "früheren" in page.text("#notice")
     page.close(complaints=len([text for text in page.complaints if "422" in text]))
@@ -220,15 +220,15 @@ def test_undo_brings_back_a_record_with_its_earlier_ones(page):
     dated = [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")]
     good = record(8, metres=3)
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=files(now=record(14, metres=3)))
+    page.give("#record", files=files(now=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
-    page.page.set_input_files("#earlier-file", files=files(older=good, last=good))
+    page.give("#earlier-file", files=files(older=good, last=good))
     page.until(lambda: rows.count() == 2 and page.page.locator(".course").count() > 0)
     page.page.locator("#record-date").fill("2026-05-01")
     for k, (_, day) in enumerate(dated):
         rows.nth(k).locator("input").fill(day)
     page.until(lambda: questions[-1].get("dates", [])[:-1] == [day for _, day in dated])
-    page.page.set_input_files("#record", files=files(another=good))
+    page.give("#record", files=files(another=good))
     page.until(lambda: questions[-1]["roughness"]["name"] == "another.csv" and "earlier" not in questions[-1])
     page.page.locator("#notice button").first.click()
     page.until(lambda: questions[-1]["roughness"]["name"] == "now.csv" and len(questions[-1].get("earlier", [])) == 2)
@@ -243,11 +243,11 @@ def test_undo_brings_back_a_record_with_its_earlier_ones(page):
 def test_a_file_that_is_no_text_takes_no_place(page, start):
     rows = page.page.locator("#earlier-records > li")
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=files(now=record(14, metres=3)))
+    page.give("#record", files=files(now=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
-    page.page.set_input_files("#earlier-file", files=files(older=record(8, metres=3)))
+    page.give("#earlier-file", files=files(older=record(8, metres=3)))
     page.until(lambda: rows.count() == 1)
-    page.page.set_input_files("#record", files=[{"name": "wrong.csv", "mimeType": "text/csv", "buffer": start + bytes(500)}])
+    page.give("#record", files=[{"name": "wrong.csv", "mimeType": "text/csv", "buffer": start + bytes(500)}])
     page.until(lambda: "wrong.csv" in page.text("#trouble") and "the file is" in page.text("#trouble"))
     page.until(lambda: page.text("#record-state").startswith("now.csv"))
     assert rows.count() == 1
@@ -266,7 +266,7 @@ def test_a_link_says_what_it_holds_and_that_it_holds_no_record(open_page):
     assert page.page.locator("#notice #link").input_value() == page.page.url
     assert "Der Link enthält" in told and "keinen eigenen Verkehr" in told and "Messung" not in told
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=files(messung=record(14, metres=3)))
+    page.give("#record", files=files(messung=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
     copy()
     page.until(lambda: "Er enthält nicht: die Messung messung.csv" in page.text("#notice"))

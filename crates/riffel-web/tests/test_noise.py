@@ -21,7 +21,7 @@ SPEEDS = {CASE: (110, 60), GROWING: (55, 30)}
 def heard(page, case=CASE):
     page.open_case(case.read_text(), case.name)
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(30)}])
+    page.give("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(30)}])
     page.until(page.page.locator("#noise-panel").is_visible)
 
 
@@ -139,7 +139,7 @@ def test_a_limit_of_ones_own_is_told_in_months(open_page, tmp_path):
 @pytest.mark.without_curves
 def test_a_track_without_a_level_says_so(page):
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(10)}])
+    page.give("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(10)}])
     # A free rail carries vibration on without end; what a moving one carries is not known.
     for model in ["free-beam", "moving-beam"]:
         page.set("track.model", model)

@@ -237,8 +237,8 @@ def test_a_rail_that_the_model_does_not_explain_comes_first_and_ranks_no_remedy(
     helps = "What helps most"
     page.until(lambda: helps in page.text("#verdict"))
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", str(tmp_path / "now.csv"))
-    page.page.set_input_files("#earlier-file", str(tmp_path / "before.csv"))
+    page.give("#record", str(tmp_path / "now.csv"))
+    page.give("#earlier-file", str(tmp_path / "before.csv"))
     page.page.locator("#earlier-records input").wait_for()
     page.page.fill("#record-date", dates[1])
     page.page.locator("#earlier-records input").fill(dates[0])

@@ -288,7 +288,7 @@ def profile(metres=60):
 
 def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
+    page.give("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
     page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
     assert "over the limit" in page.text("#view-measure")
     assert page.page.locator(".findings h3").first.inner_text().startswith("40")
@@ -318,7 +318,7 @@ def test_profiles_and_the_wheels_of_a_curve(page):
     page.until(lambda: page.page.locator("#outlines .main-svg").count() > 0)
     nominal = rows.first.inner_text()
     # A wheel of a device in place of the nominal one: the same profile, within its digits, is said to be turned.
-    page.page.set_input_files("#profile-file-wheel", str(PROFILES / "wheel.whl"))
+    page.give("#profile-file-wheel", str(PROFILES / "wheel.whl"))
     page.until(lambda: "wheel.whl: read as a wheel" in page.text("#profile-remarks"))
     assert page.page.locator("#profile-wheel").input_value() == "wheel.whl"
     assert "/" not in page.text("#profile-remarks")
@@ -349,7 +349,7 @@ def test_profiles_and_the_wheels_of_a_curve(page):
     page.keep("curve", whole=True)
     # What cannot be read says so in the name of the user.
     broken = {"name": "scan.csv", "mimeType": "text/csv", "buffer": b"x_mm,y_mm\n1,2\n3,x\n"}
-    page.page.set_input_files("#profile-file-rail", files=[broken])
+    page.give("#profile-file-rail", files=[broken])
     page.until(page.page.locator("#trouble").is_visible)
     assert "scan.csv" in page.text("#trouble") and "line 3" in page.text("#trouble")
     page.complaints.clear()
@@ -397,7 +397,7 @@ def test_a_curve_survives_a_reload_and_a_program_that_does_not_answer(page):
     page.page.click("#tab-curve")
     rows = page.page.locator("#wheels tbody tr")
     page.until(lambda: rows.count() == 4)
-    page.page.set_input_files("#profile-file-wheel", str(PROFILES / "wheel.whl"))
+    page.give("#profile-file-wheel", str(PROFILES / "wheel.whl"))
     page.until(lambda: "wheel.whl: read as a wheel" in page.text("#profile-remarks"))
     page.page.select_option("#profile-rail", "60E2")
     page.page.fill("#bogie-wheelbase", "6 ft")
@@ -447,7 +447,7 @@ def test_a_report_without_a_measured_rail_is_that_of_the_case(page, tmp_path):
 def test_a_file_that_is_no_profile_is_told_so(open_page):
     page = open_page()
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "letter.txt", "mimeType": "text/plain", "buffer": b"Dear all,\n"}])
+    page.give("#record", files=[{"name": "letter.txt", "mimeType": "text/plain", "buffer": b"Dear all,\n"}])
     page.until(page.page.locator("#trouble").is_visible)
     assert "letter.txt" in page.text("#trouble")
     assert "riffel-serve" not in page.text("#trouble")

@@ -17,10 +17,10 @@ def test_a_project_holds_all_that_is_open_and_opens_again(open_page, tmp_path):
     page.page.click("#tab-measure")
     records = {"new.csv": two_rails(30), "old.csv": two_rails(20), "line.csv": "position_m;kind;name\n12;weld;W 7\n"}
     given = lambda name: {"name": name, "mimeType": "text/csv", "buffer": records[name].encode()}
-    page.page.set_input_files("#record", files=[given("new.csv")])
+    page.give("#record", files=[given("new.csv")])
     page.until(page.page.locator("#along-panel").is_visible)
-    page.page.set_input_files("#earlier-file", files=[given("old.csv")])
-    page.page.set_input_files("#line-table", files=[given("line.csv")])
+    page.give("#earlier-file", files=[given("old.csv")])
+    page.give("#line-table", files=[given("line.csv")])
     page.until(page.page.locator("#line-table-drop").is_visible)
     for field, date in [("#record-date", "2026-05-01"), ("#earlier-records input[type=date]", "2025-05-01")]:
         page.page.fill(field, date)
@@ -95,13 +95,13 @@ def test_a_project_keeps_records_and_plan_over_a_reload(open_page, tmp_path):
     page.open_case((PLAN / "case.toml").read_text())
     page.page.click("#tab-measure")
     given = lambda name, text: {"name": name, "mimeType": "text/csv", "buffer": text.encode()}
-    page.page.set_input_files("#record", files=[given("new.csv", two_rails(30))])
+    page.give("#record", files=[given("new.csv", two_rails(30))])
     page.until(page.page.locator("#along-panel").is_visible)
-    page.page.set_input_files("#earlier-file", files=[given("old.csv", two_rails(20))])
+    page.give("#earlier-file", files=[given("old.csv", two_rails(20))])
     page.settle()
     page.page.click("#tab-calibrate")
     for name in ["hammer.csv", "decay.csv"]:
-        page.page.set_input_files("#calibration-file", PLAN / name)
+        page.give("#calibration-file", PLAN / name)
         page.settle()
     page.page.locator("#priors input[type=text]").first.fill("280 MN/m")
     page.page.locator("#priors input[type=text]").first.press("Tab")
@@ -123,7 +123,7 @@ def test_a_project_keeps_records_and_plan_over_a_reload(open_page, tmp_path):
     other = open_page()
     other.page.click("#tab-calibrate")
     other.settle()
-    other.page.set_input_files("#calibration-file", PLAN / "axlebox.csv")
+    other.give("#calibration-file", PLAN / "axlebox.csv")
     other.settle()
     opened(other, text)
     other.page.click("#tab-calibrate")
@@ -145,7 +145,7 @@ def test_a_project_keeps_records_and_plan_over_a_reload(open_page, tmp_path):
 def test_what_the_program_has_no_more_is_named(open_page, tmp_path):
     page = open_page()
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "new.csv", "mimeType": "text/csv", "buffer": two_rails(30).encode()}])
+    page.give("#record", files=[{"name": "new.csv", "mimeType": "text/csv", "buffer": two_rails(30).encode()}])
     page.until(page.page.locator("#along-panel").is_visible)
     page.settle()
     page.page.reload()

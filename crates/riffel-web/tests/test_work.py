@@ -102,7 +102,7 @@ def test_comparison_and_measurement_pale_with_the_case(page):
     page.until(lambda: pale(page, "compare") == 5)
     release()
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
+    page.give("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
     page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
     page.until(lambda: pale(page, "measure") == 0)
     release = hold(page, "**/api/ask/measure")
@@ -278,7 +278,7 @@ def test_starting_over_and_dropped_files_can_be_undone(page):
 def test_a_record_that_takes_the_place_of_another_can_be_undone(page):
     page.page.click("#tab-measure")
     for name in ["first.csv", "second.csv"]:
-        page.page.set_input_files("#record", files=[{"name": name, "mimeType": "text/csv", "buffer": profile(20)}])
+        page.give("#record", files=[{"name": name, "mimeType": "text/csv", "buffer": profile(20)}])
         page.until(lambda: name in page.text("#record-state") and page.page.evaluate("() => document.getElementById('upload').hidden"))
     page.until(page.page.locator("#notice").is_visible)
     page.page.locator("#notice").get_by_text("Undo").click()
@@ -291,7 +291,7 @@ def test_a_reload_loses_nothing(page):
     page.page.fill("#traffic-daily", "4000")
     page.page.press("#traffic-daily", "Tab")
     page.page.click("#tab-measure")
-    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
+    page.give("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
     page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
     page.settle()
     page.page.reload()
