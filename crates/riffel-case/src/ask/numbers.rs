@@ -130,7 +130,7 @@ impl Case {
 
     /// Whether the mean state is that of a vehicle in a curve, whose equilibrium takes hundredths of a second.
     pub fn is_in_curve(&self) -> bool {
-        self.keys.file.contact.from.is_some() || self.unfilled.keys.has("contact.from")
+        self.keys.mean.wheel().is_some()
     }
 
     /// Whether a key acts beside the mean state: a vehicle in a curve stands as before, whatever its number.
@@ -141,7 +141,7 @@ impl Case {
 
     /// Which contact of which curve the mean state is that of, the curve here or in another file; none without one.
     pub fn from_curve(&self) -> Option<FromCurve> {
-        self.unfilled.asks_for().ok()
+        self.keys.mean.wheel().map(|wheel| wheel.from.clone())
     }
 
     /// Names of the rail that a mean state from a curve is of: which one of the curve, and which side; none without such a state, where
@@ -159,9 +159,8 @@ impl Case {
     fn keys_with_numbers(&self, numbers: &[(&str, f64)]) -> Option<CheckedKeys> {
         let file = &self.keys.file;
         let dependent = file.wheelset.is_some()
-            || file.contact.from.is_some()
+            || self.is_in_curve()
             || file.curve.is_some()
-            || self.unfilled.keys.has("contact.from")
             || self.unfilled.keys.has("contact.profiles")
             || file.profiles.is_some()
             || file.wear.measured.is_some();

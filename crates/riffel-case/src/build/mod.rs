@@ -187,7 +187,7 @@ impl CheckedKeys {
             }
         };
         let takes_its_width =
-            (!studied || self.text.keys.has("contact.from")) && self.band_under_wider_contact(hertz).is_some();
+            (!studied || self.mean.wheel().is_some()) && self.band_under_wider_contact(hertz).is_some();
         match wear.band_width.filter(|_| !takes_its_width) {
             Some(width) => self.physics("wear.band_width", law.over_band(width.si())),
             None => Ok(law),

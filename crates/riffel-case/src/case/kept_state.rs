@@ -33,7 +33,7 @@ impl KeptState {
         own: &[Setting],
         window: &[Setting],
     ) -> Result<Option<Self>, CaseError> {
-        if case.unfilled.keys.has("contact.from") {
+        if case.is_in_curve() {
             // The curve gives the mean state of every variant.
             return match variant.hold {
                 None => Ok(None),

@@ -21,11 +21,12 @@ use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, Message, PhysicalRange, fixed, say, text_file};
 
 use crate::build::{BuiltCase, CreepLaws};
-use crate::curve::{CurvingCase, SharedProfiles};
+use crate::curve::{CurvingCase, Equilibrium, SharedProfiles};
 use crate::file::setting::Setting;
-use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
+use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName, FromCurve};
 use crate::keys::checked_keys::CheckedKeys;
 use crate::keys::substitutes::{SubstituteReceptance, Substitutes};
+use crate::keys::written_keys::WrittenKeys;
 use crate::parts::shared::Shared;
 use crate::parts::track::{Track, known_range};
 use crate::parts::wheelset::CaseWheelset;
@@ -121,17 +122,28 @@ impl Case {
         given: Substitutes,
         window: Window,
     ) -> Result<Self, CaseError> {
-        let mut given = given;
-        // A vehicle and a variant keep the coefficient of their case; another case has its own.
-        given.wear.take_if(|_| window == Window::Map);
-        let keys = CheckedKeys::of_text(unfilled.clone(), folder, given, window)?;
+        let keys = CheckedKeys::of_text(unfilled.clone(), folder, given.within(window), window)?;
+        Self::of_keys(keys, unfilled)?.with_measured_wear()
+    }
+
+    /// The case of written keys with the mean state of one contact of a balanced vehicle.
+    pub(crate) fn placed(
+        written: &WrittenKeys,
+        equilibrium: &Arc<Equilibrium>,
+        from: &FromCurve,
+        given: Substitutes,
+        window: Window,
+    ) -> Result<Self, CaseError> {
+        let mut unfilled = written.unfilled.clone();
+        unfilled.write(&from.settings())?;
+        let keys = written.on_wheel(equilibrium, from, given.within(window), window)?;
         Self::of_keys(keys, unfilled)?.with_measured_wear()
     }
 
     fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {
         let BuiltCase { track, closed, wavelength, speed, mut remarks } = keys.build()?;
         let other_forces = Self::of_other_forces(&keys, &closed.steady);
-        let of_curve = keys.text.curve_remarks.iter().cloned();
+        let of_curve = keys.mean.wheel().into_iter().flat_map(|wheel| wheel.remarks.iter().cloned());
         remarks.splice(0..0, of_curve.chain(other_forces));
         Ok(Self {
             file: keys.file.clone(),
@@ -155,7 +167,7 @@ impl Case {
     fn of_other_forces(keys: &CheckedKeys, steady: &MeanRolling) -> Option<Message> {
         /// Of |Q|/μP.
         const WORTH_A_REMARK: f64 = 0.05;
-        let in_curve = keys.text.curve_tractive_ratio?;
+        let in_curve = keys.mean.wheel()?.tractive_ratio?;
         let here = steady.tractive_ratio();
         ((here - in_curve).abs() > WORTH_A_REMARK).then(|| {
             let law = keys.creep_law_name().name();

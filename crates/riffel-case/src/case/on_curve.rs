@@ -1,13 +1,15 @@
 //! A case in a curve of another file, and the keys that give it the mean state it has there without that file.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use riffel_keys::CaseError;
 use toml::{Table, Value};
 
 use crate::file::setting::{Setting, settings};
-use crate::file::{ContactDynamics, CreepLawName};
+use crate::file::{ContactDynamics, CreepLawName, CurveRail, FromCurve};
 use crate::keys::substitutes::Substitutes;
+use crate::keys::written_keys::WrittenKeys;
 use crate::parts::window::Window;
 use crate::{Case, CaseKey};
 
@@ -47,19 +49,20 @@ impl Case {
         if is_steady && law.entry().is_some_and(|law| law.ends_in_sliding) {
             text.write(&[(LAW.to_owned(), "fastsim".into())])?;
         }
-        let on_wheel = |(wheelset, rail): (i64, &str)| {
-            let from = Table::from_iter([
-                ("curve".to_owned(), file.into()),
-                ("wheelset".to_owned(), wheelset.into()),
-                ("rail".to_owned(), rail.into()),
-            ]);
-            let mut text = text.clone();
-            text.write(&[("contact.from".to_owned(), from.into())])?;
-            Self::of_text(text, Some(folder), Substitutes::default(), Window::Map)
+        let from =
+            FromCurve { curve: Some(file.to_owned()), wheelset: 1, rail: CurveRail::Low, contact: None, patch: None };
+        let named = Value::try_from(&from).map_err(|error| self.refuse("", error.to_string()))?;
+        text.write(&[("contact.from".to_owned(), named)])?;
+        let written = WrittenKeys::read(text, Some(folder))?;
+        let given = Substitutes::default();
+        let equilibrium = Arc::new(written.equilibrium(&from, &given)?);
+        let on_wheel = |(wheelset, rail)| {
+            let from = FromCurve { wheelset, rail, ..from.clone() };
+            Self::placed(&written, &equilibrium, &from, given.clone(), Window::Map)
         };
         // Where one wheel has no loop another may have one.
-        let first = on_wheel((1, "low"));
-        let others = [(2, "low"), (1, "high"), (2, "high")].into_iter();
+        let first = on_wheel((1, CurveRail::Low));
+        let others = [(2, CurveRail::Low), (1, CurveRail::High), (2, CurveRail::High)].into_iter();
         first.or_else(|error| others.map(on_wheel).find_map(Result::ok).ok_or(error))
     }
 
@@ -103,7 +106,7 @@ impl Case {
     /// Width \[m\] of a contact of a curve that is wider than the band of wear: wear comes off it in place of the band.
     pub(crate) fn wider_than_its_band(&self) -> Option<f64> {
         let [_, width] = self.keys.band_under_wider_contact(self.hertz)?;
-        self.unfilled.keys.has("contact.from").then_some(width)
+        self.is_in_curve().then_some(width)
     }
 }
 

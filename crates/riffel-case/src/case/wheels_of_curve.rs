@@ -1,11 +1,19 @@
 //! The wheels of a vehicle in its curve, each as the wheel of the loop.
 
+use std::sync::Arc;
+
 use riffel::curving::{Curve, VehicleState, WheelState};
 use riffel_keys::{CaseError, Message, number, say};
-use toml::Value;
 
 use crate::Case;
-use crate::file::{ContactOfWheel, CurveRail, FromCurve};
+use crate::curve::Equilibrium;
+use crate::file::{ContactOfWheel, CurveRail, FromCurve, RailSide};
+use crate::keys::mean::MeanOfWheel;
+use crate::keys::written_keys::WrittenKeys;
+use crate::parts::window::Window;
+
+/// The key of the rail of a wheelset.
+const RAIL: &str = "wheelset.rail";
 
 /// The equilibrium of a vehicle, and its wheels one after the other in the loop of a case.
 pub struct WheelsOfCurve {
@@ -56,16 +64,11 @@ impl Case {
     /// # Errors
     /// [`CaseError`] for a vehicle that has no equilibrium.
     pub fn wheels_of_curve(&self) -> Result<Option<WheelsOfCurve>, CaseError> {
-        let mut filled = self.unfilled.clone();
-        filled.fill_in()?;
-        if !filled.keys.has("contact.from") {
+        let Some(MeanOfWheel { equilibrium, from, .. }) = self.keys.mean.wheel() else {
             return Ok(None);
-        }
-        let from = filled.asks_for()?;
-        let folder = self.keys.folder.as_deref();
-        let curving = filled.curving_case(&from, &self.unfilled, folder)?;
-        let vehicle = curving.vehicle_in_curve()?;
-        let states = curving.equilibria(&vehicle)?;
+        };
+        let written = WrittenKeys::read(self.unfilled.clone(), self.keys.folder.as_deref())?;
+        let Equilibrium { vehicle, states, .. } = &**equilibrium;
         let VehicleState { wheels, .. } = &states[0];
         let low = CurveRail::Low.in_curve(vehicle.curve.radius);
         let mut wheels: Vec<WheelOfCurve> = (wheels.iter())
@@ -78,7 +81,19 @@ impl Case {
                     [(ContactOfWheel::Tread, Some(*state)), (ContactOfWheel::Flange, state.from_second_contact())];
                 contacts.map(|(contact, state)| {
                     let state = state?;
-                    Some(WheelOfCurve { state, rail, contact, case: self.on_wheel(&from, &state, rail, contact) })
+                    let named = from.contact.is_some() || contact == ContactOfWheel::Flange;
+                    let from = FromCurve {
+                        wheelset: state.wheelset as u8,
+                        rail,
+                        contact: named.then_some(contact),
+                        ..from.clone()
+                    };
+                    Some(WheelOfCurve {
+                        state,
+                        rail,
+                        contact,
+                        case: self.on_wheel(&written, equilibrium, &from, &state),
+                    })
                 })
             })
             .flatten()
@@ -90,23 +105,19 @@ impl Case {
     /// The case with another wheel under study.
     fn on_wheel(
         &self,
+        written: &WrittenKeys,
+        equilibrium: &Arc<Equilibrium>,
         from: &FromCurve,
         state: &WheelState,
-        rail: CurveRail,
-        contact: ContactOfWheel,
     ) -> Result<Self, CaseError> {
-        let set = |key: &str, value: Value| (key.to_owned(), value);
-        let mut settings = vec![
-            set("contact.from.wheelset", Value::Integer(state.wheelset as i64)),
-            set("contact.from.rail", rail.name().into()),
-        ];
-        if from.contact.is_some() || contact == ContactOfWheel::Flange {
-            settings.push(set("contact.from.contact", contact.name().into()));
+        let mut written = written.clone();
+        if let Some(wheelset) = &mut written.file.wheelset
+            && written.unfilled.keys.has(RAIL)
+        {
+            wheelset.rail = RailSide::of(state.rail);
+            written.unfilled.write(&[(RAIL.to_owned(), state.rail.name().into())])?;
         }
-        if self.unfilled.keys.has("wheelset.rail") {
-            settings.push(set("wheelset.rail", state.rail.name().into()));
-        }
-        self.with_settings(&settings)
+        Self::placed(&written, equilibrium, from, self.keys.given.clone(), Window::Map)
     }
 }
 

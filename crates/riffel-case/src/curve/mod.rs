@@ -127,13 +127,13 @@ impl CurvingCase {
         Ok(Self { text, folder: folder.to_owned(), file, remarks, shared: SharedProfiles::default() })
     }
 
-    /// The case with one more override `key=value`.
+    /// The case with more overrides `key=value`.
     ///
     /// # Errors
     /// Errors of [`read`](Self::read).
-    pub fn with(&self, assignment: &str) -> Result<Self, CaseError> {
+    pub(crate) fn with(&self, overrides: &[String]) -> Result<Self, CaseError> {
         let mut text = self.text.clone();
-        text.apply(&[assignment.to_owned()])?;
+        text.apply(overrides)?;
         Self::of_text(text, &self.folder)
     }
 

@@ -20,6 +20,8 @@ static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
 impl CreepLawName {
     /// The paper's, equation (5).
     pub const CARTER_3D: Self = Self("carter-3d");
+    /// Shen, Hedrick and Elkins (1983).
+    pub const SHEN_HEDRICK_ELKINS: Self = Self("shen-hedrick-elkins");
     /// Polach (2000), with the parameters of `polach`.
     pub const POLACH: Self = Self("polach");
     /// Kalker's exact theory.

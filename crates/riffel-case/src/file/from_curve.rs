@@ -3,6 +3,9 @@
 use riffel::Rail;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use toml::Value;
+
+use super::setting::Setting;
 
 /// One contact of a vehicle in its curve, as `riffel curve` finds it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -22,6 +25,17 @@ pub struct FromCurve {
     /// Which patch the loop takes; left out, the ellipse of Hertz.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub patch: Option<Patch>,
+}
+
+impl FromCurve {
+    /// What names the wheel in a case.
+    pub(crate) fn settings(&self) -> Vec<Setting> {
+        let wheelset = Value::Integer(self.wheelset.into());
+        let named = [("wheelset", wheelset), ("rail", self.rail.name().into())];
+        let contact = self.contact.map(|contact| ("contact", contact.name().into()));
+        let named = named.into_iter().chain(contact);
+        named.map(|(name, value)| (format!("contact.from.{name}"), value)).collect()
+    }
 }
 
 /// The patch of a contact whose profiles are known.

@@ -131,6 +131,14 @@ pub enum RailSide {
 }
 
 impl RailSide {
+    /// That of a rail of the track.
+    pub fn of(rail: riffel::Rail) -> Self {
+        match rail {
+            riffel::Rail::Right => Self::Right,
+            riffel::Rail::Left => Self::Left,
+        }
+    }
+
     /// The rail of the track.
     pub fn of_track(self) -> riffel::Rail {
         match self {

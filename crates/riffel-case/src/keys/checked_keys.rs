@@ -1,6 +1,6 @@
 //! The keys of a case, checked one by one.
 
-use riffel_keys::{CaseError, Message, Value, number, say, seal};
+use riffel_keys::{CaseError, Message, Value, number, say};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,7 +10,9 @@ use riffel::{Axis, ElasticMaterial};
 use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName, HertzTheory};
+use crate::keys::mean::Mean;
 use crate::keys::substitutes::Substitutes;
+use crate::keys::written_keys::WrittenKeys;
 use crate::parts::window::Window;
 use crate::text::case_text::CaseText;
 
@@ -27,6 +29,8 @@ pub(crate) struct CheckedKeys {
     /// Folder to which file names in the case are relative; without one the case may not name any.
     pub(crate) folder: Option<PathBuf>,
     pub(crate) file: CaseFile,
+    /// Where the mean state comes from.
+    pub(crate) mean: Mean,
     /// Structures in place of those of the file.
     pub(crate) given: Substitutes,
     /// What wavelengths and speeds of the file are a window of.
@@ -34,29 +38,30 @@ pub(crate) struct CheckedKeys {
 }
 
 impl CheckedKeys {
-    /// The keys of a text, presets and defaults filled in. `folder` is the one to which files are relative; without it
-    /// the case may not name any.
+    /// The keys of a text, presets and defaults filled in, with the mean state of a curve where they ask for it. `folder` is the one to
+    /// which files are relative; without it the case may not name any.
     pub(crate) fn of_text(
-        mut text: CaseText,
+        unfilled: CaseText,
         folder: Option<&Path>,
         given: Substitutes,
         window: Window,
     ) -> Result<Self, CaseError> {
-        // What a page has sent is read as a case that names no file, whichever way it comes to be one.
-        let folder = folder.filter(|_| !seal::is_sealed());
-        let unfilled = text.clone();
-        text.fill_in()?;
-        text.fill_in_from_curve(&unfilled, folder, &given)?;
-        let mut file = text.deserialize()?;
-        text.judge()?;
-        // What it says is filled in, and a case that is sent elsewhere has no files.
-        let from = &mut file.contact.from;
-        from.take_if(|from| from.curve.is_some());
-        let file_keys = ["track.measurement.file", "wheelset.file"];
-        let named = file_keys.into_iter().find(|key| text.keys.has(key));
-        if let (None, Some(key)) = (folder, named) {
-            return Err(text.names_a_file(key));
-        }
+        let written = WrittenKeys::read(unfilled, folder)?;
+        let Some(from) = &written.from else {
+            return Self::complete(written, Mean::Given, given, window);
+        };
+        let equilibrium = written.equilibrium(from, &given)?;
+        written.on_wheel(&Arc::new(equilibrium), from, given, window)
+    }
+
+    /// Written keys with their mean state, where they go together.
+    pub(crate) fn complete(
+        written: WrittenKeys,
+        mean: Mean,
+        given: Substitutes,
+        window: Window,
+    ) -> Result<Self, CaseError> {
+        let WrittenKeys { text, folder, mut file, .. } = written;
         if let Some((measured, coefficient)) = given.wear
             && file.wear.measured == Some(measured)
         {
@@ -69,7 +74,7 @@ impl CheckedKeys {
             wheel.inertia.get_or_insert(Quantity::new(reduced));
             wheel.rotation.get_or_insert_default();
         }
-        let keys = Self { text: Arc::new(text), folder: folder.map(Path::to_owned), file, given, window };
+        let keys = Self { text: Arc::new(text), folder, file, mean, given, window };
         keys.check_wheel()?;
         keys.check_measured_wear()?;
         keys.general()?;
@@ -169,7 +174,7 @@ impl CheckedKeys {
     pub(crate) fn physics<T>(&self, key: &str, result: Result<T, riffel::Error>) -> Result<T, CaseError> {
         result.map_err(|error| {
             let help = match key {
-                "contact.creepage" if self.text.keys.has("contact.from") => {
+                "contact.creepage" if self.mean.wheel().is_some() => {
                     "it is the creepage of the curve of contact.from; contact.creep_law = \"fastsim\" keeps a little stick where there is spin, \
                      \"full-sliding\" is made for none"
                 }

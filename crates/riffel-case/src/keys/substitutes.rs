@@ -7,12 +7,12 @@ use riffel::{Receptance, RollingContact};
 use riffel_keys::{CaseError, Message};
 use riffel_rail::response::{self, UniversalFunction};
 
-use crate::curve::Equilibrium;
 use crate::curve::SharedProfiles;
 use crate::file::MeasuredWear;
 use crate::parts::shared::Shared;
 use crate::parts::track::Origin;
 use crate::parts::wheelset::BuiltWheelset;
+use crate::parts::window::Window;
 
 /// A vertical receptance that takes the place of the model of the case: a finite-element track, a flexible
 /// wheelset, a measurement in memory.
@@ -83,8 +83,6 @@ pub(crate) struct Substitutes {
     pub(crate) wheel: Option<SubstituteReceptance>,
     /// The wear coefficient \[kg/J\] that gives the wear measured, where that is still what the case has.
     pub(crate) wear: Option<(MeasuredWear, f64)>,
-    /// In place of that of the curve of the case.
-    pub(crate) equilibrium: Option<Arc<Equilibrium>>,
     /// Tables of the exact contact that other cases have, too: each costs a second.
     pub(crate) tables: Shared<Arc<dyn RollingContact>>,
     /// Wheelsets that other cases have, too: of a vehicle in its curve every wheel at every speed has a case of its own.
@@ -95,4 +93,13 @@ pub(crate) struct Substitutes {
     pub(crate) profiles: SharedProfiles,
     /// Whether it is one of many cases, without the remarks that cost time.
     pub(crate) quick: bool,
+}
+
+impl Substitutes {
+    /// Those of another case in a window: a vehicle and a variant keep the wear coefficient of their case, another case has its own.
+    #[must_use]
+    pub(crate) fn within(mut self, window: Window) -> Self {
+        self.wear.take_if(|_| window == Window::Map);
+        self
+    }
 }

@@ -25,12 +25,6 @@ pub(crate) struct CaseText {
     pub(crate) remarks: Vec<Message>,
     /// Keys whose values are those of presets.
     pub(crate) filled_in: BTreeSet<String>,
-    /// What there is to say of the curve that the mean state comes from.
-    pub(crate) curve_remarks: Vec<Message>,
-    /// |Q|/μP of the contact that a curve gave the case, where the case has no value of its own.
-    pub(crate) curve_tractive_ratio: Option<f64>,
-    /// Where the contact that a curve gave the case runs on the rail: from the axis of its profile to the field side \[m\].
-    pub(crate) contact_outward: Option<f64>,
 }
 
 /// A file of keys of a case, or of some of them, the axes of its map and its measured wear written as tables.
@@ -55,14 +49,7 @@ impl CaseText {
     }
 
     pub(crate) fn of(keys: KeyFile) -> Self {
-        Self {
-            keys,
-            remarks: Vec::new(),
-            filled_in: BTreeSet::new(),
-            curve_remarks: Vec::new(),
-            curve_tractive_ratio: None,
-            contact_outward: None,
-        }
+        Self { keys, remarks: Vec::new(), filled_in: BTreeSet::new() }
     }
 
     /// The error of a case that names a file by a key and may not.
@@ -104,6 +91,25 @@ impl CaseText {
             let replaced = REPLACED_BY_WHEELSET.iter().filter(|key| !sets(key));
             replaced.for_each(|key| self.keys.remove(key));
         }
+    }
+
+    /// The keys as types, where some that are left out have a number that stands for what is still to come, as has friction that is
+    /// a table of both rails.
+    pub(crate) fn deserialize_with(&self, stand_ins: &[&str]) -> Result<CaseFile, CaseError> {
+        const ANY: f64 = 1.0;
+        let mut text = self.clone();
+        for key in stand_ins {
+            if !self.keys.has(key) || self.is_table(key) {
+                text.keys.put(key, ANY);
+            }
+        }
+        text.deserialize()
+    }
+
+    /// True for a key `table.name` that is a table itself.
+    pub(crate) fn is_table(&self, key: &str) -> bool {
+        let found = key.split_once('.').and_then(|(table, name)| self.keys.table().get(table)?.get(name));
+        found.is_some_and(Value::is_table)
     }
 
     /// The keys as types, with defaults in the place of those left out.

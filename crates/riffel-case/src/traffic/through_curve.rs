@@ -1,18 +1,16 @@
 //! All wheels of a vehicle in its curve, each with its own mean state at each speed.
 
-use std::sync::Arc;
-
 use riffel::STANDARD_GRAVITY;
 use riffel::curving::VehicleInCurve;
 use riffel_keys::CaseError;
-use toml::Value;
 
 use super::spreads::{FRICTION, LOAD, PartValues, WHEEL_RADIUS};
 use super::{CurveOfVehicle, Traffic};
 use crate::curve::CurvingCase;
 use crate::curve::Equilibrium;
+use crate::file::FromCurve;
 use crate::file::setting::Setting;
-use crate::parts::window::Window;
+use crate::keys::written_keys::WrittenKeys;
 use crate::text::case_text::CaseText;
 use crate::{Case, Variant};
 
@@ -30,7 +28,12 @@ const MEAN_STATE: [&str; 9] = [
 ];
 
 /// Tables that belong to a vehicle in its curve.
-pub(super) const OF_VEHICLE: [&str; 4] = ["curve.", "bogie.", "body.", "profiles."];
+const OF_VEHICLE: [&str; 4] = ["curve.", "bogie.", "body.", "profiles."];
+
+/// True for a key of a table that belongs to a vehicle in its curve.
+pub(super) fn is_of_vehicle(key: &str) -> bool {
+    OF_VEHICLE.iter().any(|table| key.starts_with(table))
+}
 
 /// A vehicle in its curve, before it is balanced.
 pub(super) struct ThroughCurve {
@@ -62,32 +65,27 @@ impl Traffic {
                     None => CurvingCase::of_tables(text, case.keys.folder.as_deref())?,
                 }
             }
-            Some(CurveOfVehicle::File(file)) => CurvingCase::read(&self.folder.join(file), &[])?,
-        };
-        if let Some(CurveOfVehicle::File(_)) = &vehicle.curve {
-            let own = crate::file::setting::settings(&vehicle.set);
-            let of_vehicle = own
-                .iter()
-                .chain(&variant.settings)
-                .filter(|(key, _)| OF_VEHICLE.iter().any(|table| key.starts_with(table)) || key == "contact.friction");
-            for (key, value) in of_vehicle {
-                curving = curving.with(&format!("{key}={value}"))?;
+            Some(CurveOfVehicle::File(file)) => {
+                let own = crate::file::setting::settings(&vehicle.set);
+                let of_vehicle = own.iter().chain(&variant.settings);
+                let of_vehicle = of_vehicle.filter(|(key, _)| is_of_vehicle(key) || key == FRICTION);
+                let overrides: Vec<String> = of_vehicle.map(|(key, value)| format!("{key}={value}")).collect();
+                CurvingCase::read(&self.folder.join(file), &overrides)?
             }
-        }
+        };
+        let mut overrides = Vec::new();
         if let (Some(load), Some(bogie)) = (values.of(LOAD), &curving.file.bogie) {
             let mass = 2.0 * load / STANDARD_GRAVITY;
             let more = mass - bogie.mass_per_axle.si();
             let body = curving.file.body.as_ref().map(|body| body.mass.si() + 4.0 * more);
-            curving = curving.with(&format!("bogie.mass_per_axle={mass:?}"))?;
-            if let Some(body) = body {
-                curving = curving.with(&format!("body.mass={body:?}"))?;
-            }
+            overrides.push(format!("bogie.mass_per_axle={mass:?}"));
+            overrides.extend(body.map(|body| format!("body.mass={body:?}")));
         }
-        for (_, (key, value)) in values.settings() {
-            let of_wheel = [FRICTION, WHEEL_RADIUS].contains(&&*key);
-            if of_wheel || OF_VEHICLE.iter().any(|table| key.starts_with(table)) {
-                curving = curving.with(&format!("{key}={value}"))?;
-            }
+        let of_curve = |key: &str| is_of_vehicle(key) || [FRICTION, WHEEL_RADIUS].contains(&key);
+        let of_part = values.settings().filter(|(_, (key, _))| of_curve(key));
+        overrides.extend(of_part.map(|(_, (key, value))| format!("{key}={value}")));
+        if !overrides.is_empty() {
+            curving = curving.with(&overrides)?;
         }
         curving.shared = case.keys.given.profiles.or_kept();
         let vehicle = curving.vehicle_in_curve()?;
@@ -111,24 +109,17 @@ impl ThroughCurve {
 }
 
 impl Case {
-    /// The case with one wheel of a balanced vehicle on its rail under study, and with settings: the wheel of the wheelset that is
-    /// counted from 1.
-    pub(crate) fn on_wheelset(
-        &self,
-        equilibrium: &Arc<Equilibrium>,
-        wheelset: usize,
-        sets: &[&[Setting]],
-        window: Window,
-    ) -> Result<Self, CaseError> {
+    /// The keys of the case with settings, before a wheel of a vehicle in its curve gives them their mean state.
+    pub(crate) fn before_a_wheel(&self, sets: &[&[Setting]]) -> Result<(WrittenKeys, FromCurve), CaseError> {
         let mut text = self.text_with(sets)?;
         if !text.keys.has("contact.from") {
             text.asks_for_low_rail();
         }
-        text.keys.write("contact.from.wheelset", Value::Integer(wheelset as i64))?;
-        let mut given = self.keys.given.clone();
-        given.equilibrium = Some(equilibrium.clone());
-        let folder = self.keys.folder.as_deref();
-        Self::of_text(text, folder, given, window)
+        let written = WrittenKeys::read(text, self.keys.folder.as_deref())?;
+        let Some(from) = written.from.clone() else {
+            unreachable!("the text asks for a wheel");
+        };
+        Ok((written, from))
     }
 }
 
@@ -140,5 +131,6 @@ impl CaseText {
         }
         let rail = self.keys.text_of("wheelset.rail").unwrap_or("low").to_owned();
         self.keys.put("contact.from.rail", rail);
+        self.keys.put("contact.from.wheelset", 1);
     }
 }

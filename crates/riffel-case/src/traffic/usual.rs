@@ -70,7 +70,7 @@ impl LineKind {
         const HEAVIEST_COACH: f64 = 88e3;
         let file = &case.file;
         // A wheel that slides across the rail stands in a curve.
-        if case.unfilled.keys.has("contact.from") || case.steady.creepages.lateral != 0.0 {
+        if case.is_in_curve() || case.steady.creepages.lateral != 0.0 {
             return Self::Curve;
         }
         let load = case.steady.normal_force;

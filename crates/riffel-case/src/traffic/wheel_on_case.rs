@@ -66,7 +66,7 @@ impl Traffic {
         let at = |key: &str| format!("vehicle[{index}]{key}");
         let mut own = settings_of(vehicle);
         own.extend(values.settings());
-        if case.unfilled.keys.has("contact.from")
+        if case.is_in_curve()
             && let Some((key, _)) = own.iter().find(|(key, _)| OF_CURVE.contains(&&**key))
         {
             let message = format!(

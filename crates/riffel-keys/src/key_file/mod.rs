@@ -242,10 +242,25 @@ impl KeyFile {
             Some(Value::Float(number)) => Some(WrittenQuantity::bare(*number)),
             _ => None,
         };
-        let Some(written) = written else {
-            return Ok(None);
-        };
-        match range.judge(key, &written) {
+        written.map_or(Ok(None), |written| self.judged(key, &range, &written))
+    }
+
+    /// [`judge`](Self::judge) a number in SI that takes the place of a key.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a value outside its physical range.
+    pub fn judge_number(&self, key: &str, value: f64) -> Result<Option<Message>, CaseError> {
+        let range = PhysicalRange::of(key);
+        range.map_or(Ok(None), |range| self.judged(key, &range, &WrittenQuantity::bare(value)))
+    }
+
+    fn judged(
+        &self,
+        key: &str,
+        range: &PhysicalRange,
+        written: &WrittenQuantity,
+    ) -> Result<Option<Message>, CaseError> {
+        match range.judge(key, written) {
             Judgement::Usual => Ok(None),
             Judgement::Unusual(remark) => Ok(Some(remark)),
             Judgement::Impossible { rule, help } => Err(self.invalid(key, rule, help)),

@@ -5,9 +5,9 @@ use riffel::contact::Creepages;
 use riffel::curving::Curve;
 use riffel_keys::{Message, fixed, say, shown_speed};
 
+use super::Placing;
 use super::mean_contact::MeanContact;
 use crate::file::{CurveRail, FromCurve};
-use crate::text::case_text::CaseText;
 
 /// A rail, as in "on the left rail".
 pub(super) fn on_rail(rail: Rail) -> Message {
@@ -17,14 +17,14 @@ pub(super) fn on_rail(rail: Rail) -> Message {
     }
 }
 
-impl CaseText {
+impl Placing<'_> {
     /// That a wheel stands on another point as well, which the loop leaves out.
     pub(super) fn tell_of_second_point(&mut self, rail: Rail, share: f64) {
         if share == 0.0 {
             return;
         }
         let percent = 100.0 * share;
-        self.curve_remarks.push(say!(second_point_left_out, rail = on_rail(rail), percent = fixed(percent, 0)));
+        self.remarks.push(say!(second_point_left_out, rail = on_rail(rail), percent = fixed(percent, 0)));
     }
 
     pub(super) fn tell_where_from(&mut self, from: &FromCurve, rail: Rail, curve: &Curve, contact: &MeanContact) {
@@ -40,7 +40,7 @@ impl CaseText {
             (false, Rail::Left) => say!(on_high_left),
             (false, Rail::Right) => say!(on_high_right),
         };
-        self.curve_remarks.push(say!(
+        self.remarks.push(say!(
             mean_state_from_curve,
             radius = fixed(radius, 0),
             speed = shown_speed(speed, 0),

@@ -2,157 +2,227 @@
 
 use riffel::Rail;
 use riffel::contact::Creepages;
+use riffel_keys::quantity::{Dimension, Quantity};
 use riffel_keys::{CaseError, fixed, number, say};
-use toml::Value;
 
+use super::Placing;
 use super::mean_contact::MeanContact;
-use crate::CaseKey;
-use crate::file::CreepLawName;
+use crate::file::{CaseFile, CreepLawName, Creepage, VectorCreepage};
 use crate::keys::from_profiles::PlaceOnRail;
-use crate::text::case_text::CaseText;
 
-impl CaseText {
+/// A number among the keys of a case, which may be left out.
+pub(super) trait Slot {
+    fn number(&self) -> Option<f64>;
+    fn put(&mut self, si: f64);
+}
+
+impl<D: Dimension> Slot for Quantity<D> {
+    fn number(&self) -> Option<f64> {
+        Some(self.si())
+    }
+
+    fn put(&mut self, si: f64) {
+        *self = Self::new(si);
+    }
+}
+
+impl<D: Dimension> Slot for Option<Quantity<D>> {
+    fn number(&self) -> Option<f64> {
+        self.map(|quantity| quantity.si())
+    }
+
+    fn put(&mut self, si: f64) {
+        *self = Some(Quantity::new(si));
+    }
+}
+
+/// What a contact takes from a curve.
+pub(super) struct ContactSlots<'a> {
+    creepage: &'a mut Option<Creepage>,
+    contact_angle: &'a mut dyn Slot,
+    normal_load: &'a mut dyn Slot,
+    stiffness: &'a mut dyn Slot,
+    longitudinal_radius: &'a mut dyn Slot,
+    transverse_radius: &'a mut dyn Slot,
+    lateral_offset: &'a mut dyn Slot,
+    /// Where the contact moves across the profiles.
+    rail_radius: Option<&'a mut dyn Slot>,
+}
+
+/// What the contact on the rail under study takes.
+pub(super) fn under_study(file: &mut CaseFile) -> ContactSlots<'_> {
+    let contact = &mut file.contact;
+    ContactSlots {
+        creepage: &mut contact.creepage,
+        contact_angle: &mut contact.contact_angle,
+        normal_load: &mut contact.normal_load,
+        stiffness: &mut contact.stiffness,
+        longitudinal_radius: &mut contact.longitudinal_radius,
+        transverse_radius: &mut contact.transverse_radius,
+        lateral_offset: &mut contact.lateral_offset,
+        rail_radius: contact.conformity.as_mut().map(|conformity| &mut conformity.rail_radius as _),
+    }
+}
+
+/// What the contact on the other rail takes.
+pub(super) fn opposite(file: &mut CaseFile) -> ContactSlots<'_> {
+    let moves = file.contact.conformity.is_some();
+    let contact = file.opposite_contact.get_or_insert_default();
+    ContactSlots {
+        creepage: &mut contact.creepage,
+        contact_angle: &mut contact.contact_angle,
+        normal_load: &mut contact.normal_load,
+        stiffness: &mut contact.stiffness,
+        longitudinal_radius: &mut contact.longitudinal_radius,
+        transverse_radius: &mut contact.transverse_radius,
+        lateral_offset: &mut contact.lateral_offset,
+        rail_radius: moves.then_some(&mut contact.rail_radius),
+    }
+}
+
+/// Slots of a contact in a case.
+pub(super) type SlotsOf = for<'a> fn(&'a mut CaseFile) -> ContactSlots<'a>;
+
+/// The components of a creepage, none where it is left out.
+fn components(creepage: &mut Option<Creepage>) -> &mut VectorCreepage {
+    let vector = match creepage.take() {
+        Some(Creepage::Vector(vector)) => vector,
+        _ => VectorCreepage::default(),
+    };
+    match creepage.insert(Creepage::Vector(vector)) {
+        Creepage::Vector(vector) => vector,
+        Creepage::Longitudinal(_) => unreachable!("a vector was put there"),
+    }
+}
+
+impl Placing<'_> {
     /// What is not written of a contact.
-    pub(super) fn fill_contact(
+    pub(super) fn put_contact(
         &mut self,
-        table: &str,
+        [table, rail_radius]: [&str; 2],
+        slots: SlotsOf,
         rail: Rail,
         contact: &MeanContact,
         mirrored: bool,
         creeps: bool,
-        instead: &mut Vec<String>,
     ) -> Result<(), CaseError> {
         let key = |name: &str| format!("{table}.{name}");
-        let turn = if mirrored { -1.0 } else { 1.0 };
-        // A number is the whole creepage.
-        let is_number = self
-            .keys
-            .table()
-            .get(table)
-            .and_then(|contact| contact.get("creepage"))
-            .is_some_and(|creepage| !creepage.is_table());
-        if is_number {
-            instead.push(key("creepage"));
-        } else if creeps {
-            let Creepages { longitudinal, lateral, spin } = contact.creepages;
-            self.fill_number(&key("creepage.longitudinal"), longitudinal, instead);
-            self.fill_number(&key("creepage.lateral"), turn * lateral, instead);
-            self.fill_spin(&key("creepage.spin"), turn * spin, instead);
-        }
-        let angle = key("contact_angle");
-        if self.is_written(&angle) {
-            self.fill_number(&angle, contact.contact_angle, instead);
-        } else {
-            self.fill(&angle, format!("{} rad", contact.contact_angle));
-        }
-        self.fill_number(&key("normal_load"), contact.normal_force, instead);
+        self.put_creepages(table, slots, contact.creepages, mirrored, creeps)?;
+        self.put(&key("contact_angle"), contact.contact_angle, |file| slots(file).contact_angle)?;
+        self.put(&key("normal_load"), contact.normal_force, |file| slots(file).normal_load)?;
         if let Some(stiffness) = contact.stiffness {
-            self.fill_number(&key("stiffness"), stiffness, instead);
+            self.put(&key("stiffness"), stiffness, |file| slots(file).stiffness)?;
         }
-        self.fill_number(&key("longitudinal_radius"), contact.longitudinal_radius, instead);
+        self.put(&key("longitudinal_radius"), contact.longitudinal_radius, |file| slots(file).longitudinal_radius)?;
         if let Some(place) = &contact.place {
             let to_the_right = if mirrored { 1.0 } else { rail.sign() };
-            self.fill_number(&key("lateral_offset"), to_the_right * place.outward, instead);
-            self.fill_rail_radius(table, place, instead)?;
+            self.put(&key("lateral_offset"), to_the_right * place.outward, |file| slots(file).lateral_offset)?;
+            self.put_rail_radius(rail_radius, slots, place)?;
         }
         if let Some(radius) = contact.transverse_radius {
+            let key = key("transverse_radius");
             if !(radius > 0.0 && radius.is_finite()) {
-                let message = say!(
-                    the_profiles_do_not_part_across,
-                    curvature = number(format_args!("{:.2}", radius.recip())),
-                    key = key("transverse_radius")
-                );
-                return Err(self.keys.refuse("contact.from", &message));
+                let curvature = number(format_args!("{:.2}", radius.recip()));
+                let message = say!(the_profiles_do_not_part_across, curvature, key);
+                return Err(self.text.keys.refuse("contact.from", &message));
             }
-            self.fill_number(&key("transverse_radius"), radius, instead);
+            self.put(&key, radius, |file| slots(file).transverse_radius)?;
         }
         Ok(())
     }
 
     /// The radius of the rail where the contact moves across the profiles, if the case asks for that.
-    fn fill_rail_radius(
-        &mut self,
-        table: &str,
-        place: &PlaceOnRail,
-        instead: &mut Vec<String>,
-    ) -> Result<(), CaseError> {
-        if !self.keys.has("contact.conformity") {
+    fn put_rail_radius(&mut self, key: &str, slots: SlotsOf, place: &PlaceOnRail) -> Result<(), CaseError> {
+        let radius = place.rail_curvature.recip();
+        let is_convex = radius > 0.0 && radius.is_finite();
+        if slots(&mut self.file).rail_radius.is_none() || !is_convex && self.text.is_written(key) {
             return Ok(());
         }
-        let key = match table {
-            "contact" => "contact.conformity.rail_radius",
-            _ => "opposite_contact.rail_radius",
-        };
-        let radius = place.rail_curvature.recip();
-        if !(radius > 0.0 && radius.is_finite()) {
-            let message = say!(
-                the_rail_is_not_convex_where,
-                curvature = number(format_args!("{:.2}", place.rail_curvature)),
-                key
-            );
-            return match self.is_written(key) {
-                true => Ok(()),
-                false => Err(self.keys.refuse("contact.from", &message)),
-            };
+        if !is_convex {
+            let curvature = number(format_args!("{:.2}", place.rail_curvature));
+            let message = say!(the_rail_is_not_convex_where, curvature, key);
+            return Err(self.text.keys.refuse("contact.from", &message));
         }
-        self.fill_number(key, radius, instead);
+        self.put(key, radius, |file| match slots(file).rail_radius {
+            Some(slot) => slot,
+            None => unreachable!("the contact moves"),
+        })
+    }
+
+    /// Creepages that are not written, if any are to be put; a number is the whole creepage. A wheel that is turned over has lateral
+    /// creepage and spin of the other sign.
+    fn put_creepages(
+        &mut self,
+        table: &str,
+        slots: SlotsOf,
+        Creepages { longitudinal, lateral, spin }: Creepages,
+        mirrored: bool,
+        creeps: bool,
+    ) -> Result<(), CaseError> {
+        let key = |name: &str| format!("{table}.creepage{name}");
+        let turn = if mirrored { -1.0 } else { 1.0 };
+        if let Some(Creepage::Longitudinal(_)) = slots(&mut self.file).creepage {
+            self.instead.push(key(""));
+            return Ok(());
+        }
+        if !creeps {
+            return Ok(());
+        }
+        self.put(&key(".longitudinal"), longitudinal, |file| &mut components(slots(file).creepage).longitudinal)?;
+        self.put(&key(".lateral"), turn * lateral, |file| &mut components(slots(file).creepage).lateral)?;
+        let spin = turn * spin;
+        let key = key(".spin");
+        // None, with a word, where the creep law of the loop knows none.
+        let law = self.file.contact.creep_law.and_then(CreepLawName::entry);
+        let Some(law) = law.filter(|law| !law.spin) else {
+            return self.put(&key, spin, |file| &mut components(slots(file).creepage).spin);
+        };
+        if !self.text.is_written(&key) {
+            self.remarks.push(say!(creep_law_without_spin, name = law.name, spin = fixed(spin, 3), key));
+        }
         Ok(())
     }
 
-    /// The spin, or none with a word where the creep law of the loop knows none.
-    fn fill_spin(&mut self, key: &str, spin: f64, instead: &mut Vec<String>) {
-        let law = self.keys.text_of("contact.creep_law").unwrap_or_default();
-        let law = CreepLawName::named(law).and_then(CreepLawName::entry);
-        let Some(law) = law.filter(|law| !law.spin) else {
-            return self.fill_number(key, spin, instead);
-        };
-        if !self.is_written(key) {
-            let name = law.name;
-            self.curve_remarks.push(say!(creep_law_without_spin, name, spin = fixed(spin, 3), key));
+    /// Friction of one rail, in the place of a table of both, too.
+    pub(super) fn put_friction(
+        &mut self,
+        key: &str,
+        friction: f64,
+        slot: impl FnOnce(&mut CaseFile) -> &mut dyn Slot,
+    ) -> Result<(), CaseError> {
+        match self.text.is_table(key) {
+            true => self.give(key, friction, slot),
+            false => self.put(key, friction, slot),
         }
     }
 
-    /// Friction of one rail in the place of a table of both.
-    pub(super) fn put_friction(&mut self, table: &str, friction: f64, instead: &mut Vec<String>) {
-        let key = format!("{table}.friction");
-        let of_both =
-            self.keys.table().get(table).and_then(|contact| contact.get("friction")).is_some_and(Value::is_table);
-        if of_both {
-            self.keys.put(&key, friction);
-            self.filled_in.insert(key);
-        } else {
-            self.fill_number(&key, friction, instead);
-        }
-    }
-
-    /// Put a number in the place of a key that is not written, or of a preset; a key that has another one of its own goes to `instead`.
-    pub(super) fn fill_number(&mut self, key: &str, value: f64, instead: &mut Vec<String>) {
+    /// Put a number in the place of a key that is not written, or of a preset; one that has another value of its own keeps it.
+    pub(super) fn put(
+        &mut self,
+        key: &str,
+        value: f64,
+        slot: impl FnOnce(&mut CaseFile) -> &mut dyn Slot,
+    ) -> Result<(), CaseError> {
         /// Relative difference that is none.
         const ALIKE: f64 = 1e-3;
-        if !self.is_written(key) {
-            return self.fill(key, value);
+        if !self.text.is_written(key) {
+            return self.give(key, value, slot);
         }
-        let parts = key.split('.');
-        let mut found = Some(Value::Table(self.keys.table().clone()));
-        for part in parts {
-            found = found.and_then(|value| value.get(part).cloned());
-        }
-        let own = match found {
-            Some(Value::String(text)) => CaseKey::find(key).and_then(|known| known.quantity?.read(&text).ok()),
-            Some(Value::Float(number)) => Some(number),
-            Some(Value::Integer(number)) => Some(number as f64),
-            _ => None,
-        };
+        let own = slot(&mut self.file).number();
         if own.is_some_and(|own| (own - value).abs() > ALIKE * value.abs()) {
-            instead.push(key.to_owned());
+            self.instead.push(key.to_owned());
         }
+        Ok(())
     }
 
-    /// Put a value in the place of a key that is not written, or of a preset.
-    pub(super) fn fill(&mut self, key: &str, value: impl Into<Value>) {
-        if !self.is_written(key) {
-            self.keys.put(key, value);
-            self.filled_in.insert(key.to_owned());
-        }
+    fn give(
+        &mut self,
+        key: &str,
+        value: f64,
+        slot: impl FnOnce(&mut CaseFile) -> &mut dyn Slot,
+    ) -> Result<(), CaseError> {
+        slot(&mut self.file).put(value);
+        self.given.push(key.to_owned());
+        self.text.keys.judge_number(key, value).map(drop)
     }
 }

@@ -6,11 +6,11 @@ use riffel::profile::{ContactSurface, LoadedContact, ProfileError};
 use riffel::{HertzContact, Rail};
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 
+use super::Placing;
 use super::curve_remarks::on_rail;
 use super::mean_contact::MeanContact;
 use crate::curve::CurvingCase;
-use crate::file::Patch;
-use crate::text::case_text::CaseText;
+use crate::file::{CreepLawName, HertzTheory, Patch};
 
 /// A patch that is no ellipse, and what is like it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,7 +88,7 @@ fn like(loaded: &LoadedContact) -> [f64; 2] {
     [scale * a, scale * b]
 }
 
-impl CaseText {
+impl Placing<'_> {
     /// Put the patch of the profiles under load in the place of Hertz's, if the case asks for it; else tell how far that is off,
     /// unless it must be quick.
     pub(super) fn take_patch(
@@ -105,14 +105,15 @@ impl CaseText {
             Patch::NonElliptic => ("non-elliptic", ContactSurface::Flat),
             Patch::Conformal => ("conformal", ContactSurface::Curved),
         };
-        let paper = match self.keys.text_of("contact.hertz") {
-            Some(theory) => theory == "paper",
-            None => self.keys.text_of("contact.creep_law") == Some("carter-3d"),
+        let file = &self.file.contact;
+        let paper = match file.hertz {
+            Some(theory) => theory == HertzTheory::Paper,
+            None => file.creep_law == Some(CreepLawName::CARTER_3D),
         };
         if paper {
             let rule = say!(is_but_the_ellipse_like_it, name);
             let help = "choose contact.hertz = \"exact\", or leave contact.from.patch out";
-            return Err(self.keys.invalid("contact.from.patch", &rule, help));
+            return Err(self.text.keys.invalid("contact.from.patch", &rule, help));
         }
         let loaded = match contact.elsewhere > 0.0 {
             true => Err(say!(two_points_join_under_load)),
@@ -127,12 +128,12 @@ impl CaseText {
         let loaded = match loaded {
             Ok(loaded) => loaded,
             Err(reason) => {
-                self.curve_remarks.push(say!(ellipse_in_place_of_patch, rail = on_rail(rail), reason));
+                self.remarks.push(say!(ellipse_in_place_of_patch, rail = on_rail(rail), reason));
                 return Ok(());
             }
         };
         let steel = curving.steel()?;
-        let refused = |error: riffel::Error| self.keys.refuse("contact.from.patch", &error);
+        let refused = |error: riffel::Error| self.text.keys.refuse("contact.from.patch", &error);
         let radii = HertzContact::radii_of_ellipse(steel, loaded.semi_axes, contact.normal_force);
         let radii = radii.map_err(refused)?;
         let hertz = contact.hertz(curving)?;
@@ -195,7 +196,7 @@ impl CaseText {
             )),
             None => Value::from(""),
         };
-        self.curve_remarks.push(say!(
+        self.remarks.push(say!(
             contact_is_conformal,
             semi_axis = fixed(1e3 * hertz.semi_axis_lateral(), 1),
             share = fixed(share, 2),
@@ -215,7 +216,7 @@ impl CaseText {
         let turned = (loaded.contact_angle - contact.contact_angle).to_degrees();
         let over_hertz = |value: f64, of_hertz: f64| signed(100.0 * (value / of_hertz - 1.0));
         let turned = number(format_args!("{turned:+.2}"));
-        self.curve_remarks.push(match hertz {
+        self.remarks.push(match hertz {
             Some(hertz) => say!(
                 patch_of_profiles,
                 rail = on_rail(rail),

@@ -5,10 +5,10 @@ use riffel::curving::WheelState;
 use riffel::{HertzContact, Rail};
 use riffel_keys::{CaseError, number, say};
 
+use super::Placing;
 use crate::curve::{CurvingCase, Equilibrium};
 use crate::file::{ContactOfWheel, FromCurve};
 use crate::keys::from_profiles::PlaceOnRail;
-use crate::text::case_text::CaseText;
 
 /// What the equilibrium says of one contact.
 pub(super) struct MeanContact {
@@ -44,7 +44,7 @@ impl MeanContact {
     }
 }
 
-impl CaseText {
+impl Placing<'_> {
     pub(super) fn contact_of(
         &self,
         from: &FromCurve,
@@ -70,7 +70,7 @@ impl CaseText {
             ContactOfWheel::Tread => *wheel,
             ContactOfWheel::Flange => wheel.from_second_contact().ok_or_else(|| {
                 let angle = wheel.contact_angle.to_degrees();
-                self.keys.invalid(
+                self.text.keys.invalid(
                     "contact.from.contact",
                     say!(is_flange_but_the_wheel_stands, angle = number(format_args!("{angle:.1}"))),
                     say!(leave_it_out),

@@ -26,7 +26,7 @@ impl VehicleRequest<'_> {
             let spread = self.spreads().lateral_position.is_some();
             return Ok(spread.then(|| AcrossRail { outward: None, covering: self.spreads().covering(own, 0.0) }));
         };
-        let Some(outward) = wheel.keys.text.contact_outward else {
+        let Some(outward) = wheel.keys.mean.wheel().and_then(|wheel| wheel.outward) else {
             let message = say!(line_measured_line_needs_profiles_of, name = self.name());
             return Err(self.traffic.source.refuse("line.measured_line", &message));
         };

@@ -14,12 +14,14 @@ use riffel_keys::{CaseError, Message, Value, say, shown_speed};
 
 use super::on_case::VehicleOnCase;
 use super::spreads::{LOAD, PartValues, Rules, Spreads};
-use super::through_curve::{OF_VEHICLE, ThroughCurve};
+use super::through_curve::{ThroughCurve, is_of_vehicle};
 use super::wheel_on_case::{WheelOnCase, settings_of, window};
 use super::{CurveOfVehicle, Traffic};
 use crate::case::kept_state::KeptState;
 use crate::curve::Equilibrium;
+use crate::file::FromCurve;
 use crate::file::setting::Setting;
+use crate::keys::substitutes::Substitutes;
 use crate::parts::window::Window;
 use crate::{Case, Hold, Variant};
 use across_rail::AcrossRail;
@@ -148,7 +150,7 @@ impl VehicleRequest<'_> {
         let own = settings_of(&self.traffic.file.vehicle[self.index]).into_iter();
         // What belongs to the vehicle of another file is set there.
         let of_file = matches!(self.traffic.file.vehicle[self.index].curve, Some(CurveOfVehicle::File(_)));
-        let of_case = |(key, _): &Setting| !(of_file && OF_VEHICLE.iter().any(|table| key.starts_with(table)));
+        let of_case = |(key, _): &Setting| !(of_file && is_of_vehicle(key));
         let of_wheels = values.settings().filter(|(_, (key, _))| key != LOAD);
         let own = own.chain(of_wheels).map(|(_, setting)| setting);
         let own: Vec<Setting> = own.filter(of_case).collect();
@@ -164,16 +166,19 @@ impl VehicleRequest<'_> {
             }
         };
         let (equilibria, without) = self.equilibria(through, values, &speeds, &balanced)?;
+        let written = self.case.before_a_wheel(&sets);
+        let (written, from) = written.map_err(|error| self.at_speed(equilibria[0].0, values, &error))?;
+        let given = Substitutes { quick: true, ..self.case.keys.given.clone() };
         let middle = equilibria.len() / 2;
         let at_speed = |(index, (speed, equilibrium)): (usize, &(f64, Arc<Equilibrium>))| {
             let speed = *speed;
-            let wheels = 1..=through.wheelsets();
-            let wheels = wheels.map(|wheelset| {
+            let wheels = (1..).take(through.wheelsets()).map(|wheelset| {
                 let window = match (index, wheelset) == (middle, 1) {
                     true => Window::Traffic,
                     false => Window::BesideAnother,
                 };
-                let wheel = self.case.on_wheelset(equilibrium, wheelset, &sets, window);
+                let from = FromCurve { wheelset, ..from.clone() };
+                let wheel = Case::placed(&written, equilibrium, &from, given.clone(), window);
                 wheel.map_err(|error| self.at_speed(speed, values, &error))
             });
             wheels.collect()

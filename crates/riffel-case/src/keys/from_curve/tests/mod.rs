@@ -190,6 +190,32 @@ fn what_the_loop_leaves_out_is_told() {
     assert!(has(&two_laws, forces), "{two_laws:?}");
 }
 
+/// Of a vehicle that is balanced at seven speeds, with four wheels at each, the text is read once, and so it is where all wheels of a
+/// curve are told.
+#[test]
+fn the_text_of_a_vehicle_is_read_once() {
+    use riffel::roughness::ThirdOctave;
+
+    use crate::Variant;
+    use crate::keys::written_keys::READ;
+    use crate::traffic::Traffic;
+
+    let text = "[[vehicle]]\nname = \"metro\"\nshare = 1\ncurve = true\n\
+        speed = { mean = \"45 km/h\", standard_deviation = \"2 km/h\" }\n";
+    let traffic = Traffic::parse("traffic.toml", text).unwrap();
+    let bands = [ThirdOctave::containing(0.05).unwrap()];
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let read = pool.install(|| {
+        let case = case(&[]).unwrap();
+        READ.set(0);
+        traffic.on(&case, &bands, &Variant::none("as it is"), &|_| ()).unwrap();
+        let under_traffic = READ.replace(0);
+        case.wheels_of_curve().unwrap().unwrap();
+        [under_traffic, READ.get()]
+    });
+    assert_eq!(read, [1, 1]);
+}
+
 /// Loads of a traffic are not those of the bogie.
 #[test]
 fn vehicles_of_a_traffic_have_no_loads_of_their_own() {
