@@ -15,6 +15,7 @@ use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, Shear
 use riffel::roughness::Profile;
 use riffel::wheelset::{RigidInertia, RigidMass};
 use riffel::{Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear, RollingContact};
+use riffel_case::ask;
 use riffel_case::Case;
 
 use crate::contestant::{Contestant, Failure, numpy_version};
@@ -115,7 +116,7 @@ fn all_axes(steps: usize) -> Result<(f64, f64), Failure> {
         Some(model) => model,
         None => {
             let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/wheelset-metro-trailer.toml");
-            let case = Case::read(&path, &KEYS.map(str::to_owned))?.in_time(SPEED)?;
+            let case = ask::in_time(&Case::read(&path, &KEYS.map(str::to_owned))?, SPEED)?;
             MODEL.get_or_init(|| case)
         }
     };

@@ -11,6 +11,7 @@ use riffel::Ridge;
 use riffel::growth::RidgeBranch;
 use riffel::receptance::ResonanceKind;
 use riffel::wheelset::{DiscMotion, ModeName};
+use riffel_case::ask;
 use riffel_case::Case;
 
 use crate::Row;
@@ -34,7 +35,7 @@ impl Class {
 
     /// Frequency \[Hz\] of a resonance of track and wheel.
     fn resonance(&self, kind: ResonanceKind) -> f64 {
-        let resonances = self.case.resonances();
+        let resonances = ask::resonances(&self.case);
         let found = resonances.iter().find(|found| found.kind == kind);
         found.map_or(f64::NAN, |found| found.angular_frequency / TAU)
     }
@@ -80,7 +81,7 @@ pub(crate) fn class_of_roaring_rails() -> Row {
 pub(crate) fn class_of_rutting() -> Row {
     let class = Class::of(include_str!("../cases/class-rutting.toml"));
     let wheelset = class.case.wheelset.as_ref().expect("a wheelset");
-    let modes = class.case.wheelset_modes(wheelset, 400.0);
+    let modes = ask::wheelset_modes(&class.case, wheelset, 400.0);
     let modes = modes.expect("below shear across the thickness");
     // The lowest mode of torsion is that of the rotor on its coupling, which a wheel does not feel.
     let torsion = |against: bool| {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use riffel_case::traffic;
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
     Evidence, Expectation, GrowthDensity, Instrument, LevelTrend, Mechanism, MechanismKind, TimeUnit, TrafficSpeeds,
@@ -313,7 +314,7 @@ pub(crate) fn grinding_mark_is_diagnosed() -> Row {
     });
     let course = LevelTrend::new(points.collect(), TimeUnit::Year).expect("four campaigns");
     let speeds = TrafficSpeeds::new([(136.0 / 3.6, 1.0)]).expect("a speed");
-    let (mut mechanisms, _) = case.mechanisms();
+    let (mut mechanisms, _) = traffic::mechanisms(&case);
     let growth =
         GrowthDensity::new(&case.feedback, peak.wavelength.min(case.wavelength.min()), case.wavelength.max(), &speeds);
     mechanisms.push(Mechanism::growth_ridge(growth));

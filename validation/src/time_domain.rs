@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use riffel::Complex64;
 use riffel::passage::{Harmonic, Sinusoid};
+use riffel_case::ask;
 use riffel_case::Case;
 use serde::Deserialize;
 
@@ -62,7 +63,7 @@ fn errors_against_harmonic_balance() -> [WorstError; 3] {
     for reference in reference_cases::<ReferencePoint>(FILE) {
         let case = Case::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
         for point in reference.points {
-            let model = case.in_time(point.speed_m_per_s).expect("a model");
+            let model = ask::in_time(&case, point.speed_m_per_s).expect("a model");
             let profile = Sinusoid { amplitude: point.amplitude_m, wavelength: point.wavelength_m };
             let settled = model.settle(profile, STEPS).expect("a settled state").swap_remove(0);
             let expected = &point.expect;
@@ -123,7 +124,7 @@ pub(crate) fn small_amplitudes() -> Row {
     ] {
         let linear = case.feedback.at(wavelength, speed);
         let profile = Sinusoid { amplitude: AMPLITUDE, wavelength };
-        let model = case.in_time(speed).expect("a model");
+        let model = ask::in_time(&case, speed).expect("a model");
         let settled = model.settle(profile, STEPS).expect("a settled state").swap_remove(0);
         let linear = [linear.normal_force(), linear.tangential_force(), linear.creepage(), linear.dissipation / speed];
         for (got, linear) in values(&settled.harmonics[1]).into_iter().zip(linear) {

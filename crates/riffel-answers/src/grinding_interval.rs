@@ -3,6 +3,7 @@
 use riffel::forecast::LINES_PER_BAND;
 use riffel_calibrate::{USUAL_HORIZON, USUAL_RISE, growing_bands};
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_case::traffic::DAYS_PER_MONTH;
 use riffel_keys::{Message, number, say};
 use serde::Serialize;
@@ -29,7 +30,7 @@ impl GrindingInterval {
         }
         let per_month = growth.passages_per_day? * DAYS_PER_MONTH;
         // As of the fastest: bands that the contact does not average out, or all where it averages out all.
-        let is_told = |band: &[[f64; 2]]| band.iter().any(|[line, _]| *line >= case.shortest_told());
+        let is_told = |band: &[[f64; 2]]| band.iter().any(|[line, _]| *line >= ask::shortest_told(case));
         let bands = || growth.curve.chunks(LINES_PER_BAND);
         let any = bands().any(is_told);
         let bands = bands().filter(|band| !any || is_told(band));

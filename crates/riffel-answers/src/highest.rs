@@ -5,6 +5,7 @@ use std::f64::consts::LN_2;
 use riffel::Axis;
 use riffel::growth::GrowthSpectrum;
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_keys::{Message, decimal, fixed, say};
 use serde::Serialize;
 
@@ -94,7 +95,7 @@ pub(crate) fn over_the_window(
     let window = case.wavelength;
     let told = match filtered {
         true => Some(window),
-        false => case.growth_window(),
+        false => ask::growth_window(case),
     };
     let Some(told) = told else {
         return (GrowthSpectrum::of(window, rate), None);

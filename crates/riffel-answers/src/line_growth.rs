@@ -4,6 +4,7 @@ use std::f64::consts::LN_2;
 
 use riffel::MeanWear;
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
+use riffel_case::ask;
 use riffel_case::traffic::{
     DAYS_PER_MONTH, LineKind, Traffic, TrafficOnCase, UsualTraffic, bands_of, is_faster_than_known, reported_growth,
     traffic_at_speeds,
@@ -163,7 +164,7 @@ impl LineGrowth {
 impl FastestGrowth {
     fn of(case: &Case, on: &TrafficOnCase) -> Option<Self> {
         let (growth, per_day) = (&on.growth, on.passages_per_day);
-        let (wavelength, rate, at_edge) = case.fastest_under(growth)?;
+        let (wavelength, rate, at_edge) = ask::fastest_under(case, growth)?;
         if rate <= 0.0 {
             return None;
         }
@@ -176,7 +177,7 @@ impl FastestGrowth {
         let banded = |value: f64| Some(Banded::by_wear(value, spread?));
         Some(Self {
             wavelength_m: wavelength,
-            wavelengths_m: about(growth, wavelength, 0.5 * rate, case.shortest_told()),
+            wavelengths_m: about(growth, wavelength, 0.5 * rate, ask::shortest_told(case)),
             at_edge,
             growth_rate_per_passage: rate,
             doubling_passages: passages,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 use riffel_calibrate::{CalibrationError, Chains, Drawn, Plan};
+use riffel_case::ask;
 use riffel_case::traffic::Traffic;
 use riffel_keys::{Message, fixed, say};
 use riffel_study::sensitivity::quantile;
@@ -214,7 +215,7 @@ fn oscillates(drawn: &Drawn) -> Option<f64> {
     let speed = traffic.and_then(|traffic| Some(traffic.speeds().first()?.mean()));
     let map = drawn.case.speed;
     let speed = speed.unwrap_or(map.min().midpoint(map.max()));
-    drawn.case.stability(speed)?.frequency
+    ask::stability(&drawn.case, speed)?.frequency
 }
 
 fn is_of_answer(key: &str) -> bool {

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use riffel::feedback::Stability;
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_keys::quantity::{Quantity, Ratio};
 use riffel_keys::{CaseError, Message, fixed, say, shown_speed};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
@@ -122,7 +123,7 @@ impl StabilityMap {
                 own => own.ok(),
             };
             let of = |&speed: &f64| {
-                let found = own.as_ref().and_then(|own| own.stability(speed));
+                let found = own.as_ref().and_then(|own| ask::stability(own, speed));
                 StabilityPoint::new(speed, friction, found)
             };
             let row: Vec<StabilityPoint> = speeds.par_iter().map(of).collect();

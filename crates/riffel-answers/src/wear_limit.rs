@@ -76,5 +76,5 @@ pub fn for_whom(case: &Case) -> Message {
 /// How well the wear coefficient is known that growth goes by, before a measurement tells more; `None` if other damage has a part,
 /// which does not go with it.
 pub(crate) fn wear_spread(case: &Case) -> Option<WearSpread> {
-    (!case.has_other_damage()).then(|| case.wear_spread())
+    (!case.has_other_damage()).then(|| riffel_case::wear_spread(case))
 }

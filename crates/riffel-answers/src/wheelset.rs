@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use riffel::Direction;
 use riffel::wheelset::{BendingPlane, ContactReceptances, ModeName, Port, Wheelset};
+use riffel_case::ask;
 use riffel_case::{Case, CaseWheelset, WheelsetMode};
 use riffel_keys::quantity::Frequency;
 use riffel_keys::{CaseError, Message, say};
@@ -102,7 +103,7 @@ impl WheelsetAnswer {
         let ends = ends
             .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], &frequency| [low.min(frequency), high.max(frequency)]);
         case.check_wheelset_frequencies(ends[0], ends[1])?;
-        let modes = case.wheelset_modes(&wheelset, HIGHEST)?;
+        let modes = ask::wheelset_modes(case, &wheelset, HIGHEST)?;
         let receptances = frequencies.iter();
         Ok(Self {
             receptances: receptances.map(|frequency| wheelset.receptances(TAU * frequency)).collect(),

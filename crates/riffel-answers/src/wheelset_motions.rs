@@ -1,5 +1,6 @@
 //! The modes of a wheelset as motions along its axle, to be drawn as they move.
 
+use riffel_case::ask;
 use riffel_case::{Case, CaseWheelset};
 use riffel_keys::{CaseError, Message};
 use serde::Serialize;
@@ -76,7 +77,7 @@ impl WheelsetMotions {
         let half = 0.5 * axle.length();
         let places: Vec<f64> = (0..ALONG).map(|index| half * (2.0 * index as f64 / (ALONG - 1) as f64 - 1.0)).collect();
         let radius = contacts.rolling_radius;
-        let modes = case.wheelset_modes(&wheelset, HIGHEST)?;
+        let modes = ask::wheelset_modes(case, &wheelset, HIGHEST)?;
         let modes = modes.iter().filter_map(|mode| {
             let shape = mode.shape.as_ref()?;
             let motions: Vec<_> = places.iter().map(|&place| shape.motion_at(place)).collect();

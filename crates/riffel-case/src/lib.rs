@@ -17,7 +17,7 @@
 #[cfg(test)]
 extern crate self as riffel_case;
 
-mod ask;
+pub mod ask;
 mod build;
 mod case;
 mod curve;
@@ -43,10 +43,13 @@ pub use ask::wheelset_modes::WheelsetMode;
 pub use build::CreepLaws;
 pub use case::Case;
 pub use case::hold::Hold;
-pub use case::own_values::OwnValue;
+pub use case::idle_key::idle_because;
+pub use case::measured_wear::wear_spread;
+pub use case::on_curve::{keys_of_curve, keys_that_give_way, on_curve};
+pub use case::own_values::{OwnValue, own_values};
 pub use case::portable_case::PortableCase;
 pub use case::variant::{SpeedChange, Variant};
-pub use case::wheels_of_curve::{WheelOfCurve, WheelsOfCurve};
+pub use case::wheels_of_curve::{WheelOfCurve, WheelsOfCurve, wheels_of_curve};
 pub use curve::CurvingCase;
 pub use file::key::CaseKey;
 pub use file::setting::{Setting, settings};

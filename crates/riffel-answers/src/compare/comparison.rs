@@ -2,6 +2,8 @@
 
 use riffel::forecast::{Reach, TrafficGrowth};
 use riffel::roughness::{LevelLimit, ThirdOctave};
+use riffel_case::ask;
+use riffel_case::idle_because;
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
 use riffel_case::{Case, Hold, SpeedChange, Variant};
 use riffel_keys::{CaseError, Message, Value, say};
@@ -110,7 +112,7 @@ impl Effect {
     /// Of a variant on the case that it makes, by growth before and after.
     fn of(variant: &Variant, changed: &Case, before: &TrafficGrowth, after: &TrafficGrowth) -> Self {
         let idle: Vec<(&str, Message)> =
-            variant.keys().filter_map(|key| Some((key, changed.idle_because(key)?))).collect();
+            variant.keys().filter_map(|key| Some((key, idle_because(changed, key)?))).collect();
         let all = idle.len() == variant.settings.len() && variant.speed == SpeedChange::default();
         let mut reasons: Vec<(Vec<Message>, &Message)> = Vec::new();
         for (key, reason) in &idle {
@@ -355,7 +357,7 @@ impl FastestLine {
             return Self { wavelength: own.band.wavelength(), rate, at_edge: false };
         }
         // Every traffic has a line.
-        let (wavelength, rate, at_edge) = case.fastest_under(growth).unwrap_or_default();
+        let (wavelength, rate, at_edge) = ask::fastest_under(case, growth).unwrap_or_default();
         Self { wavelength, rate, at_edge }
     }
 }

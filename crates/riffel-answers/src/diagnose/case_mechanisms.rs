@@ -2,6 +2,7 @@
 
 use riffel::diagnosis::{GrowthDensity, Mechanism, MechanismKind, TrafficSpeeds};
 use riffel_case::file::CurveRail;
+use riffel_case::wheels_of_curve;
 use riffel_case::{Case, WheelsOfCurve};
 use riffel_keys::{Message, fixed, say, shown_speeds};
 
@@ -22,7 +23,7 @@ impl Wheels {
     pub(super) fn of(case: &Case) -> Self {
         let alone = || Wheel { name: None, rail: None, case: case.clone() };
         // A vehicle without an equilibrium has no case either.
-        let Ok(Some(WheelsOfCurve { wheels, .. })) = case.sharing_parts().wheels_of_curve() else {
+        let Ok(Some(WheelsOfCurve { wheels, .. })) = wheels_of_curve(&case.sharing_parts()) else {
             return Self(vec![alone()]);
         };
         let wheels = wheels.into_iter().filter_map(|wheel| {

@@ -22,6 +22,7 @@ pub use sideband::Sideband;
 
 use riffel::roughness::RailDefect;
 use riffel_case::Case;
+use riffel_case::traffic;
 use riffel_case::traffic::UsualTraffic;
 use riffel_keys::{CaseError, Language, Message, number, say};
 use riffel_plot::LineFigure;
@@ -99,7 +100,7 @@ impl Diagnosis {
         settings: &DiagnosisSettings<'_>,
     ) -> Result<Self, CaseError> {
         let speeds = &settings.speeds;
-        let (mut mechanisms, unknown) = case.mechanisms();
+        let (mut mechanisms, unknown) = traffic::mechanisms(case);
         let mut own_modes = wheelset_modes(case);
         for (kind, frequencies) in
             [(MechanismKind::WheelsetTorsion, &settings.torsion), (MechanismKind::WheelsetBending, &settings.bending)]

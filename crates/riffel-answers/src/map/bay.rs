@@ -4,6 +4,7 @@ use riffel::LoopState;
 use riffel::growth::{Bay, BayMaps};
 use riffel::{Axis, Ridge};
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_keys::{Message, fixed, number, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;
@@ -62,7 +63,7 @@ impl BayGrowth {
         let ridges = [
             ridge_of(case, &bay.at(0.0)),
             ridge_of(case, &bay.at(0.5 * bay.spacing())),
-            case.growth_window().map_or_else(Ridge::nothing, |window| bay.ridge(&maps.mean, window)),
+            ask::growth_window(case).map_or_else(Ridge::nothing, |window| bay.ridge(&maps.mean, window)),
         ];
         let fastest = ridges[2].highest();
         let (wavelength, speed) = curve

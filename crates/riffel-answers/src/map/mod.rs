@@ -9,6 +9,7 @@ mod table;
 
 use riffel::growth::RidgePoint;
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_keys::{Message, fixed, number, say};
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
@@ -160,7 +161,7 @@ impl MapAnswer {
             over_posterior: None,
             ridge: RidgeSummary::new(&on),
             wear_limit: WearLimitDocument::new(case, on.ridge.highest().map(|point| point.growth_rate)),
-            stability: (case.stability_over_the_map().into_iter()).map(StabilityAtSpeed::from).collect(),
+            stability: (ask::stability_over_the_map(case).into_iter()).map(StabilityAtSpeed::from).collect(),
             bay: None,
             observations: None,
             remarks: case.remarks.clone(),

@@ -7,6 +7,7 @@ mod passing;
 use riffel::growth::GrowthSpectrum;
 use riffel::{Complex64, Loop};
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_case::model::{FieldModel, Joints, ModelOnCase};
 use riffel_case::traffic::UsualTraffic;
 use riffel_keys::{Message, decimal, say, shown_speed};
@@ -150,7 +151,7 @@ impl ModelsAnswer {
                 Some(usual) => say!(compared_under, traffic = usual.in_words()),
                 None => say!(at_speed, speed = shown_speed(speed, 1)),
             },
-            remarks: case.remarks_at(speed).into_iter().chain(unstable).collect(),
+            remarks: ask::remarks_at(case, speed).into_iter().chain(unstable).collect(),
             models,
             wavelength_m: wavelengths,
         })
@@ -265,7 +266,7 @@ impl ModelGrowth {
         let on = on_case(case, model.joints, passing)?;
         let (course, highest) = passing.course(&on);
         let speed = passing.mean();
-        let stability = on.case.stability(speed);
+        let stability = ask::stability(&on.case, speed);
         let unstable = stability.and_then(|stability| stability.frequency);
         let unstable = unstable.map(|frequency| {
             format!(

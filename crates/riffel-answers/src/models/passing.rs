@@ -3,6 +3,7 @@
 use riffel::forecast::{SpeedDistribution, band_lines};
 use riffel::growth::GrowthSpectrum;
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_case::model::ModelOnCase;
 use riffel_case::traffic::bands_of;
 
@@ -56,7 +57,7 @@ impl Passing {
                 let course = GrowthSpectrum::of_values(wavelengths, rates);
                 let shortest = match on.has_filter() {
                     true => 0.0,
-                    false => on.case.shortest_told(),
+                    false => ask::shortest_told(&on.case),
                 };
                 let highest = Highest::beyond(&course, shortest, self.mean());
                 (course, highest)

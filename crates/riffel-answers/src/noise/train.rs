@@ -6,6 +6,7 @@ use std::sync::Arc;
 use riffel::error::as_typed;
 use riffel::noise::{FrequencyBand, Part, PassBy, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
+use riffel_case::ask;
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, TrackRadiator};
 use riffel_keys::Message;
@@ -134,7 +135,7 @@ impl Train {
         traffic: Option<&Traffic>,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<NoiseAnswer> {
-        if let (None, Some(why)) = (&self.radiator.decay_rate, case.without_decay()) {
+        if let (None, Some(why)) = (&self.radiator.decay_rate, ask::without_decay(case)) {
             return Err(AnswerError::argument("--decay-rate", "left out", format!("given: {why}")));
         }
         let radiation = self.radiation(case, self.wheel_modes(), self.speed)?;

@@ -4,6 +4,7 @@ use crate::LineGrowth;
 use crate::ridge::RidgePointDocument;
 use riffel::{Axis, Ridge};
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
@@ -161,8 +162,7 @@ impl Growth {
                 .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
                 .collect(),
             wavelength_m,
-            lines: case
-                .told_of(window)
+            lines: ask::told_of(case, window)
                 .map_or_else(Vec::new, |told| Ridge::lines_at(&case.feedback, told, speed))
                 .iter()
                 .map(RidgePointDocument::from)

@@ -5,6 +5,7 @@ use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_case::Case;
+use riffel_case::idle_because;
 use riffel_case::traffic::{FASTEST_DOUBLING_DAYS, UsualTraffic};
 use riffel_keys::Message;
 use riffel_plot::constant_frequency_rays;
@@ -218,7 +219,7 @@ fn idle(case: &Case) -> Vec<&'static str> {
     // The map is that of one place of the bay.
     let of_a_place = |key: &str| key == "track.position" && case.file.track.model.is_periodic();
     let idle = MAY_BE_IDLE.into_iter();
-    idle.filter(|key| case.idle_because(key).is_some() && !of_a_place(key)).collect()
+    idle.filter(|key| idle_because(case, key).is_some() && !of_a_place(key)).collect()
 }
 
 impl crate::page::Question for Question {

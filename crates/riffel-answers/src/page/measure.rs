@@ -1,5 +1,6 @@
 //! What a measured rail says: levels held to limits, dominant wavelengths, and what becomes of it. Its record is read once.
 
+use riffel_case::ask;
 use riffel_rail::{Limit, LimitTable, RoughnessFile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -132,7 +133,7 @@ impl Question for MeasureQuestion {
             roughness: roughness.ok_or(AnswerError::NoSpectrum)?,
             diagnosis: asked.diagnosed.diagnosis(client).into(),
             forecast: asked.forecast(client).into(),
-            is_silent: read.without_decay().is_some(),
+            is_silent: ask::without_decay(&read).is_some(),
             limits: LevelLimit::all(),
         }))
     }

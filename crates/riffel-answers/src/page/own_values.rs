@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use riffel_case::OwnValue;
+use riffel_case::own_values;
 use serde::Deserialize;
 
 use crate::page::{CaseText, Fault, Reply};
@@ -18,7 +19,7 @@ impl crate::page::Question for Question {
     }
 
     fn answer(&self) -> Result<Reply, Fault> {
-        let own = self.case.read()?.own_values().into_iter();
+        let own = own_values(&self.case.read()?).into_iter();
         let own = own.map(|OwnValue { key, without }| (key, without));
         Reply::json(&own.collect::<BTreeMap<String, toml::Value>>())
     }

@@ -5,6 +5,7 @@ mod words;
 
 use riffel::LoopState;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
+use riffel_case::ask;
 use riffel_case::traffic::{UsualTraffic, reported_growth};
 use riffel_case::{Case, DrawnSupports, Point, Sensitivity};
 use riffel_keys::{CaseError, Message};
@@ -185,29 +186,29 @@ impl PointAnswer {
         let PointRequest { wavelength, speed, .. } = request;
         let state = case.point(wavelength, speed)?;
         let sensitivity = match request.sensitivity {
-            true => Some(case.sensitivities(wavelength, speed)?),
+            true => Some(ask::sensitivities(case, wavelength, speed)?),
             false => None,
         };
         let with_neighbours = match request.neighbours {
             Some(neighbours) => {
-                let growth = case.growth_with_neighbours(wavelength, speed, neighbours)?;
+                let growth = ask::growth_with_neighbours(case, wavelength, speed, neighbours)?;
                 Some(Neighbours::new(&growth))
             }
             None => None,
         };
         let irregular_supports = match request.irregular {
             Some(drawn) => {
-                let growth = case.growth_on_irregular_supports(wavelength, speed, drawn)?;
+                let growth = ask::growth_on_irregular_supports(case, wavelength, speed, drawn)?;
                 Some(IrregularSupports::new(growth, drawn))
             }
             None => None,
         };
-        let stability = case.stability(speed).map(StabilityDocument::from);
+        let stability = ask::stability(case, speed).map(StabilityDocument::from);
         let oscillates = stability.as_ref().is_some_and(|it| it.oscillates());
         let per_day = UsualTraffic::of(case).passages_per_day;
         let reported = reported_growth(case, wavelength, state.growth_rate, per_day);
         let reported_growth = reported.filter(|_| !oscillates);
-        let remarks = reported_growth.iter().cloned().chain(case.remarks_at_point(wavelength, speed));
+        let remarks = reported_growth.iter().cloned().chain(ask::remarks_at_point(case, wavelength, speed));
         Ok(Self {
             quantities: Point::new(case, &state),
             wear_limit: WearLimitDocument::new(case, Some(state.growth_rate)),

@@ -10,6 +10,7 @@ use std::f64::consts::TAU;
 
 use riffel::receptance::{DecayRate, MassOnRail, Resonance, ResonanceKind};
 use riffel::{Complex64, Direction};
+use riffel_case::ask;
 use riffel_case::{Case, Track};
 use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
@@ -145,10 +146,10 @@ impl ReceptanceAnswer {
         let curves = ReceptanceCurves::new(case, &track, direction, speed, frequencies);
         let ReceptanceCurves { frequencies, joints, places } = curves;
         let resonances = match direction {
-            Direction::Vertical => case.resonances(),
+            Direction::Vertical => ask::resonances(case),
             _ => track.resonances(),
         };
-        let closed = (direction == Direction::Vertical).then(|| case.p2_closed_form()).flatten();
+        let closed = (direction == Direction::Vertical).then(|| ask::p2_closed_form(case)).flatten();
         let lateral = case.lateral_resonances.iter();
         let lateral = lateral.map(|(kind, w)| LateralResonance { kind: *kind, frequency_hz: w / TAU });
         Ok(Self {

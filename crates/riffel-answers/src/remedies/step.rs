@@ -1,6 +1,7 @@
 //! One key changed, and what becomes of growth under a traffic.
 
 use riffel::forecast::SpeedDistribution;
+use riffel_case::idle_because;
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, CaseKey, Hold, Variant};
 use riffel_keys::quantity::{Kind, Speed};
@@ -36,7 +37,7 @@ impl Step {
     /// What it changes, and what becomes of growth.
     pub(super) fn taken(&self, case: &Case, traffic: &Traffic) -> Result<(Vec<Change>, LineGrowth), Message> {
         let (key, value) = (self.key, self.value.clone()?);
-        if case.idle_because(key).is_some() {
+        if idle_because(case, key).is_some() {
             return Err(say!(remedy_has_no_effect, key));
         }
         let mut changes = vec![Change { key, value }];

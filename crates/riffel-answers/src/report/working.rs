@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use riffel_calibrate::{Chains, Plan};
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::text_file::is_standard_input;
@@ -214,7 +215,7 @@ impl<'a> Working<'a> {
             ..NoiseQuestion::of_a_coach(given.case.clone(), now.survey.clone(), now.speed, limit)?
         };
         let asked = self.question.of_noise();
-        if let (Some((option, value)), Some(why)) = (&asked, given.case.without_decay()) {
+        if let (Some((option, value)), Some(why)) = (&asked, ask::without_decay(&given.case)) {
             return Err(AnswerError::argument(option, value, format!("left out: {why}")));
         }
         match question.answer_over(draws, self.client) {

@@ -1,5 +1,7 @@
 //! The branches of the ridge of a case: as a document, and in words.
 
+use riffel_case::ask;
+use riffel_case::traffic;
 use std::collections::BTreeSet;
 
 use riffel::diagnosis::MechanismKind;
@@ -37,7 +39,7 @@ pub fn ridge_of(case: &Case, feedback: &Loop) -> Ridge {
 
 /// Ridge in a window of wavelengths and speeds.
 pub fn ridge_in(case: &Case, feedback: &Loop, [wavelength, speed]: [Axis; 2]) -> Ridge {
-    let told = case.told_of(wavelength);
+    let told = ask::told_of(case, wavelength);
     told.map_or_else(Ridge::nothing, |told| Ridge::search(feedback, told, speed))
 }
 
@@ -195,7 +197,7 @@ fn near(kind: MechanismKind) -> f64 {
 /// wheelset twists or bends.
 pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
     let vertical = |kind: MechanismKind| kind != MechanismKind::LateralPinnedPinned;
-    let (mechanisms, _) = case.mechanisms();
+    let (mechanisms, _) = traffic::mechanisms(case);
     let of_track = mechanisms
         .iter()
         .filter(|mechanism| vertical(mechanism.kind))
@@ -206,7 +208,7 @@ pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
 
 /// Natural frequencies up to one \[Hz\] at which the axle of a wheelset twists or bends; empty if modes cannot be told apart so high.
 pub(crate) fn modes_of_axle(case: &Case, highest: f64) -> Vec<(MechanismKind, f64)> {
-    let modes = case.wheelset.as_deref().and_then(|wheelset| case.wheelset_modes(wheelset, highest).ok());
+    let modes = case.wheelset.as_deref().and_then(|wheelset| ask::wheelset_modes(case, wheelset, highest).ok());
     let named = modes.iter().flatten().filter_map(|mode| {
         let kind = match mode.name {
             ModeName::Torsion { .. } => MechanismKind::WheelsetTorsion,

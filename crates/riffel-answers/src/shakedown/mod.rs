@@ -6,6 +6,7 @@ mod tables;
 use rayon::prelude::*;
 use riffel::{HertzContact, LoopState};
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_case::file::LimitName;
 use riffel_keys::quantity::{Length, Quantity, Ratio, Speed};
 use riffel_keys::{Message, fixed, say, significant};
@@ -156,13 +157,13 @@ impl ShakedownLimits {
                 return Err(AnswerError::argument("--utilised-friction", friction, "between 0 and 1"));
             }
         }
-        let shear_yield = case.shear_yield();
+        let shear_yield = ask::shear_yield(case);
         let frictions = match self.utilised_friction.is_empty() {
             true => (0..=30).map(|step| 0.02 * f64::from(step)).collect(),
             false => self.utilised_friction.clone(),
         };
         let mut remarks = case.remarks.clone();
-        if !case.has_shear_yield() {
+        if !ask::has_shear_yield(case) {
             remarks.push(say!(shear_yield_assumed, shear = fixed(1e-6 * shear_yield, 0)));
         }
         let mean = standing(case, 0.0, 0.0, mean_forces(case), case.hertz);
@@ -217,7 +218,7 @@ impl ShakedownLimits {
 
 fn limits(case: &Case, frictions: &[f64]) -> Vec<LimitRow> {
     let row = |&friction: &f64| {
-        let limit = |name: LimitName| case.shakedown_limit(name).at(friction)[0];
+        let limit = |name: LimitName| ask::shakedown_limit(case, name).at(friction)[0];
         LimitRow {
             utilised_friction: friction,
             elastic: limit(LimitName::Elastic),
@@ -274,15 +275,15 @@ fn standing(
         (true, false) => along.hypot(across).copysign(along),
     };
     let pressure = hertz.peak_pressure() * (load / hertz.normal_force()).cbrt();
-    let ratio = pressure / case.shear_yield();
+    let ratio = pressure / ask::shear_yield(case);
     let friction = match load > 0.0 {
         true => force.abs() / load,
         false => 0.0,
     };
-    let name = case.limit_name();
+    let name = ask::limit_name(case);
     let demand = match (ratio > 0.0, name, friction) {
         (false, ..) | (_, LimitName::Surface, 0.0) => 0.0,
-        _ => ratio / case.shakedown_limit_of(name, hertz).at(friction)[0],
+        _ => ratio / ask::shakedown_limit_of(case, name, hertz).at(friction)[0],
     };
     OperatingPoint {
         phase_deg: degrees,

@@ -2,6 +2,7 @@
 
 use riffel::passage::ContactInstant;
 use riffel::roughness::Profile;
+use riffel_case::ask;
 use riffel_case::{Case, ContactName};
 use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
@@ -82,7 +83,7 @@ impl PassageAnswer {
         check_step(request.largest_step)?;
         let model = model(case, request.speed, request.contact_filter)?;
         let passage = model.pass(profile, request.largest_step).map_err(refused("--profile"))?;
-        let contacts = case.contact_names();
+        let contacts = ask::contact_names(case);
         let own_remarks = remarks::of_profile(profile).into_iter().chain(remarks::of_track(&model));
         let along = case.feedback.contacts().iter().map(|contact| contact.along).skip(1);
         let courses = [(0.0, &passage.contacts)].into_iter().chain(along.zip(&passage.others));
@@ -97,7 +98,7 @@ impl PassageAnswer {
             mean_creepage: mean(&courses[0].creepage),
             extremes: Extremes::new(passage.normal_force, passage.contact_loss),
             track_share_cut: model.structures.share_cut(),
-            run: Run { courses, contacts, ..Run::new(case, own_remarks, &case.remarks_at(request.speed)) },
+            run: Run { courses, contacts, ..Run::new(case, own_remarks, &ask::remarks_at(case, request.speed)) },
             profile: request.profile,
         })
     }

@@ -2,6 +2,7 @@
 
 use riffel::contact::ContactFilter;
 use riffel::passage::PassageModel;
+use riffel_case::ask;
 use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
@@ -51,7 +52,7 @@ impl Run {
 
 /// The model of a case at a speed \[m/s\], whose wheels feel the mean over their patch where the profile is filtered.
 pub(super) fn model(case: &Case, speed: f64, contact_filter: bool) -> Result<PassageModel, CaseError> {
-    let mut model = case.in_time(speed)?;
+    let mut model = ask::in_time(case, speed)?;
     model.contact_filter = contact_filter.then(|| ContactFilter::of(&case.hertz));
     Ok(model)
 }

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use riffel::Complex64;
 use riffel::error::as_typed;
 use riffel::passage::{Harmonic, Settled, Sinusoid};
+use riffel_case::ask;
 use riffel_case::{Case, ContactName};
 use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
@@ -166,7 +167,7 @@ impl SinusoidAnswer {
                 (all.remove(0), all, None)
             }
             (true, true) => {
-                let contact = case.transient_contact();
+                let contact = ask::transient_contact(case);
                 let rolled = model.settle_transient(profile, steps, contact);
                 let rolled = rolled.map_err(&of_sinusoid)?;
                 (rolled.settled, Vec::new(), Some(rolled.energy_at_rail))
@@ -182,10 +183,11 @@ impl SinusoidAnswer {
         let radius = case.hertz.rolling_radius();
         let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
         let supports = remarks::of_supports(&model, &profile);
-        let elements = transient.then(|| remarks::of_elements(&case.transient_contact(), &settled, profile)).flatten();
+        let elements =
+            transient.then(|| remarks::of_elements(&ask::transient_contact(case), &settled, profile)).flatten();
         let remarks = remarks::of_track(&model).into_iter().chain(troughs).chain(supports).chain(elements);
-        let run = Run::new(case, remarks, &case.remarks_at(speed));
-        let names = case.contact_names();
+        let run = Run::new(case, remarks, &ask::remarks_at(case, speed));
+        let names = ask::contact_names(case);
         let on_all_axes = !names.is_empty();
         let all = || std::iter::once(&settled).chain(&others);
         let contacts = names.into_iter().zip(all()).map(|(name, settled)| ContactOverSinusoid {

@@ -1,6 +1,7 @@
 //! Wheels of a case on a smooth rail.
 
 use riffel::passage::{ContactInstant, ContactSwing, Outcome, PassageModel};
+use riffel_case::ask;
 use riffel_case::{Case, ContactName};
 use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
@@ -108,7 +109,7 @@ impl SmoothRailAnswer {
             ));
         }
         case.check_points([case.wavelength.min(); 2], [speed; 2])?;
-        let model = case.in_time_without_profile(speed)?;
+        let model = ask::in_time_without_profile(case, speed)?;
         if case.feedback.is_along_one_axis() {
             return Err(case
                 .refuse(
@@ -118,7 +119,7 @@ impl SmoothRailAnswer {
                 )
                 .into());
         }
-        let stability = case.stability(speed);
+        let stability = ask::stability(case, speed);
         // Where the root is not found, an unstable loop is given its time all the same.
         let growth = stability
             .as_ref()
@@ -130,8 +131,8 @@ impl SmoothRailAnswer {
             .into_iter()
             .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
             .chain(remarks::of_linear_loop(&motion, roots));
-        let run = Run::new(case, own_remarks, &case.remarks_at(speed));
-        let names = case.contact_names();
+        let run = Run::new(case, own_remarks, &ask::remarks_at(case, speed));
+        let names = ask::contact_names(case);
         let course = |course: &Vec<ContactInstant>| {
             let places = (0..course.len()).map(|index| index as f64 * motion.step);
             ContactHistory::new(places.collect(), vec![0.0; course.len()], course, true)

@@ -5,8 +5,10 @@ mod table;
 
 use riffel::curving::{Curve, WheelState};
 use riffel::forecast::band_lines;
+use riffel_case::ask;
 use riffel_case::file::{ContactOfWheel, CurveRail};
 use riffel_case::traffic::{UsualTraffic, bands_of};
+use riffel_case::wheels_of_curve;
 use riffel_case::{Case, Variant, WheelOfCurve, WheelsOfCurve};
 use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::LineFigure;
@@ -125,7 +127,7 @@ impl WheelsAnswer {
     /// [`AnswerError::NoCurve`] for a case without `contact.from`, [`AnswerError::Case`] for a vehicle without equilibrium and
     /// for frequencies at which the case is not known.
     pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Result<Self> {
-        let found = case.sharing_parts().wheels_of_curve()?;
+        let found = wheels_of_curve(&case.sharing_parts())?;
         let WheelsOfCurve { curve, wheels } = found.ok_or(AnswerError::NoCurve)?;
         let ends = [case.wavelength.min(), case.wavelength.max()];
         case.check_points(ends, [curve.speed; 2])?;
@@ -231,7 +233,7 @@ impl WheelAnswer {
         progress: &(impl Fn(usize) + Sync),
     ) -> Result<(), CaseError> {
         let under = LineGrowth::under(&case, &traffic.traffic()?, &Variant::none(""))?;
-        let stability = case.stability(speed);
+        let stability = ask::stability(&case, speed);
         let map = RidgeMap::new(&case, progress);
         self.highest = under.fastest.map(|fastest| Highest {
             wavelength: fastest.wavelength_m,
@@ -244,7 +246,7 @@ impl WheelAnswer {
         self.growth_rate_per_passage = Some(under.curve.iter().map(|[_, rate]| *rate).collect());
         self.branches = map.branches.clone();
         self.unstable_frequency_hz = stability.and_then(|stability| stability.frequency);
-        self.remarks = case.remarks_at(speed);
+        self.remarks = ask::remarks_at(&case, speed);
         self.in_loop = Some(WheelInLoop { case, map });
         Ok(())
     }

@@ -6,6 +6,7 @@ use riffel::Ridge;
 use riffel::growth::RidgeBranch;
 use riffel_answers::map::MapAnswer;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
+use riffel_case::traffic;
 use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::Language;
 
@@ -133,7 +134,7 @@ fn the_nominal_ridge_is_one_branch() {
 fn a_branch_is_named_by_a_resonance_near_its_frequency() {
     let case = case(DISCRETE_SUPPORTS, &["rail.loss_factor=0.001", "track.position=0.3 m"]);
     let branches = BranchDocument::all(&case, &ridge(&case));
-    let (mechanisms, _) = case.mechanisms();
+    let (mechanisms, _) = traffic::mechanisms(&case);
     let names = mechanisms.iter().map(|mechanism| mechanism.kind.name());
     assert_eq!(branches[0].mechanism, Some("pinned-pinned, vertical"));
     for branch in &branches {

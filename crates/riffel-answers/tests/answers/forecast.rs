@@ -8,6 +8,7 @@ use riffel_answers::forecast::{ForecastHorizon, ForecastRequest, TrackForecast};
 use riffel_answers::map::MapAnswer;
 use riffel_answers::report::{Inputs, MeasuredRail, MeasuredRoughness, ReportRequest, Site, report};
 use riffel_answers::roughness::SpectraAnswer;
+use riffel_case::on_curve;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, CurvingCase, METRO_CURVE_CASE, NOMINAL_CASE, TRAFFIC};
 use riffel_keys::{Language, Message, say};
@@ -111,7 +112,7 @@ fn rails_of_a_curve_in_another_file_are_said_to_grow_alike() -> Result<(), Answe
     let folder = tempfile::tempdir().unwrap();
     let curve = CurvingCase::parse("curve", METRO_CURVE_CASE, &[])?;
     std::fs::write(folder.path().join("curve.toml"), curve.toml()).unwrap();
-    let case = case().on_curve(folder.path(), "curve.toml")?;
+    let case = on_curve(&case(), folder.path(), "curve.toml")?;
     let levels = || bands_of(&case).into_iter().map(|band| (band, -8.0));
     let rail = |name| LabelledSpectrum::of_rail(name, Spectrum::new(levels()).unwrap());
     let survey = Survey::new(Path::new("rail.csv"), vec![rail("left"), rail("right")], Vec::new())?;

@@ -2,6 +2,7 @@
 
 use riffel::contact::ContactFilter;
 use riffel::noise::{FrequencyBand, PassBy, Surroundings};
+use riffel_case::ask;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::{CaseError, Message, Value, say};
 use riffel_rail::{Survey, WheelRoughness};
@@ -21,7 +22,7 @@ impl Reading<'_> {
         let common_error = self.decibels(index, OF_A_PLACE)?;
         let view = self.view(index)?;
         let case = &self.views[view].case;
-        if let Some(why) = case.without_decay() {
+        if let Some(why) = ask::without_decay(case) {
             let rule = say!(is_pass_by_but, why);
             return Err(self.invalid(index, "kind", rule, say!(give_data_another_model)));
         }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use riffel_case::Case;
 use riffel_case::file::TrackModel;
 use riffel_case::traffic::Traffic;
+use riffel_case::wear_spread;
 use riffel_keys::quantity::{Quantity, Ratio};
 use riffel_keys::{CaseError, Message, say};
 
@@ -245,7 +246,7 @@ fn candidates(case: &Case, vehicles: &[Vehicle], tables: &[Table]) -> Vec<Candid
         let factor = if is_known { KNOWN_PAD } else { of_key.factor };
         let is_wear = of_key.key == "wear.coefficient" && case.file.wear.measured.is_some();
         let factor = match is_wear {
-            true => case.wear_spread().factor().max(1.001),
+            true => wear_spread(case).factor().max(1.001),
             false => factor,
         };
         candidates.push(Candidate {

@@ -30,12 +30,10 @@ impl ContactName {
     }
 }
 
-impl Case {
-    /// Names of the contacts of a loop on all axes, that under study first; none of a loop of one wheel and one axis.
-    pub fn contact_names(&self) -> Vec<ContactName> {
-        match self.feedback.is_along_one_axis() {
-            true => Vec::new(),
-            false => ContactName::all(&self.feedback),
-        }
+/// Names of the contacts of a loop on all axes, that under study first; none of a loop of one wheel and one axis.
+pub fn contact_names(case: &Case) -> Vec<ContactName> {
+    match case.feedback.is_along_one_axis() {
+        true => Vec::new(),
+        false => ContactName::all(&case.feedback),
     }
 }

@@ -82,15 +82,13 @@ impl TrackRadiator {
     }
 }
 
-impl Case {
-    /// Why the track has no level of its own, if it has none: nothing is known of how far its rail carries vibration, or it carries
-    /// it further than a length can be told, at every frequency, so that the level would be that of where the length is cut.
-    pub fn without_decay(&self) -> Option<Message> {
-        let model = self.file.track.model.name();
-        let Some(track) = self.track.structure.as_deref() else {
-            return Some(say!(track_model_says_what_the_rail, model));
-        };
-        let runs_on = FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre()));
-        runs_on.then(|| say!(the_rail_of_track_model_carries, model))
-    }
+/// Why the track has no level of its own, if it has none: nothing is known of how far its rail carries vibration, or it carries
+/// it further than a length can be told, at every frequency, so that the level would be that of where the length is cut.
+pub fn without_decay(case: &Case) -> Option<Message> {
+    let model = case.file.track.model.name();
+    let Some(track) = case.track.structure.as_deref() else {
+        return Some(say!(track_model_says_what_the_rail, model));
+    };
+    let runs_on = FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre()));
+    runs_on.then(|| say!(the_rail_of_track_model_carries, model))
 }

@@ -5,6 +5,7 @@ use riffel_keys::{CaseError, PhysicalRange};
 use serde::Serialize;
 use toml::{Table, Value};
 
+use crate::case::on_curve::wider_than_its_band;
 use crate::file::setting::Setting;
 use crate::text::case_text::CaseText;
 use crate::{Case, CaseKey};
@@ -30,68 +31,66 @@ pub struct Sensitivity {
 const STEP: f64 = 4e-3;
 const HALVINGS: usize = 10;
 
-impl Case {
-    /// The derivatives of the growth rate at a wavelength \[m\] and a speed \[m/s\] by every quantity of the case that
-    /// is not zero and moves it, and by wavelength and speed themselves; the strongest first.
-    ///
-    /// A derivative is a partial one: every other key holds its value, those that presets and defaults fill in among
-    /// them. So the inertia of a wheel stays where its mass is moved, also where it was left out, and a mean state that came from a
-    /// curve stays whatever is moved.
-    ///
-    /// Method: central differences of the whole case, extrapolated to no step (Ridders 1982) from steps that are halved
-    /// ten times, with the estimate of the error that belongs to the best. Differences reach every model of track and
-    /// contact alike, those that iterate among them. Accuracy: 1e-9 of the largest elasticity and better for closed
-    /// forms, see `sensitivities_match_closed_forms`; what an iteration leaves shows in the estimate. Cost: some twenty
-    /// cases for each key: a tenth of a second in all, minutes with a non-steady contact, whose table is made anew.
-    /// A parameter at the end of its range cannot be moved to both sides and is left out.
-    ///
-    /// # Errors
-    /// [`CaseError`] as of [`point`](Self::point).
-    pub fn sensitivities(&self, wavelength: f64, speed: f64) -> Result<Vec<Sensitivity>, CaseError> {
-        let at_point = self.point(wavelength, speed)?.growth_rate;
-        let whole = self.written_out()?;
-        let window = window(wavelength);
-        let changed = |change: Option<(&str, f64)>| -> Result<f64, CaseError> {
-            let mut text = whole.clone();
-            text.write(&window)?;
-            if let Some((key, value)) = change {
-                text.write(&[(key.to_owned(), Value::Float(value))])?;
-            }
-            let case = self.rebuilt(text)?;
-            Ok(case.point(wavelength, speed)?.growth_rate)
-        };
-        let growth = changed(None)?;
-        let by_key = |key: &(&'static CaseKey, f64)| {
-            let (key, value) = *key;
-            let at = |value: f64| changed(Some((&key.key, value))).ok();
-            let unit = key.quantity.map_or("", |kind| kind.unit);
-            relative(&key.key, unit, value, growth, at)
-        };
-        let keys = quantities(whole.keys.table());
-        let mut all: Vec<Sensitivity> = keys.par_iter().filter_map(by_key).collect();
-        let at_wavelength = |wavelength| Some(self.point(wavelength, speed).ok()?.growth_rate);
-        let at_speed = |speed| Some(self.point(wavelength, speed).ok()?.growth_rate);
-        all.extend(relative("wavelength", "m", wavelength, at_point, at_wavelength));
-        all.extend(relative("speed", "m/s", speed, at_point, at_speed));
-        all.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
-        Ok(all)
-    }
+/// The derivatives of the growth rate at a wavelength \[m\] and a speed \[m/s\] by every quantity of the case that
+/// is not zero and moves it, and by wavelength and speed themselves; the strongest first.
+///
+/// A derivative is a partial one: every other key holds its value, those that presets and defaults fill in among
+/// them. So the inertia of a wheel stays where its mass is moved, also where it was left out, and a mean state that came from a
+/// curve stays whatever is moved.
+///
+/// Method: central differences of the whole case, extrapolated to no step (Ridders 1982) from steps that are halved
+/// ten times, with the estimate of the error that belongs to the best. Differences reach every model of track and
+/// contact alike, those that iterate among them. Accuracy: 1e-9 of the largest elasticity and better for closed
+/// forms, see `sensitivities_match_closed_forms`; what an iteration leaves shows in the estimate. Cost: some twenty
+/// cases for each key: a tenth of a second in all, minutes with a non-steady contact, whose table is made anew.
+/// A parameter at the end of its range cannot be moved to both sides and is left out.
+///
+/// # Errors
+/// [`CaseError`] as of [`point`].
+pub fn sensitivities(case: &Case, wavelength: f64, speed: f64) -> Result<Vec<Sensitivity>, CaseError> {
+    let at_point = case.point(wavelength, speed)?.growth_rate;
+    let whole = written_out(case)?;
+    let window = window(wavelength);
+    let changed = |change: Option<(&str, f64)>| -> Result<f64, CaseError> {
+        let mut text = whole.clone();
+        text.write(&window)?;
+        if let Some((key, value)) = change {
+            text.write(&[(key.to_owned(), Value::Float(value))])?;
+        }
+        let case = case.rebuilt(text)?;
+        Ok(case.point(wavelength, speed)?.growth_rate)
+    };
+    let growth = changed(None)?;
+    let by_key = |key: &(&'static CaseKey, f64)| {
+        let (key, value) = *key;
+        let at = |value: f64| changed(Some((&key.key, value))).ok();
+        let unit = key.quantity.map_or("", |kind| kind.unit);
+        relative(&key.key, unit, value, growth, at)
+    };
+    let keys = quantities(whole.keys.table());
+    let mut all: Vec<Sensitivity> = keys.par_iter().filter_map(by_key).collect();
+    let at_wavelength = |wavelength| Some(case.point(wavelength, speed).ok()?.growth_rate);
+    let at_speed = |speed| Some(case.point(wavelength, speed).ok()?.growth_rate);
+    all.extend(relative("wavelength", "m", wavelength, at_point, at_wavelength));
+    all.extend(relative("speed", "m/s", speed, at_point, at_speed));
+    all.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
+    Ok(all)
+}
 
-    /// The keys of the case with every value written that presets, defaults and other keys fill in.
-    fn written_out(&self) -> Result<CaseText, CaseError> {
-        let whole = Table::try_from(&self.file);
-        let whole = whole.map_err(|error| self.refuse("", error.to_string()))?;
-        let mut text = self.unfilled.clone();
-        for (key, value) in whole {
-            text.keys.put(&key, value);
-        }
-        // What a curve said is written now, and is held as all else is; a band that it leaves to the contact's own width stays so.
-        if self.wider_than_its_band().is_some() {
-            text.keys.remove("wear.band_width");
-        }
-        text.keys.remove("contact.from");
-        Ok(text)
+/// The keys of the case with every value written that presets, defaults and other keys fill in.
+fn written_out(case: &Case) -> Result<CaseText, CaseError> {
+    let whole = Table::try_from(&case.file);
+    let whole = whole.map_err(|error| case.refuse("", error.to_string()))?;
+    let mut text = case.unfilled.clone();
+    for (key, value) in whole {
+        text.keys.put(&key, value);
     }
+    // What a curve said is written now, and is held as all else is; a band that it leaves to the contact's own width stays so.
+    if wider_than_its_band(case).is_some() {
+        text.keys.remove("wear.band_width");
+    }
+    text.keys.remove("contact.from");
+    Ok(text)
 }
 
 /// A narrow window of the map at a wavelength \[m\]: a contact that is tabulated is tabulated where it is
@@ -193,7 +192,7 @@ mod tests {
         for (wavelength, speed) in [(0.031, 17.0), (0.12, 41.0), (0.25, 60.0)] {
             let overrides = ["wheel.rotation=constant-creepage", "wheel.mass=612 kg", "contact.tractive_ratio=0.37"];
             let case = case(NOMINAL_CASE, &overrides);
-            let all = case.sensitivities(wavelength, speed).unwrap();
+            let all = sensitivities(&case, wavelength, speed).unwrap();
             assert!((of(&all, "wear.coefficient").elasticity - 1.0).abs() < 1e-10);
             assert!((of(&all, "wear.density").elasticity + 1.0).abs() < 1e-10);
             let state = case.point(wavelength, speed).unwrap();
@@ -222,7 +221,7 @@ mod tests {
             (METRO_CASE, &[][..], 0.05, 60.0 / 3.6),
         ] {
             let case = case(text, overrides);
-            let all = case.sensitivities(wavelength, speed).unwrap();
+            let all = sensitivities(&case, wavelength, speed).unwrap();
             assert!(all.len() > 8, "{}", all.len());
             assert!(all.iter().any(|one| one.key == "wheel.inertia"));
             let largest = all[0].elasticity.abs();
@@ -245,7 +244,7 @@ mod tests {
     fn roundings_are_no_sensitivity() {
         let case = case(NOMINAL_CASE, &[]);
         for (wavelength, speed) in [(0.055, 30.0), (0.03, 20.0), (0.04, 45.0), (0.07, 12.0)] {
-            let all = case.sensitivities(wavelength, speed).unwrap();
+            let all = sensitivities(&case, wavelength, speed).unwrap();
             assert_eq!(all.iter().find(|one| one.key == "corrugation.amplitude"), None);
             assert!(all.iter().any(|one| one.key == "wear.density"));
         }
@@ -256,13 +255,13 @@ mod tests {
     fn the_end_of_the_wavelengths_has_sensitivities() {
         let case = case(NOMINAL_CASE, &[]);
         let keys = |wavelength| {
-            let all = case.sensitivities(wavelength, 60.0).unwrap();
+            let all = sensitivities(&case, wavelength, 60.0).unwrap();
             let mut keys: Vec<String> = all.into_iter().map(|one| one.key).collect();
             keys.retain(|key| key != "wavelength");
             keys.sort();
             keys
         };
         assert_eq!(keys(9.999), keys(9.9));
-        assert!(case.sensitivities(10.1, 60.0).is_err());
+        assert!(sensitivities(&case, 10.1, 60.0).is_err());
     }
 }

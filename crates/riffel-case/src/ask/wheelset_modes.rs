@@ -19,38 +19,33 @@ pub struct WheelsetMode {
     pub shape: Option<NaturalMode>,
 }
 
-impl Case {
-    /// Natural frequencies of a wheelset of the case up to one \[Hz\], lowest first; none of a measured one.
-    ///
-    /// # Errors
-    /// [`CaseError`] where they cannot be told apart so high.
-    pub fn wheelset_modes(&self, wheelset: &CaseWheelset, highest: f64) -> Result<Vec<WheelsetMode>, CaseError> {
-        match wheelset {
-            CaseWheelset::Rigid(rigid) => Ok(rigid_modes(rigid, highest)),
-            CaseWheelset::Modal(modal, rigid) => {
-                let mut modes = rigid_modes(rigid, highest);
-                let elastic = modal.modes().iter().zip(modal.mode_names());
-                let elastic = elastic.map(|(mode, name)| WheelsetMode {
-                    frequency: mode.angular_frequency / TAU,
-                    name,
-                    shape: None,
-                });
-                modes.extend(elastic.filter(|mode| mode.frequency <= highest));
-                modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
-                Ok(modes)
-            }
-            // They are the peaks of its receptances, which it shows.
-            CaseWheelset::Measured(_) => Ok(Vec::new()),
-            CaseWheelset::Flexible(flexible) => {
-                let modes = flexible.natural_modes(TAU * highest);
-                let modes = self.keys.physics("wheelset.axle", modes)?;
-                let modes = modes.into_iter().map(|mode| WheelsetMode {
-                    frequency: mode.angular_frequency / TAU,
-                    name: mode.name,
-                    shape: Some(mode),
-                });
-                Ok(modes.collect())
-            }
+/// Natural frequencies of a wheelset of the case up to one \[Hz\], lowest first; none of a measured one.
+///
+/// # Errors
+/// [`CaseError`] where they cannot be told apart so high.
+pub fn wheelset_modes(case: &Case, wheelset: &CaseWheelset, highest: f64) -> Result<Vec<WheelsetMode>, CaseError> {
+    match wheelset {
+        CaseWheelset::Rigid(rigid) => Ok(rigid_modes(rigid, highest)),
+        CaseWheelset::Modal(modal, rigid) => {
+            let mut modes = rigid_modes(rigid, highest);
+            let elastic = modal.modes().iter().zip(modal.mode_names());
+            let elastic =
+                elastic.map(|(mode, name)| WheelsetMode { frequency: mode.angular_frequency / TAU, name, shape: None });
+            modes.extend(elastic.filter(|mode| mode.frequency <= highest));
+            modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+            Ok(modes)
+        }
+        // They are the peaks of its receptances, which it shows.
+        CaseWheelset::Measured(_) => Ok(Vec::new()),
+        CaseWheelset::Flexible(flexible) => {
+            let modes = flexible.natural_modes(TAU * highest);
+            let modes = case.keys.physics("wheelset.axle", modes)?;
+            let modes = modes.into_iter().map(|mode| WheelsetMode {
+                frequency: mode.angular_frequency / TAU,
+                name: mode.name,
+                shape: Some(mode),
+            });
+            Ok(modes.collect())
         }
     }
 }

@@ -15,12 +15,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use riffel::contact::{CreepLaw, MeanRolling};
+use riffel::damage::DamageLaw;
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::{Axis, Direction, HertzContact, Loop};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, Message, PhysicalRange, fixed, say, text_file};
 
 use crate::build::{BuiltCase, CreepLaws};
+use crate::case::measured_wear::with_measured_wear;
 use crate::curve::{CurvingCase, Equilibrium, SharedProfiles};
 use crate::file::setting::Setting;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName, FromCurve};
@@ -123,7 +125,7 @@ impl Case {
         window: Window,
     ) -> Result<Self, CaseError> {
         let keys = CheckedKeys::of_text(unfilled.clone(), folder, given.within(window), window)?;
-        Self::of_keys(keys, unfilled)?.with_measured_wear()
+        with_measured_wear(Self::of_keys(keys, unfilled)?)
     }
 
     /// The case of written keys with the mean state of one contact of a balanced vehicle.
@@ -137,7 +139,7 @@ impl Case {
         let mut unfilled = written.unfilled.clone();
         unfilled.write(&from.settings())?;
         let keys = written.on_wheel(equilibrium, from, given.within(window), window)?;
-        Self::of_keys(keys, unfilled)?.with_measured_wear()
+        with_measured_wear(Self::of_keys(keys, unfilled)?)
     }
 
     fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {
@@ -413,6 +415,12 @@ impl Case {
         let mut text = self.unfilled.clone();
         text.apply(overrides)?;
         CurvingCase::of_tables(text, self.keys.folder.as_deref())
+    }
+
+    /// Whether laws of damage beside wear have a part in growth.
+    pub fn has_other_damage(&self) -> bool {
+        let damage = self.feedback.contacts()[0].damage.as_ref();
+        damage.is_some_and(|damage| damage.laws != [DamageLaw::Wear])
     }
 
     /// A sentence about a key of the case.

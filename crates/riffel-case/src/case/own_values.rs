@@ -16,28 +16,26 @@ pub struct OwnValue {
     pub without: Value,
 }
 
-impl Case {
-    /// The keys that are written and differ from what presets and defaults would give, in the order of the file. One without which
-    /// there is no case, or nothing in its place, is left out.
-    pub fn own_values(&self) -> Vec<OwnValue> {
-        let filled = |removed: Option<&str>| -> Result<Table, CaseError> {
-            let mut text = self.unfilled.clone();
-            removed.iter().for_each(|key| text.keys.remove(key));
-            text.fill_in()?;
-            let file: CaseFile = text.deserialize()?;
-            Table::try_from(file).map_err(|error| self.refuse("", error.to_string()))
-        };
-        let Ok(own) = filled(None) else {
-            return Vec::new();
-        };
-        let written = settings(self.unfilled.keys.table()).into_iter();
-        let differing = written.filter_map(|(key, _)| {
-            let without = filled(Some(&key)).ok()?;
-            let without = at(&without, &key)?.clone();
-            (Some(&without) != at(&own, &key)).then_some(OwnValue { key, without })
-        });
-        differing.collect()
-    }
+/// The keys that are written and differ from what presets and defaults would give, in the order of the file. One without which
+/// there is no case, or nothing in its place, is left out.
+pub fn own_values(case: &Case) -> Vec<OwnValue> {
+    let filled = |removed: Option<&str>| -> Result<Table, CaseError> {
+        let mut text = case.unfilled.clone();
+        removed.iter().for_each(|key| text.keys.remove(key));
+        text.fill_in()?;
+        let file: CaseFile = text.deserialize()?;
+        Table::try_from(file).map_err(|error| case.refuse("", error.to_string()))
+    };
+    let Ok(own) = filled(None) else {
+        return Vec::new();
+    };
+    let written = settings(case.unfilled.keys.table()).into_iter();
+    let differing = written.filter_map(|(key, _)| {
+        let without = filled(Some(&key)).ok()?;
+        let without = at(&without, &key)?.clone();
+        (Some(&without) != at(&own, &key)).then_some(OwnValue { key, without })
+    });
+    differing.collect()
 }
 
 /// The value of a dotted key.
@@ -56,7 +54,7 @@ mod tests {
     fn own(overrides: &[&str]) -> Vec<(String, String)> {
         let overrides: Vec<String> = overrides.iter().map(|key| (*key).to_owned()).collect();
         let case = Case::parse("metro", METRO_CASE, &overrides).unwrap();
-        let values = case.own_values().into_iter();
+        let values = own_values(&case).into_iter();
         let values = values.map(|OwnValue { key, without }| match without {
             Value::String(text) => (key, text),
             other => (key, other.to_string()),

@@ -26,16 +26,16 @@ pub struct PortableCase {
     pub folder: Option<PathBuf>,
 }
 
-impl Case {
-    /// What makes the case again elsewhere.
-    pub fn portable(&self) -> PortableCase {
-        let folder = self
+impl PortableCase {
+    /// What makes a case again elsewhere.
+    pub fn of(case: &Case) -> Self {
+        let folder = case
             .keys
             .folder
             .as_ref()
             .map(|folder| std::env::current_dir().map_or_else(|_| folder.clone(), |here| here.join(folder)));
-        let keys = &self.unfilled.keys;
-        PortableCase {
+        let keys = &case.unfilled.keys;
+        Self {
             name: keys.name().to_owned(),
             text: keys.text().to_owned(),
             keys: keys.table().to_string(),
@@ -48,16 +48,16 @@ impl Case {
     /// are the same.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`parse`](Self::parse).
+    /// [`CaseError`] as of [`Case::parse`].
     pub fn restore(
-        portable: &PortableCase,
+        &self,
         track: Option<SubstituteReceptance>,
         wheel: Option<SubstituteReceptance>,
-    ) -> Result<Self, CaseError> {
-        let PortableCase { name, text, keys, overrides, .. } = portable;
-        Self::of_text(
+    ) -> Result<Case, CaseError> {
+        let Self { name, text, keys, overrides, folder } = self;
+        Case::of_text(
             CaseText::of(KeyFile::restore(name, text, keys, overrides)?),
-            portable.folder.as_deref(),
+            folder.as_deref(),
             Substitutes { track, wheel, ..Substitutes::default() },
             Window::Map,
         )

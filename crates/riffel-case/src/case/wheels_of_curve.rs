@@ -57,68 +57,61 @@ impl WheelOfCurve {
     }
 }
 
-impl Case {
-    /// Every wheel of the vehicle that `contact.from` names, as if it were asked for; `None` if the case takes its mean state from
-    /// no curve. All keys but `contact.from.wheelset`, `contact.from.rail`, `contact.from.contact` and `wheelset.rail` stay.
-    ///
-    /// # Errors
-    /// [`CaseError`] for a vehicle that has no equilibrium.
-    pub fn wheels_of_curve(&self) -> Result<Option<WheelsOfCurve>, CaseError> {
-        let Some(MeanOfWheel { equilibrium, from, .. }) = self.keys.mean.wheel() else {
-            return Ok(None);
-        };
-        let written = WrittenKeys::read(self.unfilled.clone(), self.keys.folder.as_deref())?;
-        let Equilibrium { vehicle, states, .. } = &**equilibrium;
-        let VehicleState { wheels, .. } = &states[0];
-        let low = CurveRail::Low.in_curve(vehicle.curve.radius);
-        let mut wheels: Vec<WheelOfCurve> = (wheels.iter())
-            .flat_map(|state| {
-                let rail = match state.rail == low {
-                    true => CurveRail::Low,
-                    false => CurveRail::High,
+/// Every wheel of the vehicle that `contact.from` names, as if it were asked for; `None` if the case takes its mean state from
+/// no curve. All keys but `contact.from.wheelset`, `contact.from.rail`, `contact.from.contact` and `wheelset.rail` stay.
+///
+/// # Errors
+/// [`CaseError`] for a vehicle that has no equilibrium.
+pub fn wheels_of_curve(case: &Case) -> Result<Option<WheelsOfCurve>, CaseError> {
+    let Some(MeanOfWheel { equilibrium, from, .. }) = case.keys.mean.wheel() else {
+        return Ok(None);
+    };
+    let written = WrittenKeys::read(case.unfilled.clone(), case.keys.folder.as_deref())?;
+    let Equilibrium { vehicle, states, .. } = &**equilibrium;
+    let VehicleState { wheels, .. } = &states[0];
+    let low = CurveRail::Low.in_curve(vehicle.curve.radius);
+    let mut wheels: Vec<WheelOfCurve> = (wheels.iter())
+        .flat_map(|state| {
+            let rail = match state.rail == low {
+                true => CurveRail::Low,
+                false => CurveRail::High,
+            };
+            let contacts =
+                [(ContactOfWheel::Tread, Some(*state)), (ContactOfWheel::Flange, state.from_second_contact())];
+            contacts.map(|(contact, state)| {
+                let state = state?;
+                let named = from.contact.is_some() || contact == ContactOfWheel::Flange;
+                let from = FromCurve {
+                    wheelset: state.wheelset as u8,
+                    rail,
+                    contact: named.then_some(contact),
+                    ..from.clone()
                 };
-                let contacts =
-                    [(ContactOfWheel::Tread, Some(*state)), (ContactOfWheel::Flange, state.from_second_contact())];
-                contacts.map(|(contact, state)| {
-                    let state = state?;
-                    let named = from.contact.is_some() || contact == ContactOfWheel::Flange;
-                    let from = FromCurve {
-                        wheelset: state.wheelset as u8,
-                        rail,
-                        contact: named.then_some(contact),
-                        ..from.clone()
-                    };
-                    Some(WheelOfCurve {
-                        state,
-                        rail,
-                        contact,
-                        case: self.on_wheel(&written, equilibrium, &from, &state),
-                    })
-                })
+                Some(WheelOfCurve { state, rail, contact, case: on_wheel(case, &written, equilibrium, &from, &state) })
             })
-            .flatten()
-            .collect();
-        wheels.sort_by_key(|wheel| (wheel.state.wheelset, wheel.rail == CurveRail::High));
-        Ok(Some(WheelsOfCurve { curve: vehicle.curve, wheels }))
-    }
+        })
+        .flatten()
+        .collect();
+    wheels.sort_by_key(|wheel| (wheel.state.wheelset, wheel.rail == CurveRail::High));
+    Ok(Some(WheelsOfCurve { curve: vehicle.curve, wheels }))
+}
 
-    /// The case with another wheel under study.
-    fn on_wheel(
-        &self,
-        written: &WrittenKeys,
-        equilibrium: &Arc<Equilibrium>,
-        from: &FromCurve,
-        state: &WheelState,
-    ) -> Result<Self, CaseError> {
-        let mut written = written.clone();
-        if let Some(wheelset) = &mut written.file.wheelset
-            && written.unfilled.keys.has(RAIL)
-        {
-            wheelset.rail = RailSide::of(state.rail);
-            written.unfilled.write(&[(RAIL.to_owned(), state.rail.name().into())])?;
-        }
-        Self::placed(&written, equilibrium, from, self.keys.given.clone(), Window::Map)
+/// The case with another wheel under study.
+fn on_wheel(
+    case: &Case,
+    written: &WrittenKeys,
+    equilibrium: &Arc<Equilibrium>,
+    from: &FromCurve,
+    state: &WheelState,
+) -> Result<Case, CaseError> {
+    let mut written = written.clone();
+    if let Some(wheelset) = &mut written.file.wheelset
+        && written.unfilled.keys.has(RAIL)
+    {
+        wheelset.rail = RailSide::of(state.rail);
+        written.unfilled.write(&[(RAIL.to_owned(), state.rail.name().into())])?;
     }
+    Case::placed(&written, equilibrium, from, case.keys.given.clone(), Window::Map)
 }
 
 #[cfg(test)]
@@ -135,7 +128,7 @@ mod tests {
     #[test]
     fn wheels_are_those_that_keys_ask_for() {
         let found = case(CURVE, &["contact.from.wheelset=2", "contact.from.rail=right"]);
-        let found = found.wheels_of_curve().unwrap().unwrap();
+        let found = wheels_of_curve(&found).unwrap().unwrap();
         let names: Vec<String> = found.wheels.iter().map(WheelOfCurve::name).collect();
         assert_eq!(
             names,
@@ -164,7 +157,7 @@ mod tests {
     fn a_mirrored_curve_has_the_same_wheels() {
         let right = case(CURVE, &["wheelset.rail=right"]);
         let left = case(CURVE, &["curve.radius=-180 m", "contact.from.rail=left"]);
-        let [right, left] = [right, left].map(|case| case.wheels_of_curve().unwrap().unwrap());
+        let [right, left] = [right, left].map(|case| wheels_of_curve(&case).unwrap().unwrap());
         assert_eq!(left.curve.radius, -180.0);
         for (one, other) in right.wheels.iter().zip(&left.wheels) {
             assert_eq!(one.name(), other.name());
@@ -179,7 +172,7 @@ mod tests {
     #[test]
     fn every_wheel_has_a_loop_in_full_sliding() {
         let keys = ["contact.creep_law=shen-hedrick-elkins", "contact.from.wheelset=2"];
-        let found = case(CURVE, &keys).wheels_of_curve().unwrap().unwrap();
+        let found = wheels_of_curve(&case(CURVE, &keys)).unwrap().unwrap();
         let wheels: Vec<_> = found.wheels.iter().map(|wheel| &wheel.case).collect();
         assert!(wheels.iter().all(|case| case.is_ok()));
         let slides = wheels[0].as_ref().unwrap().steady.tractive_ratio();
@@ -189,6 +182,6 @@ mod tests {
     #[test]
     fn a_case_without_a_curve_has_no_wheels() {
         let nominal = case(crate::NOMINAL_CASE, &[]);
-        assert!(nominal.wheels_of_curve().unwrap().is_none());
+        assert!(wheels_of_curve(&nominal).unwrap().is_none());
     }
 }

@@ -9,6 +9,7 @@ use riffel_keys::{CaseError, Message, say, shown_speed};
 use super::spreads::{PartValues, place_of};
 use super::wheel_on_case::settings_of;
 use super::{Traffic, bands_of};
+use crate::ask::passage::wheels_in_time;
 use crate::file::ContactDynamics;
 use crate::{Case, Variant};
 
@@ -53,7 +54,7 @@ impl Traffic {
                     };
                 let share = vehicle.share.si() / all;
                 let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
-                let prepared = wheel.wheels_in_time()?.at_any_speed()?;
+                let prepared = wheels_in_time(&wheel)?.at_any_speed()?;
                 let at = |&(speed, part): &(f64, f64)| {
                     Ok(PassingWheel { share: share * part, traction_share, ..prepared.passing_wheel(speed)? })
                 };

@@ -1,6 +1,6 @@
 //! Traffic files: the vehicles of a line, and how fast corrugation grows under them.
 
-pub(crate) mod mechanisms;
+mod mechanisms;
 
 mod in_time;
 mod mix;
@@ -19,6 +19,7 @@ mod wheels_of_vehicle;
 use riffel::roughness::ThirdOctave;
 
 pub use in_time::VehicleInTime;
+pub use mechanisms::mechanisms;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
 pub use reported_growth::{FASTEST_DOUBLING_DAYS, is_faster_than_known, is_of_reported_growth, reported_growth};

@@ -1,5 +1,8 @@
 //! Traffic on a case: the wheel of each vehicle, and growth under all of them.
 
+use crate::ask;
+use crate::case::measured_wear::measured_coefficient_in_words;
+use crate::case::measured_wear::wearing;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -108,7 +111,7 @@ impl Traffic {
         // It says most of all.
         remarks.splice(0..0, reported);
         if case.file.wear.coefficient != given {
-            let told = case.measured_coefficient_in_words();
+            let told = measured_coefficient_in_words(case);
             remarks.extend(told.map(|told| say!(measured_wear_of_traffic, coefficient = told)));
         }
         Ok(TrafficOnCase {
@@ -140,7 +143,7 @@ impl Traffic {
         let vehicles = vehicles.map(|index| Ok(self.vehicle_on(index, kept, case, band, as_it_is)?.growth));
         let growth = self.of_vehicles(band, vehicles.collect::<Result<_, CaseError>>()?)?;
         let depth = growth.mean_wear().depth_per_100_mgt();
-        Ok(Cow::Owned(case.clone().wearing(depth)?))
+        Ok(Cow::Owned(wearing(case.clone(), depth)?))
     }
 
     fn of_vehicles(&self, bands: &[ThirdOctave], vehicles: Vec<VehicleGrowth>) -> Result<TrafficGrowth, CaseError> {

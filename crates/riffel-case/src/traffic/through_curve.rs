@@ -108,19 +108,17 @@ impl ThroughCurve {
     }
 }
 
-impl Case {
-    /// The keys of the case with settings, before a wheel of a vehicle in its curve gives them their mean state.
-    pub(crate) fn before_a_wheel(&self, sets: &[&[Setting]]) -> Result<(WrittenKeys, FromCurve), CaseError> {
-        let mut text = self.text_with(sets)?;
-        if !text.keys.has("contact.from") {
-            text.asks_for_low_rail();
-        }
-        let written = WrittenKeys::read(text, self.keys.folder.as_deref())?;
-        let Some(from) = written.from.clone() else {
-            unreachable!("the text asks for a wheel");
-        };
-        Ok((written, from))
+/// The keys of the case with settings, before a wheel of a vehicle in its curve gives them their mean state.
+pub(crate) fn before_a_wheel(case: &Case, sets: &[&[Setting]]) -> Result<(WrittenKeys, FromCurve), CaseError> {
+    let mut text = case.text_with(sets)?;
+    if !text.keys.has("contact.from") {
+        text.asks_for_low_rail();
     }
+    let written = WrittenKeys::read(text, case.keys.folder.as_deref())?;
+    let Some(from) = written.from.clone() else {
+        unreachable!("the text asks for a wheel");
+    };
+    Ok((written, from))
 }
 
 impl CaseText {

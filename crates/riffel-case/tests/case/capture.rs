@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use riffel::growth::Axis;
 use riffel_case::model::{FieldModel, ModelOnCase};
 use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
+use riffel_case::wheels_of_curve;
 use riffel_case::{Case, Variant};
 
 /// Traffic on every case: one wheel, all wheels of a curve, and wheels that are spread.
@@ -149,7 +150,7 @@ fn told(path: &Path) -> String {
             Err(error) => writeln!(text, "{}", error.0).unwrap(),
         }
     }
-    match case.wheels_of_curve() {
+    match wheels_of_curve(&case) {
         Ok(Some(wheels)) => wheels.wheels.iter().for_each(|wheel| {
             writeln!(text, "== {}: {:?}", wheel.name(), wheel.state).unwrap();
             match &wheel.case {

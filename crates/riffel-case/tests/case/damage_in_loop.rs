@@ -4,6 +4,7 @@ use riffel::forecast::{Forecast, ForecastBand, LINES_PER_BAND, SpeedDistribution
 use riffel::growth::RowEvaluator;
 use riffel::roughness::Spectrum;
 use riffel::{Axis, GrowthMap};
+use riffel_case::ask;
 use riffel_case::file::RailGrade;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, DamagePoint, Point, Variant};
@@ -195,7 +196,7 @@ fn slopes_of_the_demand() {
 /// Grades stand in their order, and a yield that is written comes before.
 #[test]
 fn grades_of_rail() {
-    let shear = |damage: &str| case(METRO, damage, &[]).shear_yield();
+    let shear = |damage: &str| ask::shear_yield(&case(METRO, damage, &[]));
     assert_eq!(shear("\n[damage]\ngrade = \"R260\"\n"), 300e6);
     assert_eq!(shear("\n[damage]\ngrade = \"R260\"\nshear_yield = \"410 MPa\"\n"), 410e6);
     let [soft, usual, hard] = [RailGrade::R200, RailGrade::R260, RailGrade::R350HT].map(RailGrade::shear_yield);

@@ -30,7 +30,7 @@ fn a_completed_case_reads_back() -> Result<(), CaseError> {
         let case = crate::parsed(text, &["contact.contact_angle=2°"])?;
         let printed = toml::to_string(&case.file).unwrap_or_default();
         let read = crate::parsed(&printed, &[])?;
-        let restored = Case::restore(&case.portable(), None, None)?;
+        let restored = riffel_case::PortableCase::of(&case).restore(None, None)?;
         let as_json = serde_json::to_value(&case.file).unwrap();
         assert_eq!(serde_json::from_value::<riffel_case::file::CaseFile>(as_json).unwrap(), case.file);
         for again in [read, restored] {

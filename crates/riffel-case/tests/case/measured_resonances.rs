@@ -1,5 +1,7 @@
 //! What stands out of a receptance without a model, against the model it was made from.
 
+use riffel_case::ask;
+use riffel_case::traffic;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::fs;
@@ -46,7 +48,7 @@ fn measured(model: &Case, step: f64, scatter: f64) -> Case {
 }
 
 fn frequency(case: &Case, kind: ResonanceKind) -> Vec<f64> {
-    let found = case.resonances().into_iter();
+    let found = ask::resonances(case).into_iter();
     found.filter(|resonance| resonance.kind == kind).map(|resonance| resonance.angular_frequency / TAU).collect()
 }
 
@@ -71,8 +73,10 @@ fn peaks_of_a_table_are_those_of_its_model() {
     assert!(dips.iter().any(|dip| (200.0..260.0).contains(dip)), "{dips:?}");
     // A dip over a support is not the pinned-pinned peak.
     assert!(frequency(&case, ResonanceKind::PinnedPinned).is_empty());
-    let rail_on_pad =
-        case.resonances().into_iter().find(|peak| (peak.angular_frequency / TAU / 492.0 - 1.0).abs() < 0.02).unwrap();
+    let rail_on_pad = ask::resonances(&case)
+        .into_iter()
+        .find(|peak| (peak.angular_frequency / TAU / 492.0 - 1.0).abs() < 0.02)
+        .unwrap();
     assert!(rail_on_pad.damping_ratio.is_some_and(|ratio| (0.02..0.3).contains(&ratio)));
     assert!((rail_on_pad.resolution.unwrap() / TAU - 2.0).abs() < 1e-6);
 }
@@ -102,7 +106,7 @@ fn scatter_is_no_resonance() {
 #[test]
 fn peaks_are_candidates() {
     let case = measured(&model("0"), 2.0, 0.0);
-    let (mechanisms, unknown) = case.mechanisms();
+    let (mechanisms, unknown) = traffic::mechanisms(&case);
     let peak = mechanisms
         .iter()
         .find(|mechanism| {

@@ -1,6 +1,7 @@
 //! The wear of a rail as it was measured, in the place of a wear coefficient.
 
 use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
+use riffel_case::wear_spread;
 use riffel_case::{Case, METRO_CASE, NOMINAL_CASE, Variant};
 
 use crate::{case, parsed};
@@ -60,7 +61,7 @@ fn a_measured_wear_makes_the_coefficient() {
         let coefficient = measured.file.wear.coefficient.si();
         same(coefficient, 2.5e-9 * 1.2 / depth(&plain));
         same(rate(&measured) / rate(&plain), coefficient / 2.5e-9);
-        let [low, high] = measured.wear_spread().band_80(coefficient);
+        let [low, high] = wear_spread(&measured).band_80(coefficient);
         same(high / coefficient, 1.5);
         same(coefficient / low, 1.5);
         let slippery = measured.edit(|keys| {

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use riffel::diagnosis::MechanismKind;
+use riffel_case::traffic;
 use riffel_case::{Case, NOMINAL_CASE};
 
 fn folder() -> PathBuf {
@@ -40,7 +41,7 @@ fn every_file_is_the_same_track() {
         assert!((between(&case) / between(&model) - 1.0).abs() < 0.02);
         // The same rail on its pads is a candidate, within a line.
         let of = |case: &Case, kind: MechanismKind| -> Vec<f64> {
-            let mechanisms = case.mechanisms().0.into_iter();
+            let mechanisms = traffic::mechanisms(case).0.into_iter();
             mechanisms
                 .filter(|mechanism| mechanism.kind == kind)
                 .filter_map(|mechanism| mechanism.frequency())

@@ -3,18 +3,18 @@
 use std::f64::consts::TAU;
 
 use riffel::receptance::ResonanceKind;
+use riffel_case::ask;
 
 /// P2 found and in closed form \[Hz\].
 fn p2(text: &str, overrides: &[&str]) -> (f64, f64) {
     let case = crate::parsed(text, overrides).unwrap();
-    let found: Vec<f64> = case
-        .resonances()
+    let found: Vec<f64> = ask::resonances(&case)
         .iter()
         .filter(|resonance| resonance.kind == ResonanceKind::P2)
         .map(|resonance| resonance.angular_frequency / TAU)
         .collect();
     assert_eq!(found.len(), 1, "{overrides:?}");
-    let closed = case.p2_closed_form().unwrap();
+    let closed = ask::p2_closed_form(&case).unwrap();
     (found[0], closed.angular_frequency() / TAU)
 }
 

@@ -1,6 +1,7 @@
 //! What the reader of a case is told, in both languages.
 
 use riffel_case::NOMINAL_CASE;
+use riffel_case::ask;
 use riffel_keys::{Language, Message};
 
 fn remarks(overrides: &[&str]) -> Vec<Message> {
@@ -71,5 +72,5 @@ fn a_loop_whose_stability_cannot_be_told_says_so() {
     let case = crate::case(text, &["wheelset.axle.loss_factor=1e-9"]);
     let mut told = case.remarks.iter().map(|remark| remark.text(Language::English));
     assert!(told.any(|text| text.contains("whether the loop is stable")));
-    assert_eq!(case.stability(20.0), None);
+    assert_eq!(ask::stability(&case, 20.0), None);
 }

@@ -1,6 +1,7 @@
 //! The wave's own geometry by the keys of a case.
 
 use riffel::Complex64;
+use riffel_case::ask;
 use riffel_case::model::{FieldModel, ModelOnCase};
 use riffel_case::{Case, NOMINAL_CASE, Point};
 
@@ -45,7 +46,7 @@ fn what_is_left_out_is_told() {
 #[test]
 fn a_wave_shorter_than_the_patch_is_told() {
     let says = |case: &Case, wavelength: f64| {
-        let remarks = case.remarks_at_point(wavelength, 30.0);
+        let remarks = ask::remarks_at_point(case, wavelength, 30.0);
         let said = remarks.iter().filter(|it| it.to_string().contains("three half-lengths"));
         said.count()
     };

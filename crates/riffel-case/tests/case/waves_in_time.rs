@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use riffel::Complex64;
 use riffel::passage::{Evolution, EvolutionStep, Sinusoid};
 use riffel::roughness::Profile;
+use riffel_case::ask;
 use riffel_case::{Case, NOMINAL_CASE};
 
 use crate::{case, trailer};
@@ -13,7 +14,7 @@ use crate::{case, trailer};
 /// largest of its kind, and what the shape of the waves makes of it.
 fn off(case: &Case, amplitude: f64, wavelength: f64, speed: f64) -> [f64; 2] {
     let profile = Sinusoid { amplitude, wavelength };
-    let settled = case.in_time(speed).unwrap().settle(profile, 256).unwrap();
+    let settled = ask::in_time(case, speed).unwrap().settle(profile, 256).unwrap();
     let plain = case.feedback.clone().without_wave_geometry();
     let plain = plain.without_normal_direction().at(wavelength, speed);
     let linear = case.feedback.at(wavelength, speed);
@@ -92,7 +93,7 @@ fn grown(case: &Case, speed: f64) -> (f64, [riffel::LoopState; 2]) {
     let height = |index: i32| 0.1e-6 * (TAU * f64::from(waves * index) / f64::from(count)).cos();
     let heights = (0..count).map(height).collect();
     let profile = Profile::new(0.0, length / f64::from(count), heights).unwrap();
-    let wheel = case.passing_wheel(speed).unwrap();
+    let wheel = ask::passing_wheel(case, speed).unwrap();
     let step = EvolutionStep { largest_change: EvolutionStep::USUAL_CHANGE, largest_step: 5e-4 };
     let mut evolution = Evolution::new(&profile);
     let amplitude = |evolution: &Evolution| evolution.waves()[waves as usize - 1].1.norm();

@@ -1,5 +1,6 @@
 //! The example cases of wheelsets.
 
+use riffel_case::ask;
 use riffel_case::{CaseWheelset, preset};
 
 /// Value of a preset \[SI\].
@@ -39,7 +40,7 @@ fn example_wheelsets_are_what_they_say() {
                 assert!((body.spin_inertia / inertia - 1.0).abs() < 1e-2, "{} {inertia}", body.spin_inertia);
             }
         }
-        let modes = case.wheelset_modes(&wheelset, 200.0).unwrap();
+        let modes = ask::wheelset_modes(&case, &wheelset, 200.0).unwrap();
         let bends = |name: &str| name.starts_with("first symmetric bending");
         let bending = modes.iter().find(|mode| bends(&mode.name.to_string()));
         let frequency = bending.unwrap().frequency;

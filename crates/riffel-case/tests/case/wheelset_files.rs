@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::fs;
 
 use riffel::wheelset::Wheelset;
+use riffel_case::ask;
 use riffel_case::{Case, CaseWheelset};
 use riffel_keys::CaseError;
 use tempfile::TempDir;
@@ -119,7 +120,7 @@ fn a_measured_wheelset_is_not_extrapolated() {
     );
     assert!(measured.check_wheelset_frequencies(10.0, 10.0).is_err());
     assert!(flexible.check_frequencies(1.0, 1e4).is_ok());
-    assert!(measured.wheelset_modes(wheelset(&measured), 2000.0).unwrap().is_empty());
+    assert!(ask::wheelset_modes(&measured, wheelset(&measured), 2000.0).unwrap().is_empty());
 }
 
 #[test]
@@ -137,7 +138,7 @@ fn modes_of_a_file_are_named() {
                  78.6,0.002,55,1,0,0,-1,0,0\n97.2,0.003,300,0,0.4,1,0,-0.4,1\n";
     for (residual, up_to) in [("", "49 Hz"), ("residual,,,3e-10,3e-10,3e-10,3e-10,3e-10,3e-10\n", "97 Hz")] {
         let case = case(MODAL, &format!("{modes}{residual}")).unwrap();
-        let modes = case.wheelset_modes(wheelset(&case), 90.0).unwrap();
+        let modes = ask::wheelset_modes(&case, wheelset(&case), 90.0).unwrap();
         assert_eq!(modes.len(), 1);
         assert!((modes[0].frequency - 78.6).abs() < 1e-6);
         assert_eq!(modes[0].name.to_string(), "first torsion");

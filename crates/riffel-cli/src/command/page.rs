@@ -15,7 +15,7 @@ pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
         Some(path) => fs::read(path).map_err(|reason| CliError::ReadModule { path: path.clone(), reason })?,
         None => PAGE_MODULE.ok_or(CliError::NoModule)?.to_vec(),
     };
-    let page = page_file(&case.portable().keys, &module)
+    let page = page_file(&riffel_case::PortableCase::of(&case).keys, &module)
         .map_err(|error| CliError::Page { message: error.to_string(), help: error.help().map(str::to_owned) })?;
     let existing = match arguments.force {
         true => Existing::Replace,

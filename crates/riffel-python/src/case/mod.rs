@@ -19,6 +19,7 @@ use riffel::{Direction, GrowthMap};
 use riffel_answers::contact::{ContactPatch, CreepCurves, FrequencyResponse, RollingTheories};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
+use riffel_case::ask;
 use riffel_case::{CaseContact, DrawnSupports};
 
 use crate::array::owned;
@@ -132,13 +133,13 @@ impl Case {
         };
         let (track, wheel) = (extract(track, "track")?, extract(wheel, "wheel")?);
         let portable = portable.0.clone();
-        let built = interruptible(py, move || riffel_case::Case::restore(&portable, track, wheel))?;
+        let built = interruptible(py, move || portable.restore(track, wheel))?;
         Self::built(built, callables)
     }
 
     /// What makes the case anew elsewhere.
     fn portable(&self) -> PortableCase {
-        PortableCase(self.case.portable())
+        PortableCase(riffel_case::PortableCase::of(&self.case))
     }
 
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -180,7 +181,7 @@ impl Case {
         speed: f64,
     ) -> PyResult<Vec<(String, &'static str, f64, f64, f64, f64)>> {
         let case = self.case.clone();
-        let all = interruptible(py, move || case.sensitivities(wavelength, speed))?;
+        let all = interruptible(py, move || ask::sensitivities(&case, wavelength, speed))?;
         let all = self.unless_callable_failed(all)?.map_err(of_case)?;
         let row =
             |one: riffel_case::Sensitivity| (one.key, one.unit, one.value, one.derivative, one.elasticity, one.error);
@@ -199,7 +200,7 @@ impl Case {
         let [wavelength, speed] = point;
         let drawn = DrawnSupports { deviation, supports, seed };
         let case = self.case.clone();
-        let growth = interruptible(py, move || case.growth_on_irregular_supports(wavelength, speed, drawn))?;
+        let growth = interruptible(py, move || ask::growth_on_irregular_supports(&case, wavelength, speed, drawn))?;
         let growth = self.unless_callable_failed(growth)?.map_err(of_case)?;
         Ok([growth.places, growth.growth_rates, growth.even, growth.supports])
     }
@@ -339,7 +340,7 @@ impl Case {
     /// Name, frequency and modulus of the receptance at each resonance of the track.
     fn resonances(&self, py: Python<'_>) -> PyResult<Vec<(String, f64, f64)>> {
         self.compute(py, |case| {
-            case.resonances()
+            ask::resonances(case)
                 .iter()
                 .map(|resonance| {
                     (
@@ -354,7 +355,7 @@ impl Case {
 
     /// Frequency of the P2 resonance in closed form \[Hz\]; `None` if the case has none.
     fn p2_closed_form(&self) -> Option<f64> {
-        let closed = self.case.p2_closed_form()?;
+        let closed = ask::p2_closed_form(&self.case)?;
         Some(closed.angular_frequency() / std::f64::consts::TAU)
     }
 

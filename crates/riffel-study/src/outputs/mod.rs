@@ -7,6 +7,7 @@ mod wave;
 
 use riffel::Complex64;
 use riffel::growth::{RidgeSearch, RowEvaluator};
+use riffel_case::ask;
 use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
 use riffel_case::{Case, Setting, Variant};
 use riffel_keys::{CaseError, KeyFile, Message, say};
@@ -210,7 +211,8 @@ impl Outputs {
         if let Some(traffic) = &self.traffic {
             let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ());
             let growth = on.map_err(|error| error.to_string())?.growth;
-            let (wavelength, rate, at_edge) = case.fastest_under(&growth).ok_or("no wavelength is in the window")?;
+            let (wavelength, rate, at_edge) =
+                ask::fastest_under(case, &growth).ok_or("no wavelength is in the window")?;
             values.extend([rate, wavelength, f64::from(u8::from(at_edge))]);
         }
         for point in &self.file.point {
@@ -240,7 +242,7 @@ impl Outputs {
         let rate = feedback.growth_rate_per_dissipation();
         let mut evaluator = RowEvaluator::for_map(feedback, &wavelength.values(), &speed.values());
         // Every sample has as many values.
-        let told = case.growth_window().unwrap_or(wavelength);
+        let told = ask::growth_window(case).unwrap_or(wavelength);
         let mut search = RidgeSearch::new(feedback, told, &speed.values());
         let mut row = vec![Complex64::ZERO; wavelength.points()];
         let (mut ridge, mut map) = (Vec::new(), Vec::new());

@@ -2,6 +2,7 @@
 
 use riffel::passage::{Evolution, EvolutionStep, PassageModel, PassingWheel, Settled, Sinusoid};
 use riffel_case::Case;
+use riffel_case::ask;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -76,9 +77,9 @@ impl WaveFile {
             );
         }
         let model = match self.passages {
-            None => case.in_time(speed).map_err(|error| error.to_string())?,
+            None => ask::in_time(case, speed).map_err(|error| error.to_string())?,
             Some(passages) => {
-                let wheel = case.passing_wheel(speed);
+                let wheel = ask::passing_wheel(case, speed);
                 let wheel = wheel.map_err(|error| error.to_string())?;
                 let worn = worn(&wheel, wave, steps, passages);
                 wave.amplitude = worn.map_err(|error| error.to_string())?;

@@ -11,6 +11,7 @@ pub use spread::distribution;
 use std::path::{Path, PathBuf};
 
 use file::{Method, PlanFile};
+use riffel_case::idle_because;
 use riffel_case::{Case, CaseKey, settings};
 use riffel_keys::{CaseError, KeyFile, say, text_file};
 
@@ -197,7 +198,7 @@ impl Plan {
         let keys = self.parameters.iter().map(|it| &it.key.key);
         let keys = keys.filter(is_of_track);
         let idle = keys.filter_map(|key| {
-            let reason = case.idle_because(key)?;
+            let reason = idle_because(case, key)?;
             Some(say!(key_and_rule, key, rule = reason).to_string())
         });
         idle.collect()

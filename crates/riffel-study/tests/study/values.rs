@@ -2,6 +2,7 @@
 
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Variant;
+use riffel_case::ask;
 use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
 use riffel_study::{ParameterValue, Study};
 
@@ -159,7 +160,7 @@ fn growth_under_a_traffic_is_that_of_the_sample() {
             let values = study.sample(index).outputs.unwrap();
             let case = study.case.with(&[&[format!("wheel.mass={mass}")]]).unwrap();
             let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| ());
-            let (wavelength, rate, at_edge) = case.fastest_under(&on.unwrap().growth).unwrap();
+            let (wavelength, rate, at_edge) = ask::fastest_under(&case, &on.unwrap().growth).unwrap();
             assert_eq!(values, [rate, wavelength, f64::from(u8::from(at_edge))]);
         }
     }

@@ -1,5 +1,8 @@
 //! `POST /api/curve/wheels`: growth of a case under every wheel of the bogie in its curve.
 
+use riffel_case::on_curve;
+use riffel_case::keys_that_give_way;
+use riffel_case::keys_of_curve;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -43,7 +46,7 @@ impl Question {
 
     /// The answer for a case, while the curve and its profiles can be read.
     fn of_case(case: &Case) -> Result<JsonWithMessages<Value>, Fault> {
-        let case = case.on_curve(Path::new(""), curve::NAME)?;
+        let case = on_curve(case, Path::new(""), curve::NAME)?;
         let answer = WheelsAnswer::new(&case, |_| ())?;
         let mut document = json!(answer);
         // The case with its wheel is the question.
@@ -52,10 +55,10 @@ impl Question {
             let Some(in_loop) = &wheel.in_loop else {
                 continue;
             };
-            let keys = in_loop.case.keys_of_curve()?;
+            let keys = keys_of_curve(&in_loop.case)?;
             told["keys"] = json!(keys.into_iter().collect::<BTreeMap<_, _>>());
         }
-        document["give_way"] = json!(Case::keys_that_give_way().collect::<Vec<_>>());
+        document["give_way"] = json!(keys_that_give_way().collect::<Vec<_>>());
         Ok(JsonWithMessages(document))
     }
 }

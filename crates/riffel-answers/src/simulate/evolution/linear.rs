@@ -8,6 +8,7 @@ use riffel::Complex64;
 use riffel::passage::Evolution;
 use riffel::roughness::{Profile, ThirdOctave, level};
 use riffel_case::Case;
+use riffel_case::ask;
 use riffel_case::traffic::VehicleInTime;
 use riffel_keys::CaseError;
 
@@ -121,7 +122,7 @@ fn rate(case: &Case, wavelength: f64, speed: f64) -> Result<Complex64, CaseError
     if feedback.is_along_one_axis() {
         let most = (0.99 * spacing / wavelength) as usize;
         let most = most.min(NEIGHBOURS);
-        let growth = case.growth_with_neighbours(wavelength, speed, most)?;
+        let growth = ask::growth_with_neighbours(case, wavelength, speed, most)?;
         return Ok(growth.alone());
     }
     let at = |place: u32| {

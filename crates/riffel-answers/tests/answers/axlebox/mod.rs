@@ -9,6 +9,7 @@ use riffel::axlebox::{AxleBoxTransfer, PatchAverageProfile, Run, RunSettings, Sa
 use riffel::roughness::{BandPass, ColouredNoise, Profile, Recipe, Spectrum, WavelengthBand};
 use riffel_answers::AnswerError;
 use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRequest};
+use riffel_case::ask;
 use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::{CaseError, Language};
 use riffel_rail::{AxleBoxFile, AxleBoxLayout};
@@ -66,7 +67,7 @@ fn rail(length: f64) -> Profile {
 /// at a changing speed is another rail at an even one.
 fn signal(case: &Case, journey: &Journey, rail: &Profile) -> Vec<Sample> {
     let speed = journey.speed;
-    let model = case.in_time(speed).unwrap();
+    let model = ask::in_time(case, speed).unwrap();
     let mass = case.file.wheel.mass.unwrap().si();
     let circumference = TAU * case.hertz.rolling_radius();
     let time = journey.length / speed;

@@ -1,9 +1,17 @@
 //! The wheels of a case in time.
 
-mod contacts;
+pub(super) mod contacts;
 mod structures;
 mod viscous_layers;
 
+use crate::ask;
+use crate::ask::passage::contacts::check_in_time;
+use crate::ask::passage::contacts::contacts_in_time;
+use crate::ask::passage::structures::natural_frequencies_of_wheels;
+use crate::ask::passage::structures::one_wheel_in_time;
+use crate::ask::passage::structures::structures_in_time;
+use crate::ask::passage::viscous_layers::largest_loss_of_layers;
+use crate::ask::passage::viscous_layers::with_viscous_layers;
 use riffel::passage::{ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages};
 use riffel_keys::CaseError;
 
@@ -20,50 +28,48 @@ pub(crate) struct CaseInTime<'a> {
     structures: Option<StructuresInTime>,
 }
 
-impl Case {
-    /// Wheels, track and contacts of the case in time, at a speed \[m/s\].
-    ///
-    /// # Errors
-    /// [`CaseError`] where the case has what is not followed through time, such as a track that is not causal, and where the
-    /// loop is unstable without any profile.
-    pub fn in_time(&self, speed: f64) -> Result<PassageModel, CaseError> {
-        let wheels = self.wheels_in_time()?;
-        // It takes a tenth of the time of a fit.
-        wheels.check_stable(speed)?;
-        wheels.at(speed)
-    }
+/// Wheels, track and contacts of the case in time, at a speed \[m/s\].
+///
+/// # Errors
+/// [`CaseError`] where the case has what is not followed through time, such as a track that is not causal, and where the
+/// loop is unstable without any profile.
+pub fn in_time(case: &Case, speed: f64) -> Result<PassageModel, CaseError> {
+    let wheels = wheels_in_time(case)?;
+    // It takes a tenth of the time of a fit.
+    wheels.check_stable(speed)?;
+    wheels.at(speed)
+}
 
-    /// Model of the case in time, stable or not.
-    ///
-    /// # Errors
-    /// Errors of [`in_time`](Self::in_time), but for the last, and discrete supports.
-    pub fn in_time_without_profile(&self, speed: f64) -> Result<PassageModel, CaseError> {
-        if self.track.support_spacing().is_some() {
-            let message = "on a smooth rail, wheels on discrete supports never come to rest, so that their limit cycle is not told from what \
-                           supports do: choose \"two-layer\", \"one-layer\" or \"free-beam\"";
-            return Err(self.refuse("track.model", message));
-        }
-        self.wheels_in_time()?.at(speed)
+/// Model of the case in time, stable or not.
+///
+/// # Errors
+/// Errors of [`in_time`], but for the last, and discrete supports.
+pub fn in_time_without_profile(case: &Case, speed: f64) -> Result<PassageModel, CaseError> {
+    if case.track.support_spacing().is_some() {
+        let message = "on a smooth rail, wheels on discrete supports never come to rest, so that their limit cycle is not told from what \
+                       supports do: choose \"two-layer\", \"one-layer\" or \"free-beam\"";
+        return Err(case.refuse("track.model", message));
     }
+    wheels_in_time(case)?.at(speed)
+}
 
-    /// The wheels of [`in_time`](Self::in_time) as those that wear the rail, the only ones and always under traction.
-    ///
-    /// # Errors
-    /// Errors of [`in_time`](Self::in_time), and a motion that forgets nothing in two seconds.
-    pub fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
-        self.wheels_in_time()?.passing_wheel(speed)
-    }
+/// The wheels of [`in_time`] as those that wear the rail, the only ones and always under traction.
+///
+/// # Errors
+/// Errors of [`in_time`], and a motion that forgets nothing in two seconds.
+pub fn passing_wheel(case: &Case, speed: f64) -> Result<PassingWheel, CaseError> {
+    wheels_in_time(case)?.passing_wheel(speed)
+}
 
-    /// What of it does not depend on the speed, checked: the exact theory takes seconds.
-    pub(crate) fn wheels_in_time(&self) -> Result<CaseInTime<'_>, CaseError> {
-        self.check_in_time()?;
-        Ok(CaseInTime {
-            case: self,
-            contacts: self.contacts_in_time()?,
-            natural_frequencies: self.natural_frequencies_of_wheels()?,
-            structures: None,
-        })
-    }
+/// What of it does not depend on the speed, checked: the exact theory takes seconds.
+pub(crate) fn wheels_in_time(case: &Case) -> Result<CaseInTime<'_>, CaseError> {
+    check_in_time(case)?;
+    Ok(CaseInTime {
+        case: case,
+        contacts: contacts_in_time(case)?,
+        natural_frequencies: natural_frequencies_of_wheels(case)?,
+        structures: None,
+    })
 }
 
 /// Loss factor of a layer from which no causal track comes near: a search for one takes seconds.
@@ -89,11 +95,11 @@ impl CaseInTime<'_> {
         }
         // What has no causal track, for its loss factors, has dashpots in their place.
         let viscous = || -> Option<StructuresInTime> {
-            let (viscous, share) = self.case.with_viscous_layers()?;
+            let (viscous, share) = with_viscous_layers(self.case)?;
             let structures = self.structures_of(&viscous, speed).ok()?;
             Some(structures.with_share_cut(share))
         };
-        let lossy = self.case.largest_loss_of_layers() >= NEVER_CAUSAL;
+        let lossy = largest_loss_of_layers(self.case) >= NEVER_CAUSAL;
         if let Some(structures) = lossy.then(viscous).flatten() {
             return Ok(structures);
         }
@@ -102,14 +108,14 @@ impl CaseInTime<'_> {
 
     fn structures_of(&self, case: &Case, speed: f64) -> Result<StructuresInTime, CaseError> {
         match case.feedback.is_along_one_axis() {
-            true => case.one_wheel_in_time(speed),
-            false => case.structures_in_time(speed, &self.natural_frequencies),
+            true => one_wheel_in_time(case, speed),
+            false => structures_in_time(case, speed, &self.natural_frequencies),
         }
     }
 
     /// `Ok` if waves of a profile settle at a speed \[m/s\].
     fn check_stable(&self, speed: f64) -> Result<(), CaseError> {
-        if let Some(stability) = self.case.stability(speed)
+        if let Some(stability) = ask::stability(self.case, speed)
             && let Some(frequency) = stability.frequency
         {
             let at = format!(" near {frequency:.0} Hz");

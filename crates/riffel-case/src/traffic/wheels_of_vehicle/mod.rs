@@ -3,6 +3,8 @@
 mod across_rail;
 mod spread_effects;
 
+use crate::ask;
+use crate::traffic::through_curve::before_a_wheel;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -166,7 +168,7 @@ impl VehicleRequest<'_> {
             }
         };
         let (equilibria, without) = self.equilibria(through, values, &speeds, &balanced)?;
-        let written = self.case.before_a_wheel(&sets);
+        let written = before_a_wheel(self.case, &sets);
         let (written, from) = written.map_err(|error| self.at_speed(equilibria[0].0, values, &error))?;
         let given = Substitutes { quick: true, ..self.case.keys.given.clone() };
         let middle = equilibria.len() / 2;
@@ -321,7 +323,7 @@ impl VehicleRequest<'_> {
                     }
                 };
                 if let ([_], [_], [(_, places)]) = (parts, &it.wheels[..], &wheel.states[..])
-                    && let Some(window) = self.case.growth_window()
+                    && let Some(window) = ask::growth_window(self.case)
                 {
                     growth = growth.with_spectrum(places, window);
                 }
@@ -418,7 +420,7 @@ impl VehicleRequest<'_> {
 
 /// Frequency \[Hz\] at which the loop of a wheel oscillates by itself at a speed \[m/s\], if it does.
 fn oscillates(wheel: &Case, speed: f64) -> Option<f64> {
-    wheel.stability(speed)?.frequency
+    ask::stability(wheel, speed)?.frequency
 }
 
 /// That a preset of the case changes nothing for a vehicle with values of its own is no news.

@@ -53,12 +53,12 @@ fn completed_case_reads_back() {
 fn a_portable_case_is_restored() -> Result<(), CaseError> {
     let overrides = ["contact.friction=0.35", "wheel.mass=600 kg"].map(str::to_owned);
     let case = Case::parse("mine.toml", NOMINAL_CASE, &overrides)?;
-    let again = Case::restore(&case.portable(), None, None)?;
+    let again = riffel_case::PortableCase::of(&case).restore(None, None)?;
     assert_eq!(again.file, case.file);
     assert_eq!(again.remarks, case.remarks);
     assert_eq!(again.feedback.at(0.05, 20.0), case.feedback.at(0.05, 20.0));
-    assert_eq!(again.portable(), case.portable());
-    assert!(case.portable().folder.is_some_and(|f| f.is_absolute()));
+    assert_eq!(riffel_case::PortableCase::of(&again), riffel_case::PortableCase::of(&case));
+    assert!(riffel_case::PortableCase::of(&case).folder.is_some_and(|f| f.is_absolute()));
     for wrong in ["contact.normal_load=0", "rail.section=none", "contact=3"] {
         let refused = |case: &Case| {
             let error = case.with(&[&[wrong.to_owned()]]).err();

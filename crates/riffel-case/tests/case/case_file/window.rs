@@ -28,7 +28,7 @@ fn axes_of_the_map_are_read_from_ranges() -> Result<(), CaseError> {
     assert_eq!((case.speed.min(), case.speed.points()), (40.0 * 0.44704, 5));
     assert_eq!((case.wavelength.min(), case.wavelength.max()), (0.01, 0.2));
     // What the file says of a written case comes back.
-    let again = Case::restore(&case.portable(), None, None)?;
+    let again = riffel_case::PortableCase::of(&case).restore(None, None)?;
     assert_eq!(again.file, case.file);
     Ok(())
 }

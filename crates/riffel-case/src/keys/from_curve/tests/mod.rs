@@ -1,5 +1,7 @@
 mod under_load;
 
+use crate::ask;
+use crate::wheels_of_curve;
 use std::path::Path;
 
 use riffel::curving::WheelState;
@@ -79,7 +81,7 @@ fn a_patch_wider_than_the_band_is_told() {
         assert_eq!(contact.wear.width(), 2.0 * case.hertz.semi_axis_lateral());
         let told = case.remarks.iter().any(|remark| remark.id() == "band-narrower-than-contact");
         assert!(told, "{:?}", case.remarks);
-        case.sensitivities(0.06, 12.5).unwrap();
+        ask::sensitivities(&case, 0.06, 12.5).unwrap();
     }
 }
 
@@ -210,7 +212,7 @@ fn the_text_of_a_vehicle_is_read_once() {
         READ.set(0);
         traffic.on(&case, &bands, &Variant::none("as it is"), &|_| ()).unwrap();
         let under_traffic = READ.replace(0);
-        case.wheels_of_curve().unwrap().unwrap();
+        wheels_of_curve(&case).unwrap().unwrap();
         [under_traffic, READ.get()]
     });
     assert_eq!(read, [1, 1]);
