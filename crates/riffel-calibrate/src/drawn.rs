@@ -56,7 +56,7 @@ impl Plan {
                 }
             })
         });
-        Ok(Drawn { case: view.case.with_settings(&settings)?, traffic: edited.transpose()? })
+        Ok(Drawn { case: view.case.with(&settings[..])?, traffic: edited.transpose()? })
     }
 
     /// What the plan sets for trains beside its case, as `track.model = "two-layer"`.

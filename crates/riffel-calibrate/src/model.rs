@@ -258,10 +258,10 @@ impl Model {
         let mut model = self.clone();
         let explain = |error| variant.explain(error);
         let View { case, wheels, acting } = &mut model.views[view];
-        *case = case.with_settings(&variant.settings).map_err(explain)?;
+        *case = case.with(&variant.settings[..]).map_err(explain)?;
         for (wheel, vehicle) in wheels.iter_mut().zip(&self.vehicles) {
             let settings = [&vehicle.settings[..], &variant.settings].concat();
-            *wheel = case.with_settings(&settings).map_err(explain)?;
+            *wheel = case.with(&settings[..]).map_err(explain)?;
         }
         let is_changed = |key: &str| {
             variant.keys().any(|own| {

@@ -53,7 +53,7 @@ impl OfCase for Case {
     fn of(case: Arc<Case>, overrides: &[String]) -> Result<Arc<Self>, CaseError> {
         match overrides {
             [] => Ok(case),
-            overrides => case.with(&[overrides]).map(Arc::new),
+            overrides => case.with(overrides).map(Arc::new),
         }
     }
 

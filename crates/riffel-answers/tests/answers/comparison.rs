@@ -57,7 +57,7 @@ fn variants_are_compared_with_the_case() -> Result<(), CaseError> {
     let line = 60;
     let wavelength = base.growth.wavelengths()[line];
     let rate = |case: &Case, speed: f64| case.feedback.at(wavelength, speed).growth_rate;
-    let changed = case.with(&[&["contact.friction=0.3".to_owned()]])?;
+    let changed = case.with(&["contact.friction=0.3".to_owned()][..])?;
     for (outcome, expected) in
         [(base, rate(&case, 30.0)), (friction, rate(&changed, 30.0)), (slower, rate(&case, 15.0))]
     {

@@ -34,7 +34,7 @@ impl Reading<'_> {
         {
             set.push(("rail.beam".to_owned(), beam));
         }
-        let case = self.case.with_settings(&set).map_err(|error| match error {
+        let case = self.case.with(&set[..]).map_err(|error| match error {
             CaseError::Changed { key, message } => self.source.refuse(&format!("data[{index}].set.{key}"), &message),
             error => error,
         })?;
@@ -43,7 +43,7 @@ impl Reading<'_> {
             return Ok(view);
         }
         let wheels = self.vehicles.iter().map(|vehicle| {
-            let wheel = case.with_settings(&vehicle.settings);
+            let wheel = case.with(&vehicle.settings[..]);
             wheel.map_err(|error| {
                 let error = error.message();
                 let message = say!(vehicle, vehicle = &vehicle.name, error);

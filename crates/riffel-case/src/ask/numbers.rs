@@ -223,7 +223,7 @@ mod tests {
             assert!(case.keys_with_numbers(&[(key, number)]).is_some(), "{key}");
             let quick = case.with_numbers(&[(key, number)]).unwrap();
             let settings = [(key.to_owned(), Value::Float(number))];
-            let slow = case.with_settings(&settings).unwrap();
+            let slow = case.with(&settings[..]).unwrap();
             for (wavelength, speed) in [(0.05, 20.0), (0.08, 35.0)] {
                 let rate = |feedback: &Loop| feedback.complex_growth_rate(wavelength, speed);
                 assert_eq!(rate(&quick.feedback), rate(&slow.feedback), "{key}");
@@ -242,7 +242,7 @@ mod tests {
         let friction = ("contact.friction", 0.35);
         let settled = case.settled(&[friction]).unwrap();
         let set = |(key, value): (&str, f64)| (key.to_owned(), Value::Float(value));
-        let base = case.with_settings(&[set(friction)]).unwrap();
+        let base = case.with(&[set(friction)][..]).unwrap();
         assert_eq!(rate(&settled.feedback), rate(&base.feedback));
         assert_ne!(rate(&base.feedback), rate(&case.feedback));
         let beside = NUMBERS
@@ -254,7 +254,7 @@ mod tests {
                 continue;
             };
             let number = (key, 1.07 * number);
-            let slow = case.with_settings(&[set(friction), set(number)]).unwrap();
+            let slow = case.with(&[set(friction), set(number)][..]).unwrap();
             let at_once = case.with_numbers(&[friction, number]).unwrap();
             let [after, at_once] =
                 [settled.with_numbers(&[number]).unwrap(), at_once].map(|found| rate(&found.feedback));

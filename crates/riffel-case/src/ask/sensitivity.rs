@@ -7,6 +7,7 @@ use toml::{Table, Value};
 
 use crate::case::on_curve::wider_than_its_band;
 use crate::file::setting::Setting;
+use crate::parts::window::Window;
 use crate::text::case_text::CaseText;
 use crate::{Case, CaseKey};
 
@@ -57,7 +58,7 @@ pub fn sensitivities(case: &Case, wavelength: f64, speed: f64) -> Result<Vec<Sen
         if let Some((key, value)) = change {
             text.write(&[(key.to_owned(), Value::Float(value))])?;
         }
-        let case = case.rebuilt(text)?;
+        let case = case.rebuilt(text, Window::Map)?;
         Ok(case.point(wavelength, speed)?.growth_rate)
     };
     let growth = changed(None)?;

@@ -1,4 +1,4 @@
-//! Changes of a case by its typed keys.
+//! Changes of a case by its keys, written or typed.
 
 use riffel_keys::CaseError;
 use toml::{Table, Value};
@@ -6,7 +6,29 @@ use toml::{Table, Value};
 use crate::Case;
 use crate::file::CaseFile;
 use crate::file::setting::Setting;
+use crate::parts::window::Window;
 use crate::text::case_text::CaseText;
+
+/// Changes of a case by its keys, in their order.
+#[derive(Debug, Clone, Copy)]
+pub enum Changes<'a> {
+    /// Overrides `key=value`.
+    Overrides(&'a [String]),
+    /// Keys with their values.
+    Settings(&'a [Setting]),
+}
+
+impl<'a> From<&'a [String]> for Changes<'a> {
+    fn from(overrides: &'a [String]) -> Self {
+        Self::Overrides(overrides)
+    }
+}
+
+impl<'a> From<&'a [Setting]> for Changes<'a> {
+    fn from(settings: &'a [Setting]) -> Self {
+        Self::Settings(settings)
+    }
+}
 
 impl Case {
     /// The case with other values of its keys, in SI. The keys are those of [`file`](Self::file), with presets and
@@ -34,17 +56,20 @@ impl Case {
         let mut text = self.unfilled.clone();
         removed.iter().for_each(|key| text.keys.remove(key));
         text.write(&set)?;
-        self.rebuilt(text)
+        self.rebuilt(text, Window::Map)
     }
 
-    /// The case with values of its keys, after all it was read with; otherwise as [`with`](Self::with).
+    /// The case with changes after those it was read with. Presets are looked up anew.
     ///
     /// # Errors
-    /// Errors of [`edit`](Self::edit).
-    pub fn with_settings(&self, settings: &[Setting]) -> Result<Self, CaseError> {
+    /// [`CaseError`] with the key, the value and the rule.
+    pub fn with<'a>(&self, changes: impl Into<Changes<'a>>) -> Result<Self, CaseError> {
         let mut text = self.unfilled.clone();
-        text.write(settings)?;
-        self.rebuilt(text)
+        match changes.into() {
+            Changes::Overrides(overrides) => text.apply(overrides)?,
+            Changes::Settings(settings) => text.write(settings)?,
+        }
+        self.rebuilt(text, Window::Map)
     }
 }
 
@@ -119,6 +144,6 @@ mod tests {
         assert_eq!(key, "contact.friction");
         assert!(message.to_string().starts_with("`contact.friction` is -2"), "{message}");
         let settings = [("contact.friction.left".to_owned(), Value::Float(0.1))];
-        assert!(matches!(case.with_settings(&settings), Err(CaseError::Changed { .. })));
+        assert!(matches!(case.with(&settings[..]), Err(CaseError::Changed { .. })));
     }
 }

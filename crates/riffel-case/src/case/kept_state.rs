@@ -5,8 +5,9 @@ use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, Message, number, say};
 use toml::Value;
 
-use crate::file::Creepage;
 use crate::file::setting::Setting;
+use crate::file::{CaseFile, Creepage};
+use crate::parts::window::Window;
 use crate::{Case, Hold, Variant};
 
 /// What a variant holds of the mean state of one wheel.
@@ -43,7 +44,7 @@ impl KeptState {
                 ))),
             };
         }
-        let keys = [case.keys_with(&[own]), case.keys_with(&[own, &variant.settings])];
+        let keys = [keys_with(case, &[own]), keys_with(case, &[own, &variant.settings])];
         // What is wrong with the keys is said where the case is built of them.
         let [Ok(before), Ok(after)] = keys else {
             return Ok(None);
@@ -57,7 +58,7 @@ impl KeptState {
                           the change";
             return Err(variant.refuse(format!("holds the {hold} of longitudinal creepage alone, but {rule}")));
         }
-        let steady = case.of_vehicle(&[own, window])?.steady;
+        let steady = case.rebuilt(case.text_with(&[own, window])?, Window::Traffic)?.steady;
         let limit = after.contact.friction.si() * after.contact.normal_load.si();
         let ratio = |ratio: f64| ("contact.tractive_ratio".to_owned(), Value::Float(ratio));
         let setting = variant.hold.map(|hold| match hold {
@@ -112,6 +113,13 @@ impl KeptState {
     }
 }
 
+/// The keys of a case with settings, presets filled in, before anything is built of them.
+fn keys_with(case: &Case, sets: &[&[Setting]]) -> Result<CaseFile, CaseError> {
+    let mut text = case.text_with(sets)?;
+    text.fill_in()?;
+    text.deserialize()
+}
+
 impl Variant {
     /// The case that the variant makes, with what it holds of the mean state.
     ///
@@ -120,7 +128,7 @@ impl Variant {
     pub fn applied_to(&self, case: &Case) -> Result<Case, CaseError> {
         let held = KeptState::of(self, case, &[], &[])?;
         case.text_with(&[&self.settings, KeptState::settings(held.as_ref())])
-            .and_then(|text| case.rebuilt(text))
+            .and_then(|text| case.rebuilt(text, Window::Map))
             .map_err(|error| self.explain(error))
     }
 }

@@ -27,7 +27,7 @@ use crate::curve::{CurvingCase, Equilibrium, SharedProfiles};
 use crate::file::setting::Setting;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName, FromCurve};
 use crate::keys::checked_keys::CheckedKeys;
-use crate::keys::substitutes::{SubstituteReceptance, Substitutes};
+use crate::keys::substitutes::{CaseStructure, SubstituteReceptance, Substitutes};
 use crate::keys::written_keys::WrittenKeys;
 use crate::parts::shared::Shared;
 use crate::parts::track::{Track, known_range};
@@ -177,35 +177,10 @@ impl Case {
         })
     }
 
-    /// The case with further sets of overrides `key=value`, one set after the other and all after those it
-    /// was read with. Presets are looked up anew.
-    ///
-    /// # Errors
-    /// [`CaseError`] with the key, the value and the rule.
-    pub fn with(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
-        let mut text = self.unfilled.clone();
-        for overrides in sets {
-            text.apply(overrides)?;
-        }
-        self.rebuilt(text)
-    }
-
     /// The case of another text, with all that was given beside it.
-    pub(crate) fn rebuilt(&self, text: CaseText) -> Result<Self, CaseError> {
-        self.in_window(text, Window::Map)
-    }
-
-    /// Case with settings after those it was read with, where wavelengths and speeds are those of a vehicle and no
-    /// map's.
-    pub(crate) fn of_vehicle(&self, sets: &[&[Setting]]) -> Result<Self, CaseError> {
-        self.in_window(self.text_with(sets)?, Window::Traffic)
-    }
-
-    /// The keys of [`of_vehicle`](Self::of_vehicle), presets filled in, before anything is built of them.
-    pub(crate) fn keys_with(&self, sets: &[&[Setting]]) -> Result<CaseFile, CaseError> {
-        let mut text = self.text_with(sets)?;
-        text.fill_in()?;
-        text.deserialize()
+    pub(crate) fn rebuilt(&self, text: CaseText, window: Window) -> Result<Self, CaseError> {
+        let (folder, given) = (self.keys.folder.as_deref(), self.keys.given.clone());
+        Self::of_text(text, folder, given, window)
     }
 
     pub(crate) fn text_with(&self, sets: &[&[Setting]]) -> Result<CaseText, CaseError> {
@@ -214,30 +189,17 @@ impl Case {
         Ok(text)
     }
 
-    fn in_window(&self, text: CaseText, window: Window) -> Result<Self, CaseError> {
-        let (folder, given) = (self.keys.folder.as_deref(), self.keys.given.clone());
-        Self::of_text(text, folder, given, window)
-    }
-
-    /// The case on a track of the receptance given. It goes where the case goes: into overrides, traffic and
-    /// variants. The model of the file is still checked, but is not asked.
+    /// The case with a receptance in the place of one of its structures. It goes where the case goes: into overrides, traffic and
+    /// variants. The model of the file is still checked, but is not asked; the rotation of a wheel stays that of the file.
     ///
     /// # Errors
     /// [`CaseError`] as of [`with`](Self::with).
-    pub fn with_track(&self, track: SubstituteReceptance) -> Result<Self, CaseError> {
+    pub fn substitute(&self, structure: CaseStructure, receptance: SubstituteReceptance) -> Result<Self, CaseError> {
         let mut keys = self.keys.clone();
-        keys.given.track = Some(track);
-        Self::of_keys(keys, self.unfilled.clone())
-    }
-
-    /// The case under a wheel of the receptance given; its rotation stays that of the file. Otherwise as
-    /// [`with_track`](Self::with_track).
-    ///
-    /// # Errors
-    /// [`CaseError`] as of [`with`](Self::with).
-    pub fn with_wheel(&self, wheel: SubstituteReceptance) -> Result<Self, CaseError> {
-        let mut keys = self.keys.clone();
-        keys.given.wheel = Some(wheel);
+        match structure {
+            CaseStructure::Track => keys.given.track = Some(receptance),
+            CaseStructure::Wheel => keys.given.wheel = Some(receptance),
+        }
         Self::of_keys(keys, self.unfilled.clone())
     }
 

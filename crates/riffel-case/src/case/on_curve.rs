@@ -130,7 +130,7 @@ mod tests {
                 let mut own = case.unfilled.clone();
                 keys_that_give_way().for_each(|key| own.keys.remove(key));
                 own.write(&keys_of_curve(&on_wheel).unwrap()).unwrap();
-                let own = case.rebuilt(own).unwrap();
+                let own = case.rebuilt(own, Window::Map).unwrap();
                 assert!(own.file.contact.from.is_none());
                 let growth = |case: &Case| case.point(0.06, 12.5).unwrap().growth_rate;
                 let [own, expected] = [&own, &on_wheel].map(growth);

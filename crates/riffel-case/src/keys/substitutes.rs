@@ -74,6 +74,15 @@ impl SubstituteReceptance {
     }
 }
 
+/// A structure of a case that a receptance may take the place of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CaseStructure {
+    /// The track.
+    Track,
+    /// The wheel.
+    Wheel,
+}
+
 /// What goes with the keys of a case.
 #[derive(Clone, Default)]
 pub(crate) struct Substitutes {

@@ -6,6 +6,7 @@ use riffel_keys::{CaseError, Message, fixed, say, shown_speeds, significant};
 use super::wheel_on_case::window;
 use super::{Line, Traffic, TrafficFile, Vehicle, WHEEL_OF_THE_CASE, bands_of};
 use crate::Case;
+use crate::parts::window::Window;
 
 /// A kind of line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -135,7 +136,8 @@ impl UsualTraffic {
     pub fn case_under(&self, case: &Case) -> Result<Case, CaseError> {
         let traffic = self.traffic()?;
         let case = traffic.wearing_as_measured(case)?;
-        case.of_vehicle(&[&window(&case, &band_lines(&bands_of(&case)), &traffic.speeds()[0])])
+        let window = window(&case, &band_lines(&bands_of(&case)), &traffic.speeds()[0]);
+        case.rebuilt(case.text_with(&[&window])?, Window::Traffic)
     }
 
     /// What it is: "the usual traffic of a metro (40–70 km/h, 6000 axles a day)".

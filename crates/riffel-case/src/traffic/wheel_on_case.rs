@@ -9,6 +9,7 @@ use super::spreads::{FRICTION_DAYS, PartValues, place_of};
 use super::{Traffic, Vehicle};
 use crate::case::kept_state::KeptState;
 use crate::file::setting::{Setting, settings};
+use crate::parts::window::Window;
 use crate::{Case, CaseKey, Variant};
 
 /// The wheel of a vehicle, and how fast it runs.
@@ -85,7 +86,8 @@ impl Traffic {
         let held = KeptState::of(variant, case, &settings, &window)?;
         let held_setting = KeptState::settings(held.as_ref());
         let sets = [&settings[..], &variant.settings, held_setting, &window];
-        let wheel = case.of_vehicle(&sets).map_err(|error| match error {
+        let wheel = case.text_with(&sets).and_then(|text| case.rebuilt(text, Window::Traffic));
+        let wheel = wheel.map_err(|error| match error {
             CaseError::Changed { key, message } => {
                 // The last that set the key is at fault.
                 let sets = |(own, _): &Setting| *own == key;

@@ -132,7 +132,7 @@ fn told(path: &Path) -> String {
     };
     growth(&mut text, &case);
     for change in OVERRIDES {
-        let changed = case.with(&[&[change.to_owned()]]);
+        let changed = case.with(&[change.to_owned()][..]);
         writeln!(text, "== {change}").unwrap();
         match changed {
             Ok(changed) => growth(&mut text, &changed),

@@ -141,7 +141,7 @@ fn a_vehicle_that_the_case_refuses_is_named() {
 fn sets_of_overrides_follow_each_other() -> Result<(), CaseError> {
     let text = |text: &str| vec![text.to_owned()];
     let base = Case::parse("case.toml", NOMINAL_CASE, &text("contact.creepage=1e-3"))?;
-    let ratio = base.with(&[&text("contact.tractive_ratio=0.3"), &text("rail.section=60E1")])?;
+    let ratio = base.with(&text("contact.tractive_ratio=0.3")[..])?.with(&text("rail.section=60E1")[..])?;
     assert!((ratio.steady.tractive_ratio() - 0.3).abs() < 1e-12);
     assert_eq!(ratio.file.rail.mass_per_length.unwrap().si(), 60.21);
     assert!((base.steady.creepages.longitudinal - 1e-3).abs() < 1e-15);

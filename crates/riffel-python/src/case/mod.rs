@@ -20,7 +20,7 @@ use riffel_answers::contact::{ContactPatch, CreepCurves, FrequencyResponse, Roll
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
 use riffel_case::ask;
-use riffel_case::{CaseContact, DrawnSupports};
+use riffel_case::{CaseContact, CaseStructure, DrawnSupports};
 
 use crate::array::owned;
 use crate::document::{document, sentences};
@@ -99,16 +99,16 @@ impl Case {
 
     fn with_overrides(&self, py: Python<'_>, overrides: &Bound<'_, PyDict>) -> PyResult<Self> {
         let overrides = assignments(overrides)?;
-        let case = self.compute(py, move |case| case.with(&[&overrides]))?;
+        let case = self.compute(py, move |case| case.with(&overrides[..]))?;
         Ok(Self { case: Arc::new(case.map_err(of_case)?), callables: self.callables.clone() })
     }
 
     fn with_track(&self, py: Python<'_>, track: &Bound<'_, PyAny>) -> PyResult<Self> {
-        self.with_given(py, track, "track", riffel_case::Case::with_track)
+        self.with_given(py, track, "track", CaseStructure::Track)
     }
 
     fn with_wheel(&self, py: Python<'_>, wheel: &Bound<'_, PyAny>) -> PyResult<Self> {
-        self.with_given(py, wheel, "wheel", riffel_case::Case::with_wheel)
+        self.with_given(py, wheel, "wheel", CaseStructure::Wheel)
     }
 
     /// A case that was written, with the receptances that were given with it.

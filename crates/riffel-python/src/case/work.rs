@@ -5,6 +5,7 @@ use std::sync::Arc;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use riffel::{Axis, Ridge};
+use riffel_case::CaseStructure;
 use riffel_keys::CaseError;
 
 use super::Case;
@@ -87,13 +88,13 @@ impl Case {
         py: Python<'_>,
         given: &Bound<'_, PyAny>,
         what: &'static str,
-        put: fn(&riffel_case::Case, riffel_case::SubstituteReceptance) -> Result<riffel_case::Case, CaseError>,
+        structure: CaseStructure,
     ) -> PyResult<Self> {
         let (receptance, callable) = receptance_arg::extract(given, what)?;
         let mut callables: Vec<_> = self.callables.iter().filter(|callable| !callable.is_of(what)).cloned().collect();
         callables.extend(callable);
         let case = self.case.clone();
-        let built = interruptible(py, move || put(&case, receptance))?;
+        let built = interruptible(py, move || case.substitute(structure, receptance))?;
         Self::built(built, callables)
     }
 }

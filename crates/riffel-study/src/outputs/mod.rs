@@ -188,7 +188,7 @@ impl Outputs {
 
     /// The case with settings, if everything asked for can be computed on it.
     pub(crate) fn on(&self, case: &Case, settings: &[Setting]) -> Result<Case, CaseError> {
-        let case = case.with_settings(settings)?;
+        let case = case.with(settings)?;
         if self.uses_window() {
             case.check_window()?;
         }

@@ -34,7 +34,7 @@ fn samples_are_what_the_library_computes() {
             .zip(&sample.parameters)
             .map(|(parameter, value)| format!("{}={value}", parameter.key.key))
             .collect();
-        let case = study.case.with(&[&overrides]).unwrap();
+        let case = study.case.with(&overrides[..]).unwrap();
         let ridge = Ridge::search(&case.feedback, case.wavelength, case.speed);
         let highest = ridge.highest().unwrap();
         assert_eq!(of(&study, &values, "ridge_frequency")[0], ridge.best_fit_frequency().unwrap());
@@ -158,7 +158,7 @@ fn growth_under_a_traffic_is_that_of_the_sample() {
     for (study, traffic) in [(own, given), (usual, of_line)] {
         for (index, mass) in [(0, 300), (1, 400)] {
             let values = study.sample(index).outputs.unwrap();
-            let case = study.case.with(&[&[format!("wheel.mass={mass}")]]).unwrap();
+            let case = study.case.with(&[format!("wheel.mass={mass}")][..]).unwrap();
             let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| ());
             let (wavelength, rate, at_edge) = ask::fastest_under(&case, &on.unwrap().growth).unwrap();
             assert_eq!(values, [rate, wavelength, f64::from(u8::from(at_edge))]);
@@ -199,7 +199,7 @@ quantities = ["contact_loss_fraction", "minimum_normal_force_n"]
     );
     for (index, mass) in [(0, 300), (1, 400)] {
         let values = study.sample(index).outputs.unwrap();
-        let case = study.case.with(&[&[format!("wheel.mass={mass}")]]).unwrap();
+        let case = study.case.with(&[format!("wheel.mass={mass}")][..]).unwrap();
         let linear = case.feedback.at(0.055, 30.0);
         let scale = 0.01e-6 / case.feedback.amplitude();
         let &[re, im] = of(&study, &values, "small_normal_force_n") else { panic!("no complex number") };

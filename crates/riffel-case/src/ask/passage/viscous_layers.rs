@@ -33,7 +33,7 @@ pub(super) fn with_viscous_layers(case: &Case) -> Option<(Case, f64)> {
     if overrides.is_empty() {
         return None;
     }
-    let viscous = case.with(&[&overrides]).ok()?;
+    let viscous = case.with(&overrides[..]).ok()?;
     let share = share_off(&viscous, case);
     Some((viscous, share))
 }

@@ -61,7 +61,7 @@ fn a_portable_case_is_restored() -> Result<(), CaseError> {
     assert!(riffel_case::PortableCase::of(&case).folder.is_some_and(|f| f.is_absolute()));
     for wrong in ["contact.normal_load=0", "rail.section=none", "contact=3"] {
         let refused = |case: &Case| {
-            let error = case.with(&[&[wrong.to_owned()]]).err();
+            let error = case.with(&[wrong.to_owned()][..]).err();
             error.expect("this must be refused").in_words()
         };
         assert_eq!(refused(&again), refused(&case), "{wrong}");
