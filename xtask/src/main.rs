@@ -4,8 +4,6 @@ mod browser;
 mod check;
 mod compiler;
 mod dependencies;
-#[cfg(test)]
-mod doc_lines;
 mod environment;
 mod golden;
 mod page;
@@ -134,3 +132,6 @@ pub(crate) fn output(program: &Path, arguments: &[&str]) -> Result<Vec<u8>, Stri
         false => Err(format!("{line} failed: {}", String::from_utf8_lossy(&output.stderr))),
     }
 }
+
+#[cfg(test)]
+mod doc_lines;

@@ -10,16 +10,12 @@
 mod chain;
 mod chains;
 mod comparison;
-#[cfg(test)]
-mod conjugate;
 mod data;
 mod data_columns;
 mod decision;
 pub mod diagnostics;
 mod draw;
 mod drawn;
-#[cfg(test)]
-mod drawn_problems;
 mod emulator;
 mod ensemble;
 mod error;
@@ -77,3 +73,8 @@ pub use results::Results;
 pub use run::{Progress, finished};
 pub use simulated::{Checked, LEAST_RUNS, RANKED, Ranked, Simulated};
 pub use summary::{Marginal, Summary, TOLD};
+
+#[cfg(test)]
+mod conjugate;
+#[cfg(test)]
+mod drawn_problems;

@@ -1,8 +1,5 @@
 //! Which column of a table is that of the dates.
 
-#[cfg(test)]
-mod tests;
-
 use jiff::civil::Date;
 use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, say};
@@ -145,3 +142,6 @@ impl NoDate {
         Self { message, ..self }
     }
 }
+
+#[cfg(test)]
+mod tests;

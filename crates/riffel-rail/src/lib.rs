@@ -58,8 +58,6 @@ mod transfer_table;
 mod unit_remark;
 mod wheel_modes_table;
 mod wheel_roughness;
-#[cfg(test)]
-mod written_cells;
 
 pub use axle_box::{AxleBoxFile, AxleBoxLayout, AxleBoxPlace, AxleBoxReading, RunEnd};
 pub use date::read_date;
@@ -89,3 +87,6 @@ pub use survey::{Elapsed, RailDates, Survey};
 pub use transfer_table::{TransferPart, TransferTable};
 pub use wheel_modes_table::WheelModesTable;
 pub use wheel_roughness::WheelRoughness;
+
+#[cfg(test)]
+mod written_cells;

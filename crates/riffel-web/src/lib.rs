@@ -19,8 +19,6 @@ mod program;
 mod queue;
 mod request;
 mod server;
-#[cfg(test)]
-mod tests;
 mod uploads;
 mod workspace;
 
@@ -92,3 +90,6 @@ pub(crate) fn router(page: Page) -> Router {
 async fn nothing_here() -> Response {
     Refusal(Fault::refused(StatusCode::NOT_FOUND, "there is nothing here".to_owned(), "")).into_response()
 }
+
+#[cfg(test)]
+mod tests;

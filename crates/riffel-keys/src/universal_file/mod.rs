@@ -13,9 +13,6 @@ mod form;
 mod lines;
 mod signal;
 
-#[cfg(test)]
-mod tests;
-
 use riffel::Complex64;
 use riffel::STANDARD_GRAVITY;
 
@@ -293,3 +290,6 @@ impl Axis {
         !label.is_empty() && !label.eq_ignore_ascii_case("none")
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -10,8 +10,6 @@ mod riff;
 mod run_end;
 mod sensor;
 mod table;
-#[cfg(test)]
-mod tests;
 mod universal;
 mod wave;
 mod witness;
@@ -20,3 +18,6 @@ pub use arrays::AxleBoxPlace;
 pub use file::{AxleBoxFile, AxleBoxReading};
 pub use head::AxleBoxLayout;
 pub use run_end::RunEnd;
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,5 @@
 //! Which columns of a table are the position and the heights of a profile.
 
-#[cfg(test)]
-mod tests;
-
 use std::collections::{BTreeMap, BTreeSet};
 
 use riffel_keys::table::{self, Table};
@@ -519,3 +516,6 @@ fn dividing_column(table: &Table, bytes: &[u8], position: usize) -> Option<usize
     });
     divides.next().map(|index| columns[index - 1])
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,8 +5,6 @@ mod orientation;
 mod reading;
 mod simpack;
 mod table;
-#[cfg(test)]
-mod tests;
 mod vampire;
 mod written;
 
@@ -189,3 +187,6 @@ fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Message> {
     (curvature > WORTH_A_REMARK)
         .then(|| say!(points_scatter, name, micrometres = fixed(micrometres, 2), curvature = fixed(curvature, 0)))
 }
+
+#[cfg(test)]
+mod tests;

@@ -7,8 +7,6 @@ mod layout;
 mod response_unit;
 mod smoothing;
 mod table;
-#[cfg(test)]
-mod tests;
 mod universal;
 mod universal_function;
 mod wheelset_modes;
@@ -230,3 +228,6 @@ impl Response {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,5 @@
 //! Files of roughness: profiles and spectra.
 
-#[cfg(test)]
-mod tests;
-
 use std::path::Path;
 
 use riffel_keys::table::{NumberColumns, Table, is_comment, lines, rows};
@@ -212,3 +209,6 @@ fn from_line(bytes: &[u8], line: usize) -> &[u8] {
         Some(last) => memchr::memchr_iter(b'\n', bytes).nth(last).map_or(&[], |end| &bytes[end + 1..]),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,9 +5,6 @@ mod fill;
 mod loaded_patch;
 mod mean_contact;
 
-#[cfg(test)]
-mod tests;
-
 use std::path::Path;
 use std::sync::Arc;
 
@@ -253,3 +250,6 @@ impl CaseText {
         CurvingCase::of_tables(unfilled.clone(), folder)
     }
 }
+
+#[cfg(test)]
+mod tests;

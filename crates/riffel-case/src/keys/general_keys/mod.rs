@@ -1,7 +1,5 @@
 //! The keys of the loop on all axes, checked and complete.
 
-#[cfg(test)]
-mod tests;
 mod wheelset;
 
 use riffel::contact::{CREEP_LAWS, CreepLawEntry, Creepages, MeanState, ShiftEffects};
@@ -354,3 +352,6 @@ pub(crate) fn contact(contact: &Contact) -> ContactKeys {
         }),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,8 +3,6 @@
 mod double_hit;
 mod mirrored;
 mod phase;
-#[cfg(test)]
-mod tests;
 
 use std::f64::consts::TAU;
 
@@ -164,3 +162,6 @@ pub(super) fn doubts_about_size(receptance: &MeasuredReceptance) -> Result<Optio
     )
     .into())
 }
+
+#[cfg(test)]
+mod tests;

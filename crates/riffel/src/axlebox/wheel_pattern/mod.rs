@@ -2,8 +2,6 @@
 
 mod expected;
 mod lines;
-#[cfg(test)]
-mod tests;
 
 use std::ops::RangeInclusive;
 
@@ -277,3 +275,6 @@ fn is_of_supports(orders: &[usize], circumference: f64, supports: Option<f64>) -
         waves.round() >= 1.0 && (waves / waves.round() - 1.0).abs() < SAME
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -20,8 +20,6 @@ mod response_sweep;
 mod scalar;
 mod steady;
 mod strips;
-#[cfg(test)]
-mod tests;
 mod transform;
 mod transient;
 mod true_gap;
@@ -451,3 +449,6 @@ fn outside_in(count: usize) -> Vec<usize> {
     }
     order
 }
+
+#[cfg(test)]
+mod tests;

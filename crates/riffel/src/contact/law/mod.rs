@@ -10,11 +10,6 @@ mod johnson_vermeulen;
 mod polach;
 mod shen_hedrick_elkins;
 
-#[cfg(test)]
-pub(super) mod checks;
-#[cfg(test)]
-mod comparison;
-
 pub use carter2d::{Carter2d, LineContact};
 pub use carter3d::Carter3d;
 pub use catalogue::{CATALOGUE, CreepLawEntry, CreepLawInputs};
@@ -216,3 +211,8 @@ impl<L: CreepLaw + ?Sized> CreepLaw for Arc<L> {
         (**self).creepage(normal_force, tractive_ratio)
     }
 }
+
+#[cfg(test)]
+pub(super) mod checks;
+#[cfg(test)]
+mod comparison;

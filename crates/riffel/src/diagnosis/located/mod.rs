@@ -1,8 +1,5 @@
 //! Where along a rail its dominant wavelengths stand.
 
-#[cfg(test)]
-mod tests;
-
 use std::ops::Range;
 
 use rayon::prelude::*;
@@ -433,3 +430,6 @@ fn joined(mut places: Vec<(usize, Range<usize>)>, gap: usize) -> Vec<(usize, Ran
     }
     joined
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,6 @@
 //! The contact of a wheel and its rail under load.
 
 mod overlap;
-#[cfg(test)]
-mod tests;
 
 use super::contact_surface::PatchSurface;
 use super::{ContactGap, ContactSurface, ProfileError, ShapeFault, WheelsetContact, WheelsetOnTrack};
@@ -378,3 +376,6 @@ impl LoadedContact {
         [longitudinal - rolling * place.depth, lateral * cosine - self.gap.side() * rolling * sine * x]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,5 @@
 //! Rail on discrete supports under loads that move along it and oscillate, down and across.
 
-#[cfg(test)]
-mod tests;
-
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
@@ -405,3 +402,6 @@ fn inverse([[a, b], [c, d]]: &LateralReceptance) -> LateralReceptance {
     let determinant = (a * d - b * c).inv();
     [[d * determinant, -b * determinant], [-c * determinant, a * determinant]]
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,5 @@
 //! Everything about the roughness of one rail, in one call.
 
-#[cfg(test)]
-mod tests;
-
 use rayon::prelude::*;
 
 use super::few_lines::KeptLines;
@@ -439,3 +436,6 @@ fn summary(
         share_over_limit: limit.map(|_| over as f64 / samples as f64),
     })
 }
+
+#[cfg(test)]
+mod tests;

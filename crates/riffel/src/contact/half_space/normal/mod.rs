@@ -4,8 +4,6 @@ mod boussinesq;
 mod conjugate_gradients;
 mod convolution;
 mod grid;
-#[cfg(test)]
-mod tests;
 
 pub use grid::ContactGrid;
 
@@ -243,3 +241,6 @@ impl NormalState {
         self.steps
     }
 }
+
+#[cfg(test)]
+mod tests;
