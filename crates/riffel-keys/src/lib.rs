@@ -50,5 +50,5 @@ pub use message::{
     Message, Value, Words, decimal, fixed, number, range, shown_speed, shown_speeds, significant, significant_digits,
 };
 pub use physics_in_words::physics_in_words;
-pub use range::{PhysicalRange, RANGES, bound};
+pub use range::{PhysicalRange, bound};
 pub use unit::{Exponents, Unit};

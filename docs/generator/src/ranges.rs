@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use riffel_keys::RANGES;
+use riffel_keys::PhysicalRange;
 
 /// Every range with its keys and its reason.
 pub(crate) fn page() -> String {
@@ -17,7 +17,7 @@ pub(crate) fn page() -> String {
          `vehicle` are those of the traffic file, with `speed` those of a file of changes, with `outputs` those of a plan.\n\n\
          | keys | computed | usual | reason |\n|---|---|---|---|\n",
     );
-    for range in RANGES {
+    for range in PhysicalRange::all() {
         let keys: Vec<String> = range.keys.iter().map(|key| format!("`{key}`")).collect();
         let words = |ends| range.in_words(ends).join(" to ");
         // Writing to a string does not fail.

@@ -129,7 +129,7 @@ fn table<'a>(schema: &'a Value, root: &Value) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use riffel_keys::{PhysicalRange, RANGES};
+    use riffel_keys::PhysicalRange;
 
     #[test]
     fn keys_know_their_quantities() {
@@ -173,7 +173,7 @@ mod tests {
             }
             let name = key.key.replace("[]", "");
             let has = |range: &&PhysicalRange| range.keys.contains(&name.as_str());
-            let kinds: Vec<Kind> = RANGES.iter().filter(has).map(|range| range.kind).collect();
+            let kinds: Vec<Kind> = PhysicalRange::all().filter(has).map(|range| range.kind).collect();
             assert_eq!(kinds, Vec::from_iter(key.quantity), "{}", key.key);
         }
         let in_lists: Vec<&str> = CaseKey::in_lists().iter().map(|key| &*key.key).collect();

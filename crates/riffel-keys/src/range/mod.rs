@@ -10,7 +10,6 @@ use crate::quantity::{Dimension, Kind, WrittenQuantity};
 use crate::{CaseError, Message, say};
 
 pub(crate) use judgement::Judgement;
-pub use table::RANGES;
 
 /// The range of a quantity, in SI.
 ///
@@ -33,6 +32,11 @@ pub struct PhysicalRange {
 }
 
 impl PhysicalRange {
+    /// Every range, in the order of the case file.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        table::TABLES.into_iter().flatten()
+    }
+
     /// The range of a key such as `contact.friction` or `vehicle[0].speed.mean`, or of an argument such as `--speed`.
     pub fn of(key: &str) -> Option<&'static Self> {
         let mut name = String::with_capacity(key.len());
@@ -45,7 +49,7 @@ impl PhysicalRange {
                 _ => {}
             }
         }
-        RANGES.iter().find(|range| range.keys.contains(&name.as_str()))
+        Self::all().find(|range| range.keys.contains(&name.as_str()))
     }
 
     /// The value in SI of an argument such as `--speed` from its text, with what is to be asked about it.
@@ -110,7 +114,7 @@ mod tests {
 
     #[test]
     fn usual_ranges_lie_in_the_hard_ones() {
-        for range in RANGES {
+        for range in PhysicalRange::all() {
             let ([low, high], [from, to]) = (range.hard, range.usual);
             assert!(low <= from && from < to && to <= high, "{range:?}");
             assert!(range.bare_up_to > from, "{range:?}");
