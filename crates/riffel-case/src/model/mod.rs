@@ -55,8 +55,8 @@ impl FieldModel {
     /// Every model, by year; those of this program last.
     pub fn all() -> &'static [Self] {
         static MODELS: LazyLock<Vec<FieldModel>> = LazyLock::new(|| {
-            let read = toml::from_str(include_str!("models.toml"));
-            read.map_or_else(|_| Vec::new(), |models: Models| models.model)
+            let read: Result<Models, _> = toml::from_str(include_str!("models.toml"));
+            read.expect("`models.toml` holds models of the field").model
         });
         &MODELS
     }
