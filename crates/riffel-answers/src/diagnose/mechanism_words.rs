@@ -16,7 +16,7 @@ pub(crate) fn source(kind: MechanismKind) -> Message {
         MechanismKind::PinnedPinned => say!(source_of_pinned_pinned),
         MechanismKind::LateralPinnedPinned => say!(source_of_lateral_pinned_pinned),
         MechanismKind::MeasuredPeak | MechanismKind::MeasuredDip => say!(source_of_measured_peak),
-        MechanismKind::GivenPeak | MechanismKind::GivenDip => say!(source_of_given_peak),
+        MechanismKind::FunctionPeak | MechanismKind::FunctionDip => say!(source_of_given_peak),
         MechanismKind::WheelsetTorsion => say!(source_of_wheelset_torsion),
         MechanismKind::WheelsetBending => say!(source_of_wheelset_bending),
         MechanismKind::GrindingMark => say!(source_of_grinding_mark),
@@ -40,8 +40,8 @@ pub(crate) fn validity(kind: MechanismKind) -> Message {
         }
         MechanismKind::MeasuredPeak
         | MechanismKind::MeasuredDip
-        | MechanismKind::GivenPeak
-        | MechanismKind::GivenDip => say!(validity_of_measured_peak),
+        | MechanismKind::FunctionPeak
+        | MechanismKind::FunctionDip => say!(validity_of_measured_peak),
         MechanismKind::WheelsetTorsion | MechanismKind::WheelsetBending => {
             say!(validity_of_wheelset_torsion)
         }
@@ -62,10 +62,10 @@ fn own_measurement(kind: MechanismKind) -> Message {
         MechanismKind::RailOnPad => say!(measurement_of_rail_on_pad),
         MechanismKind::PinnedPinned => say!(measurement_of_pinned_pinned),
         MechanismKind::LateralPinnedPinned => say!(measurement_of_lateral_pinned_pinned),
-        MechanismKind::MeasuredPeak | MechanismKind::GivenPeak => {
+        MechanismKind::MeasuredPeak | MechanismKind::FunctionPeak => {
             say!(measurement_of_measured_peak)
         }
-        MechanismKind::MeasuredDip | MechanismKind::GivenDip => say!(measurement_of_measured_dip),
+        MechanismKind::MeasuredDip | MechanismKind::FunctionDip => say!(measurement_of_measured_dip),
         MechanismKind::WheelsetTorsion => say!(measurement_of_wheelset_torsion),
         MechanismKind::WheelsetBending => say!(measurement_of_wheelset_bending),
         MechanismKind::GrindingMark => say!(measurement_of_grinding_mark),

@@ -300,8 +300,8 @@ fn style(curve: &ReceptanceCurve) -> LineStyle {
 fn mark(resonance: &NamedResonance, named: bool) -> Mark {
     let frequency = resonance.frequency_hz;
     let name = match resonance.kind {
-        ResonanceKind::MeasuredPeak | ResonanceKind::GivenPeak => "peak".to_owned(),
-        ResonanceKind::MeasuredDip | ResonanceKind::GivenDip => "dip".to_owned(),
+        ResonanceKind::MeasuredPeak | ResonanceKind::FunctionPeak => "peak".to_owned(),
+        ResonanceKind::MeasuredDip | ResonanceKind::FunctionDip => "dip".to_owned(),
         kind => kind.to_string(),
     };
     Mark {

@@ -232,8 +232,8 @@ pub(crate) fn mechanism_name(kind: MechanismKind) -> Message {
         MechanismKind::PinnedPinned => say!(mechanism_pinned_pinned),
         MechanismKind::MeasuredPeak => say!(mechanism_measured_peak),
         MechanismKind::MeasuredDip => say!(mechanism_measured_dip),
-        MechanismKind::GivenPeak => say!(mechanism_given_peak),
-        MechanismKind::GivenDip => say!(mechanism_given_dip),
+        MechanismKind::FunctionPeak => say!(mechanism_given_peak),
+        MechanismKind::FunctionDip => say!(mechanism_given_dip),
         MechanismKind::GrowthRidge => say!(mechanism_growth_ridge),
         MechanismKind::LateralPinnedPinned => say!(mechanism_lateral_pinned_pinned),
         MechanismKind::GrindingMark => say!(mechanism_grinding_mark),
@@ -262,8 +262,8 @@ mod tests {
             MechanismKind::PinnedPinned,
             MechanismKind::MeasuredPeak,
             MechanismKind::MeasuredDip,
-            MechanismKind::GivenPeak,
-            MechanismKind::GivenDip,
+            MechanismKind::FunctionPeak,
+            MechanismKind::FunctionDip,
         ] {
             assert_eq!(mechanism_name(kind).text(Language::English), kind.name());
             assert_ne!(mechanism_name(kind).text(Language::German), kind.name());

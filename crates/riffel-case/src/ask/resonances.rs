@@ -106,7 +106,7 @@ fn p2_of_lines(case: &Case) -> Option<Resonance> {
 fn peaks_and_dips(case: &Case) -> Vec<Resonance> {
     let rail = lines(case);
     let (peak_kind, dip_kind) = match case.track.origin {
-        Origin::Given => (ResonanceKind::GivenPeak, ResonanceKind::GivenDip),
+        Origin::Given => (ResonanceKind::FunctionPeak, ResonanceKind::FunctionDip),
         _ => (ResonanceKind::MeasuredPeak, ResonanceKind::MeasuredDip),
     };
     let mut peaks: Vec<Resonance> =

@@ -81,8 +81,8 @@ fn modes_of_receptance(case: &Case) -> (Vec<Mechanism>, Vec<Message>) {
             ResonanceKind::PinnedPinned => MechanismKind::PinnedPinned,
             ResonanceKind::MeasuredPeak => MechanismKind::MeasuredPeak,
             ResonanceKind::MeasuredDip => MechanismKind::MeasuredDip,
-            ResonanceKind::GivenPeak => MechanismKind::GivenPeak,
-            ResonanceKind::GivenDip => MechanismKind::GivenDip,
+            ResonanceKind::FunctionPeak => MechanismKind::FunctionPeak,
+            ResonanceKind::FunctionDip => MechanismKind::FunctionDip,
             ResonanceKind::FullTrack
             | ResonanceKind::RailOnPad
             | ResonanceKind::LateralCutOn

@@ -33,9 +33,9 @@ pub enum MechanismKind {
     /// Dip of the rail's receptance as it was measured.
     MeasuredDip,
     /// Peak of a receptance that the caller gives.
-    GivenPeak,
+    FunctionPeak,
     /// Dip of a receptance that the caller gives.
-    GivenDip,
+    FunctionDip,
     /// The two wheels turning against each other.
     WheelsetTorsion,
     /// The axle bending.
@@ -63,8 +63,8 @@ impl MechanismKind {
             Self::LateralPinnedPinned => "pinned-pinned, lateral",
             Self::MeasuredPeak => "peak of the measured receptance",
             Self::MeasuredDip => "dip of the measured receptance",
-            Self::GivenPeak => "peak of the given receptance",
-            Self::GivenDip => "dip of the given receptance",
+            Self::FunctionPeak => "peak of the given receptance",
+            Self::FunctionDip => "dip of the given receptance",
             Self::WheelsetTorsion => "wheelset torsion",
             Self::WheelsetBending => "wheelset bending",
             Self::GrindingMark => "grinding mark",

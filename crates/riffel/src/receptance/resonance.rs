@@ -30,9 +30,9 @@ pub enum ResonanceKind {
     /// Dip of a receptance that was measured.
     MeasuredDip,
     /// Peak of a receptance that the caller gives as a function.
-    GivenPeak,
+    FunctionPeak,
     /// Dip of such a receptance.
-    GivenDip,
+    FunctionDip,
 }
 
 impl fmt::Display for ResonanceKind {
@@ -47,8 +47,8 @@ impl fmt::Display for ResonanceKind {
             Self::LateralPinnedPinned => "lateral pinned-pinned",
             Self::MeasuredPeak => "peak of the measured receptance",
             Self::MeasuredDip => "dip of the measured receptance",
-            Self::GivenPeak => "peak of the given receptance",
-            Self::GivenDip => "dip of the given receptance",
+            Self::FunctionPeak => "peak of the given receptance",
+            Self::FunctionDip => "dip of the given receptance",
         })
     }
 }
