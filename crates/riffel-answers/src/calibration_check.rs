@@ -40,7 +40,7 @@ impl Question for CheckQuestion {
         Values are drawn from the priors of the plan, data from its likelihood with these values, and a chain of the plan on these \
         data; the truth is ranked among its draws. It takes N times as long as one chain.\n\n\
         Exit status: 0 the ranks are even, 1 they are not, 2 bad input, 130 stopped by Ctrl-C.";
-    const FILES: Files = Files::Asked;
+    const FILES: Files = Files::OutputOnly;
 
     fn ask(&self, client: &dyn Client) -> Result<Box<dyn Answer>> {
         let plan = Plan::read(&self.plan)?;

@@ -47,7 +47,7 @@ impl Question for CalibrateQuestion {
         Exit status: 0 done, 1 the chains allow no conclusion (results are written all the same), 2 bad input, 130 stopped by \
         Ctrl-C (--restart goes on).";
     const RULES: &'static [Rule] = &[Rule::Needs(&["traffic"], &["with"]), Rule::OneOf(&["dry_run", "restart"])];
-    const FILES: Files = Files::Asked;
+    const FILES: Files = Files::OutputOnly;
 
     fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         Err(AnswerError::InFolder { question: Self::NAME })

@@ -14,7 +14,7 @@ mod terminal;
 
 use std::ffi::OsString;
 
-use arguments::{Arguments, Ask, AskedQuestion, Command, Commands};
+use arguments::{Arguments, Ask, Command, Commands, QuestionCall};
 use clap::Parser;
 use error::CliError;
 use messages::{Reader, Verbosity, complain_of, complain_of_usage};
@@ -73,9 +73,9 @@ fn answer(ask: &Ask, arguments: &Arguments, program: &[OsString]) -> u8 {
     let question = || {
         let question = question::known(&ask.name.join(" "))?;
         let keys = riffel_keys::question::read().map_err(|reason| CliError::ReadQuestion { reason })?;
-        Ok(AskedQuestion::of_json(question, keys)?)
+        Ok(QuestionCall::of_json(question, keys)?)
     };
-    status(question().and_then(|asked| execute(Commands::Question(asked), program)))
+    status(question().and_then(|call| execute(Commands::Question(call), program)))
 }
 
 /// End this process soon after its parent has ended, whose number it was told: nobody waits for an answer any more.
@@ -103,7 +103,7 @@ fn asked_language(words: &[OsString]) -> Language {
 
 fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
     let inputs = match &command {
-        Commands::Question(asked) => asked.inputs(),
+        Commands::Question(call) => call.inputs(),
         Commands::Other(Command::Page(page)) => page.case.iter().cloned().collect(),
         Commands::Other(_) => Vec::new(),
     };
@@ -116,7 +116,7 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
         staging::clean_up_on_interrupt();
     }
     let command = match command {
-        Commands::Question(asked) => return command::question::run(&asked),
+        Commands::Question(call) => return command::question::run(&call),
         Commands::Other(command) => command,
     };
     match command {

@@ -12,7 +12,7 @@ pub enum Files {
     /// In the folder of `output`, or else the one that the question is on.
     There,
     /// In the folder of `output` alone.
-    Asked,
+    OutputOnly,
 }
 
 impl Files {

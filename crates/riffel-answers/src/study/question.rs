@@ -51,7 +51,7 @@ impl Question for StudyQuestion {
         riffel study merge whole part-1 part-2 part-3\n  \
         riffel study sensitivity study-results\n\n\
         A study that was stopped goes on with the same command: finished chunks are kept.";
-    const FILES: Files = Files::Asked;
+    const FILES: Files = Files::OutputOnly;
 
     fn ask(&self, _: &dyn Client) -> Result<Box<dyn Answer>> {
         Err(AnswerError::InFolder { question: Self::NAME })

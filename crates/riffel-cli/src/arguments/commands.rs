@@ -4,7 +4,7 @@ use clap::error::ErrorKind;
 use clap::{ArgMatches, FromArgMatches, Subcommand};
 use riffel_answers::{QUESTIONS, question};
 
-use super::question::{AskedQuestion, command};
+use super::question::{QuestionCall, command};
 use super::*;
 
 /// All commands, in the order of the help.
@@ -45,7 +45,7 @@ const ORDER: &[&str] = &[
 /// A command with its arguments.
 pub(crate) enum Commands {
     /// A question that is data.
-    Question(AskedQuestion),
+    Question(QuestionCall),
     /// Another command.
     Other(Command),
 }
@@ -103,7 +103,7 @@ impl FromArgMatches for Commands {
             None => (name.to_owned(), below),
         };
         match question::named(&full) {
-            Some(question) => Ok(Self::Question(AskedQuestion::of(question, own))),
+            Some(question) => Ok(Self::Question(QuestionCall::of(question, own))),
             None => Command::from_arg_matches(matches).map(Self::Other),
         }
     }

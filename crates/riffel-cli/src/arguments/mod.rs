@@ -17,7 +17,7 @@ use crate::messages::Verbosity;
 pub(crate) use commands::{Command, Commands};
 pub(crate) use figures::{Figures, ModelArgument};
 pub(crate) use page::Page;
-pub(crate) use question::AskedQuestion;
+pub(crate) use question::QuestionCall;
 
 /// Place in the help of the first option that every command has: below its own, above `--help`, which clap puts at 999.
 const BELOW_OWN: usize = 900;

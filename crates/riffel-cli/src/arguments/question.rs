@@ -16,7 +16,7 @@ use crate::results::Results;
 const RESULTS: [&str; 3] = ["output", "save_format", "into"];
 
 /// A question with its keys as they were given, and where its results go.
-pub(crate) struct AskedQuestion {
+pub(crate) struct QuestionCall {
     pub(crate) question: &'static dyn AnyQuestion,
     pub(crate) keys: Map<String, Value>,
     /// The documents that stand in it.
@@ -27,7 +27,7 @@ pub(crate) struct AskedQuestion {
     pub(crate) json: bool,
 }
 
-impl AskedQuestion {
+impl QuestionCall {
     /// The question of a command line.
     pub(crate) fn of(question: &'static dyn AnyQuestion, matches: &ArgMatches) -> Self {
         let keys = question.keys();
@@ -81,7 +81,7 @@ impl AskedQuestion {
             // Of a question below another command the last word.
             Files::Named => Some(self.named_after(command.rsplit(' ').next().unwrap_or(command))),
             Files::There => self.first().map(PathBuf::from),
-            Files::None | Files::Text | Files::Asked => None,
+            Files::None | Files::Text | Files::OutputOnly => None,
         };
         let folder = self.output.clone().or_else(|| if self.json { None } else { usual() });
         Results { command, folder, json: self.json }
@@ -121,7 +121,7 @@ fn results(question: &dyn AnyQuestion, keys: &[Key]) -> Vec<Arg> {
         }
         Files::There if !says_where => "Print one JSON document and write no files",
         Files::Named | Files::There => "Print one JSON document; files are written only with --output",
-        Files::Asked => "Print one JSON document",
+        Files::OutputOnly => "Print one JSON document",
     };
     let json = Arg::new("json").long("json").help(help).action(ArgAction::SetTrue);
     let output = (question.files() == Files::Named && !says_where).then(|| {

@@ -12,7 +12,7 @@ use riffel_calibrate::file::SamplerKind;
 use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress};
 use riffel_keys::{Message, fixed, number};
 
-use crate::arguments::AskedQuestion;
+use crate::arguments::QuestionCall;
 use crate::messages::{complain, language, print_remarks, say};
 use crate::output::{json, print};
 use crate::progress::{self, duration};
@@ -33,13 +33,13 @@ const SLOW: f64 = 60.0;
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
 
-pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
-    let question: CalibrateQuestion = of_keys(asked.keys.clone().into())?;
-    let path = asked.folder("posterior");
+pub(super) fn run(call: &QuestionCall) -> miette::Result<u8> {
+    let question: CalibrateQuestion = of_keys(call.keys.clone().into())?;
+    let path = call.folder("posterior");
     let (traffic, tables) = (question.traffic.as_deref(), &*question.tables);
     let plan = Measured { case: &question.plan, traffic, tables }.plan_for(&path)?;
     if question.dry_run {
-        match asked.json {
+        match call.json {
             true => print(&json(&CalibrationPlan::from(&plan)))?,
             false => print(&dry_run(&plan)?)?,
         }
@@ -97,7 +97,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
     let answer = Calibration::new(&plan, &chains, &summary, &told);
     let conclusions = conclusions(&plan, &chains, &answer, models.as_ref(), &path)?;
     let names = results.publish()?;
-    print(&match asked.json {
+    print(&match call.json {
         true => json(&answer),
         false => format!("{conclusions}{}: {}\n", path.display(), names.join(" ")),
     })?;

@@ -9,7 +9,7 @@ use riffel_answers::question::of_keys;
 use riffel_answers::simulate::{EvolutionRun, SimulateQuestion};
 use riffel_keys::{number, say as message};
 
-use crate::arguments::AskedQuestion;
+use crate::arguments::QuestionCall;
 use crate::error::CliError;
 use crate::messages::{complain, say};
 use crate::progress::Progress;
@@ -38,12 +38,12 @@ const FILES: [&str; 11] = [
 const STATE_EVERY: Duration = Duration::from_secs(1);
 
 /// The rail under many wheels, from where the folder has it on; returns the exit status, or `None` where one passage is asked for.
-pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<Option<u8>> {
-    let question: SimulateQuestion = of_keys(asked.keys.clone().into())?;
+pub(crate) fn run(call: &QuestionCall) -> miette::Result<Option<u8>> {
+    let question: SimulateQuestion = of_keys(call.keys.clone().into())?;
     let Some((mut run, passages)) = question.evolution(&Terminal)? else {
         return Ok(None);
     };
-    let results = asked.results_of(None);
+    let results = call.results_of(None);
     let state = results.folder.as_ref().map(|folder| folder.join(STATE));
     if let (Some(folder), Some(path)) = (&results.folder, &state) {
         check_files(folder, &FILES)?;

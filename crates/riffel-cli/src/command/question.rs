@@ -3,7 +3,7 @@
 use riffel_answers::AnswerError;
 use riffel_answers::question::Files;
 
-use crate::arguments::AskedQuestion;
+use crate::arguments::QuestionCall;
 use crate::messages::{complain, language};
 use crate::results::put;
 use crate::staging::INTERRUPTED;
@@ -13,17 +13,17 @@ use crate::terminal::Terminal;
 const DOUBTFUL: u8 = 1;
 
 /// Answer a question, and hand the answer out; returns the exit status.
-pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
-    let own = match asked.question.name() {
-        "simulate" => super::passages::run(asked)?,
-        "study" => Some(super::study::run(asked)?),
-        "calibrate" => Some(super::calibrate::run(asked)?),
+pub(crate) fn run(call: &QuestionCall) -> miette::Result<u8> {
+    let own = match call.question.name() {
+        "simulate" => super::passages::run(call)?,
+        "study" => Some(super::study::run(call)?),
+        "calibrate" => Some(super::calibrate::run(call)?),
         _ => None,
     };
     if let Some(status) = own {
         return Ok(status);
     }
-    let answer = match asked.question.answer(asked.keys.clone(), &Terminal) {
+    let answer = match call.question.answer(call.keys.clone(), &Terminal) {
         Err(AnswerError::Stopped(message)) => {
             complain(message);
             return Ok(INTERRUPTED);
@@ -35,8 +35,8 @@ pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
         answer => answer?,
     };
     // A text that is the whole answer stands in the document of a question in JSON, and in a file only where one is named.
-    let in_document = asked.json && asked.question.files() == Files::Text;
-    let text = answer.own_text().filter(|_| !in_document || asked.output.is_some());
+    let in_document = call.json && call.question.files() == Files::Text;
+    let text = answer.own_text().filter(|_| !in_document || call.output.is_some());
     if let Some(mut text) = text {
         text.written = text.written.filter(|_| !in_document);
         put(&text)?;
@@ -44,7 +44,7 @@ pub(crate) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
             return Ok(0);
         }
     }
-    asked.results_of(answer.folder_name()).answer(&*answer)?;
+    call.results_of(answer.folder_name()).answer(&*answer)?;
     let doubts = answer.doubts();
     doubts.iter().for_each(|doubt| complain(doubt.text(language())));
     Ok(if doubts.is_empty() { 0 } else { DOUBTFUL })

@@ -8,17 +8,17 @@ use riffel_answers::study::{Part, StudyAnswer, StudyQuestion};
 use riffel_keys::{Message, number};
 use riffel_study::{ChunkState, ResultFolder, Shard, Study};
 
-use crate::arguments::AskedQuestion;
+use crate::arguments::QuestionCall;
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{print, print_json};
 use crate::progress::Progress;
 use crate::results::in_words;
 use crate::staging::{INTERRUPTED, stop_on_interrupt};
 
-pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
-    let question: StudyQuestion = of_keys(asked.keys.clone().into())?;
+pub(super) fn run(call: &QuestionCall) -> miette::Result<u8> {
+    let question: StudyQuestion = of_keys(call.keys.clone().into())?;
     let study = Study::read(&question.plan)?;
-    let path = asked.folder("results");
+    let path = call.folder("results");
     let shard = question.shard.map_or(Shard::ALL, |Part(shard)| shard);
     let stop = stop_on_interrupt();
     say(beginning(&study));
@@ -54,7 +54,7 @@ pub(super) fn run(asked: &AskedQuestion) -> miette::Result<u8> {
         folder.sweep()?;
     }
     let answer = StudyAnswer::new(&study, (&folder, &path), summary, (samples, seconds))?;
-    match asked.json {
+    match call.json {
         true => print_json(&answer)?,
         false => {
             let files = "results.zarr plan.toml case.toml study.json";
