@@ -1,6 +1,7 @@
 //! Polynomials in place of a model, by which a sampler finds its way.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel::numerics::least_squares::least_squares_of_several;
 use riffel::numerics::matrix::{Matrix, dot};
 use riffel::numerics::random_numbers::normal;
 
@@ -177,26 +178,12 @@ impl Polynomials {
         };
         let rows = places.iter();
         let rows: Vec<Vec<f64>> = rows.map(|it| polynomials.seen(posterior, it).terms).collect();
-        let (mut gram, mut sides) = (Matrix::of(count, |_, _| 0.0), vec![0.0; count * polynomials.data]);
-        for (row, data) in rows.iter().zip(&data) {
-            for (k, term) in row.iter().enumerate() {
-                add(&mut gram.values[k * count..=k * count + k], *term, row);
-                let side = k * polynomials.data..(k + 1) * polynomials.data;
-                add(&mut sides[side], *term, data);
-            }
-        }
-        // What rounding leaves of terms that hardly differ.
-        (0..count).for_each(|k| gram.values[k * (count + 1)] *= 1.0 + 1e-11);
-        let lower = gram.cholesky()?;
-        let upper = lower.transposed();
-        for datum in 0..polynomials.data {
-            let side = (0..count).map(|k| sides[k * polynomials.data + datum]);
-            let factors = upper.backward(&lower.forward(side.collect()));
-            polynomials.by_datum.extend(factors);
-        }
-        let by_datum = &polynomials.by_datum;
-        let transposed = (0..count).flat_map(|k| by_datum.iter().skip(k).step_by(count));
-        polynomials.by_term = transposed.copied().collect();
+        let column = |rows: &[Vec<f64>], k: usize| rows.iter().map(|row| row[k]).collect::<Vec<f64>>();
+        let mut columns: Vec<Vec<f64>> = (0..count).map(|k| column(&rows, k)).collect();
+        let sides = (0..polynomials.data).map(|datum| column(&data, datum)).collect();
+        let factors = least_squares_of_several(&mut columns, sides);
+        polynomials.by_term = (0..count).flat_map(|k| column(&factors, k)).collect();
+        polynomials.by_datum = factors.concat();
         Some(polynomials)
     }
 

@@ -16,7 +16,7 @@ pub fn least_squares(columns: &mut [Vec<f64>], right: &[f64]) -> Vec<f64> {
 /// column that depends on those before it to rounding takes no part, its unknown is zero.
 ///
 /// Cost: 2n²m operations for n unknowns and m equations, and 4nm for each b.
-pub(crate) fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+pub fn least_squares_of_several(columns: &mut [Vec<f64>], mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let length = |column: &Vec<f64>| Some(norm(column)).filter(|length| *length > 0.0);
     let scales: Vec<f64> = columns.iter().map(|column| length(column).unwrap_or(1.0)).collect();
     for (column, scale) in columns.iter_mut().zip(&scales) {
