@@ -1,14 +1,11 @@
 //! The rate of a clipped power about one mean state, read from a table over the amplitude.
 
 use super::ClippedPower;
-use crate::numerics::chebyshev::{NODES, polynomial_at, through_nodes};
+use crate::numerics::chebyshev::{Cell, Cut};
 
-/// Equal cells to begin with.
-const FIRST_CELLS: usize = 16;
 /// Equal parts of the range, each of which knows the cell that it begins in.
 const PARTS: usize = 256;
-/// How often a cell may be halved.
-const MOST_HALVINGS: u32 = 12;
+const CUT: Cut = Cut { first_cells: 16, most_halvings: 12, checks: [-0.95, -0.5, 0.1, 0.6, 0.97] };
 /// Largest error between the nodes of a cell, over the largest rate that the amplitude could have.
 const TOLERANCE: f64 = 1e-10;
 
@@ -24,19 +21,9 @@ pub(super) struct RateTable {
     excess: f64,
     /// |X₀| + σ.
     scale: f64,
-    cells: Vec<Cell>,
+    cells: Vec<Cell<f64>>,
     /// Numbers of the cells in which equal parts begin.
     parts: Vec<usize>,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct Cell {
-    end: f64,
-    middle: f64,
-    /// One over half its width.
-    per_half: f64,
-    /// In t ∈ \[−1, 1\], lowest power first.
-    polynomial: [f64; NODES],
 }
 
 impl RateTable {
@@ -47,12 +34,11 @@ impl RateTable {
         (!short && scale > 0.0).then(|| {
             let mut table = Self { law, excess, scale, cells: Vec::new(), parts: Vec::new() };
             let at_limit = excess.abs() / (excess.abs() + scale);
-            for [from, to] in [[0.0, at_limit], [at_limit, 1.0]] {
-                let end = |cell: usize| from + (to - from) * cell as f64 / FIRST_CELLS as f64;
-                for cell in (0..FIRST_CELLS).filter(|_| to > from) {
-                    table.divide(end(cell), end(cell + 1), MOST_HALVINGS);
-                }
-            }
+            let size = law.slope(scale);
+            let holds = |exact: f64, value: f64| (value - exact).abs() <= TOLERANCE * size;
+            let ranges = [[0.0, at_limit], [at_limit, 1.0]].into_iter().filter(|[from, to]| to > from);
+            let cells = ranges.flat_map(|ends| Cell::table(|place| table.exact(place), ends, &CUT, holds));
+            table.cells = cells.collect::<Vec<_>>();
             let begin = |part: usize| part as f64 / PARTS as f64;
             let cell = |part| table.cells.partition_point(|cell| cell.end < begin(part));
             table.parts = (0..PARTS).map(cell).collect();
@@ -83,34 +69,6 @@ impl RateTable {
         let rest = 1.0 - place;
         let amplitude = self.scale * place / rest;
         self.law.rate(self.excess, amplitude) * rest.powf(self.law.exponent() - 1.0)
-    }
-
-    fn divide(&mut self, begin: f64, end: f64, halvings: u32) {
-        let at = |t: f64| 0.5 * (begin + end + t * (end - begin));
-        let cell = Cell {
-            end,
-            middle: 0.5 * (begin + end),
-            per_half: 2.0 / (end - begin),
-            polynomial: through_nodes(|t| self.exact(at(t))),
-        };
-        let size = self.law.slope(self.scale);
-        let holds = [-0.95, -0.5, 0.1, 0.6, 0.97].iter().all(|t| {
-            let place = at(*t);
-            (cell.at(place) - self.exact(place)).abs() <= TOLERANCE * size
-        });
-        if holds || halvings == 0 {
-            self.cells.push(cell);
-            return;
-        }
-        let middle = 0.5 * (begin + end);
-        self.divide(begin, middle, halvings - 1);
-        self.divide(middle, end, halvings - 1);
-    }
-}
-
-impl Cell {
-    fn at(&self, place: f64) -> f64 {
-        polynomial_at(&self.polynomial, (place - self.middle) * self.per_half)
     }
 }
 

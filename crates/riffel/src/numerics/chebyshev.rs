@@ -1,4 +1,4 @@
-//! Polynomials of degree 7 through Chebyshev's nodes: the cells of tables.
+//! Tables of a function: polynomials of degree 7 through Chebyshev's nodes, in cells.
 
 use std::array;
 use std::f64::consts::PI;
@@ -9,7 +9,7 @@ use std::ops::{Add, AddAssign, Mul};
 pub(crate) const NODES: usize = 8;
 
 /// Power coefficients in t, lowest first, of the polynomial that meets a function at Chebyshev's nodes in [−1, 1].
-pub(crate) fn through_nodes<V>(f: impl Fn(f64) -> V) -> [V; NODES]
+fn through_nodes<V>(f: impl Fn(f64) -> V) -> [V; NODES]
 where
     V: Copy + Default + Sum + AddAssign + Mul<f64, Output = V>,
 {
@@ -37,12 +37,83 @@ where
 }
 
 /// The polynomial of some power coefficients, the lowest first, at t.
-pub(crate) fn polynomial_at<V>(polynomial: &[V; NODES], t: f64) -> V
+fn polynomial_at<V>(polynomial: &[V; NODES], t: f64) -> V
 where
     V: Copy + Default + Add<Output = V> + Mul<f64, Output = V>,
 {
     let powers = polynomial.iter().rev();
     powers.fold(V::default(), |sum, &power| sum * t + power)
+}
+
+/// Part of a range with the polynomial that a function has there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cell<V> {
+    pub(crate) begin: f64,
+    pub(crate) end: f64,
+    pub(crate) middle: f64,
+    /// One over half its width.
+    pub(crate) per_half: f64,
+    /// In t ∈ \[−1, 1\], lowest power first.
+    pub(crate) polynomial: [V; NODES],
+    /// Whether it is the function between its nodes, too.
+    pub(crate) holds: bool,
+}
+
+/// How a range is cut into cells.
+pub(crate) struct Cut {
+    /// Equal cells to begin with.
+    pub(crate) first_cells: usize,
+    /// How often a cell may be halved.
+    pub(crate) most_halvings: u32,
+    /// Places t between the nodes of a cell at which its polynomial must hold.
+    pub(crate) checks: [f64; 5],
+}
+
+impl<V> Cell<V>
+where
+    V: Copy + Default + Sum + Add<Output = V> + AddAssign + Mul<f64, Output = V>,
+{
+    /// Cells over a range, in order and without gaps, which are halved until `holds` says so of the value of the function and that
+    /// of the polynomial at each check, or as often as they may be.
+    pub(crate) fn table(
+        f: impl Fn(f64) -> V,
+        [from, to]: [f64; 2],
+        cut: &Cut,
+        holds: impl Fn(V, V) -> bool,
+    ) -> Vec<Self> {
+        let end = |cell: usize| from + (to - from) * cell as f64 / cut.first_cells as f64;
+        let mut cells = Vec::new();
+        for cell in 0..cut.first_cells {
+            Self::divide(&f, [end(cell), end(cell + 1)], (cut.most_halvings, &cut.checks), &holds, &mut cells);
+        }
+        cells
+    }
+
+    fn divide(
+        f: &impl Fn(f64) -> V,
+        [begin, end]: [f64; 2],
+        (halvings, checks): (u32, &[f64; 5]),
+        holds: &impl Fn(V, V) -> bool,
+        cells: &mut Vec<Self>,
+    ) {
+        let (middle, half) = (0.5 * (begin + end), 0.5 * (end - begin));
+        let at = |t: f64| f(middle + half * t);
+        let polynomial = through_nodes(at);
+        let holds_here = checks.iter().all(|&t| holds(at(t), polynomial_at(&polynomial, t)));
+        if holds_here || halvings == 0 {
+            cells.push(Self { begin, end, middle, per_half: 1.0 / half, polynomial, holds: holds_here });
+            return;
+        }
+        for ends in [[begin, middle], [middle, end]] {
+            Self::divide(f, ends, (halvings - 1, checks), holds, cells);
+        }
+    }
+
+    /// Value of the polynomial.
+    #[inline]
+    pub(crate) fn at(&self, place: f64) -> V {
+        polynomial_at(&self.polynomial, (place - self.middle) * self.per_half)
+    }
 }
 
 #[cfg(test)]

@@ -6,14 +6,11 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::{Frequencies, Receptance};
-use crate::numerics::chebyshev::{NODES, polynomial_at, through_nodes};
+use crate::numerics::chebyshev::{Cell, Cut, NODES};
 use crate::tile::{SplitComplex, TILE, Tile};
 
-/// Equal cells to begin with.
-const FIRST_CELLS: usize = 64;
-/// How often a cell may be halved: what is too sharp for the smallest is a resonance without loss,
-/// and is left to the source.
-const MOST_HALVINGS: u32 = 10;
+/// What is too sharp for the smallest cell is a resonance without loss, and is left to the source. The ends of cells are checked, too.
+const CUT: Cut = Cut { first_cells: 64, most_halvings: 10, checks: [-1.0, -0.56, 0.07, 0.7, 1.0] };
 
 /// Copy of a receptance that depends on frequency alone, interpolated to a stated accuracy.
 ///
@@ -23,26 +20,15 @@ const MOST_HALVINGS: u32 = 10;
 /// is within the tolerance. A cell that never holds it, which takes a resonance without loss, asks the
 /// source instead, so that the table is as good as its tolerance everywhere. Neighbouring points of
 /// a row of wavelengths lie in one cell and are evaluated together, in the widest vector instructions
-/// of the machine. Cost: 13 receptances and 160 bytes a cell, some hundred cells for 1e-9 over two
+/// of the machine. Cost: 13 receptances and 170 bytes a cell, some hundred cells for 1e-9 over two
 /// decades of a periodic track, some fifty more for each resonance without loss; one square root and
 /// seven multiply-adds for each part of a value.
 #[derive(Clone)]
 pub struct Tabulated {
     source: Arc<dyn Receptance>,
-    /// In order of frequency, without gaps.
-    cells: Vec<Cell>,
+    /// Over √ω.
+    cells: Vec<Cell<Complex64>>,
     arch: Arch,
-}
-
-/// A part of the range.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Cell {
-    /// √ω at the lower end.
-    begin: f64,
-    /// √ω at the upper end.
-    end: f64,
-    /// Coefficients in t ∈ \[−1, 1\], lowest power first; `None` if the source is to be asked.
-    polynomial: Option<[Complex64; NODES]>,
 }
 
 impl Tabulated {
@@ -50,12 +36,10 @@ impl Tabulated {
     /// relative `tolerance`.
     pub fn new(source: Arc<dyn Receptance>, lowest: f64, highest: f64, tolerance: f64) -> Self {
         let (lowest, highest) = (lowest.sqrt(), highest.sqrt());
-        let end = |cell: usize| lowest + (highest - lowest) * cell as f64 / FIRST_CELLS as f64;
-        let mut cells = Vec::new();
-        for cell in 0..FIRST_CELLS {
-            let ends = (end(cell), end(cell + 1));
-            divide(&*source, ends, tolerance, MOST_HALVINGS, &mut cells);
-        }
+        let value = |root: f64| source.receptance(root * root, 0.0);
+        // False where either is not a number.
+        let holds = |exact: Complex64, value: Complex64| (value - exact).norm() <= tolerance * exact.norm();
+        let cells = Cell::table(value, [lowest, highest], &CUT, holds);
         Self { source, cells, arch: Arch::new() }
     }
 
@@ -75,28 +59,26 @@ impl Tabulated {
         let mut index = self.cell(roots[0]);
         let mut done = 0;
         while done < TILE {
-            if !self.cells[index].holds(roots[done]) {
+            if !contains(&self.cells[index], roots[done]) {
                 index = self.next(index, roots[done]);
             }
             let cell = &self.cells[index];
             // At least one, or a point outside the table would never be done.
-            let run = 1 + roots[done + 1..].iter().take_while(|&&root| cell.holds(root)).count();
+            let run = 1 + roots[done + 1..].iter().take_while(|&&root| contains(cell, root)).count();
             let points = done..done + run;
             done += run;
-            let Some(polynomial) = &cell.polynomial else {
+            if !cell.holds {
                 for j in points {
                     let value = self.source.receptance(frequencies.angular[j], 0.0);
                     (receptances.re[j], receptances.im[j]) = (value.re, value.im);
                 }
                 continue;
-            };
-            let middle = cell.middle();
-            let per_half = cell.per_half();
+            }
             let places = &roots[points.clone()];
-            let re = polynomial.map(|c| c.re);
-            let im = polynomial.map(|c| c.im);
-            horner(&re, middle, per_half, places, &mut receptances.re[points.clone()]);
-            horner(&im, middle, per_half, places, &mut receptances.im[points]);
+            let re = cell.polynomial.map(|c| c.re);
+            let im = cell.polynomial.map(|c| c.im);
+            horner(&re, cell, places, &mut receptances.re[points.clone()]);
+            horner(&im, cell, places, &mut receptances.im[points]);
         }
     }
 
@@ -104,71 +86,29 @@ impl Tabulated {
     #[inline(always)]
     fn next(&self, index: usize, root: f64) -> usize {
         let below = index.saturating_sub(1);
-        if self.cells[below].holds(root) {
+        if contains(&self.cells[below], root) {
             return below;
         }
         self.cell(root)
     }
 }
 
+/// Whether a cell has a √ω, its ends included.
+#[inline(always)]
+fn contains(cell: &Cell<Complex64>, root: f64) -> bool {
+    cell.begin <= root && root <= cell.end
+}
+
 /// A real polynomial at many places.
 #[inline(always)]
-fn horner(
-    [c0, c1, c2, c3, c4, c5, c6, c7]: &[f64; NODES],
-    middle: f64,
-    per_half: f64,
-    places: &[f64],
-    values: &mut [f64],
-) {
+fn horner([c0, c1, c2, c3, c4, c5, c6, c7]: &[f64; NODES], cell: &Cell<Complex64>, places: &[f64], values: &mut [f64]) {
     for (value, place) in values.iter_mut().zip(places) {
-        let t = (place - middle) * per_half;
+        let t = (place - cell.middle) * cell.per_half;
         let t2 = t * t;
         let even = c0 + (c2 + (c4 + c6 * t2) * t2) * t2;
         let odd = c1 + (c3 + (c5 + c7 * t2) * t2) * t2;
         *value = even + odd * t;
     }
-}
-
-impl Cell {
-    #[inline(always)]
-    fn holds(&self, root: f64) -> bool {
-        self.begin <= root && root <= self.end
-    }
-
-    #[inline(always)]
-    fn middle(&self) -> f64 {
-        0.5 * (self.begin + self.end)
-    }
-
-    /// dt/d√ω.
-    #[inline(always)]
-    fn per_half(&self) -> f64 {
-        2.0 / (self.end - self.begin)
-    }
-}
-
-/// One cell, or its two halves where it does not hold the tolerance.
-fn divide(source: &dyn Receptance, (begin, end): (f64, f64), tolerance: f64, halvings: u32, cells: &mut Vec<Cell>) {
-    /// Points between the nodes, the ends of the cell among them.
-    const CHECKS: [f64; 5] = [-1.0, -0.56, 0.07, 0.7, 1.0];
-    let (middle, half) = (0.5 * (begin + end), 0.5 * (end - begin));
-    let at = |t: f64| {
-        let root = middle + half * t;
-        source.receptance(root * root, 0.0)
-    };
-    let polynomial = through_nodes(at);
-    let holds = CHECKS.iter().all(|&t| {
-        let exact = at(t);
-        let value = polynomial_at(&polynomial, t);
-        // False where either is not a number.
-        (value - exact).norm() <= tolerance * exact.norm()
-    });
-    if !holds && halvings > 0 {
-        divide(source, (begin, middle), tolerance, halvings - 1, cells);
-        divide(source, (middle, end), tolerance, halvings - 1, cells);
-        return;
-    }
-    cells.push(Cell { begin, end, polynomial: holds.then_some(polynomial) });
 }
 
 impl Receptance for Tabulated {
@@ -177,11 +117,10 @@ impl Receptance for Tabulated {
     fn receptance(&self, angular_frequency: f64, _speed: f64) -> Complex64 {
         let root = angular_frequency.sqrt();
         let cell = &self.cells[self.cell(root)];
-        let Some(polynomial) = &cell.polynomial else {
-            return self.source.receptance(angular_frequency, 0.0);
-        };
-        let t = (root - cell.middle()) * cell.per_half();
-        polynomial_at(polynomial, t)
+        match cell.holds {
+            true => cell.at(root),
+            false => self.source.receptance(angular_frequency, 0.0),
+        }
     }
 
     fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
