@@ -2,14 +2,15 @@
 
 use num_complex::Complex64;
 
-/// Moves approximate roots of a polynomial of leading coefficient one onto its roots, as many as its degree.
+/// Moves approximate roots of a polynomial of leading coefficient one onto its roots, as many as its degree; false if they do not
+/// settle.
 ///
 /// Method: Weierstrass (1903), Durand (1960) and Kerner (1966), zᵢ − p(zᵢ)/Πₖ(zᵢ − zₖ), each root from the newest of the
 /// others; quadratic near simple roots. The polynomial comes as a function, in the form that cancels least: roots of
 /// very different size each keep their digits. Guesses near the real axis are first moved off it, as the iteration
 /// could not find a complex pair from there. Error: that of the polynomial's value over its slope; half the digits where
 /// two roots coincide. Cost: some five evaluations a root from good guesses.
-pub(crate) fn polish(polynomial: impl Fn(Complex64) -> Complex64, roots: &mut [Complex64]) {
+pub(crate) fn polish(polynomial: impl Fn(Complex64) -> Complex64, roots: &mut [Complex64]) -> bool {
     /// Enough from any guess seen in tests by a factor of three.
     const SWEEPS: usize = 200;
     /// Steps below this only move roundings.
@@ -34,10 +35,11 @@ pub(crate) fn polish(polynomial: impl Fn(Complex64) -> Complex64, roots: &mut [C
         }
         let largest = largest.sqrt();
         if largest <= ROUNDING || (largest <= CLOSE && largest >= 0.5 * before) {
-            return;
+            return true;
         }
         before = largest;
     }
+    false
 }
 
 #[cfg(test)]

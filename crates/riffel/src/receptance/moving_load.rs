@@ -6,6 +6,7 @@ use super::waves::Waveguide;
 use super::{Beam, ContinuousTrack, Layer, Receptance, Support};
 use crate::Error;
 use crate::numerics::golden_section::golden_section;
+use crate::numerics::simultaneous_roots::polish;
 
 /// An infinite rail, free or on one or two layers spread evenly, under an oscillating load that
 /// travels at the speed V.
@@ -19,7 +20,7 @@ use crate::numerics::golden_section::golden_section;
 /// Method: D is a ratio of polynomials in α, P/N, of degree four for a free rail or one layer and of
 /// six for two layers with sleepers (the sleepers, which move each on its own, add two roots that
 /// matter little). All roots at once by the iteration of Weierstrass (1891) from those at rest, to
-/// 1e-13 (two roots close to each other, as near cut-on, to the square root of rounding); then
+/// rounding (two roots close to each other, as near cut-on, to the square root of it); then
 /// H = Σ N/P'. A root is ahead if Re α < 0; on the imaginary axis, which needs a track
 /// without any loss, by the limit of vanishing damping: the sign of d(Re α) for ω → ω − i0. A
 /// search that does not settle gives NaN. Cost: some two microseconds for two layers.
@@ -152,7 +153,8 @@ impl MovingLoadTrack {
         for (j, root) in start.iter_mut().enumerate() {
             *root *= Complex64::cis(0.02 * (j + 1) as f64);
         }
-        p.roots_from(start)
+        let leading = p.coefficients[p.degree()];
+        polish(|a| p.at(a) / leading, &mut start).then_some(start)
     }
 }
 
@@ -242,42 +244,6 @@ impl Polynomial {
 
     fn degree(&self) -> usize {
         self.coefficients.iter().rposition(|c| *c != Complex64::ZERO).unwrap_or(0)
-    }
-
-    /// Size of the rounding in [`at`](Self::at): the sum of the moduli of its terms, times some
-    /// roundings.
-    fn rounding(&self, a: Complex64) -> f64 {
-        let size = a.norm();
-        let sum = self.coefficients.iter().rev().fold(0.0, |sum, c| sum * size + c.norm());
-        8.0 * f64::EPSILON * sum
-    }
-
-    /// All roots by simultaneous Newton steps from rough ones, as many as the degree.
-    ///
-    /// A root has settled if its step is within some roundings of it, or, as for one of two close
-    /// roots, if the polynomial there is within its own rounding.
-    fn roots_from(&self, mut roots: Vec<Complex64>) -> Option<Vec<Complex64>> {
-        const TOLERANCE: f64 = 1e-13; // some 500 roundings: beyond it the iteration stirs noise
-        const MOST_ITERATIONS: usize = 200;
-        let leading = self.coefficients[self.degree()];
-        for _ in 0..MOST_ITERATIONS {
-            let mut settled = true;
-            for j in 0..roots.len() {
-                let a = roots[j];
-                let product: Complex64 =
-                    roots.iter().enumerate().filter(|&(i, _)| i != j).map(|(_, &other)| a - other).product();
-                let value = self.at(a);
-                let step = value / (leading * product);
-                if step.norm() > TOLERANCE * a.norm() && value.norm() > self.rounding(a) {
-                    roots[j] = a - step;
-                    settled = false;
-                }
-            }
-            if settled {
-                return Some(roots);
-            }
-        }
-        None
     }
 }
 
