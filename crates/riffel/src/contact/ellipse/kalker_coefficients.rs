@@ -2,6 +2,7 @@
 
 use super::kalker_table::{COEFFICIENTS, POISSON_RATIOS, ROW_OF_THE_CIRCLE, ROWS_TO_A_DECADE};
 use crate::Error;
+use crate::numerics::cubic::{cubic_at, hermite};
 
 /// Kalker's creep coefficients of the linear theory of rolling contact \[-\].
 ///
@@ -106,11 +107,8 @@ impl Place {
     fn interpolate(&self, coefficient: usize, column: usize) -> f64 {
         let value = |row: usize| COEFFICIENTS[row][coefficient][column].ln();
         let slope = |row: usize| (value(row - 2) - 8.0 * value(row - 1) + 8.0 * value(row + 1) - value(row + 2)) / 12.0;
-        let (t, rest) = (self.fraction, 1.0 - self.fraction);
-        let (below, above) = (self.row, self.row + 1);
-        let logarithm = rest * rest * ((1.0 + 2.0 * t) * value(below) + t * slope(below))
-            + t * t * ((1.0 + 2.0 * rest) * value(above) - rest * slope(above));
-        logarithm.exp()
+        let ends = [self.row, self.row + 1];
+        cubic_at(hermite(ends.map(value), ends.map(slope)), self.fraction).exp()
     }
 }
 
