@@ -201,11 +201,6 @@ impl ContactGap {
         self.side
     }
 
-    /// Whether the rail goes on at both places y \[m\], and the wheel above them.
-    pub fn goes_beyond(&self, ends: [f64; 2]) -> bool {
-        ends.into_iter().all(|y| self.rail.at(self.side * y).is_some() && self.x_wheel(y).is_some())
-    }
-
     /// From distances across the track, outward from its middle without the shift of the wheelset, and below the axle's
     /// middle to y outward and height in the plane.
     fn in_plane(&self, across: f64, down: f64) -> (f64, f64) {

@@ -133,11 +133,6 @@ impl EllipticContact {
     pub fn stiffness(&self) -> f64 {
         self.ellipse.stiffness(self.normal_force)
     }
-
-    /// Derivative of the contact stiffness by the normal force, (3P/2δ)/(3P) = 1/(2δ) \[1/m\].
-    pub fn stiffness_derivative(&self) -> f64 {
-        0.5 / self.approach()
-    }
 }
 
 /// Contact modulus E\* \[Pa\] of two bodies: 1/E\* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
@@ -258,7 +253,7 @@ mod tests {
 
         /// Central differences with a relative step of 1e-4: truncation 1e-9, rounding 1e-11.
         #[test]
-        fn stiffness_and_its_derivative_are_slopes(
+        fn stiffness_is_a_slope(
             along in 0.1..50.0f64, across in 0.1..50.0f64, force in 1.0..2e5f64,
         ) {
             let contact = on_rail(along, across, force);
@@ -267,11 +262,6 @@ mod tests {
             let lower = contact.under(force - step).unwrap();
             assert_relative_eq!(
                 contact.stiffness(), 2.0 * step / (higher.approach() - lower.approach()),
-                max_relative = 1e-8
-            );
-            assert_relative_eq!(
-                contact.stiffness_derivative(),
-                (higher.stiffness() - lower.stiffness()) / (2.0 * step),
                 max_relative = 1e-8
             );
         }

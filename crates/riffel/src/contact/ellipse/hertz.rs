@@ -229,11 +229,6 @@ impl HertzContact {
         self.stiffening * hertz
     }
 
-    /// Derivative dk_H/dP = k_H/(3P₀) of the stiffness by the normal force \[1/m\].
-    pub fn stiffness_derivative(&self) -> f64 {
-        self.stiffness() / (3.0 * self.normal_force)
-    }
-
     /// Approach δ of wheel and rail \[m\]; in the closed form that of the equivalent sphere,
     /// δ = 3P₀/(2k_H), 0.7 % large for the paper's contact.
     pub fn approach(&self) -> f64 {
@@ -287,9 +282,6 @@ mod tests {
                 2f64.cbrt(),
                 max_relative = 1e-12
             );
-            let step = 1.0 + 1e-6;
-            let slope = stiffer.under(60e3 * step).stiffness() - stiffer.stiffness();
-            assert_relative_eq!(slope / 0.06, stiffer.stiffness_derivative(), max_relative = 1e-5);
         }
         assert!(HertzContact::radii_of_ellipse(steel, [0.0, 5e-3], 60e3).is_err());
         assert!(sphere(60e3).with_stiffness(f64::NAN).is_err());
@@ -344,7 +336,6 @@ mod tests {
             HertzContact::axis_ratio,
             HertzContact::equivalent_radius,
             HertzContact::stiffness,
-            HertzContact::stiffness_derivative,
             HertzContact::approach,
             HertzContact::peak_pressure,
         ] {

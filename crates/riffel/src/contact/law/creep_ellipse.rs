@@ -82,11 +82,6 @@ impl CreepEllipse {
         }
     }
 
-    /// Largest contact pressure 3P/2πab of Hertz \[Pa\].
-    pub fn largest_pressure(&self) -> f64 {
-        1.5 * self.normal_force / self.area()
-    }
-
     /// Area πab of the ellipse \[m²\].
     pub fn area(&self) -> f64 {
         PI * self.semi_axis_longitudinal * self.semi_axis_lateral

@@ -99,10 +99,4 @@ impl TractionDistribution {
     pub fn energy_per_metre(&self) -> f64 {
         self.cells.iter().map(|cell| cell.area * cell.energy_density()).sum()
     }
-
-    /// Share of the patch that sticks \[-\].
-    pub fn stick_share(&self) -> f64 {
-        let area = |cells: &mut dyn Iterator<Item = &ContactCell>| -> f64 { cells.map(|cell| cell.area).sum() };
-        area(&mut self.cells.iter().filter(|cell| cell.sticks)) / area(&mut self.cells.iter())
-    }
 }
