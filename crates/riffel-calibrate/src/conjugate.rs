@@ -1,9 +1,9 @@
 //! The closed forms of `validation/calibration/conjugate.json`, for tests.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel::numerics::distribution::Distribution;
 use riffel::numerics::matrix::Matrix;
 use riffel::numerics::random_numbers::normal;
-use riffel_study::Distribution;
 use serde_json::Value;
 
 use crate::data::{Block, Conditional, Group, Place, sums};
@@ -146,12 +146,7 @@ impl U1 {
         let parameters = known.enumerate().map(|(place, known)| Parameter {
             name: format!("value {place}"),
             unit: String::new(),
-            prior: Prior::Of(Distribution::Normal {
-                mean: known.mean,
-                standard_deviation: known.precision.powf(-0.5),
-                min: f64::NEG_INFINITY,
-                max: f64::INFINITY,
-            }),
+            prior: Prior::Of(Distribution::normal(known.mean, known.precision.powf(-0.5))),
             ends: [f64::NEG_INFINITY, f64::INFINITY],
             role: Role::Size,
             in_data: None,
@@ -240,8 +235,7 @@ impl Modes {
     pub(crate) const LOG_EVIDENCE: f64 = -2.466_639_278_450_632;
 
     pub(crate) fn posterior() -> Posterior {
-        let prior =
-            Distribution::Normal { mean: 0.0, standard_deviation: 1.0, min: f64::NEG_INFINITY, max: f64::INFINITY };
+        let prior = Distribution::normal(0.0, 1.0);
         let parameter = |name: &str| Parameter {
             name: name.to_owned(),
             unit: String::new(),

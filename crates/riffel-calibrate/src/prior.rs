@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use riffel_study::Distribution;
+use riffel::numerics::distribution::Distribution;
 
 /// What was known of a value before anything was measured. The sampler moves on the whole line:
 ///
@@ -43,12 +43,7 @@ impl Prior {
     pub fn ends(&self) -> [f64; 2] {
         match *self {
             Self::HalfNormal(_) => [0.0, f64::INFINITY],
-            Self::Of(
-                Distribution::Uniform { min, max }
-                | Distribution::Normal { min, max, .. }
-                | Distribution::Lognormal { min, max, .. }
-                | Distribution::Triangular { min, max, .. },
-            ) => [min, max],
+            Self::Of(distribution) => distribution.ends(),
         }
     }
 
@@ -156,11 +151,10 @@ mod tests {
     use super::*;
 
     fn priors() -> [Prior; 5] {
-        let (min, max) = (f64::NEG_INFINITY, f64::INFINITY);
         [
             Prior::HalfNormal(0.15),
-            Prior::Of(Distribution::Lognormal { log_mean: 3.0, log_deviation: 0.4, min: 0.0, max }),
-            Prior::Of(Distribution::Normal { mean: 30.0, standard_deviation: 2.0, min, max }),
+            Prior::Of(Distribution::Lognormal { log_mean: 3.0, log_deviation: 0.4, min: 0.0, max: f64::INFINITY }),
+            Prior::Of(Distribution::normal(30.0, 2.0)),
             Prior::Of(Distribution::Uniform { min: 0.05, max: 0.95 }),
             Prior::Of(Distribution::Triangular { min: 1.0, mode: 2.0, max: 5.0 }),
         ]

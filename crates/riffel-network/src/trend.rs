@@ -1,6 +1,7 @@
 //! Straight lines through the levels of a section over its surveys.
 
 use riffel::diagnosis::first_since_ground;
+use riffel::numerics::normal_distribution::HALF_OF_80;
 
 /// Two surveys no farther apart are repeats \[years\]: in a week no rail grows by what a survey shows.
 const REPEATED: f64 = 7.0 / 365.2425;
@@ -8,8 +9,6 @@ const REPEATED: f64 = 7.0 / 365.2425;
 const LEAST_SCATTER: f64 = 0.5;
 /// Standard deviations of an interval of 95 %.
 const INTERVAL: f64 = 2.0;
-/// Standard deviations of one end of an interval of 80 %.
-const OF_80: f64 = 1.281_551_565_545;
 /// Standard deviation over the median deviation of a normal distribution.
 const OF_MEDIAN: f64 = 1.4826;
 
@@ -74,7 +73,7 @@ impl Trend {
         let slope = self.growth()?;
         let (mean, _, spread) = self.means();
         let weight = (self.points.last()?.0 - mean) / spread;
-        let square = (OF_80 * scatter).powi(2);
+        let square = (HALF_OF_80 * scatter).powi(2);
         let rises = slope.powi(2) - square / spread;
         let half = rise * slope + square * weight;
         let now = rise.powi(2) - square;

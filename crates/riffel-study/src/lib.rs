@@ -21,7 +21,6 @@
 
 mod correlation;
 pub mod design;
-mod distribution;
 mod error;
 mod fingerprint;
 mod outputs;
@@ -34,7 +33,6 @@ mod shard;
 mod study;
 
 pub use design::Design;
-pub use distribution::Distribution;
 pub use error::StudyError;
 pub use outputs::{Band, Dimension, Outputs, Variable, WaveQuantity};
 pub use parameter::{Parameter, ParameterValue, Spread};

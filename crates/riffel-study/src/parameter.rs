@@ -2,11 +2,10 @@
 
 use std::fmt;
 
+use riffel::numerics::distribution::Distribution;
 use riffel_case::{CaseKey, Setting};
 use serde::Serialize;
 use toml::Value;
-
-use crate::Distribution;
 
 /// A key of the case, and the values it takes.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,12 +1,13 @@
 //! A site: its folder with the case, the traffic, what is published and what had to be chosen.
 
+use riffel::numerics::normal_distribution::quantile;
 use riffel_answers::AnswerError;
 use riffel_case::Case;
 use riffel_keys::{CaseError, KeyFile};
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
-use super::draw::{draw, normal_quantile};
+use super::draw::draw;
 
 /// A site as its `site.toml` tells it.
 #[derive(Debug, Clone, Deserialize)]
@@ -134,9 +135,7 @@ impl Choice {
             }
             Self { min: Some(min), max: Some(max), logarithmic: true, .. } => min * (max / min).powf(draw),
             Self { min: Some(min), max: Some(max), .. } => min + draw * (max - min),
-            Self { mean: Some(mean), standard_deviation: Some(deviation), .. } => {
-                mean + deviation * normal_quantile(draw)
-            }
+            Self { mean: Some(mean), standard_deviation: Some(deviation), .. } => mean + deviation * quantile(draw),
             _ => {
                 let message = format!(
                     "the choice `{}` is no distribution: give min and max, mean and standard_deviation, or values",

@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
-use riffel::forecast::Distribution;
+use riffel::forecast::WheelValues;
+use riffel::numerics::distribution::Distribution;
 use riffel_keys::quantity::{Dimension, Kind, Quantity, Ratio};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
@@ -126,13 +127,13 @@ pub(super) enum Values {
 }
 
 impl<D: Dimension> Spread<D> {
-    /// The distribution of a key of the traffic file.
+    /// The values of a key of the traffic file.
     ///
     /// # Errors
     /// [`CaseError`] with key, value and rule.
-    pub(super) fn distribution(&self, source: &KeyFile, key: &str, values: Values) -> Result<Distribution, CaseError> {
+    pub(super) fn values(&self, source: &KeyFile, key: &str, allowed: Values) -> Result<WheelValues, CaseError> {
         let refused = |error: riffel::Error| source.invalid(key, &error, "");
-        let distribution = match self {
+        let values = match self {
             Self::Shares(list) => {
                 if list.is_empty() {
                     let help = "give one { value, share } or more";
@@ -140,46 +141,48 @@ impl<D: Dimension> Spread<D> {
                 }
                 sums_to_one(source, key, list.iter().map(|entry| entry.share.si()))?;
                 let list: Vec<(f64, f64)> = list.iter().map(|entry| (entry.value.si(), entry.share.si())).collect();
-                Distribution::shares(&list)
+                WheelValues::shares(&list)
             }
             Self::Ends(SpreadEnds { mean: Some(mean), standard_deviation: Some(deviation), min: None, max: None }) => {
-                Distribution::normal(mean.si(), deviation.si())
+                WheelValues::normal(mean.si(), deviation.si())
             }
             Self::Ends(SpreadEnds { mean: None, standard_deviation: None, min: Some(min), max: Some(max) }) => {
-                Distribution::even(min.si(), max.si())
+                WheelValues::even(min.si(), max.si())
             }
             Self::Ends(_) => {
                 let rule = "is neither { mean, standard_deviation } nor { min, max }";
                 return Err(source.invalid(key, rule, say!(give_both_keys_of_one_of)));
             }
         };
-        let distribution = distribution.map_err(refused)?;
-        let lowest = distribution.lowest();
-        match values {
+        let values = values.map_err(refused)?;
+        let [lowest, _] = values.reach();
+        match allowed {
             Values::Positive if lowest <= 0.0 => {
                 let rule = say!(goes_down_to_but_every_value, value = Quantity::<D>::new(lowest));
-                let help = match distribution {
-                    Distribution::Normal { .. } => "the standard deviation must be less than a quarter of the mean",
+                let help = match values {
+                    WheelValues::Spread(Distribution::Normal { .. }) => {
+                        "the standard deviation must be less than a quarter of the mean"
+                    }
                     _ => "",
                 };
                 Err(source.invalid(key, &rule, help))
             }
-            _ => Ok(distribution),
+            _ => Ok(values),
         }
     }
 }
 
-/// The distribution of a key of the case, at its place in the traffic file: numbers are read as its quantity.
+/// The values of a key of the case, at its place in the traffic file: numbers are read as its quantity.
 ///
 /// # Errors
 /// [`CaseError`] with key, value and rule.
-pub(super) fn of_key(source: &KeyFile, at: &str, kind: Kind, value: &Value) -> Result<Distribution, CaseError> {
+pub(super) fn of_key(source: &KeyFile, at: &str, kind: Kind, value: &Value) -> Result<WheelValues, CaseError> {
     let in_si = in_si(source, at, kind, value)?;
     let spread: Spread<Ratio> = in_si.try_into().map_err(|_| {
         let rule = say!(is_no_spread_give_mean_and, name = kind.name, example = kind.example);
         source.invalid(at, &rule, "")
     })?;
-    spread.distribution(source, at, Values::Any)
+    spread.values(source, at, Values::Any)
 }
 
 /// A value with every number of it but shares in SI.

@@ -1,6 +1,6 @@
 //! What is spread over the wheels of a vehicle besides its speed, and what each spread does to growth.
 
-use riffel::forecast::Distribution;
+use riffel::forecast::WheelValues;
 use riffel_keys::{CaseError, KeyFile, say};
 use toml::Value;
 
@@ -13,7 +13,7 @@ use crate::file::setting::{Setting, settings, settings_until};
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Spreads {
     /// Of the contacts across the rail, from the line under study \[m\]; `None` if all run on it.
-    pub(super) lateral_position: Option<Distribution>,
+    pub(super) lateral_position: Option<WheelValues>,
     /// Of keys of the case.
     pub(super) of_keys: Vec<SpreadOfKey>,
 }
@@ -32,7 +32,7 @@ pub(super) struct SpreadOfKey {
 #[derive(Debug, Clone, PartialEq)]
 enum ValuesOfKey {
     /// Of a quantity.
-    Numbers(Distribution),
+    Numbers(WheelValues),
     /// Of a key that takes a name, as that of a profile, each with its share.
     Names(Vec<(String, f64)>),
 }
@@ -40,7 +40,7 @@ enum ValuesOfKey {
 impl ValuesOfKey {
     fn is_single(&self) -> bool {
         match self {
-            Self::Numbers(distribution) => distribution.is_single(),
+            Self::Numbers(values) => values.is_single(),
             Self::Names(names) => names.len() == 1,
         }
     }
@@ -48,7 +48,7 @@ impl ValuesOfKey {
     /// The mean, or the name that is met most.
     fn middle(&self) -> Value {
         match self {
-            Self::Numbers(distribution) => Value::Float(distribution.mean()),
+            Self::Numbers(values) => Value::Float(values.mean()),
             Self::Names(names) => {
                 let most = names.iter().max_by(|one, other| one.1.total_cmp(&other.1));
                 Value::String(most.map_or(String::new(), |it| it.0.clone()))
@@ -59,8 +59,8 @@ impl ValuesOfKey {
     /// Values with their shares, by a rule of quadrature where there is no list of them.
     fn nodes(&self, rule: usize) -> Vec<(Value, f64)> {
         match self {
-            Self::Numbers(distribution) => {
-                let nodes = distribution.nodes(rule).into_iter();
+            Self::Numbers(values) => {
+                let nodes = values.nodes(rule).into_iter();
                 nodes.map(|(value, share)| (Value::Float(value), share)).collect()
             }
             Self::Names(names) => {
@@ -74,7 +74,7 @@ impl ValuesOfKey {
 impl SpreadOfKey {
     /// Whether its values are listed one by one, which takes no rule of quadrature.
     pub(super) fn is_listed(&self) -> bool {
-        matches!(self.values, ValuesOfKey::Names(_) | ValuesOfKey::Numbers(Distribution::Shares(_)))
+        matches!(self.values, ValuesOfKey::Names(_) | ValuesOfKey::Numbers(WheelValues::Shares(_)))
     }
 
     /// `friction`, or a key of the case.
@@ -152,31 +152,31 @@ impl Spreads {
             return Err(source.invalid(&at(own), &rule, say!(give_one_of_the_two)));
         }
         let mut of_keys = Vec::new();
-        let mut shorthand = |own: &str, key: &str, distribution: Distribution| {
+        let mut shorthand = |own: &str, key: &str, values: WheelValues| {
             of_keys.push(SpreadOfKey {
                 own: own.to_owned(),
                 key: key.to_owned(),
-                values: ValuesOfKey::Numbers(distribution),
+                values: ValuesOfKey::Numbers(values),
             });
         };
         if let Some(radius) = &vehicle.wheel_radius {
             let at = at("wheel_radius");
-            shorthand("wheel_radius", WHEEL_RADIUS, radius.distribution(source, &at, Values::Positive)?);
+            shorthand("wheel_radius", WHEEL_RADIUS, radius.values(source, &at, Values::Positive)?);
         }
         if let Some(load) = &vehicle.load {
-            shorthand("load", LOAD, load.distribution(source, &at("load"), Values::Positive)?);
+            shorthand("load", LOAD, load.values(source, &at("load"), Values::Positive)?);
         }
         if let Some(friction) = &vehicle.friction {
             let at = at("friction");
-            shorthand("friction", FRICTION, friction.distribution(source, &at, Values::Positive)?);
+            shorthand("friction", FRICTION, friction.values(source, &at, Values::Positive)?);
         }
         let given = settings(&vehicle.set);
         let spread = settings(&vehicle.spread);
         let says_friction = vehicle.friction.is_some() || given.iter().chain(&spread).any(|it| it.0 == FRICTION);
         if let Some(days) = days.filter(|_| !says_friction) {
-            let distribution = Distribution::log_normal(days.mean.si(), days.factor.si());
-            let distribution = distribution.map_err(|error| source.invalid(FRICTION_DAYS, &error, ""))?;
-            shorthand(FRICTION_DAYS, FRICTION, distribution);
+            let values = WheelValues::log_normal(days.mean.si(), days.factor.si());
+            let values = values.map_err(|error| source.invalid(FRICTION_DAYS, &error, ""))?;
+            shorthand(FRICTION_DAYS, FRICTION, values);
         }
         for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
             let own = format!("spread.{key}");
@@ -197,7 +197,7 @@ impl Spreads {
         }
         Ok(Self {
             lateral_position: (vehicle.lateral_position.as_ref())
-                .map(|it| it.distribution(source, &at("lateral_position"), Values::Any))
+                .map(|it| it.values(source, &at("lateral_position"), Values::Any))
                 .transpose()?,
             of_keys,
         })

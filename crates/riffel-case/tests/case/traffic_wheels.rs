@@ -1,6 +1,7 @@
 //! Vehicles that bring all their wheels, and what is spread over them.
 
 use riffel::forecast::{MeanGrowth, SpeedDistribution};
+use riffel::numerics::normal_distribution::quantile;
 use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, METRO_CURVE_CASE, NOMINAL_CASE, Variant};
 use riffel_keys::CaseError;
@@ -193,28 +194,6 @@ fn friction_of_days_is_that_of_vehicles_that_say_none() {
     }
     let error = refusal(&curve(&[]), &format!("speed.mean = 12{days}"));
     assert!(error.contains("`line.friction_days` is given, but contact.from"), "{error}");
-}
-
-/// Of the standard normal distribution, by bisection on a series of its integral.
-fn quantile(share: f64) -> f64 {
-    let below = |z: f64| {
-        let (mut term, mut sum, mut n) = (z, z, 0.0);
-        while f64::abs(term) > 1e-15 {
-            n += 1.0;
-            term *= -z * z / (2.0 * n);
-            sum += term / (2.0 * n + 1.0);
-        }
-        0.5 + sum / std::f64::consts::TAU.sqrt()
-    };
-    let (mut low, mut high) = (-5.0, 5.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        match below(middle) < share {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    low
 }
 
 /// Contacts that are spread across the rail cover the line in P(|y| ≤ b) of the passages; a band takes 2b/w.

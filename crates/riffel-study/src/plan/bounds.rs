@@ -1,10 +1,10 @@
 //! Whether the case takes the values of a plan, before anything runs.
 
+use riffel::numerics::distribution::Distribution;
 use riffel_case::{Case, Setting};
 use riffel_keys::{CaseError, KeyFile};
 
 use super::Plan;
-use crate::distribution::Distribution;
 use crate::parameter::{Parameter, Spread};
 
 /// Most values of one list that are tried; beyond it the ends and evenly spaced ones between.

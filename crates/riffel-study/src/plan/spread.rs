@@ -2,13 +2,13 @@
 
 use std::collections::HashSet;
 
+use riffel::numerics::distribution::Distribution;
 use riffel_case::CaseKey;
 use riffel_keys::quantity::Kind;
 use riffel_keys::{CaseError, KeyFile, Message, say};
 use toml::Value;
 
 use super::file::{LognormalFile, NormalFile, ParameterFile, RangeFile, Spacing};
-use crate::distribution::Distribution;
 use crate::parameter::{ParameterValue, Spread};
 
 /// Most values of a list or range.

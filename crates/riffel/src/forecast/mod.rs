@@ -15,7 +15,6 @@
 
 mod bend;
 mod cracks;
-mod distribution;
 mod growing_sum;
 mod hardening_wheel;
 mod jackknife;
@@ -29,9 +28,9 @@ mod speed_distribution;
 mod traffic;
 mod wear_fit;
 mod wear_spread;
+mod wheel_values;
 
 pub use cracks::{CrackedPhase, WavePhase};
-pub use distribution::Distribution;
 pub use growing_sum::GrowingSum;
 pub use hardening_wheel::HardeningEnd;
 pub use lines::{LINES_PER_BAND, band_lines};
@@ -42,3 +41,4 @@ pub use speed_distribution::SpeedDistribution;
 pub use traffic::{TrafficGrowth, VehicleGrowth};
 pub use wear_fit::{FittedBand, LARGE_CHANGE, LEAST_PASSAGES, MeasuredChange, WearFit, WearVerdict};
 pub use wear_spread::WearSpread;
+pub use wheel_values::WheelValues;

@@ -1,10 +1,10 @@
 //! How fast the vehicles of a kind run.
 
+use super::WheelValues;
 use crate::Error;
 use crate::cancel::check;
+use crate::numerics::distribution::{Distribution, TAIL};
 
-/// Standard deviations beyond which the tails of a normal distribution are cut off: 6e-5 of the whole.
-const TAIL: f64 = 4.0;
 /// Equal steps over a normal distribution to begin with, a quarter of a standard deviation each.
 const FIRST_STEPS: usize = 32;
 /// How often they may be halved.
@@ -15,17 +15,8 @@ const TOLERANCE: f64 = 1e-3;
 /// Distribution of the speed of passing wheels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpeedDistribution {
-    kind: Kind,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-enum Kind {
-    /// Speeds with weights that sum to one.
-    Shares(Vec<(f64, f64)>),
-    Normal {
-        mean: f64,
-        deviation: f64,
-    },
+    /// Shares, or a normal distribution.
+    values: WheelValues,
 }
 
 /// Means over a distribution of speeds.
@@ -41,8 +32,7 @@ pub(super) struct Means<const N: usize> {
 }
 
 impl SpeedDistribution {
-    /// Most standard deviations that fit between standstill and the mean of a normal distribution are
-    /// refused below this number.
+    /// Least mean of a normal distribution in its standard deviations.
     pub const LEAST_MEAN_IN_DEVIATIONS: f64 = TAIL;
 
     /// A speed \[m/s\] of its own.
@@ -64,8 +54,7 @@ impl SpeedDistribution {
         }
         let sum: f64 = speeds.iter().map(|speed| speed.1).sum();
         Error::unless_positive("sum of the shares of speeds", sum, "")?;
-        let speeds = speeds.iter().map(|&(speed, share)| (speed, share / sum));
-        Ok(Self { kind: Kind::Shares(speeds.collect()) })
+        Ok(Self { values: WheelValues::shares(speeds)? })
     }
 
     /// A normal distribution of a mean and a standard deviation \[m/s\], cut off at four standard deviations;
@@ -77,9 +66,6 @@ impl SpeedDistribution {
     pub fn normal(mean: f64, deviation: f64) -> Result<Self, Error> {
         Error::unless_positive("mean speed", mean, "m/s")?;
         Error::unless_not_negative("standard deviation of the speed", deviation, "m/s")?;
-        if deviation == 0.0 {
-            return Self::single(mean);
-        }
         if TAIL * deviation >= mean {
             return Err(Error::OutOfRange {
                 quantity: "standard deviation of the speed",
@@ -89,44 +75,44 @@ impl SpeedDistribution {
                        standstill",
             });
         }
-        Ok(Self { kind: Kind::Normal { mean, deviation } })
+        Ok(Self { values: WheelValues::normal(mean, deviation)? })
     }
 
     /// Mean \[m/s\].
     pub fn mean(&self) -> f64 {
-        match &self.kind {
-            Kind::Shares(speeds) => speeds.iter().map(|(speed, share)| speed * share).sum(),
-            Kind::Normal { mean, .. } => *mean,
-        }
+        self.values.mean()
     }
 
     /// Standard deviation \[m/s\].
     pub fn deviation(&self) -> f64 {
-        match &self.kind {
-            Kind::Shares(speeds) => {
-                let mean = self.mean();
-                let squares = speeds.iter().map(|(v, share)| share * (v - mean).powi(2));
-                squares.sum::<f64>().sqrt()
-            }
-            Kind::Normal { deviation, .. } => *deviation,
+        if let Some((_, deviation)) = self.normal_law() {
+            return deviation;
         }
+        let mean = self.mean();
+        let squares = self.listed().into_iter().flatten().map(|(v, share)| share * (v - mean).powi(2));
+        squares.sum::<f64>().sqrt()
     }
 
     /// Lowest and highest speed \[m/s\].
     pub fn range(&self) -> (f64, f64) {
-        match &self.kind {
-            Kind::Shares(speeds) => {
-                speeds.iter().fold((f64::INFINITY, 0.0), |(low, high), &(speed, _)| (speed.min(low), speed.max(high)))
-            }
-            Kind::Normal { mean, deviation } => (mean - TAIL * deviation, mean + TAIL * deviation),
-        }
+        self.values.reach().into()
     }
 
     /// The speeds \[m/s\] with their shares where they are listed; none for a normal distribution.
     pub fn listed(&self) -> Option<&[(f64, f64)]> {
-        match &self.kind {
-            Kind::Shares(speeds) => Some(speeds),
-            Kind::Normal { .. } => None,
+        match &self.values {
+            WheelValues::Shares(speeds) => Some(speeds),
+            WheelValues::Spread(_) => None,
+        }
+    }
+
+    /// Mean and standard deviation \[m/s\] of a normal distribution; `None` where speeds are listed.
+    fn normal_law(&self) -> Option<(f64, f64)> {
+        match self.values {
+            WheelValues::Spread(Distribution::Normal { mean, standard_deviation, .. }) => {
+                Some((mean, standard_deviation))
+            }
+            _ => None,
         }
     }
 
@@ -136,13 +122,11 @@ impl SpeedDistribution {
     /// [`Error::OutOfRange`] unless the factor is finite and above zero.
     pub fn scaled(&self, factor: f64) -> Result<Self, Error> {
         Error::unless_positive("factor of the speed", factor, "")?;
-        match &self.kind {
-            Kind::Shares(speeds) => {
-                let speeds: Vec<_> = speeds.iter().map(|&(v, share)| (factor * v, share)).collect();
-                Self::shares(&speeds)
-            }
-            Kind::Normal { mean, deviation } => Self::normal(factor * mean, factor * deviation),
+        if let Some((mean, deviation)) = self.normal_law() {
+            return Self::normal(factor * mean, factor * deviation);
         }
+        let speeds: Vec<_> = self.listed().into_iter().flatten().map(|&(v, share)| (factor * v, share)).collect();
+        Self::shares(&speeds)
     }
 
     /// Speeds \[m/s\] with weights that sum to one, so few that a wheel may be followed through time at each of them: of
@@ -152,9 +136,8 @@ impl SpeedDistribution {
     /// deviation may fall between two of them.
     pub fn nodes(&self) -> Vec<(f64, f64)> {
         const HALVES: i32 = 2 * TAIL as i32;
-        let (mean, deviation) = match &self.kind {
-            Kind::Shares(speeds) => return speeds.clone(),
-            Kind::Normal { mean, deviation } => (*mean, *deviation),
+        let Some((mean, deviation)) = self.normal_law() else {
+            return self.listed().unwrap_or_default().to_vec();
         };
         let at = |half: i32| {
             let z = 0.5 * f64::from(half);
@@ -177,15 +160,13 @@ impl SpeedDistribution {
             check();
             at(speed)
         };
-        let (mean, deviation) = match &self.kind {
-            Kind::Normal { mean, deviation } => (*mean, *deviation),
-            Kind::Shares(speeds) => {
-                let mut sum = WeightedSum::new();
-                for &(speed, share) in speeds {
-                    sum.add(&at(speed), share);
-                }
-                return Means { values: sum.mean(), error: [0.0; N], speeds: speeds.len() };
+        let Some((mean, deviation)) = self.normal_law() else {
+            let speeds = self.listed().unwrap_or_default();
+            let mut sum = WeightedSum::new();
+            for &(speed, share) in speeds {
+                sum.add(&at(speed), share);
             }
+            return Means { values: sum.mean(), error: [0.0; N], speeds: speeds.len() };
         };
         let mut sum = WeightedSum::new();
         let mut add = |sum: &mut WeightedSum<N>, z: f64| {

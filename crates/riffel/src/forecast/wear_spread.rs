@@ -1,5 +1,7 @@
 //! How well a wear coefficient is known, and what that makes of growth.
 
+use crate::numerics::normal_distribution::{HALF_OF_50, HALF_OF_80, HALF_OF_95};
+
 /// A wear coefficient known to a factor: log-normal about the value in use.
 ///
 /// Every growth rate by wear is in proportion to the coefficient, and every time to a level in inverse proportion, so that a band
@@ -9,9 +11,6 @@ pub struct WearSpread {
     /// Standard deviation of ln k_w \[-\].
     deviation: f64,
 }
-
-/// Standard deviations of the normal distribution between which 80 % lies, either way.
-const HALF_OF_80: f64 = 1.281_551_565_544_600_4;
 
 impl WearSpread {
     /// Of a rail whose wear was not measured: 80 % lies within a factor of three either way, as what rails in service lose.
@@ -28,8 +27,6 @@ impl WearSpread {
 
     /// Of a coefficient fitted to two measurements, by its interval of 95 %; none unless all of that lies above zero.
     pub fn of_interval((low, high): (f64, f64)) -> Option<Self> {
-        /// Of the normal distribution.
-        const HALF_OF_95: f64 = 1.959_963_984_540_054;
         (low > 0.0 && high >= low).then(|| Self { deviation: (high / low).ln() / (2.0 * HALF_OF_95) })
     }
 
@@ -46,7 +43,7 @@ impl WearSpread {
 
     /// Interval in which the value lies by half.
     pub fn band_50(self, value: f64) -> [f64; 2] {
-        self.within(0.674_489_750_196_081_7, value)
+        self.within(HALF_OF_50, value)
     }
 
     /// So many standard deviations of the normal distribution either way.
@@ -92,7 +89,7 @@ mod tests {
     /// The interval of 95 % of a factor of 2 is 2^1.96 either way; an interval that reaches zero says nothing.
     #[test]
     fn an_interval_gives_back_its_spread() {
-        let either_way = 2f64.powf(1.959_963_984_540_054);
+        let either_way = 2f64.powf(HALF_OF_95);
         let fitted = WearSpread::of_interval((3.0 / either_way, 3.0 * either_way)).unwrap();
         assert!((fitted.deviation - 2f64.ln()).abs() < 1e-15);
         assert_eq!(WearSpread::of_factor(3.0), WearSpread::UNMEASURED);

@@ -5,6 +5,7 @@
 pub mod bisection;
 pub(crate) mod chebyshev;
 pub mod cubic;
+pub mod distribution;
 pub(crate) mod eigenvalues;
 pub(crate) mod elimination;
 pub(crate) mod gauss;

@@ -2,6 +2,8 @@
 
 use num_complex::Complex64;
 
+use crate::numerics::normal_distribution::HALF_OF_50;
+
 /// Least height of a peak over the higher of the two saddles beside it \[dB\]: less is within what an amplitude
 /// of a hammer test is good to.
 const PROMINENCE: f64 = 1.0;
@@ -103,7 +105,7 @@ fn prominence(levels: &[f64], at: usize) -> f64 {
 /// differences, which a smooth curve leaves small and a few sharp peaks do not move.
 fn scatter(levels: &[f64]) -> f64 {
     /// √(1 + 16 + 36 + 16 + 1), and the median of the modulus of a normal number.
-    const OF_FOURTH_DIFFERENCES: f64 = 8.366_600_265_340_756 * 0.674_489_750_196_081_7;
+    const OF_FOURTH_DIFFERENCES: f64 = 8.366_600_265_340_756 * HALF_OF_50;
     let mut differences: Vec<f64> =
         levels.windows(5).map(|l| (l[0] - 4.0 * l[1] + 6.0 * l[2] - 4.0 * l[3] + l[4]).abs()).collect();
     if differences.is_empty() {

@@ -10,7 +10,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 use riffel::Loop;
-use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowth};
+use riffel::forecast::{MeanGrowth, SpeedDistribution, VehicleGrowth};
+use riffel::numerics::distribution::Distribution;
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, Value, say, shown_speed};
 
