@@ -26,7 +26,7 @@ Signal = npt.NDArray[np.float64]
 
 
 @pytest.fixture(scope="module")
-def felt() -> Signal:
+def signal() -> Signal:
     """20 s of waves of 25 to 400 mm in m/s² with a spread that no axle box would be ashamed of."""
     time = np.arange(20 * RATE) / RATE
     random = np.random.default_rng(5)
@@ -40,18 +40,18 @@ def levels(document: dict[str, Any]) -> Signal:
     return np.array([level["level_db"] for level in rail["spectrum"]])
 
 
-def wave(path: Path, felt: Signal, kind: type) -> Path:
+def wave(path: Path, signal: Signal, kind: type) -> Path:
     """A WAV of SciPy, of 100 m/s² and 360 km/h at full scale."""
-    channels = np.stack([felt / 100.0, np.full(felt.size, 3.6 * SPEED / 360.0)], axis=1)
+    channels = np.stack([signal / 100.0, np.full(signal.size, 3.6 * SPEED / 360.0)], axis=1)
     if kind is not np.float32:
         channels = np.round(channels * np.iinfo(kind).max)
     scipy.io.wavfile.write(path, RATE, channels.astype(kind))
     return path
 
 
-def universal(path: Path, felt: Signal, binary: bool, unit: str, scale: float) -> Path:
+def universal(path: Path, signal: Signal, binary: bool, unit: str, scale: float) -> Path:
     """A universal file of pyuff: acceleration, and the odometer."""
-    signals = [(felt / scale, 12, unit, "Axle box left"), (SPEED * np.arange(felt.size) / RATE, 8, "m", "Odometer")]
+    signals = [(signal / scale, 12, unit, "Axle box left"), (SPEED * np.arange(signal.size) / RATE, 8, "m", "Odometer")]
     sets = [
         {
             "type": 58,
@@ -67,14 +67,14 @@ def universal(path: Path, felt: Signal, binary: bool, unit: str, scale: float) -
             "abscissa_spacing": 1,
             "abscissa_min": 0.0,
             "abscissa_inc": 1.0 / RATE,
-            "num_pts": felt.size,
+            "num_pts": signal.size,
             "abscissa_spec_data_type": 17,
             "abscissa_axis_units_lab": "s",
             "ordinate_spec_data_type": kind,
             "ordinate_axis_units_lab": unit,
             "orddenom_spec_data_type": 0,
             "data": values,
-            "x": np.arange(felt.size) / RATE,
+            "x": np.arange(signal.size) / RATE,
         }
         for values, kind, unit, title in signals
     ]
@@ -83,78 +83,78 @@ def universal(path: Path, felt: Signal, binary: bool, unit: str, scale: float) -
     return path
 
 
-def test_every_format_has_the_same_levels(felt: Signal, tmp_path: Path) -> None:
+def test_every_format_has_the_same_levels(signal: Signal, tmp_path: Path) -> None:
     case = riffel.Case.from_toml(CASE)
-    expected = levels(case.axlebox(felt, rate=RATE, speed=SPEED))
-    odometer = SPEED * np.arange(felt.size) / RATE
+    expected = levels(case.axlebox(signal, rate=RATE, speed=SPEED))
+    odometer = SPEED * np.arange(signal.size) / RATE
     matlab = str(tmp_path / "run.mat")
-    scipy.io.savemat(matlab, {"left": felt})
+    scipy.io.savemat(matlab, {"left": signal})
     loaded = scipy.io.loadmat(matlab)["left"].ravel()
     channels = ["acceleration_left_m_per_s2=100", "speed_km_per_h=360"]
     runs: list[tuple[Any, dict[str, Any]]] = [
-        ({"left": felt.tolist()}, {"rate": "4 kHz", "speed": np.full(felt.size, SPEED)}),
+        ({"left": signal.tolist()}, {"rate": "4 kHz", "speed": np.full(signal.size, SPEED)}),
         ({"left": loaded}, {"rate": RATE, "odometer": odometer}),
-        (wave(tmp_path / "float.wav", felt, np.float32), {"channels": channels}),
-        (wave(tmp_path / "long.wav", felt, np.int32), {"channels": channels}),
-        (universal(tmp_path / "text.uff", felt, False, "m/s^2", 1.0), {}),
-        (universal(tmp_path / "binary.uff", felt, True, "g", 9.80665), {}),
+        (wave(tmp_path / "float.wav", signal, np.float32), {"channels": channels}),
+        (wave(tmp_path / "long.wav", signal, np.int32), {"channels": channels}),
+        (universal(tmp_path / "text.uff", signal, False, "m/s^2", 1.0), {}),
+        (universal(tmp_path / "binary.uff", signal, True, "g", 9.80665), {}),
     ]
     # Bands without a wave hold only what is left of others, -60 dB, which the digits of a file show.
-    heard = expected > -40
-    assert heard.sum() == 12
+    clear = expected > -40
+    assert clear.sum() == 12
     for run, given in runs:
         found = levels(case.axlebox(run, **given))
         # Six digits of a step or of a sample; an odometer is averaged, a speed is not.
-        np.testing.assert_allclose(found[heard], expected[heard], atol=1e-3, err_msg=str(run)[:80])
+        np.testing.assert_allclose(found[clear], expected[clear], atol=1e-3, err_msg=str(run)[:80])
     # 16 bits of 100 m/s² are steps of 3 mm/s², which short waves show.
-    coarse = levels(case.axlebox(wave(tmp_path / "short.wav", felt, np.int16), channels=channels))
-    np.testing.assert_allclose(coarse[heard], expected[heard], atol=0.05)
+    coarse = levels(case.axlebox(wave(tmp_path / "short.wav", signal, np.int16), channels=channels))
+    np.testing.assert_allclose(coarse[clear], expected[clear], atol=0.05)
 
 
-def test_the_program_says_the_same(felt: Signal, tmp_path: Path, program: Callable[..., Any]) -> None:
-    path = universal(tmp_path / "run.uff", felt, True, "m/s^2", 1.0)
+def test_the_program_says_the_same(signal: Signal, tmp_path: Path, program: Callable[..., Any]) -> None:
+    path = universal(tmp_path / "run.uff", signal, True, "m/s^2", 1.0)
     printed = program("axlebox", str(path), "--case", CASE, "--json")
     assert riffel.Case.from_toml(CASE).axlebox(path) == printed
     assert printed["rails"][0]["name"] == "Axle box left"
 
 
-def test_a_flat_is_the_wheels(felt: Signal) -> None:
+def test_a_flat_is_the_wheels(signal: Signal) -> None:
     """Blows once a turn of a wheel of 0.46 m."""
     turn = 2 * np.pi * 0.46
-    away = (SPEED * np.arange(felt.size) / RATE + 0.5 * turn) % turn - 0.5 * turn
+    away = (SPEED * np.arange(signal.size) / RATE + 0.5 * turn) % turn - 0.5 * turn
     blows = 50.0 * np.exp(-((away / 0.01) ** 2))
     case = riffel.Case.from_toml(CASE)
-    assert case.axlebox({"left": felt}, rate=RATE, speed=SPEED)["wheels"] == []
-    found = case.axlebox({"left": felt + blows}, rate=RATE, speed=SPEED)
+    assert case.axlebox({"left": signal}, rate=RATE, speed=SPEED)["wheels"] == []
+    found = case.axlebox({"left": signal + blows}, rate=RATE, speed=SPEED)
     (flat,) = found["wheels"]
     assert (flat["name"], flat["kind"], flat["order"]) == ("left", "flat", None)
     assert found["rails"][0]["defects"] == []
 
 
-def test_what_is_wrong_is_said(felt: Signal, tmp_path: Path) -> None:
+def test_what_is_wrong_is_said(signal: Signal, tmp_path: Path) -> None:
     case = riffel.Case.from_toml(CASE)
     plain = {"rate": RATE, "speed": SPEED}
-    clipped = np.clip(felt, -5.0, 5.0)
-    sound = wave(tmp_path / "run.wav", felt, np.int16)
-    unlabelled = universal(tmp_path / "unlabelled.uff", felt, False, "NONE", 1.0)
+    clipped = np.clip(signal, -5.0, 5.0)
+    sound = wave(tmp_path / "run.wav", signal, np.int16)
+    unlabelled = universal(tmp_path / "unlabelled.uff", signal, False, "NONE", 1.0)
     cut = tmp_path / "cut.wav"
     cut.write_bytes(sound.read_bytes()[:-1001])
     channels = ["acceleration_left_g=50", "speed_km_per_h=360"]
     wrong: list[tuple[Any, dict[str, Any], str]] = [
-        (felt, {"speed": SPEED}, "rate is missing"),
-        (felt, {"rate": RATE}, "give one of the two"),
-        (felt, {"rate": RATE, "speed": "72 kg"}, "speed: "),
-        (felt, {"rate": RATE, "speed": np.full(7, SPEED)}, "7 values"),
-        (felt, {**plain, "speed": "10 km/h"}, "never runs faster than 20.0 km/h"),
-        (felt, {"rate": RATE, "odometer": -np.arange(felt.size)}, "odometer falls"),
-        (felt, {"rate": RATE, "odometer": 20.0 * np.arange(felt.size)}, "faster than any train"),
-        (felt, {"rate": RATE, "speed": np.full(felt.size, 200.0)}, "faster than any train"),
-        (felt, {"rate": RATE, "speed": np.full(felt.size, -20.0)}, "sample 1: the speed is -20 m/s"),
+        (signal, {"speed": SPEED}, "rate is missing"),
+        (signal, {"rate": RATE}, "give one of the two"),
+        (signal, {"rate": RATE, "speed": "72 kg"}, "speed: "),
+        (signal, {"rate": RATE, "speed": np.full(7, SPEED)}, "7 values"),
+        (signal, {**plain, "speed": "10 km/h"}, "never runs faster than 20.0 km/h"),
+        (signal, {"rate": RATE, "odometer": -np.arange(signal.size)}, "odometer falls"),
+        (signal, {"rate": RATE, "odometer": 20.0 * np.arange(signal.size)}, "faster than any train"),
+        (signal, {"rate": RATE, "speed": np.full(signal.size, 200.0)}, "faster than any train"),
+        (signal, {"rate": RATE, "speed": np.full(signal.size, -20.0)}, "sample 1: the speed is -20 m/s"),
         (clipped, plain, r"rail: clipped at 5.0000 m/s² and -5.0000 m/s² in"),
-        (0.1 * felt + 1.0, plain, "as gravity is in g"),
-        (np.zeros(felt.size), plain, "never|keeps|drops|faster"),
-        ({"left": felt, "right": felt[1:]}, plain, "right has 79999 values, but left has 80000"),
-        (felt, {**plain, "longest": "15 mm"}, "at least twice --shortest"),
+        (0.1 * signal + 1.0, plain, "as gravity is in g"),
+        (np.zeros(signal.size), plain, "never|keeps|drops|faster"),
+        ({"left": signal, "right": signal[1:]}, plain, "right has 79999 values, but left has 80000"),
+        (signal, {**plain, "longest": "15 mm"}, "at least twice --shortest"),
         (sound, {}, "a WAV file has no units"),
         (sound, {"channels": channels[:1]}, "has 2 channels, but --channels names 1"),
         (sound, {"channels": ["acceleration_left=50", channels[1]]}, "no unit known here"),

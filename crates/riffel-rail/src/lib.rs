@@ -73,7 +73,7 @@ pub use length_unit::LengthUnit;
 pub use limit::{Limit, LimitTable};
 pub use line_place::LinePlace;
 pub use part::RecordPart;
-pub use plausibility::{check_felt, levels_unlike_a_rail, unlike_a_rail};
+pub use plausibility::{check_axle_box_levels, levels_unlike_a_rail, unlike_a_rail};
 pub use profile_file::{ProfileKind, ProfileOfName, ProfileOrientation, ProfileReading, profile_of, read_profile};
 pub use rail::{EarlierRails, Rail};
 pub use rail_name::{are_opposite, find_rail, is_rail_column, name_in_words, rail_in_words, rail_of_channel};

@@ -145,7 +145,11 @@ pub(super) fn check_levels(levels: impl Iterator<Item = f64>) -> Result<(), Refu
 ///
 /// # Errors
 /// The sentence.
-pub fn check_felt(rail: &str, levels: impl Iterator<Item = f64>, known: WavelengthBand) -> Result<(), String> {
+pub fn check_axle_box_levels(
+    rail: &str,
+    levels: impl Iterator<Item = f64>,
+    known: WavelengthBand,
+) -> Result<(), String> {
     let squares: Vec<f64> = levels.map(|level| 10f64.powf(level / 10.0)).collect();
     let rms = 1e-6 * squares.iter().sum::<f64>().sqrt();
     let least = RMS.0 * (squares.len() as f64 / BANDS).sqrt();
@@ -272,7 +276,7 @@ mod tests {
     #[test]
     fn a_sensor_at_rest_is_no_rail() {
         let known = WavelengthBand::new(0.02, 0.2).unwrap();
-        let check = |levels: &[f64]| check_felt("left", levels.iter().copied(), known);
+        let check = |levels: &[f64]| check_axle_box_levels("left", levels.iter().copied(), known);
         for bands in [3, 11, 21] {
             assert_eq!(check(&vec![-20.9; bands]), Ok(()));
             let refused = check(&vec![-23.0; bands]).unwrap_err();

@@ -70,7 +70,7 @@ def test_everything_follows_the_part_that_is_clicked(page):
     page.settle()
     whole = level(page, "rail left, Now")
     noise_of = lambda: page.text("#noise-verdict")
-    heard = noise_of()
+    before = noise_of()
     asked = []
     page.page.on("request", lambda request: request.method == "POST" and asked.append((request.url.split("/api/ask/")[-1], json.loads(request.post_data))) if "/api/" in request.url else None)
 
@@ -91,13 +91,13 @@ def test_everything_follows_the_part_that_is_clicked(page):
     assert there == pytest.approx(20 * math.log10(20 / math.sqrt(2)), abs=0.5)
     # Of the whole record it is what 30 m of 120 m leave, 6 dB less; that curve stands behind.
     assert there - whole == pytest.approx(6.0, abs=0.7) and level(page, "rail left, whole record") == pytest.approx(whole)
-    assert noise_of() != heard
+    assert noise_of() != before
     questions = {name: question for name, question in asked}
     assert questions["measure"]["to"] == questions["noise"]["to"] == pytest.approx(questions["measure"]["from"] + 10)
     assert go(0.15) < 3
     page.page.click("#whole-record")
     page.settle()
-    assert level(page, "rail left, Now") == pytest.approx(whole) and noise_of() == heard
+    assert level(page, "rail left, Now") == pytest.approx(whole) and noise_of() == before
 
 
 def test_a_drag_zooms_and_the_part_in_view_is_taken(page):

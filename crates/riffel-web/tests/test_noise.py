@@ -18,7 +18,7 @@ GROWING = ROOT / "cases/class-soft-slab.toml"
 SPEEDS = {CASE: (110, 60), GROWING: (55, 30)}
 
 
-def heard(page, case=CASE):
+def show_noise(page, case=CASE):
     page.open_case(case.read_text(), case.name)
     page.page.click("#tab-measure")
     page.give("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(30)}])
@@ -45,7 +45,7 @@ def data(page, place):
 
 
 def test_the_level_is_that_of_the_program(page, tmp_path):
-    heard(page)
+    show_noise(page)
     own = by_the_program(tmp_path)
     level = own["level"]
     # A digit after the point on the page.
@@ -74,7 +74,7 @@ def test_the_report_of_a_rail_has_level_and_causes_of_the_page(page, tmp_path, c
     given = {}
     for what in ("measure", "noise"):
         page.page.on("response", lambda response, what=what: response.url.endswith(f"/api/ask/{what}") and response.ok and given.update({what: json.loads(response.text())}))
-    heard(page, case)
+    show_noise(page, case)
     page.until(lambda: len(given) == 2)
     (tmp_path / "trolley.csv").write_bytes(profile(30))
     subprocess.run([PROGRAM, "report", case, "--roughness", "trolley.csv", "-o", "report.html", "--quiet"], cwd=tmp_path, capture_output=True, check=True, text=True)
@@ -89,7 +89,7 @@ def test_the_report_of_a_rail_has_level_and_causes_of_the_page(page, tmp_path, c
 def test_a_wheel_that_rings_is_that_of_the_program(page, tmp_path):
     answers = []
     page.page.on("response", lambda response: response.url.endswith("/api/ask/noise") and response.ok and answers.append(json.loads(response.text())))
-    heard(page)
+    show_noise(page)
     page.until(lambda: answers and answers[-1]["wheel_modes"] is None)
     page.page.select_option("#noise-wheel", "straight-web-920")
     page.until(lambda: answers[-1]["wheel_modes"] == "straight-web-920" and not page.page.locator("#noise-panel.stale").count())
@@ -107,7 +107,7 @@ def test_a_wheel_that_rings_is_that_of_the_program(page, tmp_path):
 
 def test_a_limit_of_ones_own_is_told_in_months(open_page, tmp_path):
     page = open_page(locale="de-DE", color_scheme="dark", viewport={"width": 360, "height": 780})
-    heard(page, GROWING)
+    show_noise(page, GROWING)
     levels = by_the_program(tmp_path, case=GROWING)["course"]["total_dba"]
     limit = round((levels[0] + levels[-1]) / 2, 2)
     field = page.page.locator("#noise-limit")

@@ -81,30 +81,30 @@ impl ChannelSoFar {
 
     fn add(
         &mut self,
-        felt: PatchAverageProfile,
+        patch_average: PatchAverageProfile,
         mut wheel: Option<WheelPattern>,
         settings: &AnalysisSettings,
     ) -> Result<(), riffel::Error> {
-        let length = felt.profile.length();
-        let known = felt.known;
+        let length = patch_average.profile.length();
+        let known = patch_average.known;
         // Less than a spectrum needs, four of its longest waves.
         if length < 4.0 * settings.longest_wavelength {
             return Ok(());
         }
-        let settings = AnalysisSettings { felt: Some(known), ..settings.clone() };
+        let settings = AnalysisSettings { known_band: Some(known), ..settings.clone() };
         let without = wheel.as_mut().and_then(|found| found.without.take());
         let levels = AnalysisSettings { bands: Vec::new(), section_levels: false, ..settings.clone() };
         let without = without.map(|rail| RailAnalysis::new(vec![rail], &levels, &|| ()));
         let without = without.transpose()?.map(|analysis| analysis.spectrum);
         self.wheel.extend(wheel.map(|found| (length, found)));
-        let part = RailAnalysis::new(vec![felt.profile], &settings, &|| ())?;
+        let part = RailAnalysis::new(vec![patch_average.profile], &settings, &|| ())?;
         self.without.push(PartWithout {
             length,
             there: part.spectrum.clone(),
             left: without.unwrap_or_else(|| part.spectrum.clone()),
         });
         self.parts.push(part);
-        let [slowest, mean, fastest] = felt.speeds;
+        let [slowest, mean, fastest] = patch_average.speeds;
         self.slowest = self.slowest.min(slowest);
         self.fastest = self.fastest.max(fastest);
         self.speed += mean * length;
@@ -157,7 +157,7 @@ pub(super) fn listen(
     request: &AxleBoxRequest,
     progress: &dyn Fn(usize),
     before: Option<RunEnd>,
-    heard: &mut Vec<ChannelSoFar>,
+    channels: &mut Vec<ChannelSoFar>,
 ) -> Result<(Vec<Message>, Longest, RunEnd)> {
     let analysis = AnalysisSettings {
         longest_wavelength: request.longest,
@@ -172,18 +172,18 @@ pub(super) fn listen(
     let asked = WavelengthBand::new(request.shortest, request.longest)?;
     let (mut runs, mut places) = (Vec::new(), Vec::new());
     for name in file.channels() {
-        let place = heard.iter().position(|one| one.name == *name).unwrap_or_else(|| {
-            heard.push(ChannelSoFar::new(name, asked));
-            heard.len() - 1
+        let place = channels.iter().position(|one| one.name == *name).unwrap_or_else(|| {
+            channels.push(ChannelSoFar::new(name, asked));
+            channels.len() - 1
         });
         runs.push(Run::new(&transfer, settings)?);
         places.push(place);
     }
     let at_fault = |error: riffel::Error| CaseError::Physics { input: path.display().to_string(), error };
     let mut take = |finished: Vec<(usize, PatchAverageProfile)>| -> Result<(), riffel::Error> {
-        let name = |place: usize| heard[place].name.clone();
-        for (place, felt, wheel) in taken_off(case, finished, &name)? {
-            heard[place].add(felt, wheel, &analysis)?;
+        let name = |place: usize| channels[place].name.clone();
+        for (place, patch_average, wheel) in taken_off(case, finished, &name)? {
+            channels[place].add(patch_average, wheel, &analysis)?;
         }
         Ok(())
     };
@@ -206,7 +206,7 @@ pub(super) fn listen(
         let all = places.iter().zip(&mut runs);
         let finished = all.flat_map(|(place, run)| {
             let own = run.finished().into_iter();
-            own.map(|felt| (*place, felt))
+            own.map(|patch_average| (*place, patch_average))
         });
         take(finished.collect()).map_err(at_fault)
     };

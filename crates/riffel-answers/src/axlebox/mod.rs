@@ -15,7 +15,9 @@ use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message, fixed, number, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defects_in_words, name_in_words};
+use riffel_rail::{
+    AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_axle_box_levels, defects_in_words, name_in_words,
+};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
@@ -169,17 +171,17 @@ impl AxleBoxAnswer {
         request: &AxleBoxRequest,
         progress: &dyn Fn(usize),
     ) -> Result<Self> {
-        let mut heard: Vec<ChannelSoFar> = Vec::new();
+        let mut channels: Vec<ChannelSoFar> = Vec::new();
         let mut remarks = Vec::new();
         let mut ends: Vec<(&[String], RunEnd)> = Vec::new();
         for given in files {
             let (path, file) = given;
             let is_same = |(names, _): &&(&[String], RunEnd)| names.iter().any(|name| file.channels().contains(name));
             let before = ends.iter().rev().find(is_same).map(|(_, end)| *end);
-            let heard_of = listen(case, given, limits, request, progress, before, &mut heard)?;
-            let (warnings, longest, end) = heard_of;
+            let read = listen(case, given, limits, request, progress, before, &mut channels)?;
+            let (warnings, longest, end) = read;
             ends.push((file.channels(), end));
-            if longest.gaps > 0 && heard.iter().all(ChannelSoFar::is_empty) {
+            if longest.gaps > 0 && channels.iter().all(ChannelSoFar::is_empty) {
                 let message = too_short(&longest, &request.run(case, file.rate()), warnings);
                 return Err(CaseError::data(path, message).into());
             }
@@ -187,8 +189,8 @@ impl AxleBoxAnswer {
             let file = path.display().to_string();
             remarks.extend(said.map(|warning| warning.about(file.as_str())));
         }
-        let Some((path, _)) = files.first().filter(|_| heard.iter().all(ChannelSoFar::is_empty)) else {
-            return Self::judged(case, files, limits, request, heard, remarks);
+        let Some((path, _)) = files.first().filter(|_| channels.iter().all(ChannelSoFar::is_empty)) else {
+            return Self::judged(case, files, limits, request, channels, remarks);
         };
         let slow =
             say!(train_is_too_slow, slowest = fixed(3.6 * request.slowest, 1), longest = number(request.longest));
@@ -200,13 +202,13 @@ impl AxleBoxAnswer {
         files: &[(PathBuf, Arc<AxleBoxFile>)],
         limits: &[LimitTable],
         request: &AxleBoxRequest,
-        heard: Vec<ChannelSoFar>,
+        channels: Vec<ChannelSoFar>,
         mut remarks: Vec<Message>,
     ) -> Result<Self> {
-        let heard: Vec<ChannelSoFar> = heard.into_iter().filter(|one| !one.is_empty()).collect();
-        let several = heard.len() > 1;
+        let channels: Vec<ChannelSoFar> = channels.into_iter().filter(|one| !one.is_empty()).collect();
+        let several = channels.len() > 1;
         let (mut rails, mut wheels) = (Vec::new(), Vec::new());
-        for channel in heard {
+        for channel in channels {
             let (marks, said) = wheels::marks(&channel.name, &channel.wheel);
             wheels.extend(marks);
             remarks.extend(said);
@@ -215,7 +217,7 @@ impl AxleBoxAnswer {
                 continue;
             };
             let levels = analysis.spectrum.levels();
-            let sound = check_felt(&name, levels.iter().map(|level| level.level), known);
+            let sound = check_axle_box_levels(&name, levels.iter().map(|level| level.level), known);
             if let (Err(message), Some((path, _))) = (sound, files.first()) {
                 return Err(CaseError::data(path, message).into());
             }

@@ -59,25 +59,25 @@ pub(super) fn taken_off(
     let supports = case.file.track.support_spacing.map(|spacing| spacing.si());
     let mut groups: BTreeMap<_, (Vec<usize>, Vec<PatchAverageProfile>)> = BTreeMap::new();
     let mut copies = Vec::new();
-    for (place, felt) in finished {
+    for (place, patch_average) in finished {
         let name = name(place);
         // Rails of no name known are each another.
         let rail = rail_of_channel(&name).ok_or(name);
-        let key = (rail, felt.profile.start().to_bits());
+        let key = (rail, patch_average.profile.start().to_bits());
         let (places, all) = groups.entry(key).or_default();
-        match all.iter().any(|other| felt.is_multiple(other)) {
-            true => copies.push((vec![place], vec![felt])),
+        match all.iter().any(|other| patch_average.is_multiple(other)) {
+            true => copies.push((vec![place], vec![patch_average])),
             false => {
                 places.push(place);
-                all.push(felt);
+                all.push(patch_average);
             }
         }
     }
     let mut pieces = Vec::new();
-    for (places, mut felt) in groups.into_values().chain(copies) {
-        let found = WheelPattern::take_off(&mut felt, circumference, supports)?;
-        let of_channels = places.into_iter().zip(felt).zip(found);
-        pieces.extend(of_channels.map(|((place, felt), found)| (place, felt, found)));
+    for (places, mut patch_averages) in groups.into_values().chain(copies) {
+        let found = WheelPattern::take_off(&mut patch_averages, circumference, supports)?;
+        let of_channels = places.into_iter().zip(patch_averages).zip(found);
+        pieces.extend(of_channels.map(|((place, patch_average), found)| (place, patch_average, found)));
     }
     Ok(pieces)
 }

@@ -72,8 +72,8 @@ impl LevelTrend {
         let level = |month: f64| -> Result<f64> {
             let passages = (month * per_month).min(forecast.valid_to());
             let roughness = then(&train.roughness, &forecast.spectrum(passages)?)?;
-            let heard = train.levels(radiation, &roughness)?;
-            Ok(heard.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY))
+            let levels = train.levels(radiation, &roughness)?;
+            Ok(levels.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY))
         };
         let levels = month.iter().map(|&month| level(month));
         let total_dba = levels.collect::<Result<Vec<_>, _>>()?;

@@ -83,10 +83,10 @@ fn level_head(answer: &NoiseAnswer) -> Message {
 /// The A-weighted levels of what radiates anything.
 fn parts(answer: &NoiseAnswer) -> Table {
     let levels = Part::ALL.map(|part| {
-        let [(_, heard), (_, power)] = [&answer.level, &answer.sound_power_level].map(|levels| levels.of(part));
-        (name_of(part), heard, power)
+        let [(_, level), (_, power)] = [&answer.level, &answer.sound_power_level].map(|levels| levels.of(part));
+        (name_of(part), level, power)
     });
-    let mut rows: Vec<_> = levels.into_iter().filter(|(_, heard, power)| heard.is_some() || power.is_some()).collect();
+    let mut rows: Vec<_> = levels.into_iter().filter(|(_, level, power)| level.is_some() || power.is_some()).collect();
     if let Some(since) = &answer.since {
         rows.push((say!(noise_before), Some(since.before_dba), None));
     }
@@ -100,7 +100,7 @@ fn parts(answer: &NoiseAnswer) -> Table {
         name: "parts",
         columns: vec![
             rows.words("part", say!(what_radiates), |(part, ..)| part.clone()),
-            column("level_dba", level_head(answer), rows.iter().map(|(_, heard, _)| *heard).collect()),
+            column("level_dba", level_head(answer), rows.iter().map(|(_, level, _)| *level).collect()),
             column("power_dba", say!(sound_power_of_a_wheel), rows.iter().map(|(.., power)| *power).collect()),
         ],
     }

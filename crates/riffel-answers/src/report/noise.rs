@@ -19,7 +19,7 @@ pub(super) fn outlook(case: &Case, answer: &NoiseAnswer, language: Language) -> 
         None => say!(no_level),
     };
     let total = decibels(answer.level.total_dba);
-    let heard = say!(
+    let message = say!(
         train_is_heard,
         speed = shown_speed(answer.speed_m_per_s, 0),
         wheels = number(answer.wheels),
@@ -27,7 +27,7 @@ pub(super) fn outlook(case: &Case, answer: &NoiseAnswer, language: Language) -> 
         level = total.clone(),
         distance = number(answer.distance_m)
     );
-    let level = bold(&sentence(&heard, language), &total.text(language));
+    let level = bold(&sentence(&message, language), &total.text(language));
     let parts = [Part::Rail, Part::Sleepers, Part::Wheel].map(|part| {
         let (_, level) = answer.level.of(part);
         say!(part_and_level, part = name_of(part), level = decibels(level))

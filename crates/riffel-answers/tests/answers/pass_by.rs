@@ -31,10 +31,10 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
     std::fs::write(folder.path().join("pass-by.csv"), HEARD).unwrap();
     let path = folder.path().join("plan.toml");
     let text = std::fs::read_to_string(&path).unwrap();
-    let heard = "\n[[data]]\nkind = \"pass-by\"\nfile = \"pass-by.csv\"\nwheels = 8\ndistance = \"25 m\"\n\
+    let data = "\n[[data]]\nkind = \"pass-by\"\nfile = \"pass-by.csv\"\nwheels = 8\ndistance = \"25 m\"\n\
                  height = \"3.5 m\"\nwheel_roughness = \"cnossos-disc-brakes\"\nroughness = \"rest.csv\"\n\
                  set = { \"track.model\" = \"two-layer\" }\n";
-    std::fs::write(&path, text + heard).unwrap();
+    std::fs::write(&path, text + data).unwrap();
     let plan = Plan::read(&path).unwrap();
     let remarks = &plan.remarks;
     assert!(!remarks.iter().any(|it| it.to_string().contains("silent")), "{remarks:?}");
@@ -87,8 +87,8 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
         };
         let answer = question.answer(&Nobody).unwrap();
         let place = predicted.len() - 2 + train;
-        let heard = measured - observed[place] + predicted[place];
+        let level = measured - observed[place] + predicted[place];
         let told = answer.level.total_dba.unwrap();
-        assert!((heard - told).abs() < 1e-9, "{train}: {heard}, not {told}");
+        assert!((level - told).abs() < 1e-9, "{train}: {level}, not {told}");
     }
 }

@@ -306,14 +306,14 @@ impl Reading<'_> {
         let doubt = levels_unlike_a_rail(rows.iter().map(|row| row.level));
         self.remarks.extend(doubt.map(|doubt| doubt.about(&data.file)));
         let dated = DatedLevels { view, rows, begins, before, common_error, missed };
-        let (mut felt, mut heard) = (Vec::new(), Vec::new());
+        let (mut of_runs, mut of_pass_bys) = (Vec::new(), Vec::new());
         for &index in runs {
-            felt.push(self.run(index, &dated)?);
+            of_runs.push(self.run(index, &dated)?);
         }
         for &index in pass_bys {
-            heard.push(self.pass_bys(index, &dated)?);
+            of_pass_bys.push(self.pass_bys(index, &dated)?);
         }
-        let levels = Levels::new(&MeasuredRail { dated, runs: felt, pass_bys: heard });
+        let levels = Levels::new(&MeasuredRail { dated, runs: of_runs, pass_bys: of_pass_bys });
         Ok(levels.map(|levels| Box::new(levels) as Box<dyn Block>))
     }
 

@@ -86,9 +86,9 @@ fn predictions_are_those_of_the_second_implementation() {
                 // Bands of the second implementation fall from date to date; those of a contrast follow the file.
                 let dates = point["level_change_db"].as_array().unwrap()[1..].iter();
                 let mut expected: Vec<f64> = dates.flat_map(numbers).collect();
-                let felt = &point["axle_box_db_re_1_m_per_s2_for_0_db_first_level"];
-                if felt.is_array() {
-                    expected.extend(numbers(felt));
+                let levels = &point["axle_box_db_re_1_m_per_s2_for_0_db_first_level"];
+                if levels.is_array() {
+                    expected.extend(numbers(levels));
                 }
                 let found = predicted.last().unwrap();
                 assert_eq!(found.len(), expected.len());

@@ -153,13 +153,13 @@ fn tables_that_tell_no_kind_are_refused() {
 #[test]
 fn trains_that_are_heard_have_a_usual_plan() {
     let to = TempDir::new().unwrap();
-    let heard = to.path().join("heard.csv");
+    let pass_by = to.path().join("heard.csv");
     let set = folder("b-three-dates");
     let of_set = |name: &str| set.join(name);
     let plan = |table: &str, levels: bool| {
-        fs::write(&heard, table).unwrap();
+        fs::write(&pass_by, table).unwrap();
         let levels = levels.then(|| of_set("roughness.csv"));
-        let tables: Vec<PathBuf> = levels.into_iter().chain([heard.clone()]).collect();
+        let tables: Vec<PathBuf> = levels.into_iter().chain([pass_by.clone()]).collect();
         let measured = Measured { case: &of_set("case.toml"), traffic: Some(&of_set("traffic.toml")), tables: &tables };
         Plan::usual(&to.path().join("plan.toml"), &measured).map_err(|error| error.to_string())
     };

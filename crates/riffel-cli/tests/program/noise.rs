@@ -49,8 +49,8 @@ fn levels_add_up_and_follow_the_roughness() {
     // A wheel of the power W on either rail, one in 6.6 m of train: p² = 2ρc W/(4 · 6.6 m)(1/d₁ + 1/d₂), over hard ground.
     let power = &document["sound_power_level"];
     let distances = [6.75f64, 8.25].map(|across| across.hypot(1.2).recip());
-    let heard = 2.0 * 1.204 * 343.2 * 1e-12 / (4.0 * 6.6) * (distances[0] + distances[1]);
-    let apart = 10.0 * (heard / 4e-10).log10();
+    let mean_square = 2.0 * 1.204 * 343.2 * 1e-12 / (4.0 * 6.6) * (distances[0] + distances[1]);
+    let apart = 10.0 * (mean_square / 4e-10).log10();
     for part in ["rail", "sleepers", "wheel", "total"] {
         let levels = [level, power].map(|levels| numbers(&levels[format!("{part}_db")]));
         for (pressure, power) in levels[0].iter().zip(&levels[1]) {
@@ -175,8 +175,8 @@ fn a_rail_without_support_has_no_level_of_its_own() {
     assert!(!sandbox.path("out").exists());
     std::fs::write(sandbox.path("decay.csv"), "frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n800,1\n1000,0.8\n")
         .unwrap();
-    let heard = sandbox.json(&format!("{command} --decay-rate decay.csv"));
-    assert!(number(&heard["level"]["total_dba"]) > 50.0);
+    let document = sandbox.json(&format!("{command} --decay-rate decay.csv"));
+    assert!(number(&document["level"]["total_dba"]) > 50.0);
 }
 
 /// A wheel that rings is louder than a rigid one where it has modes, makes no difference below them, and is listed with dampers.

@@ -39,8 +39,8 @@ impl Inverse {
             .map(|step| {
                 let frequency = (low * (STEP * step as f64).exp()).clamp(lowest, highest);
                 let patch = filter.and_then(|filter| filter.approximate(speed / frequency).ok());
-                let felt = transfer.at(std::f64::consts::TAU * frequency, speed);
-                felt * patch.unwrap_or(1.0).sqrt()
+                let response = transfer.at(std::f64::consts::TAU * frequency, speed);
+                response * patch.unwrap_or(1.0).sqrt()
             })
             .collect();
         let squares: Vec<f64> = transfers.iter().map(Complex64::norm_sqr).collect();

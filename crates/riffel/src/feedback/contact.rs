@@ -246,8 +246,8 @@ impl Contact {
         let load = self.rolling.steady().normal_force;
         let damage = self.damage.as_ref()?;
         // On a smooth rail the wave is that of the other one.
-        let felt = self.wave.as_ref().filter(|_| self.profile != 0.0);
-        let curvature = felt.map_or(0.0, |wave| wave.patch_curvature(at.wavenumber)) * profile;
+        let wave = self.wave.as_ref().filter(|_| self.profile != 0.0);
+        let curvature = wave.map_or(0.0, |wave| wave.patch_curvature(at.wavenumber)) * profile;
         Some(damage.state(self.mean_of_damage(), load, at, force, curvature, profile))
     }
 

@@ -252,9 +252,9 @@ mod tests {
             let [before, middle, now] = [1.0, 0.5, 0.0].map(|back| at(index as f64 - back));
             let exact = stepped.roll(now[0], Creepages::longitudinal(middle[1]))?;
             motion.advance_by([before[0] - LOAD, before[1] - mean]);
-            let felt = motion.beside_mean([0, 1], [now[0] - LOAD, now[1] - mean]);
+            let beside = motion.beside_mean([0, 1], [now[0] - LOAD, now[1] - mean]);
             if index > settling {
-                forces.push([exact.forces.longitudinal, law(LOAD + felt[0], mean + felt[1]), law(now[0], now[1])]);
+                forces.push([exact.forces.longitudinal, law(LOAD + beside[0], mean + beside[1]), law(now[0], now[1])]);
             }
         }
         let oscillation = |of: &dyn Fn(&[f64; 3]) -> f64| {

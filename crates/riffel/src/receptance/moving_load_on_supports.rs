@@ -119,12 +119,12 @@ impl MovingLoadOnSupports {
 
     /// The integrands at one wavenumber.
     fn add(&self, k: f64, w: f64, sums: &mut [Complex64], receptances: &mut [Complex64]) {
-        let felt = w - k * self.speed;
+        let rail_frequency = w - k * self.speed;
         // The rail at rest is the limit of low frequencies.
-        let felt_size = felt.abs().max(1e-3);
-        let free = self.rail.waves(felt_size, Complex64::ZERO);
+        let size = rail_frequency.abs().max(1e-3);
+        let free = self.rail.waves(size, Complex64::ZERO);
         let along = AlongBay::new(&free, self.spacing);
-        let stiffness = self.support.dynamic_stiffness(felt_size);
+        let stiffness = self.support.dynamic_stiffness(size);
         let most = (sums.len() / 2) as f64;
         let turn = TAU / self.spacing;
         for (index, receptance) in receptances.iter_mut().enumerate() {
@@ -135,7 +135,7 @@ impl MovingLoadOnSupports {
         let even = stiffness / self.spacing * own;
         let others = stiffness * (along.support_receptance(k) - own / self.spacing);
         let factor = -even / (1.0 + even + others);
-        let conjugate = |value: Complex64| if felt < 0.0 { value.conj() } else { value };
+        let conjugate = |value: Complex64| if rail_frequency < 0.0 { value.conj() } else { value };
         for (index, (sum, receptance)) in sums.iter_mut().zip(receptances.iter()).enumerate() {
             *sum += conjugate(match index == receptances.len() / 2 {
                 // g(1 + s)/(1 + a + s) − g/(1 + a).

@@ -63,9 +63,9 @@ impl Profile {
     /// twentieth within 3 m, is ringing too. None are found where heights are more than 8 mm apart or the profile
     /// is shorter than 4 m. Of a rail that was felt at some wavelengths only, these are looked at, and parts of an octave or more:
     /// what leaks in from others comes and goes with the speed. Cost: four band-passes.
-    pub fn bridge_defects(&mut self, felt: Option<WavelengthBand>) -> Vec<RailDefect> {
+    pub fn bridge_defects(&mut self, known_band: Option<WavelengthBand>) -> Vec<RailDefect> {
         let spacing = self.spacing();
-        let ends = felt.map_or((0.0, f64::INFINITY), |felt| (felt.from(), felt.to()));
+        let ends = known_band.map_or((0.0, f64::INFINITY), |known_band| (known_band.from(), known_band.to()));
         let bands = BANDS.map(|(from, to)| (from.max(ends.0), to.min(ends.1)));
         let bands = bands.into_iter().filter(|(from, to)| 2.0 * from <= *to);
         let bands = bands.flat_map(|(from, to)| WavelengthBand::new(from, to));
@@ -483,9 +483,9 @@ mod tests {
             let filter = BandPass::new(2e-3, whole.heights().len(), &[kept])?;
             let heights = filter.filter(&whole).swap_remove(0);
             let traces = [(20.0, 1e-8, 0.03), (90.0, 1e-8, 0.03)];
-            let mut felt = Profile::new(0.0, 2e-3, dipped(heights, &traces))?;
-            assert!(felt.clone().bridge_defects(None).len() > 1, "{seed}");
-            let found = felt.bridge_defects(Some(known));
+            let mut known_band = Profile::new(0.0, 2e-3, dipped(heights, &traces))?;
+            assert!(known_band.clone().bridge_defects(None).len() > 1, "{seed}");
+            let found = known_band.bridge_defects(Some(known));
             let [weld] = &found[..] else {
                 panic!("{seed}: {found:?}");
             };

@@ -124,7 +124,7 @@ fn between(rail: &Profile, place: f64) -> f64 {
     b + t * (first + t * (second + t * third))
 }
 
-fn felt(case: &Case, settings: RunSettings, samples: &[Sample]) -> Vec<PatchAverageProfile> {
+fn patch_averages(case: &Case, settings: RunSettings, samples: &[Sample]) -> Vec<PatchAverageProfile> {
     let transfer = AxleBoxTransfer::new(case.places(), case.known_frequencies());
     let mut run = Run::new(&transfer, settings).unwrap();
     for &sample in samples {
@@ -142,14 +142,14 @@ fn spectrum(profile: &Profile) -> Spectrum {
 fn errors(case: &Case, journey: &Journey) -> Vec<(f64, f64)> {
     let rail = rail(journey.length + 1.0);
     let samples = signal(case, journey, &rail);
-    let found = felt(case, RunSettings::at_rate(journey.rate), &samples);
+    let found = patch_averages(case, RunSettings::at_rate(journey.rate), &samples);
     let [found] = &found[..] else {
         panic!("{} pieces", found.len());
     };
     let end = found.profile.start() + found.profile.length();
     let there = spectrum(&rail.between(found.profile.start(), end).unwrap());
-    let felt = spectrum(&found.profile);
-    let bands = felt.levels().iter().filter(|level| {
+    let levels = spectrum(&found.profile);
+    let bands = levels.levels().iter().filter(|level| {
         (20.0..=315.0).contains(&level.band.nominal_millimetres())
             && level.band.wavelength_range().0 >= found.known.from()
     });
@@ -206,7 +206,7 @@ fn an_odometer_in_steps_is_the_same_run() {
     let samples = signal(&case, &journey, &rail(journey.length + 1.0));
     let settings = RunSettings::at_rate(journey.rate);
     let levels = |samples: &[Sample]| {
-        let found = felt(&case, settings, samples);
+        let found = patch_averages(&case, settings, samples);
         assert_eq!(found.len(), 1);
         spectrum(&found[0].profile)
     };
@@ -234,15 +234,15 @@ fn heights_are_where_they_are_and_upward() {
     let case = case();
     let rail = rail(QUIET.length + 1.0);
     let samples = signal(&case, &QUIET, &rail);
-    let found = felt(&case, RunSettings::at_rate(QUIET.rate), &samples);
-    let felt = &found[0].profile;
-    let heights = (0..felt.heights().len()).map(|index| between(&rail, felt.position(index)));
-    let there = Profile::new(felt.start(), felt.spacing(), heights.collect()).unwrap();
+    let found = patch_averages(&case, RunSettings::at_rate(QUIET.rate), &samples);
+    let profile = &found[0].profile;
+    let heights = (0..profile.heights().len()).map(|index| between(&rail, profile.position(index)));
+    let there = Profile::new(profile.start(), profile.spacing(), heights.collect()).unwrap();
     let band = WavelengthBand::GRINDING[1];
-    let bank = BandPass::new(felt.spacing(), felt.heights().len(), &[band]).unwrap();
-    let [felt, there] = [felt, &there].map(|profile| bank.filter(profile).remove(0));
+    let bank = BandPass::new(profile.spacing(), profile.heights().len(), &[band]).unwrap();
+    let [profile, there] = [profile, &there].map(|profile| bank.filter(profile).remove(0));
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let correlation = dot(&felt, &there) / (dot(&felt, &felt) * dot(&there, &there)).sqrt();
+    let correlation = dot(&profile, &there) / (dot(&profile, &profile) * dot(&there, &there)).sqrt();
     assert!(correlation > 0.98, "{correlation}");
 }
 
@@ -303,7 +303,7 @@ fn a_run_comes_in_pieces() {
             Sample { acceleration: 5.0 * (TAU * position / 0.1).sin(), position }
         })
         .collect();
-    let found = felt(&case, RunSettings::at_rate(rate), &samples);
+    let found = patch_averages(&case, RunSettings::at_rate(rate), &samples);
     let speeds: Vec<[f64; 3]> = found.iter().map(|piece| piece.speeds).collect();
     assert!(found.len() >= 4, "{speeds:?}");
     for piece in &found {

@@ -7,7 +7,7 @@ use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, WavelengthBand}
 use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRequest};
 use riffel_rail::{AxleBoxFile, AxleBoxPlace, LimitTable};
 
-use super::{Journey, QUIET, case, felt, rail, signal, with_pads};
+use super::{Journey, QUIET, case, patch_averages, rail, signal, with_pads};
 
 /// Eight welds, 200 µm deep and 100 to 380 mm long, are listed and raise no level: a wave of 100 mm stays within 0.5 dB, and
 /// levels up to 200 mm, which they raise by up to 15 dB where they are kept, within 1.5 dB. Statistics have them either way.
@@ -74,8 +74,8 @@ fn welds_are_listed_and_raise_no_level() {
 }
 
 /// RMS \[m\] between 30 and 100 mm in blocks of 10 m.
-fn blocks(profile: Profile, felt: WavelengthBand) -> Vec<f64> {
-    let settings = AnalysisSettings { longest_wavelength: 0.4, felt: Some(felt), ..AnalysisSettings::default() };
+fn blocks(profile: Profile, known: WavelengthBand) -> Vec<f64> {
+    let settings = AnalysisSettings { longest_wavelength: 0.4, known_band: Some(known), ..AnalysisSettings::default() };
     let analysis = RailAnalysis::new(vec![profile], &settings, &|| ()).unwrap();
     let rms = analysis.blocks.iter().filter_map(|block| block.rms[1]);
     rms.collect()
@@ -110,7 +110,7 @@ fn detection() {
         let journey = Journey { length: LENGTH, rate: 5000.0, drift: 0.1, noise: 0.5, out_of_round: 50e-6, ..QUIET };
         let samples = signal(&case, &journey, &rail);
         for (place, other) in heard_on.iter().enumerate() {
-            for found in felt(other, RunSettings::at_rate(journey.rate), &samples) {
+            for found in patch_averages(other, RunSettings::at_rate(journey.rate), &samples) {
                 let end = found.profile.start() + found.profile.length();
                 let there = rail.between(found.profile.start(), end).unwrap();
                 let there = blocks(there, found.known);

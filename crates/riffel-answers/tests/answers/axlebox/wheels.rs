@@ -21,11 +21,11 @@ fn wave_of_50_mm(wave: u32, x: f64) -> f64 {
 
 /// What axle boxes feel of one rail whose last 60 m have waves of about 50 mm, each with its wheel; one whose name ends in `/ 5` writes
 /// a fifth of that.
-fn heard(channels: &[(&str, &dyn Fn(f64) -> f64)]) -> AxleBoxAnswer {
+fn answer_of(channels: &[(&str, &dyn Fn(f64) -> f64)]) -> AxleBoxAnswer {
     let case = case();
     let journey = Journey { length: LENGTH, rate: 5000.0, ..QUIET };
     let smooth = rail(LENGTH + 1.0);
-    let heard = channels.iter().map(|(name, wheel)| {
+    let channels = channels.iter().map(|(name, wheel)| {
         let heights = smooth.heights().iter().enumerate().map(|(index, height)| {
             let x = 1e-3 * index as f64;
             let waves: f64 = match x > 160.0 {
@@ -34,14 +34,14 @@ fn heard(channels: &[(&str, &dyn Fn(f64) -> f64)]) -> AxleBoxAnswer {
             };
             SHARE * (0.5 * height + waves + wheel(x))
         });
-        let felt = Profile::new(0.0, 1e-3, heights.collect()).unwrap();
-        let samples = signal(&case, &journey, &felt);
+        let profile = Profile::new(0.0, 1e-3, heights.collect()).unwrap();
+        let samples = signal(&case, &journey, &profile);
         let part = if name.ends_with("/ 5") { 0.2 } else { 1.0 };
         let accelerations = samples.iter().map(|sample| part * sample.acceleration / SHARE);
         ((*name).to_owned(), accelerations.collect())
     });
     let place = AxleBoxPlace::Constant(journey.speed);
-    let file = AxleBoxFile::of_arrays("run", heard.collect(), journey.rate, place).unwrap();
+    let file = AxleBoxFile::of_arrays("run", channels.collect(), journey.rate, place).unwrap();
     let (files, limits) = ([("run".into(), file.into())], LimitTable::all());
     AxleBoxAnswer::new(&case, &files, &limits, &AxleBoxRequest::default(), &|_| ()).unwrap()
 }
@@ -58,7 +58,7 @@ fn wheels_that_are_not_round_are_no_rail() {
     };
     let polygon = |x: f64| 18e-6 * (18.0 * x / (1.01 * radius)).cos();
     let round = |_: f64| 0.0;
-    let answer = heard(&[("left 1", &flat), ("left 2", &round), ("left 3", &polygon), ("right", &flat)]);
+    let answer = answer_of(&[("left 1", &flat), ("left 2", &round), ("left 3", &polygon), ("right", &flat)]);
     let in_one_language = answer.remarks.iter().find(|said| said.id() == "verbatim");
     assert_eq!(in_one_language, None);
     let of = |name: &str| answer.rails.iter().find(|rail| rail.rail.name == name);
@@ -102,7 +102,7 @@ fn a_wave_of_one_wheel_alone_is_left() {
     let radius = case().hertz.rolling_radius();
     let polygon = |x: f64| 18e-6 * (18.0 * x / radius).cos();
     // A fifth of a channel is no second axle box.
-    let answer = heard(&[("left", &polygon), ("right", &|_| 0.0), ("left / 5", &polygon)]);
+    let answer = answer_of(&[("left", &polygon), ("right", &|_| 0.0), ("left / 5", &polygon)]);
     assert!(answer.wheels.is_empty(), "{:?}", answer.wheels);
     let said = answer.remarks.iter().map(ToString::to_string).find(|said| said.contains("second axle box"));
     assert!(said.is_some_and(|said| said.starts_with("left: ")), "{:?}", answer.remarks);

@@ -54,8 +54,8 @@ impl MeasuredRail {
             rows.extend(of_run.map(|(index, row)| level(row, run.view, RowPlace::Run(number, index))));
         }
         for (number, pass_bys) in self.pass_bys.iter().enumerate() {
-            let heard = pass_bys.rows.iter().enumerate();
-            rows.extend(heard.map(|(index, row)| LevelRow {
+            let passes = pass_bys.rows.iter().enumerate();
+            rows.extend(passes.map(|(index, row)| LevelRow {
                 place: RowPlace::PassBy(number, index),
                 view: pass_bys.view,
                 passages: row.passages,

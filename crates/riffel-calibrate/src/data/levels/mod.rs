@@ -164,7 +164,7 @@ impl Levels {
     fn levels(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
         // The rail grows as the trolley finds it, whatever else differs for those that feel or hear it.
         let rates = self.rates(trial)?;
-        let (mut felt, mut radiated) = Default::default();
+        let (mut shaken, mut radiated) = Default::default();
         let mut levels: Vec<f64> = Vec::new();
         // The level of each band at the first date, from the first row of it.
         let mut first: Vec<Option<f64>> = vec![None; self.bands.len()];
@@ -178,23 +178,23 @@ impl Levels {
                 (RowPlace::Run(run, _), [(band, _)]) => {
                     let speed = self.measured.runs[run].speed;
                     let shakes = || Ok(accelerations(trial.case(row.view)?, &self.lines, speed));
-                    let felt = &once(&mut felt, run, shakes)?[band * LINES_PER_BAND..];
-                    let energies = grown(*band).zip(felt).map(|(grown, felt)| grown * felt);
+                    let shaken = &once(&mut shaken, run, shakes)?[band * LINES_PER_BAND..];
+                    let energies = grown(*band).zip(shaken).map(|(grown, shaken)| grown * shaken);
                     mean(energies.sum()) - MICROMETRE
                 }
                 (RowPlace::PassBy(site, pass), bands) => {
                     let pass_bys = &self.measured.pass_bys[site];
-                    let Passing { speed, heard, .. } = &pass_bys.rows[pass];
+                    let Passing { speed, audible, .. } = &pass_bys.rows[pass];
                     let key = (site, speed.to_bits());
-                    let radiates = || trial.radiation(row.view, *speed, heard);
+                    let radiates = || trial.radiation(row.view, *speed, audible);
                     let radiation: &[BandRadiation] = once(&mut radiated, key, radiates)?;
                     let of_bands = bands.iter().map(|(band, _)| {
                         let first = first[*band].unwrap_or_default();
                         (self.bands[*band], first + mean(grown(*band).sum()))
                     });
-                    let heard = pass_bys.train.level(radiation, *speed, of_bands)?;
+                    let level = pass_bys.train.level(radiation, *speed, of_bands)?;
                     let of_first = bands.iter().map(|(band, w)| w * first[*band].unwrap_or_default());
-                    heard - of_first.sum::<f64>()
+                    level - of_first.sum::<f64>()
                 }
                 (_, bands) => bands.iter().map(|(band, w)| w * mean(grown(*band).sum())).sum(),
             });

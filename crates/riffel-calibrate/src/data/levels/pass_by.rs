@@ -42,7 +42,7 @@ pub(crate) struct Passing {
     /// \[m/s\]
     pub(super) speed: f64,
     /// The bands in which the roughness is known.
-    pub(super) heard: Vec<FrequencyBand>,
+    pub(super) audible: Vec<FrequencyBand>,
     /// By how much of a dB it rises with one of each band.
     pub(super) shares: Vec<(ThirdOctave, f64)>,
 }
@@ -72,7 +72,7 @@ impl Train {
     }
 
     /// The bands of frequency in which the roughness is known.
-    fn heard(
+    fn audible(
         &self,
         radiation: &[BandRadiation],
         speed: f64,
@@ -188,15 +188,15 @@ impl PassBys {
                 }
             };
             let measured = dated.nearest(passages);
-            let heard = passage.train.heard(radiation, speed, &measured);
-            let heard = heard.map_err(&refuse)?;
-            if heard.is_empty() {
+            let audible = passage.train.audible(radiation, speed, &measured);
+            let audible = audible.map_err(&refuse)?;
+            if audible.is_empty() {
                 return Err(refuse(format!(
                     "at {:.0} km/h the levels of roughness fill no one-third octave between 100 Hz and 5 kHz",
                     3.6 * speed
                 )));
             }
-            silent.retain(|band| !heard.contains(band));
+            silent.retain(|band| !audible.contains(band));
             let shares = passage.train.shares(radiation, speed, &measured);
             let of_trains = OF_A_TRAIN / trains.map_or(1.0, |trains| trains[row]).sqrt();
             rows.push(Passing {
@@ -204,7 +204,7 @@ impl PassBys {
                 level: levels[row],
                 error: errors.map_or(of_trains, |errors| errors[row]),
                 speed,
-                heard,
+                audible,
                 shares: shares.map_err(&refuse)?,
             });
         }

@@ -11,14 +11,14 @@ use crate::Plan;
 use crate::data::differences;
 
 /// The third set with levels of trains beside the track, as a plan in a folder.
-fn heard(folder: &Path, levels: &str) -> Plan {
+fn plan_with_pass_by(folder: &Path, levels: &str) -> Plan {
     crate::fixtures::copy_set("c-all-together", folder);
     std::fs::write(folder.join("pass-by.csv"), levels).unwrap();
     let plan = folder.join("plan.toml");
     let text = std::fs::read_to_string(&plan).unwrap();
-    let heard = "\n[[data]]\nkind = \"pass-by\"\nfile = \"pass-by.csv\"\nspeed = \"100 km/h\"\n\
+    let pass_by = "\n[[data]]\nkind = \"pass-by\"\nfile = \"pass-by.csv\"\nspeed = \"100 km/h\"\n\
                  common_error = 0.2\nset = { \"track.model\" = \"two-layer\" }\n";
-    std::fs::write(&plan, text + heard).unwrap();
+    std::fs::write(&plan, text + pass_by).unwrap();
     Plan::read(&plan).unwrap()
 }
 
@@ -32,7 +32,7 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
     const DRAWS: usize = 600;
     const MISSED: f64 = 0.2;
     let folder = tempfile::tempdir().unwrap();
-    let plan = heard(folder.path(), HEARD);
+    let plan = plan_with_pass_by(folder.path(), HEARD);
     let posterior = &plan.posterior;
     let medians = posterior.parameters().iter();
     let values: Vec<f64> = medians.map(|it| it.prior.quantile(0.5)).collect();
@@ -59,7 +59,7 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
                 RowPlace::PassBy(site, pass) => {
                     let PassBys { rows, train, common_error, .. } = &measured.pass_bys[site];
                     let speed = rows[pass].speed;
-                    let radiation = trial.radiation(row.view, speed, &rows[pass].heard);
+                    let radiation = trial.radiation(row.view, speed, &rows[pass].audible);
                     // Each band as the trolley finds it at the same date.
                     let same = |(other, _): &(&LevelRow, &f64)| {
                         matches!(other.place, RowPlace::Dated(_)) && other.passages == row.passages

@@ -22,7 +22,7 @@ const LEAST_SHARE: f64 = 0.015;
 /// Part of the power about an order that repeats from which the order stands out.
 const ORDER_SHARE: f64 = 0.3;
 /// Part of what repeats about an order from which it is the rail's where other wheels felt it.
-const FELT_BY_OTHERS: f64 = 0.5;
+const SHARE_OF_OTHERS: f64 = 0.5;
 /// Orders of a pattern from which it is no wave of the rail: a wave that keeps its phase over all turns has one.
 const LEAST_ORDERS: usize = 4;
 /// Depth of a pattern in its RMS from which it is a flat: a wave of one order has 1.4.
@@ -67,22 +67,22 @@ impl WheelPattern {
     /// # Errors
     /// None for heights that are finite.
     pub fn take_off(
-        felt: &mut [PatchAverageProfile],
+        patch_averages: &mut [PatchAverageProfile],
         circumference: f64,
         supports: Option<f64>,
     ) -> Result<Vec<Option<Self>>, Error> {
-        let lines: Vec<Lines> = felt
+        let lines: Vec<Lines> = patch_averages
             .iter()
-            .map(|felt| {
-                let (heights, spacing) = (felt.profile.heights(), felt.profile.spacing());
-                Lines::of(heights, spacing, 1 + usize::from(felt.is_told_by_half()))
+            .map(|patch_average| {
+                let (heights, spacing) = (patch_average.profile.heights(), patch_average.profile.spacing());
+                Lines::of(heights, spacing, 1 + usize::from(patch_average.is_told_by_half()))
             })
             .collect();
         let mut found = Vec::new();
-        for (index, felt) in felt.iter_mut().enumerate() {
-            let turning = Turning::find(&lines, index, felt, circumference, supports);
+        for (index, patch_average) in patch_averages.iter_mut().enumerate() {
+            let turning = Turning::find(&lines, index, patch_average, circumference, supports);
             found.push(match turning {
-                Some(turning) => Some(turning.taken_off(&lines[index], felt)?),
+                Some(turning) => Some(turning.taken_off(&lines[index], patch_average)?),
                 None => None,
             });
         }
@@ -109,12 +109,12 @@ impl Turning {
     fn find(
         lines: &[Lines],
         index: usize,
-        felt: &PatchAverageProfile,
+        patch_average: &PatchAverageProfile,
         nominal: f64,
         supports: Option<f64>,
     ) -> Option<Self> {
-        let spacing = felt.profile.spacing();
-        let turns = felt.profile.length() / nominal;
+        let spacing = patch_average.profile.spacing();
+        let turns = patch_average.profile.length() / nominal;
         if turns < LEAST_TURNS || nominal < 8.0 * spacing {
             return None;
         }
@@ -125,7 +125,7 @@ impl Turning {
         }
         let turns = MOST_TURNS.min((0.4 * turns) as usize);
         let mut circumference = steps * spacing;
-        let mut orders = standing_out(own, felt, circumference, turns);
+        let mut orders = standing_out(own, patch_average, circumference, turns);
         // The first distance is too coarse for the highest orders, which tell it best.
         for _ in 0..3 {
             let before = circumference;
@@ -133,7 +133,7 @@ impl Turning {
             if circumference == before {
                 break;
             }
-            orders = standing_out(own, felt, circumference, turns);
+            orders = standing_out(own, patch_average, circumference, turns);
         }
         // Other circumferences nearby have a single wave as another order.
         if let [order] = &mut orders[..] {
@@ -153,7 +153,7 @@ impl Turning {
     }
 
     /// The pattern, its course taken off the heights if it is the wheel's.
-    fn taken_off(self, lines: &Lines, felt: &mut PatchAverageProfile) -> Result<WheelPattern, Error> {
+    fn taken_off(self, lines: &Lines, patch_average: &mut PatchAverageProfile) -> Result<WheelPattern, Error> {
         let circumference = self.circumference;
         let amplitude = |order| {
             let [_, repeating] = lines.about(order, circumference, self.turns);
@@ -161,17 +161,17 @@ impl Turning {
         };
         // A flat that stands out of some waves is in all, and what does not repeat keeps its power.
         let taken: Vec<usize> = match self.orders.len() >= LEAST_ORDERS {
-            true => known_orders(felt, circumference).filter(|order| !self.of_rail.contains(order)).collect(),
+            true => known_orders(patch_average, circumference).filter(|order| !self.of_rail.contains(order)).collect(),
             false => self.orders.clone(),
         };
         let course = lines.repeating(&taken, circumference, self.turns);
         let square = course.iter().map(|height| height * height).sum::<f64>();
-        let steps = (circumference / felt.profile.spacing()).round() as usize;
-        let left = felt.profile.heights().iter().zip(&course);
+        let steps = (circumference / patch_average.profile.spacing()).round() as usize;
+        let left = patch_average.profile.heights().iter().zip(&course);
         let left = left.map(|(height, wheel)| height - wheel).collect();
-        let mut without = Some(Profile::new(felt.profile.start(), felt.profile.spacing(), left)?);
+        let mut without = Some(Profile::new(patch_average.profile.start(), patch_average.profile.spacing(), left)?);
         if let Some(rail) = without.take_if(|_| self.is_wheel) {
-            felt.profile = rail;
+            patch_average.profile = rail;
         }
         let orders = self.orders.into_iter();
         Ok(WheelPattern {
@@ -186,27 +186,27 @@ impl Turning {
 }
 
 /// Known orders whose power repeats.
-fn standing_out(lines: &Lines, felt: &PatchAverageProfile, circumference: f64, turns: usize) -> Vec<usize> {
+fn standing_out(lines: &Lines, patch_average: &PatchAverageProfile, circumference: f64, turns: usize) -> Vec<usize> {
     let stands_out = |&order: &usize| {
         let [all, repeating] = lines.about(order, circumference, turns);
         repeating > ORDER_SHARE * all
     };
-    known_orders(felt, circumference).filter(stands_out).collect()
+    known_orders(patch_average, circumference).filter(stands_out).collect()
 }
 
 /// Orders of wavelengths that are known.
-fn known_orders(felt: &PatchAverageProfile, circumference: f64) -> RangeInclusive<usize> {
-    let first = ((circumference / felt.known.to()).ceil() as usize).max(1);
-    first..=(circumference / felt.known.from()) as usize
+fn known_orders(patch_average: &PatchAverageProfile, circumference: f64) -> RangeInclusive<usize> {
+    let first = ((circumference / patch_average.known.to()).ceil() as usize).max(1);
+    first..=(circumference / patch_average.known.from()) as usize
 }
 
 /// Whether most other wheels felt an order that repeats.
 fn is_of_rail(lines: &[Lines], own: usize, order: usize, circumference: f64, turns: usize) -> bool {
     let repeating = |lines: &Lines| lines.about(order, circumference, turns)[1];
-    let least = FELT_BY_OTHERS * repeating(&lines[own]);
+    let least = SHARE_OF_OTHERS * repeating(&lines[own]);
     let others = lines.iter().enumerate().filter(|(index, _)| *index != own);
-    let felt = others.filter(|(_, other)| repeating(other) > least).count();
-    2 * felt > lines.len() - 1
+    let agreeing = others.filter(|(_, other)| repeating(other) > least).count();
+    2 * agreeing > lines.len() - 1
 }
 
 /// The distance at which a course repeats the most, in its steps, and how much of it: the mean of the autocorrelation at

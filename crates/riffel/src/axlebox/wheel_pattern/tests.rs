@@ -61,9 +61,9 @@ fn rails() -> impl Iterator<Item = (u64, bool, f64)> {
 }
 
 /// What the first of some wheels has, and the heights without it.
-fn found(mut felt: Vec<PatchAverageProfile>, circumference: f64) -> (Option<WheelPattern>, Profile) {
-    let found = WheelPattern::take_off(&mut felt, circumference, Some(0.6)).unwrap();
-    let first = felt.swap_remove(0);
+fn found(mut patch_averages: Vec<PatchAverageProfile>, circumference: f64) -> (Option<WheelPattern>, Profile) {
+    let found = WheelPattern::take_off(&mut patch_averages, circumference, Some(0.6)).unwrap();
+    let first = patch_averages.swap_remove(0);
     (found.into_iter().next().unwrap(), first.profile)
 }
 
@@ -71,7 +71,7 @@ fn found(mut felt: Vec<PatchAverageProfile>, circumference: f64) -> (Option<Whee
 fn rails_have_no_pattern_of_a_wheel() {
     for (seed, is_corrugated, radius) in rails() {
         let rail = rail(seed, is_corrugated);
-        let found_of = |felt| found(felt, TAU * RADIUS).0;
+        let found_of = |patch_averages| found(patch_averages, TAU * RADIUS).0;
         assert_eq!(found_of(vec![with(&rail, |_| 0.0)]), None, "{seed}");
         // A wave that keeps its phase, of which another wheel feels as much.
         let wavy = with(&rail, polygon(radius, 17, 10e-6));
@@ -120,10 +120,10 @@ fn polygons_are_told_by_another_wheel_on_the_rail() {
         let rail = rail(seed, is_corrugated);
         let order = 9 + 3 * seed as usize;
         let beside = with(&rail, |_| 0.0);
-        let felt = with(&rail, polygon(radius, order, 18e-6));
-        let (wheel, left) = found(vec![felt.clone(), beside.clone()], TAU * RADIUS);
+        let patch_average = with(&rail, polygon(radius, order, 18e-6));
+        let (wheel, left) = found(vec![patch_average.clone(), beside.clone()], TAU * RADIUS);
         // A wheel turned on the same lathe is no rail that a third does not feel.
-        let (twin, _) = found(vec![felt.clone(), felt, beside.clone()], TAU * RADIUS);
+        let (twin, _) = found(vec![patch_average.clone(), patch_average, beside.clone()], TAU * RADIUS);
         assert_eq!(twin, wheel, "{seed}");
         let wheel = wheel.unwrap_or_else(|| panic!("{seed}"));
         assert!(wheel.is_wheel && !wheel.is_flat(), "{seed}");
@@ -168,9 +168,8 @@ fn patterns_that_change_slowly_are_taken_off() {
         ];
         let smooth = with(&rail, |_| 0.0).profile;
         for (kind, wheels) in kinds.iter().enumerate() {
-            let felt = wheels.iter();
-            let felt = felt.map(|wheel| with(&rail, |x| changing(wheel, x)));
-            let (pattern, left) = found(felt.collect(), TAU * RADIUS);
+            let patch_averages = wheels.iter().map(|wheel| with(&rail, |x| changing(wheel, x)));
+            let (pattern, left) = found(patch_averages.collect(), TAU * RADIUS);
             assert!(pattern.is_some_and(|one| one.is_wheel), "{kind}, {seed}");
             let error = difference(&left, &smooth);
             let most = if kind == 3 && !is_corrugated { 0.8 } else { 0.2 };
@@ -185,11 +184,11 @@ fn patterns_that_change_slowly_are_taken_off() {
 #[test]
 fn the_best_distance_is_that_of_all() {
     for (seed, is_corrugated, radius) in rails() {
-        let felt = with(&rail(seed, is_corrugated), polygon(radius, 18, 4e-6));
-        let lines = Lines::of(felt.profile.heights(), STEP, 1);
+        let patch_average = with(&rail(seed, is_corrugated), polygon(radius, 18, 4e-6));
+        let lines = Lines::of(patch_average.profile.heights(), STEP, 1);
         let about = TAU * RADIUS / STEP;
         let (_, found) = best_distance(&lines, about).unwrap();
-        let most = ((0.5 * felt.profile.heights().len() as f64 / about) as usize).min(2 * MOST_TURNS);
+        let most = ((0.5 * patch_average.profile.heights().len() as f64 / about) as usize).min(2 * MOST_TURNS);
         let repeats = lines.whitened_autocorrelation((most as f64 * (about * (1.0 + WORN) + 2.0)) as usize + 2);
         let at = |lag: f64| {
             let (low, share) = (lag as usize, lag.fract());

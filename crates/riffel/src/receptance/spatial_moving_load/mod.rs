@@ -231,10 +231,10 @@ impl SpatialMovingLoad {
 
     /// The integrands of all n at one wavenumber, but for the phases of the places.
     fn at_wavenumber(&self, motion: &Motion, even: &FewWaves, k: f64, w: f64, harmonics: &mut [LateralReceptance]) {
-        let felt = w - k * self.speed;
-        let felt_size = felt.abs().max(AT_REST);
-        let free = motion.waves(felt_size, None);
-        let stiffness = motion.stiffness(self.track.supports(), felt_size);
+        let rail_frequency = w - k * self.speed;
+        let size = rail_frequency.abs().max(AT_REST);
+        let free = motion.waves(size, None);
+        let stiffness = motion.stiffness(self.track.supports(), size);
         let own = of_wave(&free, k);
         let at_supports = of_supports(&free, k, self.spacing);
         // (1 + ZĜ)⁻¹ Z G/d.
@@ -251,7 +251,7 @@ impl SpatialMovingLoad {
         }
         let zero = &mut harmonics[most as usize];
         add(zero, &own);
-        if felt < 0.0 {
+        if rail_frequency < 0.0 {
             for entry in harmonics.iter_mut().flatten().flatten() {
                 *entry = entry.conj();
             }

@@ -27,7 +27,7 @@ pub struct AnalysisSettings {
     pub limit: Option<RmsLimit>,
     /// The wavelengths of a profile that is what a wheel has felt of the rail: other bands are left out, no spikes are
     /// removed, and nothing is rolled over once more. None for the rail itself.
-    pub felt: Option<WavelengthBand>,
+    pub known_band: Option<WavelengthBand>,
     /// Whether [defects](RailAnalysis::defects) are left out of the levels; they stay in statistics.
     pub without_defects: bool,
     /// Whether each section of 100 m is given its levels, which cost as much as all else.
@@ -43,7 +43,7 @@ impl Default for AnalysisSettings {
             window: None,
             block: 10.0,
             limit: None,
-            felt: None,
+            known_band: None,
             without_defects: false,
             section_levels: false,
         }
@@ -139,7 +139,7 @@ impl RailAnalysis {
         let end = |stretch: &Profile| stretch.start() + stretch.length();
         let ends: Vec<(f64, f64)> = stretches.iter().map(|stretch| (stretch.start(), end(stretch))).collect();
         for (stretch, number) in stretches.iter_mut().zip(stretch_numbers(&ends)) {
-            if settings.felt.is_none() {
+            if settings.known_band.is_none() {
                 spikes += stretch.remove_spikes(SpikeCriterion::EN_15610).len();
             }
             progress();
@@ -151,13 +151,13 @@ impl RailAnalysis {
                 over_limit.extend(sections((stretch, number), *band, &found, settings));
                 statistics[index].push(found);
             }
-            if settings.felt.is_none() {
+            if settings.known_band.is_none() {
                 pits += stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH).len();
             }
             if settings.without_defects {
-                defects.extend(stretch.bridge_defects(settings.felt));
+                defects.extend(stretch.bridge_defects(settings.known_band));
             } else if !settings.bands.is_empty() {
-                defects.extend(stretch.clone().bridge_defects(settings.felt));
+                defects.extend(stretch.clone().bridge_defects(settings.known_band));
             }
             progress();
         }
@@ -268,7 +268,7 @@ impl RailAnalysis {
 
 /// The levels of bands that are not too short to be known.
 fn record_levels(stretches: &[Profile], settings: &AnalysisSettings, kept: &KeptLines) -> Result<RecordLevels, Error> {
-    let shortest = settings.felt.map_or(0.0, |felt| felt.from());
+    let shortest = settings.known_band.map_or(0.0, |known_band| known_band.from());
     RecordLevels::new(stretches, shortest, settings.longest_wavelength, kept)
 }
 
@@ -298,12 +298,12 @@ fn section_spectra(
 
 /// The one-third octaves that the wheel felt from edge to edge; all of a rail's own profile.
 fn known(spectrum: Spectrum, settings: &AnalysisSettings) -> Result<Spectrum, Error> {
-    let Some(felt) = settings.felt else {
+    let Some(known_band) = settings.known_band else {
         return Ok(spectrum);
     };
     let within = spectrum.levels().iter().filter(|level| {
         let (shortest, longest) = level.band.wavelength_range();
-        felt.from() <= shortest && longest <= felt.to()
+        known_band.from() <= shortest && longest <= known_band.to()
     });
     Spectrum::new(within.map(|level| (level.band, level.level)))
 }
@@ -313,8 +313,10 @@ fn band_statistics(stretch: &Profile, settings: &AnalysisSettings) -> Result<Vec
     let spacing = stretch.spacing();
     let length = stretch.length();
     let fits = |band: &WavelengthBand| {
-        let is_felt = settings.felt.is_none_or(|felt| felt.from() <= band.from() && band.to() <= felt.to());
-        is_felt && band.fits_into(length) && BandPass::resolves(*band, spacing)
+        let is_known = settings
+            .known_band
+            .is_none_or(|known_band| known_band.from() <= band.from() && band.to() <= known_band.to());
+        is_known && band.fits_into(length) && BandPass::resolves(*band, spacing)
     };
     let samples = |length: f64| (length / spacing).round().max(1.0) as usize;
     let fitting: Vec<BandSettings> = settings
