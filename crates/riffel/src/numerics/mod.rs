@@ -18,4 +18,5 @@ pub mod random_numbers;
 pub(crate) mod simpson;
 pub(crate) mod simultaneous_roots;
 pub(crate) mod spherical_bessel;
+pub(crate) mod square;
 pub(crate) mod square_root;

@@ -8,6 +8,7 @@ use super::quadrature_over_wavenumbers::QuadratureOverWavenumbers;
 use super::spatial_track::Motions;
 use super::twisting_rail::{CoupledWave, Foundation, LateralReceptance, TwistingRail};
 use super::{Beam, MovingLoadTrack, SpatialTrack, Supports, Waveguide};
+use crate::numerics::square::Square;
 use crate::{Error, Place};
 
 /// A [`SpatialTrack`] on supports at x = 0, ±d, ±2d, … under loads that oscillate and pass them together at the speed V.
@@ -234,19 +235,17 @@ impl SpatialMovingLoad {
         let rail_frequency = w - k * self.speed;
         let size = rail_frequency.abs().max(AT_REST);
         let free = motion.waves(size, None);
-        let stiffness = motion.stiffness(self.track.supports(), size);
+        let stiffness = Square(motion.stiffness(self.track.supports(), size));
         let own = of_wave(&free, k);
-        let at_supports = of_supports(&free, k, self.spacing);
+        let at_supports = Square(of_supports(&free, k, self.spacing));
         // (1 + ZĜ)⁻¹ Z G/d.
-        let mut resists = product(&stiffness, &at_supports);
-        resists[0][0] += 1.0;
-        resists[1][1] += 1.0;
-        let forces = product(&inverse(&resists), &product(&stiffness, &own));
+        let resists = (stiffness * at_supports).plus_diagonal(&[Complex64::ONE; 2]);
+        let forces = resists.inverse() * (stiffness * Square(own));
         let most = (harmonics.len() / 2) as f64;
         let turn = TAU / self.spacing;
         for (n, slot) in harmonics.iter_mut().enumerate() {
-            let there = of_wave(&free, k + turn * (n as f64 - most));
-            let moved = product(&there, &forces);
+            let there = Square(of_wave(&free, k + turn * (n as f64 - most)));
+            let Square(moved) = there * forces;
             *slot = moved.map(|row| row.map(|entry| entry / -self.spacing));
         }
         let zero = &mut harmonics[most as usize];
@@ -392,15 +391,6 @@ fn add(sum: &mut LateralReceptance, other: &LateralReceptance) {
     for (sum, other) in sum.iter_mut().flatten().zip(other.iter().flatten()) {
         *sum += other;
     }
-}
-
-fn product(one: &LateralReceptance, other: &LateralReceptance) -> LateralReceptance {
-    [0, 1].map(|row| [0, 1].map(|column| one[row][0] * other[0][column] + one[row][1] * other[1][column]))
-}
-
-fn inverse([[a, b], [c, d]]: &LateralReceptance) -> LateralReceptance {
-    let determinant = (a * d - b * c).inv();
-    [[d * determinant, -b * determinant], [-c * determinant, a * determinant]]
 }
 
 #[cfg(test)]

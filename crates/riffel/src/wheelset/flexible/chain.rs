@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::disc::CoupledInertia;
 use super::span::{LONGEST_PHASE, Section, Transfer};
-use super::square::Square;
+use crate::numerics::square::Square;
 
 /// What sits at a place of the axle.
 #[derive(Debug, Clone, PartialEq)]

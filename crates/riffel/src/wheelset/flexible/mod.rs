@@ -9,7 +9,6 @@ mod name;
 mod natural;
 mod rod;
 mod span;
-mod square;
 
 pub use axle::{Axle, Segment};
 pub use disc::{CoupledInertia, Disc};
@@ -19,11 +18,11 @@ pub use natural::{NaturalMode, SectionMotion};
 use beam::BeamSection;
 use chain::{Chain, Node};
 use rod::RodSection;
-use square::Square;
 
 use super::free_motion::FreeMotion;
 use super::section::{Between, SectionReceptances};
 use super::{ContactGeometry, ContactReceptances, RigidBody, Suspension, Wheelset, WheelsetWithHubs};
+use crate::numerics::square::Square;
 use crate::{Direction, Error};
 
 /// An elastic axle with rigid discs: wheels, brake discs, gear, axle boxes; free, or on its primary suspension.

@@ -5,8 +5,8 @@ use num_complex::Complex64;
 use super::chain::Chain;
 use super::disc::CoupledInertia;
 use super::span::Section;
-use super::square::Square;
 use crate::numerics::gauss::GAUSS;
+use crate::numerics::square::Square;
 
 /// A mode of a [`Chain`], of a generalised mass of 1 kg.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,18 +6,18 @@ use num_complex::Complex64;
 
 /// A square matrix of N = 1 or 2 rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Square<const N: usize>(pub(super) [[Complex64; N]; N]);
+pub(crate) struct Square<const N: usize>(pub(crate) [[Complex64; N]; N]);
 
 impl<const N: usize> Square<N> {
-    pub(super) const ZERO: Self = Self([[Complex64::ZERO; N]; N]);
+    pub(crate) const ZERO: Self = Self([[Complex64::ZERO; N]; N]);
 
-    pub(super) fn identity() -> Self {
+    pub(crate) fn identity() -> Self {
         Self::ZERO.plus_diagonal(&[Complex64::ONE; N])
     }
 
     /// Matrix with a diagonal added.
     #[inline(always)]
-    pub(super) fn plus_diagonal(mut self, diagonal: &[Complex64; N]) -> Self {
+    pub(crate) fn plus_diagonal(mut self, diagonal: &[Complex64; N]) -> Self {
         for (i, value) in diagonal.iter().enumerate() {
             self.0[i][i] += value;
         }
@@ -26,7 +26,7 @@ impl<const N: usize> Square<N> {
 
     /// Of a motion seen from the other end of the axle, where rotations, the second of two, change sign.
     #[inline(always)]
-    pub(super) fn mirrored(mut self) -> Self {
+    pub(crate) fn mirrored(mut self) -> Self {
         if N == 2 {
             self.0[0][1] = -self.0[0][1];
             self.0[1][0] = -self.0[1][0];
@@ -35,7 +35,7 @@ impl<const N: usize> Square<N> {
     }
 
     #[inline(always)]
-    pub(super) fn inverse(&self) -> Self {
+    pub(crate) fn inverse(&self) -> Self {
         let m = &self.0;
         let mut inverse = Self::ZERO;
         if N == 1 {
@@ -50,13 +50,13 @@ impl<const N: usize> Square<N> {
         inverse
     }
 
-    pub(super) fn transposed(&self) -> Self {
+    pub(crate) fn transposed(&self) -> Self {
         Self(std::array::from_fn(|i| std::array::from_fn(|j| self.0[j][i])))
     }
 
     /// The symmetric matrix of which it is a rounding.
     #[inline(always)]
-    pub(super) fn symmetric(mut self) -> Self {
+    pub(crate) fn symmetric(mut self) -> Self {
         if N == 2 {
             let mean = 0.5 * (self.0[0][1] + self.0[1][0]);
             (self.0[0][1], self.0[1][0]) = (mean, mean);
@@ -65,7 +65,7 @@ impl<const N: usize> Square<N> {
     }
 
     /// Number of negative eigenvalues of the real part, taken as symmetric.
-    pub(super) fn negative_eigenvalues(&self) -> usize {
+    pub(crate) fn negative_eigenvalues(&self) -> usize {
         let m = &self.symmetric().0;
         if N == 1 {
             return usize::from(m[0][0].re < 0.0);
@@ -81,7 +81,7 @@ impl<const N: usize> Square<N> {
     }
 
     #[inline(always)]
-    pub(super) fn apply(&self, vector: &[Complex64; N]) -> [Complex64; N] {
+    pub(crate) fn apply(&self, vector: &[Complex64; N]) -> [Complex64; N] {
         std::array::from_fn(|i| (0..N).map(|j| self.0[i][j] * vector[j]).sum())
     }
 }
