@@ -53,6 +53,21 @@ fn railway() -> impl Strategy<Value = Railway> {
 }
 
 impl Railway {
+    /// The paper's.
+    const PAPER: Self = Self {
+        poisson_ratio: 0.3,
+        rolling_radius: 0.46,
+        transverse_radius: 0.23,
+        normal_force: 50e3,
+        friction: 0.4,
+        tractive_ratio: 0.1,
+        wheel_mass: 350.0,
+        rail_mass: 56.0,
+        second_moment: 2.35e-5,
+        wavelength: 0.05,
+        speed: 20.0,
+    };
+
     fn rail(&self) -> EulerBernoulliBeam {
         let steel = ElasticMaterial::new(207e9, self.poisson_ratio).unwrap();
         EulerBernoulliBeam::new(steel, self.second_moment, self.rail_mass).unwrap()
@@ -207,19 +222,7 @@ proptest! {
 /// the smallest value of each row.
 #[test]
 fn a_tabulated_map_is_its_points() {
-    let railway = Railway {
-        poisson_ratio: 0.3,
-        rolling_radius: 0.46,
-        transverse_radius: 0.23,
-        normal_force: 50e3,
-        friction: 0.4,
-        tractive_ratio: 0.3,
-        wheel_mass: 350.0,
-        rail_mass: 56.0,
-        second_moment: 2.35e-5,
-        wavelength: 0.05,
-        speed: 20.0,
-    };
+    let railway = Railway { tractive_ratio: 0.3, ..Railway::PAPER };
     let (pad, ballast) = (Layer::new(1.1e8, 3e4).unwrap(), Layer::new(8.6e7, 4e4).unwrap());
     let track = ContinuousTrack::new(Beam::from(railway.rail()), Support::two_layer(pad, 157.0, ballast).unwrap());
     let rotation = railway.rotation();
@@ -299,19 +302,7 @@ fn branches_of_the_ridge_are_apart_and_the_strongest_leads() {
 /// Speeds in any order, one speed alone, and a row of the ridge kept by hand give the same branches.
 #[test]
 fn branches_do_not_depend_on_the_order_of_speeds() {
-    let railway = Railway {
-        poisson_ratio: 0.3,
-        rolling_radius: 0.46,
-        transverse_radius: 0.23,
-        normal_force: 50e3,
-        friction: 0.4,
-        tractive_ratio: 0.1,
-        wheel_mass: 350.0,
-        rail_mass: 56.0,
-        second_moment: 2.35e-5,
-        wavelength: 0.05,
-        speed: 20.0,
-    };
+    let railway = Railway::PAPER;
     let rotation = railway.rotation();
     let feedback = railway.feedback(FreeBeam::new(railway.rail()), rotation);
     let wavelength = Axis::new(0.02, 0.08, 241).unwrap();
@@ -341,8 +332,6 @@ fn branches_do_not_depend_on_the_order_of_speeds() {
 #[test]
 fn bay_mean() {
     let railway = Railway {
-        poisson_ratio: 0.3,
-        rolling_radius: 0.46,
         transverse_radius: 0.3,
         normal_force: 60e3,
         friction: 0.35,
@@ -350,8 +339,8 @@ fn bay_mean() {
         wheel_mass: 600.0,
         rail_mass: 60.2,
         second_moment: 3.04e-5,
-        wavelength: 0.05,
         speed: 30.0,
+        ..Railway::PAPER
     };
     let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
     let shear = ShearSection { area: 7.67e-3, shear_coefficient: 0.393, shear_modulus: 80e9, density: 7850.0 };

@@ -12,6 +12,7 @@ mod load_wear;
 mod measured_growth;
 mod moving_contact;
 mod normal_direction;
+mod paper;
 mod passage;
 mod passing_supports;
 mod spatial_track;

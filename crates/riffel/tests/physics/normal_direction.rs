@@ -3,32 +3,24 @@
 use std::sync::Arc;
 
 use proptest::prelude::*;
-use riffel::contact::{Carter3d, CurvatureFilter, MeanState, QuasiStatic, WaveGeometry, WavePatch};
+use riffel::contact::{CurvatureFilter, MeanState, QuasiStatic, WaveGeometry, WavePatch};
 use riffel::feedback::{Contact, NormalDirection, OneWheel};
 use riffel::growth::RowEvaluator;
-use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Structure, Uncoupled};
+use riffel::receptance::{Structure, Uncoupled};
 use riffel::wheelset::{
     Axle, ContactGeometry, Disc, FlexibleWheelset, Motion, RigidBody, RigidInertia, RigidMass, RigidWheelset, Segment,
     Wheelset, WheelsetWithHubs,
 };
-use riffel::{Complex64, ElasticMaterial, Error, HertzContact, Loop, Rail, Receptance};
+use riffel::{Complex64, ElasticMaterial, Loop, Rail, Receptance};
 
 use crate::fixtures::{self, steel};
+use crate::paper::{free_beam, law_on_wave as law};
 
 const RADIUS: f64 = 0.46;
 const LOAD: f64 = 50e3;
 const MASS: f64 = 350.0;
 const INERTIA: f64 = 27.7725;
 const AMPLITUDE: f64 = 1e-6;
-
-/// The contact of the paper on a wheel of the radius R/(1 + κ).
-fn hertz(curvature: f64) -> Result<HertzContact, Error> {
-    fixtures::hertz().with_longitudinal_radius(RADIUS / (1.0 + curvature))
-}
-
-fn law(curvature: f64) -> Result<Carter3d, Error> {
-    Carter3d::new(hertz(curvature)?, 0.4)
-}
 
 fn rigid(mass: f64) -> Arc<RigidMass> {
     Arc::new(RigidMass::new(mass).unwrap())
@@ -38,10 +30,6 @@ fn rigid(mass: f64) -> Arc<RigidMass> {
 fn turning(mass: f64) -> RigidInertia {
     let turning = RigidInertia::new(INERTIA, RADIUS).unwrap();
     turning.with_moving_hub(mass).unwrap()
-}
-
-fn free_beam() -> Arc<dyn Receptance> {
-    Arc::new(FreeBeam::new(EulerBernoulliBeam::new(steel(), 4.8645e6 / 207e9, 56.0).unwrap()))
 }
 
 /// The paper's wheel on waves that have a geometry, or on none.

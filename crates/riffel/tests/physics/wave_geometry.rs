@@ -9,27 +9,19 @@ use riffel::contact::{
 };
 use riffel::feedback::{Contact, OneWheel};
 use riffel::growth::RowEvaluator;
-use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Uncoupled};
+use riffel::receptance::Uncoupled;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Complex64, DissipationPhase, EnergyWear, Error, HertzContact, Loop, PlaceOfWear, Rail, Receptance, RollingContact,
 };
 
-use crate::fixtures::{self, steel};
+use crate::fixtures;
+use crate::paper::{free_beam, hertz_on_wave as hertz, law_on_wave as law};
 
 const RADIUS: f64 = 0.46;
 const LOAD: f64 = 50e3;
 const FRICTION: f64 = 0.4;
 const AMPLITUDE: f64 = 1e-6;
-
-/// The contact of the paper on a wheel of the radius R/(1 + κ).
-fn hertz(curvature: f64) -> Result<HertzContact, Error> {
-    fixtures::hertz().with_longitudinal_radius(RADIUS / (1.0 + curvature))
-}
-
-fn law(curvature: f64) -> Result<Carter3d, Error> {
-    Carter3d::new(hertz(curvature)?, FRICTION)
-}
 
 fn rolling(ratio: f64) -> QuasiStatic<Carter3d> {
     let mean = MeanState::TractiveRatio(ratio);
@@ -43,11 +35,6 @@ fn patch() -> WavePatch {
 
 fn wave(patch: WavePatch) -> Option<WaveGeometry> {
     Some(WaveGeometry::new(RADIUS, patch).unwrap())
-}
-
-fn free_beam() -> Arc<dyn Receptance> {
-    // EI = 4.8645 MN m².
-    Arc::new(FreeBeam::new(EulerBernoulliBeam::new(steel(), 4.8645e6 / 207e9, 56.0).unwrap()))
 }
 
 fn one_wheel(ratio: f64, phase: DissipationPhase, inertia: f64) -> OneWheel {

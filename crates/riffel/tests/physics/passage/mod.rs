@@ -9,12 +9,13 @@ use std::sync::Arc;
 use riffel::contact::{CreepLaw, JohnsonVermeulen, MeanState, QuasiStatic, ShenHedrickElkins};
 use riffel::feedback::OneWheel;
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Settled, Sinusoid, StructuresInTime};
-use riffel::receptance::{Beam, ContinuousTrack, FreeBeam, Layer, ShearSection, Support};
+use riffel::receptance::{Beam, ContinuousTrack, Layer, ShearSection, Support};
 use riffel::roughness::Profile;
 use riffel::wheelset::{RigidInertia, RigidMass};
 use riffel::{Carter3d, Complex64, DissipationPhase, Error, HertzContact, LoopState, PlaceOfWear, Receptance};
 
 use crate::fixtures::{hertz, layer, one_wheel, rail, steel};
+use crate::paper::free_beam;
 
 const RADIUS: f64 = 0.46;
 const MASS: f64 = 350.0;
@@ -35,10 +36,6 @@ fn support(pad: [f64; 2], ballast: [f64; 2]) -> Support {
 fn two_layers() -> Arc<dyn Receptance> {
     let support = support([80e6, 20e3], [60e6, 30e3]);
     Arc::new(ContinuousTrack::new(Beam::from(rail()), support))
-}
-
-fn free_beam() -> Arc<dyn Receptance> {
-    Arc::new(FreeBeam::new(rail()))
 }
 
 /// The linear loop and the same wheel in time.
