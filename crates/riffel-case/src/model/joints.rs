@@ -57,18 +57,8 @@ impl Joint {
     }
 
     /// Name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Track => "track",
-            Self::Wheel => "wheel",
-            Self::Creepage => "creepage",
-            Self::Contact => "contact",
-            Self::Conformity => "conformity",
-            Self::ContactFilter => "contact filter",
-            Self::WaveGeometry => "wave geometry",
-            Self::PlaceOfWear => "place of wear",
-            Self::Wear => "wear",
-        }
+    pub fn name(self) -> String {
+        self.key().replace('_', " ")
     }
 }
 
