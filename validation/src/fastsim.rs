@@ -1,6 +1,7 @@
 //! FASTSIM against CONTACT's: what is the theory's, what is the grid's.
 
 use riffel::contact::{CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound};
+use riffel::numerics::bisection::bisection;
 use riffel::{ElasticMaterial, HertzContact};
 
 use crate::Row;
@@ -26,21 +27,13 @@ fn series(first: usize) -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
-/// The ellipse of twice the width: its transverse radius, of which it falls out, by bisection.
+/// The ellipse of twice the width, by its transverse radius.
 fn locomotive() -> HertzContact {
     let youngs_modulus = 2.0 * SHEAR_MODULUS * (1.0 + POISSON_RATIO);
     let steel = ElasticMaterial::new(youngs_modulus, POISSON_RATIO).expect("a steel");
     let contact = |radius| HertzContact::exact(steel, 0.625, radius, LOAD).expect("a contact");
-    let (mut low, mut high) = (0.625_f64, 6.25_f64);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if contact(middle).axis_ratio() > 0.5 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    contact(low)
+    let [radius, _] = bisection([0.625, 6.25], 0.0, |radius| contact(radius).axis_ratio() <= 0.5);
+    contact(radius)
 }
 
 fn creep_ellipse(contact: HertzContact) -> CreepEllipse {

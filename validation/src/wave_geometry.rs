@@ -1,6 +1,7 @@
 //! The geometry of a wave against transient rolling over the true gap, and its filter.
 
 use riffel::contact::{ContactFilter, Creepages, CurvatureFilter, HalfSpace, HalfSpaceRolling, OscillatingCreepages};
+use riffel::numerics::bisection::bisection;
 use riffel::{Complex64, ElasticMaterial, HertzContact};
 use serde::Deserialize;
 
@@ -64,12 +65,8 @@ fn state(contact: &HalfSpace, axis: &str, ratio: f64) -> HalfSpaceRolling {
         ("x", _) => contact.roll_at_tractive_ratio(ratio).expect("a steady state"),
         (_, 1.0) => across(FULL_SLIP),
         _ => {
-            let (mut low, mut high) = (0.0, FULL_SLIP);
-            for _ in 0..14 {
-                let middle = 0.5 * (low + high);
-                let reached = contact.steady(&across(middle)).tractive_ratio();
-                *(if reached < ratio { &mut low } else { &mut high }) = middle;
-            }
+            let is_beyond = |creepage| contact.steady(&across(creepage)).tractive_ratio() >= ratio;
+            let [low, high] = bisection([0.0, FULL_SLIP], 1e-4 * FULL_SLIP, is_beyond);
             across(0.5 * (low + high))
         }
     }
