@@ -25,4 +25,4 @@ mod wheelset_cases;
 mod wheelset_files;
 mod wheelset_presets;
 
-use fixtures::{case, parsed, trailer};
+use fixtures::{case, nominal, parsed, trailer};

@@ -1,11 +1,10 @@
 //! What the reader of a case is told, in both languages.
 
-use riffel_case::NOMINAL_CASE;
 use riffel_case::ask;
 use riffel_keys::{Language, Message};
 
 fn remarks(overrides: &[&str]) -> Vec<Message> {
-    crate::parsed(NOMINAL_CASE, overrides).unwrap().remarks
+    crate::nominal(overrides).remarks
 }
 
 /// The numbers of a sentence, smallest first, with a decimal point.

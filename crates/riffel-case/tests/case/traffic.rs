@@ -5,9 +5,7 @@ use riffel_case::{Case, NOMINAL_CASE, TRAFFIC, Variant};
 use riffel_keys::CaseError;
 use riffel_rail::{Layout, RoughnessFile, Survey};
 
-fn nominal() -> Case {
-    crate::case(NOMINAL_CASE, &[])
-}
+use crate::nominal;
 
 /// What the traffic makes of the case as it is.
 fn on(traffic: &Traffic, case: &Case) -> Result<TrafficOnCase, CaseError> {
@@ -20,7 +18,7 @@ const SPEED: &str = "speed = { mean = 30 }\n";
 #[test]
 fn the_example_runs_on_the_nominal_case() -> Result<(), CaseError> {
     let traffic = Traffic::parse("traffic.toml", TRAFFIC)?;
-    let case = nominal();
+    let case = nominal(&[]);
     let on = on(&traffic, &case)?;
     assert_eq!(on.passages_per_day, Some(6000.0));
     // 0.55 · 13 t + 0.05 · 21 t + 0.4 · 16 t.
@@ -34,7 +32,7 @@ fn the_example_runs_on_the_nominal_case() -> Result<(), CaseError> {
 /// A vehicle without values of its own is the wheel of the case.
 #[test]
 fn what_a_vehicle_leaves_out_is_of_the_case() -> Result<(), CaseError> {
-    let case = nominal();
+    let case = nominal(&[]);
     let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}"))?;
     let on = on(&traffic, &case)?;
     let wavelength = on.growth.wavelengths()[50];
@@ -47,7 +45,7 @@ fn what_a_vehicle_leaves_out_is_of_the_case() -> Result<(), CaseError> {
 #[test]
 fn tonnes_a_year_are_axles_a_day() -> Result<(), CaseError> {
     let text = format!("[line]\nmgt_per_year = 20\n{VEHICLE}axle_load = \"20 t\"\n{SPEED}");
-    let case = nominal();
+    let case = nominal(&[]);
     let on = on(&Traffic::parse("t.toml", &text)?, &case)?;
     let a_day = on.passages_per_day.unwrap();
     assert!((a_day / (1e6 / 365.2425) - 1.0).abs() < 1e-12, "{a_day}");
@@ -58,7 +56,7 @@ fn tonnes_a_year_are_axles_a_day() -> Result<(), CaseError> {
 fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
     let set = "[vehicle.set]\ncontact.friction = 0.3\nwheel = { rotation = \"constant-creepage\" }\n";
     let text = format!("{VEHICLE}{SPEED}creepage = \"0.03 %\"\n{set}");
-    let case = nominal();
+    let case = nominal(&[]);
     let on = on(&Traffic::parse("t.toml", &text)?, &case)?;
     let changed = ["contact.friction=0.3", "contact.creepage=3e-4", "wheel.rotation=constant-creepage"];
     let changed = changed.map(str::to_owned);
@@ -74,7 +72,7 @@ fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
 fn a_speed_without_its_unit_is_asked_about() -> Result<(), CaseError> {
     let asked = |mean: &str| -> Result<Vec<String>, CaseError> {
         let text = format!("{VEHICLE}speed = {{ mean = {mean} }}\n");
-        let case = nominal();
+        let case = nominal(&[]);
         let traffic = Traffic::parse("t.toml", &text)?;
         let on = on(&traffic, &case)?;
         let remarks = on.remarks.into_iter();
@@ -126,7 +124,7 @@ fn a_vehicle_that_the_case_refuses_is_named() {
     ] {
         let [rest, key, rule] = row.split(" => ").collect::<Vec<_>>()[..] else { panic!("{row}") };
         let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}{rest}")).unwrap();
-        let case = nominal();
+        let case = nominal(&[]);
         let error = on(&traffic, &case).unwrap_err();
         assert!(error.to_string().contains(key) && error.to_string().contains(rule), "{error}");
         let CaseError::Invalid { span, .. } = error else {
@@ -197,7 +195,7 @@ fn unusual_amounts_are_asked_about() {
         let text = format!("[line]\n{amount}\n[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = {{ mean = 20 }}\n");
         Traffic::parse("t.toml", &text).unwrap()
     };
-    let case = crate::case(NOMINAL_CASE, &[]);
+    let case = nominal(&[]);
     let remarks = |amount: &str| -> Vec<String> {
         let on = on(&traffic(amount), &case);
         on.unwrap().remarks.iter().map(ToString::to_string).collect()

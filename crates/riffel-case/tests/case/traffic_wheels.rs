@@ -6,16 +6,11 @@ use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, METRO_CURVE_CASE, NOMINAL_CASE, Variant};
 use riffel_keys::CaseError;
 
+use crate::nominal;
+
 /// Closed laws: the bogie by Shen, Hedrick & Elkins, the loop by Polach.
 fn curve(keys: &[&str]) -> Case {
-    let law = ["contact.creep_law=polach", "map.wavelength=40-80 mm"];
-    let keys = law.iter().chain(keys).map(|key| (*key).to_owned());
-    Case::parse("curve.toml", METRO_CURVE_CASE, &keys.collect::<Vec<_>>()).unwrap()
-}
-
-fn nominal(keys: &[&str]) -> Case {
-    let keys: Vec<String> = keys.iter().map(|key| (*key).to_owned()).collect();
-    Case::parse("case.toml", NOMINAL_CASE, &keys).unwrap()
+    crate::case(METRO_CURVE_CASE, &[&["contact.creep_law=polach", "map.wavelength=40-80 mm"], keys].concat())
 }
 
 fn on(case: &Case, vehicle: &str) -> Result<TrafficOnCase, CaseError> {

@@ -5,9 +5,7 @@ use riffel_case::ask;
 use riffel_case::model::{FieldModel, ModelOnCase};
 use riffel_case::{Case, NOMINAL_CASE, Point};
 
-fn case(overrides: &[&str]) -> Case {
-    crate::parsed(NOMINAL_CASE, overrides).unwrap()
-}
+use crate::nominal as case;
 
 /// e₁/(e₀Δ) at the rail \[1/m\].
 fn per_metre(case: &Case, wavelength: f64, speed: f64) -> Complex64 {
