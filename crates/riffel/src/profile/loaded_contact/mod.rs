@@ -81,7 +81,7 @@ impl WheelsetOnTrack {
         let about = Guess::new(&first, material, normal_force, on.rolling_radius)?;
         let approach = about.solve(&first, ContactSurface::Flat, FIRST_ELEMENTS)?.state.approach();
         let overlap = Overlap::new(&first, &about.strips, approach);
-        let place = first.on_rail(overlap.y).ok_or_else(|| beside(rail))?;
+        let place = first.on_rail(overlap.y).ok_or(ProfileError::Shape(ShapeFault::BeyondEnd(rail)))?;
         let place = [touch[0] + overlap.x, place];
         let gap = self.gap_at(contact, rail, place, Some(overlap.inclination))?;
         let guess = Guess::new(&gap, material, normal_force, on.rolling_radius)?;
@@ -185,10 +185,6 @@ fn is_free(state: &NormalState) -> bool {
     };
     let mut elements = state.pressures().iter().enumerate();
     !elements.any(|(index, pressure)| *pressure > 0.0 && at_rim(index))
-}
-
-fn beside(rail: Rail) -> ProfileError {
-    ProfileError::Shape(ShapeFault::BeyondEnd(rail))
 }
 
 fn check_elements(elements: usize) -> Result<(), Error> {
