@@ -61,17 +61,10 @@ fn drawn_problems_end_with_a_conclusion() {
             let mut plan = plan(there.path(), problem);
             (_, plan.posterior) = simulate(&plan.posterior, 1, problem).unwrap();
             plan.file.sampler.seed = seed;
-            let begun = std::time::Instant::now();
             let folder = Folder::begin(&plan, &there.path().join("out"), false).unwrap();
             let chains = folder.run(&|_| (), &Stop::default()).unwrap().unwrap();
             let summary = chains.summary(&plan);
             let doubts: Vec<String> = summary.doubts().iter().map(ToString::to_string).collect();
-            eprintln!(
-                "{problem}: {} values, seed {seed}, {} draws, {:.1} s {doubts:?}",
-                summary.marginals.len(),
-                summary.draws,
-                begun.elapsed().as_secs_f64()
-            );
             if !doubts.is_empty() {
                 doubted.push((problem, seed, doubts));
             }

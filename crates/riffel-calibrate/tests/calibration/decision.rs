@@ -126,7 +126,6 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
     let never = mean(&|(_, months)| f64::from(u8::from(*months > 25.0)));
     assert!((found.actions[0].months_to_limit.probability_never - never).abs() < 0.05);
     let worth = means.iter().copied().fold(f64::INFINITY, f64::min) - best;
-    eprintln!("{never} {worth} {means:?} {:?}", found.measurements);
     assert!((found.evpi_per_year - worth).abs() < 0.15 * worth, "{} {worth}", found.evpi_per_year);
     // What an action must hold to: those that break it are no choice any more.
     let more = costs
@@ -189,7 +188,6 @@ pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) 
     let expected = json("b-three-dates", "decide.json");
     for (action, name) in found.actions.iter().zip(["as_it_is", "soft_pads", "friction", "speed_spread"]) {
         let cost = 1e3 * expected["actions"][name]["mean_cost"].as_f64().unwrap();
-        eprintln!("  {name} {:.0} for {cost:.0}", action.mean_cost_per_year);
         assert!((action.mean_cost_per_year / cost - 1.0).abs() < 0.03, "{action:?}");
     }
     // The levels of the date that was held out, 6e6 axles: those of 400 draws of the second implementation.

@@ -1,7 +1,5 @@
 //! The likelihood at points, its gradient, and what leaves it alone.
 
-use std::time::Instant;
-
 use crate::{SETS, json, plan, values};
 
 /// ln likelihood by kind of data, normalised in full, and what the model says, at three points of each set. The forward models
@@ -37,12 +35,7 @@ fn gradients_are_those_of_differences() {
         let points = json(set, "likelihood_points.json");
         let values = values(&plan, &points["points"][1]["values"]);
         let place = plan.posterior.place(&values);
-        let begun = Instant::now();
         let point = plan.posterior.at(&place).unwrap();
-        eprintln!("{set}: gradient in {:.2} ms", 1e3 * begun.elapsed().as_secs_f64());
-        let begun = Instant::now();
-        plan.posterior.log_density(&place).unwrap();
-        eprintln!("{set}: density in {:.2} ms", 1e3 * begun.elapsed().as_secs_f64());
         for index in 0..place.len() {
             const STEP: f64 = 1e-4;
             let moved = |sign: f64| {
@@ -97,25 +90,6 @@ fn predictions_are_those_of_the_second_implementation() {
                 }
             }
         }
-    }
-}
-
-#[test]
-#[ignore = "a measurement"]
-fn timing() {
-    for set in SETS {
-        let plan = plan(set);
-        let points = json(set, "likelihood_points.json");
-        let values = values(&plan, &points["points"][1]["values"]);
-        let place = plan.posterior.place(&values);
-        let time = |what: &str, work: &dyn Fn()| {
-            work();
-            let begun = Instant::now();
-            (0..20).for_each(|_| work());
-            eprintln!("{set}: {what} {:.3} ms", 50.0 * begun.elapsed().as_secs_f64());
-        };
-        time("gradient", &|| drop(plan.posterior.at(&place)));
-        time("density", &|| assert!(plan.posterior.log_density(&place).is_some()));
     }
 }
 
