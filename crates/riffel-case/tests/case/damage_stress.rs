@@ -30,8 +30,9 @@ fn at(ratio: f64, place: [f64; 3]) -> UnitStress {
 /// 3e-6 of p₀, what the reference's two orders agree to.
 #[test]
 fn stress_at_points() {
-    let (mut worst, mut count) = ((0.0, String::new()), 0);
-    for row in rows!("stress_points.csv") {
+    let rows: Vec<_> = rows!("stress_points.csv").collect();
+    assert!(rows.len() > 50);
+    for row in rows {
         let ratio = number(row[0]);
         let place = [number(row[1]), number(row[2]), number(row[3])];
         let unit = at(ratio, place);
@@ -40,15 +41,9 @@ fn stress_at_points() {
             _ => unit.along,
         };
         for (got, expected) in got.iter().zip(&row[5..]) {
-            let error = (got - number(expected)).abs();
-            if error > worst.0 || error.is_nan() {
-                worst = (error, format!("{row:?}: {got}"));
-            }
+            assert!((got - number(expected)).abs() < 6e-6, "{row:?}: {got}");
         }
-        count += 1;
     }
-    println!("{count} rows, worst {worst:?}");
-    assert!(count > 50 && worst.0 < 6e-6, "{worst:?}");
 }
 
 /// A circle on its axis, and its edge; ends of the axes and centre of ellipses.
@@ -129,8 +124,9 @@ fn axes_may_be_exchanged() {
 /// Largest von Mises and Tresca: 0.5 % of each, places where the largest is not flat.
 #[test]
 fn largest_stresses() {
-    let (mut worst, mut count) = ((0.0, String::new()), 0);
-    for row in rows!("stress_maxima.csv") {
+    let rows: Vec<_> = rows!("stress_maxima.csv").collect();
+    assert!(rows.len() > 100);
+    for row in rows {
         let (ratio, friction) = (number(row[0]), number(row[1]));
         let along = [1.0, 0.0];
         let traction = match row[2] {
@@ -147,17 +143,11 @@ fn largest_stresses() {
         };
         let ellipse = EllipseStress::of_ratio(ratio, NU);
         let found = StressMaximum::find(&ellipse, &traction, measure, depth);
-        let error = (found.value / number(row[5]) - 1.0).abs();
-        if error > worst.0 || error.is_nan() {
-            worst = (error, format!("{row:?}: {found:?}"));
-        }
-        count += 1;
+        assert!((found.value / number(row[5]) - 1.0).abs() < 5e-3, "{row:?}: {found:?}");
     }
-    println!("{count} rows, worst {worst:?}");
-    assert!(count > 100 && worst.0 < 5e-3, "{worst:?}");
 }
 
-/// 1e-4 of the fine file; 1 % of bounds on an ellipse.
+/// 2e-4 of the fine file; 1 % of the elastic limit of an ellipse, below the friction from where on the file misses its edge.
 #[test]
 fn shakedown() {
     for row in rows!("shakedown_line_fine.csv") {
@@ -166,13 +156,9 @@ fn shakedown() {
     }
     for row in rows!("shakedown_ellipse.csv") {
         let (ratio, friction) = (number(row[0]), number(row[1]));
-        let limit = ShakedownLimit::Elastic { ratio, poisson_ratio: NU };
-        let [elastic, _] = limit.at(friction);
-        println!("{row:?} {elastic}");
-        if friction == 0.0 {
-            let [sub, _] = ShakedownLimit::Subsurface { ratio }.at(0.0);
-            println!("{row:?} {sub}");
-        }
+        let [elastic, _] = ShakedownLimit::Elastic { ratio, poisson_ratio: NU }.at(friction);
+        let error = elastic / number(row[2]) - 1.0;
+        assert!(friction > 0.35 || error.abs() < 1e-2, "{row:?} {elastic}");
     }
     // Lundberg & Palmgren against the stress of the circle.
     let (shear, depth) = orthogonal_shear(1.0);
