@@ -14,7 +14,7 @@ use riffel::wheelset::{
 use riffel::{Complex64, ElasticMaterial, Loop, Rail, Receptance};
 
 use crate::fixtures::{self, steel};
-use crate::paper::{free_beam, law_on_wave as law};
+use crate::paper::{close, free_beam, law_on_wave as law};
 
 const RADIUS: f64 = 0.46;
 const LOAD: f64 = 50e3;
@@ -59,11 +59,6 @@ fn added(feedback: &Loop, wavelength: f64, speed: f64) -> f64 {
         (energy / feedback.steady().energy_per_metre() / AMPLITUDE).re
     });
     with - without
-}
-
-fn close(got: Complex64, exact: Complex64, tolerance: f64) {
-    let off = (got - exact).norm();
-    assert!(off <= tolerance * exact.norm(), "{got} {exact}");
 }
 
 /// Two digits of the theory, per metre of amplitude in braking; the term is the same with the geometry of the wave and without.

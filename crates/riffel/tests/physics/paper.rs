@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use riffel::receptance::FreeBeam;
-use riffel::{Carter3d, Error, HertzContact, Receptance};
+use riffel::{Carter3d, Complex64, Error, HertzContact, Receptance};
 
 use crate::fixtures::{hertz, rail};
 
@@ -20,4 +20,10 @@ pub(crate) fn hertz_on_wave(curvature: f64) -> Result<HertzContact, Error> {
 /// The law of the paper on waves.
 pub(crate) fn law_on_wave(curvature: f64) -> Result<Carter3d, Error> {
     Carter3d::new(hertz_on_wave(curvature)?, 0.4)
+}
+
+/// Assert equality to a relative tolerance.
+pub(crate) fn close(got: Complex64, expected: Complex64, tolerance: f64) {
+    let off = (got - expected).norm();
+    assert!(off <= tolerance * expected.norm(), "{got} {expected}: {off:.1e}");
 }

@@ -16,7 +16,7 @@ use riffel::{
 };
 
 use crate::fixtures;
-use crate::paper::{free_beam, hertz_on_wave as hertz, law_on_wave as law};
+use crate::paper::{close, free_beam, hertz_on_wave as hertz, law_on_wave as law};
 
 const RADIUS: f64 = 0.46;
 const LOAD: f64 = 50e3;
@@ -52,11 +52,6 @@ fn one_wheel(ratio: f64, phase: DissipationPhase, inertia: f64) -> OneWheel {
 fn per_metre(feedback: &Loop, wavelength: f64, speed: f64) -> Complex64 {
     let energy = feedback.at(wavelength, speed).contacts[0].energy_at_rail;
     energy / feedback.steady().energy_per_metre() / AMPLITUDE
-}
-
-fn close(got: Complex64, expected: Complex64, tolerance: f64) {
-    let distance = (got - expected).norm() / expected.norm();
-    assert!(distance <= tolerance, "{got} {expected}: {distance:.1e}");
 }
 
 /// Free beam, `lag`: τ, λ, V, whether Φ is one and the approach unfiltered, P₁, Q₁, ξ₁, e₁ at the wheel and e₁/e₀ at the rail
