@@ -39,10 +39,9 @@ impl CurvatureFilter {
         let (a, b) = (semi_axis_longitudinal, semi_axis_lateral);
         Error::unless_positive("semi-axis of the patch along the rail", a, "m")?;
         Error::unless_positive("semi-axis of the patch across the rail", b, "m")?;
-        let punch = PolynomialPunch::new(a / b);
-        let of_one = punch.stiffness(1);
-        let weight = |n| 9.0 * punch.stiffness(n) / of_one;
-        Ok(Self { semi_axis: a, weights: (1..=TERMS).map(weight).collect() })
+        let stiffnesses = PolynomialPunch::new(a / b).stiffnesses();
+        let weights = stiffnesses.iter().map(|stiffness| 9.0 * stiffness / stiffnesses[0]);
+        Ok(Self { semi_axis: a, weights: weights.collect() })
     }
 
     /// The filter of a Hertz contact.

@@ -33,11 +33,7 @@ impl PolynomialPunch {
     /// c_m of the degree n with their orders m, from the highest down.
     pub(in crate::contact) fn pressure(&self, n: usize) -> Vec<(usize, f64)> {
         let orders: Vec<usize> = (0..=n).rev().step_by(2).collect();
-        let size = orders.len();
-        let matrix = Matrix::of(size, |row, column| {
-            let (m, other) = (orders[row], orders[column]);
-            0.5 * (self.harmonics[m.abs_diff(other) / 2] + self.harmonics[usize::midpoint(m, other)])
-        });
+        let (size, matrix) = (orders.len(), self.matrix(&orders));
         // I_n is positive.
         let lower = matrix.cholesky();
         let solved = lower.map(|lower| lower.transposed().backward(&lower.forward(vec![1.0; size])));
@@ -45,10 +41,32 @@ impl PolynomialPunch {
         orders.into_iter().zip(values).collect()
     }
 
-    /// s_n = (2n + 1) 1ᵀ I_n⁻¹ 1, the resistance to the displacement P_n.
-    pub(in crate::contact) fn stiffness(&self, n: usize) -> f64 {
-        let sum: f64 = self.pressure(n).iter().map(|(_, value)| value).sum();
-        (2 * n + 1) as f64 * sum
+    /// s_n = (2n + 1) 1ᵀ I_n⁻¹ 1 from n = 1 to [`TERMS`], the resistance to the displacement P_n.
+    ///
+    /// Method: with rising orders I_n is a corner of all later ones, and one factor I = LLᵀ serves all degrees that are even, or odd: of
+    /// Ly = 1 the sum of y² as far as n.
+    pub(in crate::contact) fn stiffnesses(&self) -> Vec<f64> {
+        let [even, odd] = [0, 1].map(|first| {
+            let orders: Vec<usize> = (first..=TERMS).step_by(2).collect();
+            let ones = vec![1.0; orders.len()];
+            let lower = self.matrix(&orders).cholesky();
+            let solved = lower.map_or_else(|| vec![f64::NAN; orders.len()], |lower| lower.forward(ones));
+            let mut sum = 0.0;
+            let stiffness = |(n, y): (usize, f64)| {
+                sum += y * y;
+                (2 * n + 1) as f64 * sum
+            };
+            orders.into_iter().zip(solved).map(stiffness).collect::<Vec<f64>>()
+        });
+        (1..=TERMS).map(|n| if n % 2 == 0 { even[n / 2] } else { odd[n / 2] }).collect()
+    }
+
+    /// I_n of some orders.
+    fn matrix(&self, orders: &[usize]) -> Matrix {
+        Matrix::of(orders.len(), |row, column| {
+            let (m, other) = (orders[row], orders[column]);
+            0.5 * (self.harmonics[m.abs_diff(other) / 2] + self.harmonics[usize::midpoint(m, other)])
+        })
     }
 }
 
@@ -64,10 +82,10 @@ fn harmonics(q: f64) -> Vec<f64> {
     });
     let weights: Vec<f64> = weights.collect();
     // The angle 2jψ, whole turns taken off in integers.
-    let angle = |turns: usize| 2.0 * step * (turns % points) as f64;
+    let cosines: Vec<f64> = (0..points).map(|index| (2.0 * step * index as f64).cos()).collect();
     let of = |j: usize| -> f64 {
         let terms = weights.iter().enumerate();
-        let terms = terms.map(|(index, weight)| weight * angle(j * index).cos());
+        let terms = terms.map(|(index, weight)| weight * cosines[j * index % points]);
         terms.sum()
     };
     (0..=TERMS).map(of).collect()
