@@ -49,10 +49,12 @@ pub(super) fn root<E: Equations>(equations: &E, start: Vec<f64>, scales: &[f64],
         let Some(step) = newton_step(equations, &unknowns, &evaluated, &values, scales) else {
             break;
         };
-        let mut share = 1.0;
-        let next = (0..MOST_HALVINGS).find_map(|_| {
-            let trial: Vec<f64> = unknowns.iter().zip(&step).map(|(unknown, step)| unknown - share * step).collect();
-            share *= 0.5;
+        let trials = (0..MOST_HALVINGS as i32).map(|halvings| {
+            let share = 0.5f64.powi(halvings);
+            unknowns.iter().zip(&step).map(|(unknown, step)| unknown - share * step).collect::<Vec<f64>>()
+        });
+        // A step that rounding swallows leads nowhere, nor does half of it.
+        let next = trials.take_while(|trial| *trial != unknowns).find_map(|trial| {
             let there = equations.evaluate(&trial)?;
             let values_there = equations.residuals(&trial, &there);
             (square(&values_there) < square(&values)).then_some((trial, there, values_there))
