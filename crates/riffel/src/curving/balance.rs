@@ -73,15 +73,15 @@ impl Places {
         (frame, wheelset % self.wheelsets, frame * self.unknowns)
     }
 
-    /// The wheelset whose contacts an unknown changes; none for those of a frame.
-    fn wheelset_of(&self, unknown: usize) -> Option<usize> {
+    /// The wheelset whose contacts an unknown changes, and which of its wheels if not both; `None` for those of a frame.
+    fn wheels_of(&self, unknown: usize) -> Option<(usize, Option<usize>)> {
         let (frame, place) = (unknown / self.unknowns, unknown % self.unknowns);
-        let own = match place {
-            place if place < self.frame => place / 3,
+        let (own, side) = match place {
+            place if place < self.frame => (place / 3, None),
             place if place < self.normal => return None,
-            place => (place - self.normal) / 2,
+            place => ((place - self.normal) / 2, Some((place - self.normal) % 2)),
         };
-        Some(frame * self.wheelsets + own)
+        Some((frame * self.wheelsets + own, side))
     }
 }
 
@@ -101,8 +101,13 @@ impl<'a> Balance<'a> {
         Some(self.balanced(unknowns, &rolling.iter().collect::<Vec<_>>()))
     }
 
-    /// A wheelset on its rails; none off the track or without contact.
-    fn rolling(&self, wheelset: usize, unknowns: &[f64]) -> Result<Option<Rolling>, Error> {
+    /// A wheelset on its rails, of which a wheel that is `known` is not found anew; none off the track or without contact.
+    fn rolling(
+        &self,
+        wheelset: usize,
+        unknowns: &[f64],
+        known: [Option<WheelOnRail>; 2],
+    ) -> Result<Option<Rolling>, Error> {
         let vehicle = self.vehicle;
         let places = vehicle.places();
         let (_, own, first) = places.of_wheelset(wheelset);
@@ -120,6 +125,9 @@ impl<'a> Balance<'a> {
             rotation: motion[2],
         };
         let wheel = |side: usize| {
+            if known[side].is_some() {
+                return Ok(known[side]);
+            }
             let normal_force = unknowns[normal + side];
             if normal_force <= 0.0 || normal_force.is_nan() {
                 return Ok(None);
@@ -140,8 +148,13 @@ impl<'a> Balance<'a> {
         Ok(wheel(1)?.map(|right| Rolling { lateral_shift, wheels: [left, right] }))
     }
 
-    fn rolling_or_failure(&self, wheelset: usize, unknowns: &[f64]) -> Option<Rolling> {
-        self.rolling(wheelset, unknowns).unwrap_or_else(|error| {
+    fn rolling_or_failure(
+        &self,
+        wheelset: usize,
+        unknowns: &[f64],
+        known: [Option<WheelOnRail>; 2],
+    ) -> Option<Rolling> {
+        self.rolling(wheelset, unknowns, known).unwrap_or_else(|error| {
             self.failure.borrow_mut().get_or_insert(error);
             None
         })
@@ -296,7 +309,8 @@ impl Equations for Balance<'_> {
     type Evaluated = Vec<Rolling>;
 
     fn evaluate(&self, unknowns: &[f64]) -> Option<Vec<Rolling>> {
-        (0..self.vehicle.running_gear.wheelsets()).map(|wheelset| self.rolling_or_failure(wheelset, unknowns)).collect()
+        let wheelsets = 0..self.vehicle.running_gear.wheelsets();
+        wheelsets.map(|wheelset| self.rolling_or_failure(wheelset, unknowns, [None; 2])).collect()
     }
 
     fn residuals(&self, unknowns: &[f64], rolling: &Vec<Rolling>) -> Vec<f64> {
@@ -304,13 +318,17 @@ impl Equations for Balance<'_> {
         self.balanced(unknowns, &rolling).residuals
     }
 
-    /// Contacts are those of one wheelset: only these are found anew.
+    /// Contacts are those of one wheelset, or of one of its wheels: only these are found anew.
     fn moved(&self, unknowns: &[f64], rolling: &Vec<Rolling>, unknown: usize) -> Option<Vec<f64>> {
         let mut parts: Vec<&Rolling> = rolling.iter().collect();
-        let Some(wheelset) = self.vehicle.places().wheelset_of(unknown) else {
+        let Some((wheelset, side)) = self.vehicle.places().wheels_of(unknown) else {
             return Some(self.balanced(unknowns, &parts).residuals);
         };
-        let own = self.rolling_or_failure(wheelset, unknowns)?;
+        let mut known = [None; 2];
+        if let Some(side) = side {
+            known[1 - side] = Some(parts[wheelset].wheels[1 - side]);
+        }
+        let own = self.rolling_or_failure(wheelset, unknowns, known)?;
         parts[wheelset] = &own;
         Some(self.balanced(unknowns, &parts).residuals)
     }
