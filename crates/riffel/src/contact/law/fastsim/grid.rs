@@ -6,8 +6,8 @@
 
 use super::TractionBound;
 
-/// Strips marched side by side, as wide as the compiler's vectors want them.
-const LANES: usize = 8;
+/// Strips marched side by side: so many that one waits for the square root of its next cell no longer than the others take.
+const LANES: usize = 10;
 
 /// Growth of traction per half-length a, over the bound at the centre of the ellipse \[-\].
 #[derive(Debug, Clone, Copy)]

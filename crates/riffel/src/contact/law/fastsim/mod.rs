@@ -6,6 +6,7 @@ mod grid;
 pub use distribution::{ContactCell, TractionDistribution};
 
 use std::f64::consts::PI;
+use std::sync::{Arc, LazyLock};
 
 use grid::{Grid, Loading};
 
@@ -53,8 +54,12 @@ pub enum TractionBound {
 pub struct Fastsim {
     ellipse: CreepEllipse,
     friction: f64,
-    grid: Grid,
+    grid: Arc<Grid>,
 }
+
+/// The usual grid under Kalker's bound: equilibria in curves ask for a law of their own at each step.
+static USUAL_GRID: LazyLock<Arc<Grid>> =
+    LazyLock::new(|| Arc::new(Grid::new(TractionBound::default(), Fastsim::DEFAULT_DIVISIONS)));
 
 impl Fastsim {
     /// Strips, and cells of a strip, that resolve a creep force to a few 10⁻⁴.
@@ -76,7 +81,11 @@ impl Fastsim {
                 rule: "must be at least 2",
             });
         }
-        Ok(Self { ellipse, friction, grid: Grid::new(bound, divisions) })
+        let grid = match (bound, divisions) == (TractionBound::default(), Self::DEFAULT_DIVISIONS) {
+            true => USUAL_GRID.clone(),
+            false => Arc::new(Grid::new(bound, divisions)),
+        };
+        Ok(Self { ellipse, friction, grid })
     }
 
     /// Tractions, slip and dissipation cell by cell under the normal force P > 0 \[N\].
