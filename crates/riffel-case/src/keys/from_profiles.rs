@@ -40,8 +40,7 @@ impl Equilibrium {
         let on_track = self.curving.wheelset_on_track()?;
         let beside = self.beside[wheelset].get_or_init(|| {
             let shift = self.states[0].wheelsets[wheelset].lateral_shift;
-            let contacts = BESIDE.iter().filter_map(|beside| on_track.contact(shift + beside, 0.0).ok());
-            contacts.map(|contact| contact.contacts).collect()
+            on_track.contacts_beside(shift, &BESIDE).flatten().map(|contact| contact.contacts).collect()
         });
         let found = beside.iter().map(|contacts| contacts[usize::from(rail == Rail::Right)]);
         let off = |contact: &ProfileContact| (contact.contact_angle - contact_angle).abs();
