@@ -96,21 +96,13 @@ impl Contact {
         self.moving.is_some_and(|moving| moving.effects.rail_roll)
     }
 
-    /// Rotation of a lateral and a vertical number from the axes of the track to those of the contact,
-    /// u_t = u_y cos γ ∓ u_z sin γ and u_n = u_z cos γ ± u_y sin γ, upper sign on the right rail.
-    pub(super) fn turning(&self) -> impl Fn(&mut Complex64, &mut Complex64) + use<> {
-        let (sine, cosine) = self.sine_and_cosine();
-        move |lateral, vertical| {
-            (*lateral, *vertical) = (*lateral * cosine - *vertical * sine, *vertical * cosine + *lateral * sine);
-        }
-    }
-
-    /// ± sin γ and cos γ of the contact angle, upper sign on the right rail.
-    pub(super) fn sine_and_cosine(&self) -> (f64, f64) {
-        match self.rail {
+    /// cos γ and ± sin γ of the contact angle, upper sign on the right rail.
+    pub(super) fn cosine_and_sine(&self) -> [f64; 2] {
+        let (sine, cosine) = match self.rail {
             Rail::Right => self.angle.sin_cos(),
             Rail::Left => (-self.angle).sin_cos(),
-        }
+        };
+        [cosine, sine]
     }
 
     /// `Ok` if its numbers are those of a contact, and its creep forces answer to all that moves.

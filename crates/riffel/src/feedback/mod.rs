@@ -245,7 +245,7 @@ impl Loop {
         let mut system = System::new(self);
         let answers = system.answers(self, &[wavelength]);
         system.solve(self, &answers, speed);
-        system.take(self, 0);
+        system.take_first(self);
         let states = (0..self.contacts.len()).map(|index| system.state(self, index, wavelength));
         let contacts: Vec<ContactState> = states.collect();
         let equivalent = system.equivalent(self, wavelength, speed, 0);

@@ -1,33 +1,23 @@
 //! Receptance matrices in the axes of the contacts.
 
 use num_complex::Complex64;
-use pulp::Simd;
+use pulp::{Scalar, Simd, bytemuck};
 
+use crate::feedback::solve::NORMAL;
 use crate::feedback::{Contact, Loop};
 use crate::vector::Parts;
 
 /// Turn a receptance matrix of all contacts from the axes of the track to those of each contact: T H Tᵀ.
 pub(super) fn turn_axes(of: &Loop, matrix: &mut [Complex64]) {
-    let size = 3 * of.contacts.len();
-    for (index, contact) in of.contacts.iter().enumerate() {
-        if contact.angle == 0.0 {
-            continue;
-        }
-        let turn = contact.turning();
-        let (lateral, vertical) = (3 * index + 1, 3 * index + 2);
-        let (above, below) = matrix.split_at_mut(vertical * size);
-        let rows = above[lateral * size..].iter_mut().zip(&mut below[..size]);
-        for (lateral, vertical) in rows {
-            turn(lateral, vertical);
-        }
-        for row in matrix.chunks_exact_mut(size) {
-            let (left, right) = row.split_at_mut(vertical);
-            turn(&mut left[lateral], &mut right[0]);
-        }
-    }
+    turn_lanes(Scalar, &of.contacts, bytemuck::cast_slice_mut(matrix));
 }
 
-/// [`turn_axes`] of matrices that lie in the lanes of vector registers, to the last bit.
+/// Turn numbers along the axes of the track to those of a contact.
+pub(super) fn turn_numbers(contact: &Contact, numbers: &mut [Complex64]) {
+    turn(Scalar, contact.cosine_and_sine(), bytemuck::cast_slice_mut(numbers), [1, NORMAL]);
+}
+
+/// Turn matrices that lie in the lanes of vector registers as [`turn_axes`], to the last bit.
 #[inline(always)]
 pub(in crate::feedback) fn turn_lanes<S: Simd>(simd: S, contacts: &[Contact], matrix: &mut [Parts<S>]) {
     let size = 3 * contacts.len();
@@ -35,19 +25,24 @@ pub(in crate::feedback) fn turn_lanes<S: Simd>(simd: S, contacts: &[Contact], ma
         if contact.angle == 0.0 {
             continue;
         }
-        let (sine, cosine) = contact.sine_and_cosine();
-        let by = [simd.splat_f64s(cosine), simd.splat_f64s(sine)];
-        let (lateral, vertical) = (3 * index + 1, 3 * index + 2);
+        let by = contact.cosine_and_sine().map(|part| simd.splat_f64s(part));
+        let axes = [3 * index + 1, 3 * index + NORMAL];
         // Rows, then columns.
         for (step, stride) in [(size, 1), (1, size)] {
             for other in 0..size {
-                let [first, second] = [lateral, vertical].map(|axis| axis * step + other * stride);
-                let ([re, im], [re_down, im_down]) = (matrix[first], matrix[second]);
-                matrix[first] = [less(simd, [re, re_down], by), less(simd, [im, im_down], by)];
-                matrix[second] = [more(simd, [re_down, re], by), more(simd, [im_down, im], by)];
+                turn(simd, by, matrix, axes.map(|axis| axis * step + other * stride));
             }
         }
     }
+}
+
+/// Turn a lateral and a vertical number at their places: u_t = u_y cos γ ∓ u_z sin γ and u_n = u_z cos γ ± u_y sin γ, upper sign on the
+/// right rail.
+#[inline(always)]
+fn turn<S: Simd>(simd: S, by: [S::f64s; 2], numbers: &mut [Parts<S>], [lateral, vertical]: [usize; 2]) {
+    let ([re, im], [re_down, im_down]) = (numbers[lateral], numbers[vertical]);
+    numbers[lateral] = [less(simd, [re, re_down], by), less(simd, [im, im_down], by)];
+    numbers[vertical] = [more(simd, [re_down, re], by), more(simd, [im_down, im], by)];
 }
 
 #[inline(always)]

@@ -15,8 +15,8 @@ use super::{Comb, Contact, ContactState, Derivative, Loop};
 use crate::vector::lanes_of;
 use crate::wheelset::Motion;
 use crate::{Place, Rail};
-use axes::turn_axes;
 pub(super) use axes::turn_lanes;
+use axes::{turn_axes, turn_numbers};
 use moved::Moved;
 
 /// The equations and their scratch, for one loop at one group of points after the other: as many as a vector register has
@@ -170,8 +170,15 @@ impl System {
         });
     }
 
-    /// Take what track and wheels answered in a lane for the point asked last, in the axes of the contacts.
-    pub(super) fn take(&mut self, of: &Loop, lane: usize) {
+    /// Take what track and wheels answered for the point solved in the first lane alone, in the axes of the contacts.
+    pub(super) fn take_first(&mut self, of: &Loop) {
+        // Where a contact moves the equations are made of what is taken.
+        if self.unknowns == SHIFT {
+            self.take(of, 0);
+        }
+    }
+
+    fn take(&mut self, of: &Loop, lane: usize) {
         let size = self.size() * self.size();
         self.track.copy_from_slice(&self.of_lanes.track[lane * size..][..size]);
         self.wheels.copy_from_slice(&self.of_lanes.wheels[lane * size..][..size]);
@@ -351,8 +358,7 @@ impl System {
     fn turn_rolls(&mut self, of: &Loop) {
         for row in self.rolls.chunks_exact_mut(4 * of.contacts.len()) {
             for (entries, contact) in row.chunks_exact_mut(4).zip(&of.contacts) {
-                let (left, right) = entries.split_at_mut(NORMAL);
-                contact.turning()(&mut left[1], &mut right[0]);
+                turn_numbers(contact, entries);
             }
         }
     }
