@@ -61,12 +61,25 @@ pub(super) struct Chain<S, const N: usize> {
     /// The kind of each span, one less than the nodes.
     pub(super) spans: Vec<usize>,
     elasticity: Complex64,
+    /// Whether it looks alike from either end, as without a gear.
+    symmetric: bool,
 }
 
 /// A kind of span at one frequency.
 pub(super) struct Cut<const N: usize> {
     pub(super) transfer: Transfer<N>,
     pieces: usize,
+}
+
+/// What lies between an end and two nodes, seen from that end.
+#[derive(Clone, Copy)]
+struct FromEnd<const N: usize> {
+    /// Dynamic stiffness of all before the near node, without it.
+    before_near: Square<N>,
+    /// Dynamic stiffness of all before the far node, without it.
+    before_far: Square<N>,
+    /// Motion at the near node by that at the far one.
+    back: Square<N>,
 }
 
 impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
@@ -84,8 +97,13 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
                 kinds.len() - 1
             })
         });
-        let spans = spans.collect();
-        Self { nodes, kinds, spans, elasticity: Complex64::new(1.0, loss_factor) }
+        let spans: Vec<usize> = spans.collect();
+        let mut opposite = nodes.iter().zip(nodes.iter().rev());
+        let alike = opposite.all(|(one, other)| {
+            (one.place + other.place).abs() < SAME && *one == Node { place: one.place, ..other.clone() }
+        });
+        let symmetric = alike && spans.iter().eq(spans.iter().rev());
+        Self { nodes, kinds, spans, elasticity: Complex64::new(1.0, loss_factor), symmetric }
     }
 
     /// Chain without loss, with nodes no further apart than a phase \[rad\] of the shortest wave at ω.
@@ -116,7 +134,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
             nodes.push(lossless(&self.nodes[index + 1]));
             spans.extend(std::iter::repeat_n(kind, counts[kind]));
         }
-        Self { nodes, kinds, spans, elasticity: Complex64::ONE }
+        Self { nodes, kinds, spans, elasticity: Complex64::ONE, symmetric: self.symmetric }
     }
 
     /// Section and length of a span.
@@ -134,14 +152,43 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
         self.kinds.iter().map(cut).collect()
     }
 
-    /// Receptances between two nodes, the first left of the second: `[at][from]`, displacements by loads.
-    pub(super) fn between(&self, [left, right]: [usize; 2], w: f64) -> [[Square<N>; 2]; 2] {
-        let cuts = self.cuts(w);
-        let node = |index: usize| self.nodes[index].dynamic_stiffness(w);
-        // Over a span from one of its nodes: what lies before this one, and the product of the motions back.
-        let over = |span: usize, near: usize, before: Square<N>, mut back: Square<N>| {
+    /// Receptances between two nodes, the first left of the second: `[at][from]`, displacements by loads. Of the cuts at ω, which chains
+    /// of the same spans share.
+    pub(super) fn between(&self, [left, right]: [usize; 2], w: f64, cuts: &[Cut<N>]) -> [[Square<N>; 2]; 2] {
+        let from_left = |span: usize| (span, span);
+        let of_left = self.from_end(w, cuts, (0..left).map(from_left), (left..right).map(from_left));
+        // As seen in a mirror.
+        let of_right = match self.symmetric && left + right == self.spans.len() {
+            true => of_left,
+            false => {
+                let from_right = |span: usize| (span, span + 1);
+                let beyond = (right..self.spans.len()).rev().map(from_right);
+                self.from_end(w, cuts, beyond, (left..right).rev().map(from_right))
+            }
+        };
+        let at_node = |index: usize, left: Square<N>, right: Square<N>| {
+            let whole = left.plus_diagonal(&self.nodes[index].dynamic_stiffness(w)) + right.mirrored();
+            whole.inverse().symmetric()
+        };
+        let at_left = at_node(left, of_left.before_near, of_right.before_far);
+        let at_right = at_node(right, of_left.before_far, of_right.before_near);
+        // The motion at the right node by that at the left one.
+        let across = of_right.back.mirrored() * at_left;
+        [[at_left, across.transposed()], [across, at_right]]
+    }
+
+    /// From an end over spans to the near one of two nodes and on to the far one; each span with the node at its begin.
+    #[inline]
+    fn from_end(
+        &self,
+        w: f64,
+        cuts: &[Cut<N>],
+        to_near: impl Iterator<Item = (usize, usize)>,
+        to_far: impl Iterator<Item = (usize, usize)>,
+    ) -> FromEnd<N> {
+        let over = |before: Square<N>, mut back: Square<N>, (span, begin): (usize, usize)| {
             let cut = &cuts[self.spans[span]];
-            let mut stiffness = before.plus_diagonal(&node(near));
+            let mut stiffness = before.plus_diagonal(&self.nodes[begin].dynamic_stiffness(w));
             for _ in 0..cut.pieces {
                 let (beyond, factor) = cut.transfer.across(stiffness);
                 (stiffness, back) = (beyond, back * factor);
@@ -149,32 +196,9 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
             (stiffness, back)
         };
         let identity = Square::identity();
-
-        // From the right end, as seen in a mirror.
-        let (mut stiffness, mut back) = (Square::ZERO, identity);
-        for span in (right..self.spans.len()).rev() {
-            (stiffness, _) = over(span, span + 1, stiffness, identity);
-        }
-        let beyond_right = stiffness.mirrored();
-        for span in (left..right).rev() {
-            (stiffness, back) = over(span, span + 1, stiffness, back);
-        }
-        let right_of_left = stiffness.mirrored();
-
-        let mut stiffness = Square::ZERO;
-        for span in 0..left {
-            (stiffness, _) = over(span, span, stiffness, identity);
-        }
-        let whole = stiffness.plus_diagonal(&node(left)) + right_of_left;
-        let at_left = whole.inverse().symmetric();
-        for span in left..right {
-            (stiffness, _) = over(span, span, stiffness, identity);
-        }
-        let whole = stiffness.plus_diagonal(&node(right)) + beyond_right;
-        let at_right = whole.inverse().symmetric();
-        // The motion at the right node by that at the left one.
-        let across = back.mirrored() * at_left;
-        [[at_left, across.transposed()], [across, at_right]]
+        let before_near = to_near.fold(Square::ZERO, |before, span| over(before, identity, span).0);
+        let (before_far, back) = to_far.fold((before_near, identity), |(before, back), span| over(before, back, span));
+        FromEnd { before_near, before_far, back }
     }
 
     /// Number of natural frequencies below ω, each as often as it occurs; of a chain without loss.

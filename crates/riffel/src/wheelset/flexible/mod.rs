@@ -259,21 +259,25 @@ impl WheelsetWithHubs for FlexibleWheelset {
     fn hubs(&self, angular_frequency: f64) -> Between {
         let motions = &self.motions;
         let bending = motions.horizontal.as_ref().unwrap_or(&motions.vertical);
-        entry(&bending.between(motions.contacts, angular_frequency), 0, 0)
+        let cuts = bending.cuts(angular_frequency);
+        entry(&bending.between(motions.contacts, angular_frequency, &cuts), 0, 0)
     }
 
     fn receptances_and_hubs(&self, angular_frequency: f64) -> (ContactReceptances, Between) {
         let (motions, w) = (&self.motions, angular_frequency);
         let contacts = motions.contacts;
-        let vertical = motions.vertical.between(contacts, w);
-        let horizontal = motions.horizontal.as_ref().map(|chain| chain.between(contacts, w));
+        // Both planes bend the same spans.
+        let cuts = motions.vertical.cuts(w);
+        let vertical = motions.vertical.between(contacts, w, &cuts);
+        let horizontal = motions.horizontal.as_ref().map(|chain| chain.between(contacts, w, &cuts));
+        let of_rod = |chain: &Chain<RodSection, 1>| entry(&chain.between(contacts, w, &chain.cuts(w)), 0, 0);
         let sections = SectionReceptances {
             forward: entry(horizontal.as_ref().unwrap_or(&vertical), 0, 0),
             downward: entry(&vertical, 0, 0),
             downward_by_tilt: entry(&vertical, 0, 1),
             tilt: entry(&vertical, 1, 1),
-            twist: entry(&motions.torsion.between(contacts, w), 0, 0),
-            sideward: entry(&motions.stretch.between(contacts, w), 0, 0),
+            twist: of_rod(&motions.torsion),
+            sideward: of_rod(&motions.stretch),
         };
         (sections.at_contacts(self.contacts.rolling_radius), sections.forward)
     }
@@ -307,7 +311,7 @@ mod tests {
     /// Rotation of the wheels per moment on both of them, alike and opposite.
     fn patterns(wheelset: &FlexibleWheelset, w: f64) -> [Complex64; 2] {
         let motions = &wheelset.motions;
-        let between = entry(&motions.torsion.between(motions.contacts, w), 0, 0);
+        let between = entry(&motions.torsion.between(motions.contacts, w, &motions.torsion.cuts(w)), 0, 0);
         [1.0, -1.0].map(|sign| between[1][1] + sign * between[1][0])
     }
 
