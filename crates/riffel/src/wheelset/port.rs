@@ -123,7 +123,7 @@ impl<W: Wheelset> Structure for W {
     }
 
     fn receptance_matrix(&self, angular_frequency: f64, _speed: f64, places: &[Place], matrix: &mut [Complex64]) {
-        between(&self.receptances(angular_frequency), places, matrix);
+        fill(&self.receptances(angular_frequency), places, matrix);
     }
 
     fn receptance_matrices(
@@ -135,7 +135,7 @@ impl<W: Wheelset> Structure for W {
     ) {
         let size = places.len() * places.len();
         let mut take = |index: usize, found: &ContactReceptances| {
-            between(found, places, &mut matrices[index * size..][..size]);
+            fill(found, places, &mut matrices[index * size..][..size]);
         };
         self.receptances_at(angular_frequencies, &mut take);
     }
@@ -145,6 +145,12 @@ impl<W: Wheelset> Structure for W {
         between(&self.free_at_contacts(), places, &mut matrix);
         matrix
     }
+}
+
+/// Fill a matrix of places by rows with receptances: optimised whatever crate a wheelset is of.
+#[inline(never)]
+fn fill(own: &ContactReceptances, places: &[Place], matrix: &mut [Complex64]) {
+    between(own, places, matrix);
 }
 
 /// Fill a matrix of places by rows with numbers between the contacts of one wheelset; wheelsets apart do not feel each other.
