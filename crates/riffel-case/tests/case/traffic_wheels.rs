@@ -1,7 +1,9 @@
 //! Vehicles that bring all their wheels, and what is spread over them.
 
-use riffel::forecast::{MeanGrowth, SpeedDistribution};
+use riffel::Loop;
+use riffel::forecast::{MeanGrowth, SpeedDistribution, band_lines};
 use riffel::numerics::normal_distribution::quantile;
+use riffel::roughness::ThirdOctave;
 use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, METRO_CURVE_CASE, NOMINAL_CASE, Variant};
 use riffel_keys::CaseError;
@@ -60,6 +62,36 @@ fn wheels_that_share_a_wheelset_grow_as_they_do_alone() -> Result<(), CaseError>
     let alone = on(&curve(&[]), vehicle)?;
     let shared = on(&curve(&[]).sharing_parts(), vehicle)?;
     assert_eq!(alone.growth.rates(), shared.growth.rates());
+    Ok(())
+}
+
+/// Bands are asked at as many speeds as each needs: under resonances of a flexible wheelset in one mean state and between two, rates and
+/// forces are those of sums over 1601 speeds, to 1e-3 of the largest.
+#[test]
+fn means_over_speeds_hold_their_tolerance_band_by_band() -> Result<(), Box<dyn std::error::Error>> {
+    let at = |speed: f64| curve(&[&format!("curve.speed={speed:?}")]).feedback;
+    let bands = [-17, -14, -11, -8].map(ThirdOctave::new);
+    let lines = band_lines(&bands);
+    for (mean, deviation, states) in [(12.5, 0.7, &[12.0, 13.1][..]), (15.8, 1.9, &[15.8])] {
+        let loops: Vec<(f64, [(Loop, f64); 1])> = states.iter().map(|&speed| (speed, [(at(speed), 1.0)])).collect();
+        let states: Vec<(f64, &[(Loop, f64)])> = loops.iter().map(|(speed, places)| (*speed, &places[..])).collect();
+        let found = MeanGrowth::between(&states, &lines, &SpeedDistribution::normal(mean, deviation)?);
+        let fine = (0..=1600).map(|step| {
+            let z = f64::from(step) / 200.0 - 4.0;
+            let end = if z.abs() == 4.0 { 0.5 } else { 1.0 };
+            (mean + z * deviation, end * (-0.5 * z * z).exp())
+        });
+        let fine = SpeedDistribution::shares(&fine.collect::<Vec<_>>())?;
+        let fine = MeanGrowth::between(&states, &lines, &fine);
+        let forces = (&found.squared_force_per_amplitude, &fine.squared_force_per_amplitude);
+        for (found, fine) in [(&found.rates, &fine.rates), forces] {
+            let largest = fine.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            for ((found, fine), line) in found.iter().zip(fine).zip(&lines) {
+                assert!((found - fine).abs() <= 1e-3 * largest, "{line}: {found:e} {fine:e}");
+            }
+        }
+        assert!(found.speeds < 1025);
+    }
     Ok(())
 }
 

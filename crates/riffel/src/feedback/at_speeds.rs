@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
 use super::{ClosedForm, Derivatives, LineGroup, Loop};
 
 /// The loops of a wheel at places along the track, at some wavelengths, with all that depends on these alone done beforehand; to
@@ -33,7 +31,7 @@ impl AtSpeeds {
         if let Some(groups) = LineGroup::all(places, wavelengths) {
             return Self::Groups(groups);
         }
-        let single = wavelengths.par_iter().map(|&wavelength| {
+        let single = wavelengths.iter().map(|&wavelength| {
             let places = places.iter().map(|(feedback, weight)| AtPlace {
                 feedback: match feedback.closed_form() {
                     Some(closed) => {
@@ -53,10 +51,7 @@ impl AtSpeeds {
     /// the places.
     pub(crate) fn at(&mut self, speed: f64) -> Vec<[f64; 2]> {
         match self {
-            Self::Groups(groups) => {
-                let groups = groups.par_iter_mut();
-                groups.flat_map_iter(|group| group.at(speed)).collect()
-            }
+            Self::Groups(groups) => groups.iter_mut().flat_map(|group| group.at(speed)).collect(),
             Self::Single(single) => {
                 let mean = |(wavelength, places): &(f64, Vec<AtPlace>)| {
                     places.iter().fold([0.0; 2], |mean, place| {
@@ -64,7 +59,7 @@ impl AtSpeeds {
                         [mean[0] + place.weight * growth, mean[1] + place.weight * force]
                     })
                 };
-                single.par_iter().map(mean).collect()
+                single.iter().map(mean).collect()
             }
         }
     }

@@ -77,7 +77,7 @@ impl Cracks {
         let lines = band_lines(bands);
         let middles = lines.iter().skip(LINES_PER_BAND / 2).step_by(LINES_PER_BAND);
         let middles: Vec<f64> = middles.copied().collect();
-        let means = speeds.means(|speed| {
+        let means = speeds.means([&middles[..]], |middles, speed| {
             let of_band = |&line: &f64| -> Vec<Phases> {
                 let mut sums = vec![[0.0; 16]; AMPLITUDES];
                 for (index, nearness) in near(states, speed) {

@@ -1,10 +1,9 @@
 //! Flow that hardens under the wheels of traffic.
 
 use num_complex::Complex64;
-use rayon::prelude::*;
 
-use super::SpeedDistribution;
 use super::mean_growth::near;
+use super::{LINES_PER_BAND, SpeedDistribution};
 use crate::damage::Flow;
 use crate::feedback::Loop;
 
@@ -39,7 +38,7 @@ impl HardeningWheel {
         let (_, places) = states.iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
         let damage = places.first()?.0.contacts()[0].damage.as_ref()?;
         let flow = *damage.flow_that_hardens()?;
-        let means = speeds.means(|speed| {
+        let means = speeds.means(lines.chunks(LINES_PER_BAND), |lines, speed| {
             let of_line = |&line: &f64| {
                 let mut sum = [0.0; 3];
                 for (index, nearness) in near(states, speed) {
@@ -56,7 +55,7 @@ impl HardeningWheel {
                 }
                 sum
             };
-            lines.par_iter().map(of_line).collect()
+            lines.iter().map(of_line).collect()
         });
         let means = &means.values;
         Some(Self {

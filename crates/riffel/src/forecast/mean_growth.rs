@@ -1,6 +1,8 @@
 //! Growth under one kind of wheel, in the mean over its speeds.
 
-use super::SpeedDistribution;
+use rayon::prelude::*;
+
+use super::{LINES_PER_BAND, SpeedDistribution};
 use crate::feedback::{AtSpeeds, Loop};
 
 /// Growth rate and normal force by wavelength, in the mean over a distribution of speeds and over the
@@ -13,9 +15,9 @@ pub struct MeanGrowth {
     pub rates: Vec<f64>,
     /// Mean of |P₁/Δ|² \[N²/m²\], by wavelength: the normal force that a profile of amplitude Δ excites.
     pub squared_force_per_amplitude: Vec<f64>,
-    /// Largest change of a rate on halving the step in speed \[-\]; 0 where speeds are listed.
+    /// Largest change of a rate on halving the step in speed for the last time \[-\]; 0 where speeds are listed.
     pub rate_error: f64,
-    /// Number of speeds at which the loop was evaluated.
+    /// Number of speeds at which the loop was evaluated: the most of a band.
     pub speeds: usize,
 }
 
@@ -27,8 +29,8 @@ impl MeanGrowth {
     /// multiply it by exp of the sum, so that the arithmetic mean of g is the rate of the mix, in whatever
     /// order the wheels come.
     ///
-    /// Method: see [`SpeedDistribution`]; wavelengths in parallel on the current rayon pool. Cost: one
-    /// turn of the loop for each place, wavelength and speed, 65 speeds for a smooth normal
+    /// Method: see [`SpeedDistribution`]; bands of 16 wavelengths in parallel on the current rayon pool, each at as many
+    /// speeds as it needs. Cost: one turn of the loop for each place, wavelength and speed, 65 speeds for a smooth normal
     /// distribution, 1025 at most; what the wheels answer is asked once for all places.
     pub fn compute(places: &[(Loop, f64)], wavelengths: &[f64], speeds: &SpeedDistribution) -> Self {
         Self::between(&[(speeds.mean(), places)], wavelengths, speeds)
@@ -39,13 +41,15 @@ impl MeanGrowth {
     ///
     /// Cost: twice that of [`compute`](Self::compute) between speeds.
     pub fn between(states: &[(f64, &[(Loop, f64)])], wavelengths: &[f64], speeds: &SpeedDistribution) -> Self {
-        let prepared = states.iter();
-        let mut prepared: Vec<(f64, AtSpeeds)> =
-            prepared.map(|(at, places)| (*at, AtSpeeds::new(places, wavelengths))).collect();
-        let means = speeds.means(|speed| {
-            let mut means = vec![[0.0; 2]; wavelengths.len()];
-            for (index, share) in near(&prepared, speed) {
-                for (mean, [rate, force]) in means.iter_mut().zip(prepared[index].1.at(speed)) {
+        let bands = wavelengths.par_chunks(LINES_PER_BAND).map(|lines| {
+            let states = states.iter();
+            let states = states.map(|(at, places)| (*at, AtSpeeds::new(places, lines))).collect::<Vec<_>>();
+            (lines.len(), states)
+        });
+        let means = speeds.means(bands.collect::<Vec<_>>(), |(lines, states), speed| {
+            let mut means = vec![[0.0; 2]; *lines];
+            for (index, share) in near(states, speed) {
+                for (mean, [rate, force]) in means.iter_mut().zip(states[index].1.at(speed)) {
                     mean[0] += share * rate;
                     mean[1] += share * force;
                 }
