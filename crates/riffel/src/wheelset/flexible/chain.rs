@@ -156,14 +156,14 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
     /// of the same spans share.
     pub(super) fn between(&self, [left, right]: [usize; 2], w: f64, cuts: &[Cut<N>]) -> [[Square<N>; 2]; 2] {
         let from_left = |span: usize| (span, span);
-        let of_left = self.from_end(w, cuts, (0..left).map(from_left), (left..right).map(from_left));
+        let of_left = self.seen_from_end(w, cuts, (0..left).map(from_left), (left..right).map(from_left));
         // As seen in a mirror.
         let of_right = match self.symmetric && left + right == self.spans.len() {
             true => of_left,
             false => {
                 let from_right = |span: usize| (span, span + 1);
                 let beyond = (right..self.spans.len()).rev().map(from_right);
-                self.from_end(w, cuts, beyond, (left..right).rev().map(from_right))
+                self.seen_from_end(w, cuts, beyond, (left..right).rev().map(from_right))
             }
         };
         let at_node = |index: usize, left: Square<N>, right: Square<N>| {
@@ -179,7 +179,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
 
     /// From an end over spans to the near one of two nodes and on to the far one; each span with the node at its begin.
     #[inline]
-    fn from_end(
+    fn seen_from_end(
         &self,
         w: f64,
         cuts: &[Cut<N>],
