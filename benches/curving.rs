@@ -6,9 +6,9 @@ use std::path::Path;
 use std::time::Instant;
 
 use riffel::Rail;
-use riffel::profile::ContactSurface;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, CurvingCase, Variant};
+use riffel_curving::profile::ContactSurface;
 
 use crate::contestant::{Contestant, Failure};
 use crate::median;

@@ -15,8 +15,7 @@ use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, Shear
 use riffel::roughness::Profile;
 use riffel::wheelset::{RigidInertia, RigidMass};
 use riffel::{Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear, RollingContact};
-use riffel_case::ask;
-use riffel_case::Case;
+use riffel_case::{Case, ask};
 
 use crate::contestant::{Contestant, Failure, numpy_version};
 use crate::{check_agreement, median, ratio};

@@ -11,8 +11,7 @@ use riffel::Ridge;
 use riffel::growth::RidgeBranch;
 use riffel::receptance::ResonanceKind;
 use riffel::wheelset::{DiscMotion, ModeName};
-use riffel_case::ask;
-use riffel_case::Case;
+use riffel_case::{Case, ask};
 
 use crate::Row;
 

@@ -1,8 +1,8 @@
 //! Bogies in curves.
 
-use riffel::curving::{LinearWheelset, free_curving_shift};
 use riffel_answers::curve::CurveAnswer;
 use riffel_case::CurvingCase;
+use riffel_curving::{LinearWheelset, free_curving_shift};
 use serde::Deserialize;
 use serde_json::Value;
 

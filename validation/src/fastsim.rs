@@ -1,8 +1,8 @@
 //! FASTSIM against CONTACT's: what is the theory's, what is the grid's.
 
 use riffel::contact::{CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound};
-use riffel::numerics::bisection::bisection;
 use riffel::{ElasticMaterial, HertzContact};
+use riffel_numerics::bisection::bisection;
 
 use crate::Row;
 use crate::ground::extent;

@@ -1,8 +1,7 @@
 //! The cases that the statements of the paper are about.
 
-use riffel::LoopState;
 use riffel::growth::RidgePoint;
-use riffel::{Axis, Complex64, Ridge};
+use riffel::{Axis, Complex64, LoopState, Ridge};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
 /// The nominal case with overrides.

@@ -1,8 +1,8 @@
 //! Wheels pressed on rails by their own profiles, against CONTACT on those of the Manchester benchmark.
 
 use riffel::contact::Creepages;
-use riffel::profile::{ContactSurface, LoadedContact};
 use riffel::{ElasticMaterial, Rail};
+use riffel_curving::profile::{ContactSurface, LoadedContact};
 
 use crate::Row;
 use crate::profile::measured;

@@ -2,12 +2,12 @@
 
 use std::sync::LazyLock;
 
-use riffel::noise::{FrequencyBand, Surroundings, a_weighting};
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_answers::noise::{DecayRates, Levels, NoiseQuestion};
 use riffel_answers::question::Nobody;
 use riffel_case::{Case, MAIN_LINE_CASE};
 use riffel_keys::quantity::Quantity;
+use riffel_noise::{FrequencyBand, Surroundings, a_weighting};
 use riffel_rail::Survey;
 
 use crate::Row;

@@ -1,7 +1,7 @@
 //! Profiles, contact of wheelsets on their track, equivalent conicity, and curving on them.
 
-use riffel::profile::{EquivalentConicity, Profile, RadiusDifference, Track, Wheels, WheelsetOnTrack};
 use riffel_case::CurvingCase;
+use riffel_curving::profile::{EquivalentConicity, Profile, RadiusDifference, Track, Wheels, WheelsetOnTrack};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -206,7 +206,7 @@ pub(crate) fn curving_on_profiles() -> Row {
         let expect = &reference.expect;
         let number = |table: &str, index: usize, key: &str| expect[table][index][key].as_f64().expect("a number");
         // Where Δr jumps there may be several; the reference stands between the jumps.
-        let distance = |state: &riffel::curving::VehicleState| {
+        let distance = |state: &riffel_curving::VehicleState| {
             (0..2)
                 .map(|index| {
                     (state.wheelsets[index].lateral_shift - number("wheelsets", index, "lateral_shift_m")).abs()

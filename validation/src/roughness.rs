@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use riffel_case::traffic;
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
     Evidence, Expectation, GrowthDensity, Instrument, LevelTrend, Mechanism, MechanismKind, TimeUnit, TrafficSpeeds,
@@ -12,6 +11,7 @@ use riffel::roughness::{
     BandPass, ColouredNoise, Irregularity, Profile, Recipe, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS,
     WavelengthBand, moving_peak_to_peak, moving_rms,
 };
+use riffel_case::traffic;
 
 use crate::Row;
 

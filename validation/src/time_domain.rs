@@ -4,8 +4,7 @@ use std::sync::OnceLock;
 
 use riffel::Complex64;
 use riffel::passage::{Harmonic, Sinusoid};
-use riffel_case::ask;
-use riffel_case::Case;
+use riffel_case::{Case, ask};
 use serde::Deserialize;
 
 use crate::Row;

@@ -1,8 +1,8 @@
 //! The geometry of a wave against transient rolling over the true gap, and its filter.
 
 use riffel::contact::{ContactFilter, Creepages, CurvatureFilter, HalfSpace, HalfSpaceRolling, OscillatingCreepages};
-use riffel::numerics::bisection::bisection;
 use riffel::{Complex64, ElasticMaterial, HertzContact};
+use riffel_numerics::bisection::bisection;
 use serde::Deserialize;
 
 use crate::Row;

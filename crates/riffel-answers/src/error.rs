@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use miette::Diagnostic;
-use riffel::profile::ProfileError;
 use riffel_calibrate::CalibrationError;
+use riffel_curving::profile::ProfileError;
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::PlotError;
 use riffel_study::StudyError;

@@ -2,9 +2,8 @@
 
 use riffel::forecast::LINES_PER_BAND;
 use riffel_calibrate::{USUAL_HORIZON, USUAL_RISE, growing_bands};
-use riffel_case::Case;
-use riffel_case::ask;
 use riffel_case::traffic::DAYS_PER_MONTH;
+use riffel_case::{Case, ask};
 use riffel_keys::{Message, number, say};
 use serde::Serialize;
 

@@ -4,8 +4,7 @@ use std::f64::consts::LN_2;
 
 use riffel::Axis;
 use riffel::growth::GrowthSpectrum;
-use riffel_case::Case;
-use riffel_case::ask;
+use riffel_case::{Case, ask};
 use riffel_keys::{Message, decimal, fixed, say};
 use serde::Serialize;
 

@@ -4,12 +4,11 @@ use std::f64::consts::LN_2;
 
 use riffel::MeanWear;
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
-use riffel_case::ask;
 use riffel_case::traffic::{
     DAYS_PER_MONTH, LineKind, Traffic, TrafficOnCase, UsualTraffic, bands_of, is_faster_than_known, reported_growth,
     traffic_at_speeds,
 };
-use riffel_case::{Case, Variant};
+use riffel_case::{Case, Variant, ask};
 use riffel_keys::{CaseError, Message, fixed, number, range, say, significant, significant_digits};
 use serde::{Serialize, Serializer};
 

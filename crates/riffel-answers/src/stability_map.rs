@@ -2,8 +2,7 @@
 
 use rayon::prelude::*;
 use riffel::feedback::Stability;
-use riffel_case::Case;
-use riffel_case::ask;
+use riffel_case::{Case, ask};
 use riffel_keys::quantity::{Quantity, Ratio};
 use riffel_keys::{CaseError, Message, fixed, say, shown_speed};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};

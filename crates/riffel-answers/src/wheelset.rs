@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use riffel::Direction;
 use riffel::wheelset::{BendingPlane, ContactReceptances, ModeName, Port, Wheelset};
-use riffel_case::ask;
-use riffel_case::{Case, CaseWheelset, WheelsetMode};
+use riffel_case::{Case, CaseWheelset, WheelsetMode, ask};
 use riffel_keys::quantity::Frequency;
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};

@@ -1,7 +1,6 @@
 //! The modes of a wheelset as motions along its axle, to be drawn as they move.
 
-use riffel_case::ask;
-use riffel_case::{Case, CaseWheelset};
+use riffel_case::{Case, CaseWheelset, ask};
 use riffel_keys::{CaseError, Message};
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! One chain: where it begins, how it finds its steps, and its draws.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use riffel::numerics::matrix::Matrix;
-use riffel::numerics::random_numbers::uniform;
+use riffel_numerics::matrix::Matrix;
+use riffel_numerics::random_numbers::uniform;
 
 use crate::draw::{Draw, random};
 use crate::emulator::Emulator;

@@ -1,9 +1,9 @@
 //! The closed forms of `validation/calibration/conjugate.json`, for tests.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use riffel::numerics::distribution::Distribution;
-use riffel::numerics::matrix::Matrix;
-use riffel::numerics::random_numbers::normal;
+use riffel_numerics::distribution::Distribution;
+use riffel_numerics::matrix::Matrix;
+use riffel_numerics::random_numbers::normal;
 use serde_json::Value;
 
 use crate::data::{Block, Conditional, Group, Place, sums};

@@ -3,7 +3,7 @@
 //! Source: Vehtari, Gelman, Simpson, Carpenter & Bürkner (2021), *Rank-normalization, folding, and localization: an improved R̂*,
 //! Bayesian Analysis 16; autocorrelations are summed as by Geyer (1992).
 
-use riffel::numerics::normal_distribution;
+use riffel_numerics::normal_distribution;
 use riffel_study::sensitivity::quantile;
 
 /// R̂ of rank-normalised split chains: the larger of that of the draws and that of their distances from the median. NaN where a
@@ -134,7 +134,7 @@ fn ess(chains: &[Vec<f64>]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use riffel::numerics::random_numbers::normal;
+    use riffel_numerics::random_numbers::normal;
 
     use super::*;
     use rand_xoshiro::Xoshiro256PlusPlus;

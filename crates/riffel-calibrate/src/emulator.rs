@@ -1,9 +1,9 @@
 //! Polynomials in place of a model, by which a sampler finds its way.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use riffel::numerics::least_squares::least_squares_of_several;
-use riffel::numerics::matrix::{Matrix, dot};
-use riffel::numerics::random_numbers::normal;
+use riffel_numerics::least_squares::least_squares_of_several;
+use riffel_numerics::matrix::{Matrix, dot};
+use riffel_numerics::random_numbers::normal;
 
 use crate::data::differences;
 use crate::gaussian::Density;

@@ -3,7 +3,7 @@
 //! Nothing here is shared with the chains of trajectories: no slopes, no emulator, no top to begin from. So each checks the other.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use riffel::numerics::random_numbers::{normal, uniform};
+use riffel_numerics::random_numbers::{normal, uniform};
 use riffel_study::sensitivity::quantile;
 
 use crate::draw::{Draw, random};

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use riffel::numerics::normal_distribution::below;
+use riffel_numerics::normal_distribution::below;
 
-use riffel::numerics::matrix::{Matrix, dot};
+use riffel_numerics::matrix::{Matrix, dot};
 
 /// ln of the density of data, and its derivatives.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,6 +1,6 @@
 //! What the data tell of the parameters together, and what they leave to the priors.
 
-use riffel::numerics::matrix::Matrix;
+use riffel_numerics::matrix::Matrix;
 
 use crate::chains::Chains;
 use crate::decision::moments_of;

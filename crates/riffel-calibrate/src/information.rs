@@ -2,10 +2,10 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
-use riffel::numerics::matrix::{Matrix, dot};
-use riffel::numerics::normal_distribution::{below, density};
+use riffel_numerics::matrix::{Matrix, dot};
+use riffel_numerics::normal_distribution::{below, density};
 
-use riffel::numerics::random_numbers::normal;
+use riffel_numerics::random_numbers::normal;
 
 /// Draws of what a measurement may find, where there are more than two actions.
 const FINDINGS: u32 = 20_000;

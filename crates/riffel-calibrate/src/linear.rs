@@ -1,7 +1,7 @@
 //! What data say of numbers that they depend on linearly.
 
-use riffel::numerics::least_squares::triangle;
-use riffel::numerics::matrix::Matrix;
+use riffel_numerics::least_squares::triangle;
+use riffel_numerics::matrix::Matrix;
 
 /// Numbers that are normally distributed.
 #[derive(Debug, Clone)]
@@ -53,7 +53,7 @@ impl Normal {
 
 #[cfg(test)]
 mod tests {
-    use riffel::numerics::normal_distribution::below;
+    use riffel_numerics::normal_distribution::below;
 
     use super::*;
     use crate::conjugate::{U1, number, numbers};

@@ -5,11 +5,11 @@ use std::rc::Rc;
 
 use riffel::forecast::SpeedDistribution;
 use riffel::growth::RowEvaluator;
-use riffel::noise::{BandRadiation, FrequencyBand};
 use riffel::{Complex64, Error, MeanWear, STANDARD_GRAVITY};
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, LoopOnTrack, Setting, SpeedChange, TrackRadiator, Variant};
 use riffel_keys::CaseError;
+use riffel_noise::{BandRadiation, FrequencyBand};
 
 use crate::prior::Prior;
 

@@ -1,6 +1,6 @@
 //! Mean and scatter of places.
 
-use riffel::numerics::matrix::Matrix;
+use riffel_numerics::matrix::Matrix;
 
 /// Mean and scatter of places, by Welford.
 #[derive(Debug, Clone)]
@@ -35,7 +35,7 @@ impl Moments {
 
 #[cfg(test)]
 mod tests {
-    use riffel::numerics::matrix::dot;
+    use riffel_numerics::matrix::dot;
 
     use super::*;
 

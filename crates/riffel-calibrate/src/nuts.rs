@@ -4,8 +4,8 @@
 //! the first build.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use riffel::numerics::matrix::dot;
-use riffel::numerics::random_numbers::{normal, uniform};
+use riffel_numerics::matrix::dot;
+use riffel_numerics::random_numbers::{normal, uniform};
 
 /// Error of the energy from which a trajectory is said to diverge.
 const DIVERGES: f64 = 1000.0;

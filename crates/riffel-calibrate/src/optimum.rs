@@ -1,6 +1,6 @@
 //! The most likely place near another.
 
-use riffel::numerics::matrix::{Matrix, dot};
+use riffel_numerics::matrix::{Matrix, dot};
 
 use crate::nuts::{Place, Potential};
 

@@ -1,7 +1,7 @@
 //! Data that lie far from what all others say.
 
 use rayon::prelude::*;
-use riffel::numerics::matrix::Matrix;
+use riffel_numerics::matrix::Matrix;
 use serde::Serialize;
 
 use crate::chains::Chains;

@@ -1,8 +1,8 @@
 //! How likely values are after all that was measured.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use riffel::numerics::matrix::{Matrix, dot};
-use riffel::numerics::random_numbers::uniform;
+use riffel_numerics::matrix::{Matrix, dot};
+use riffel_numerics::random_numbers::uniform;
 
 use crate::data::{Block, Size};
 use crate::draw::Draw;

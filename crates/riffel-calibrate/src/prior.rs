@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use riffel::numerics::distribution::Distribution;
+use riffel_numerics::distribution::Distribution;
 
 /// What was known of a value before anything was measured. The sampler moves on the whole line:
 ///

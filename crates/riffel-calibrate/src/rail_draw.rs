@@ -5,7 +5,7 @@ use std::f64::consts::LN_10;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 use riffel::forecast::{GrowingSum, LINES_PER_BAND};
-use riffel::numerics::random_numbers::normal;
+use riffel_numerics::random_numbers::normal;
 
 use crate::chains::Chains;
 use crate::data::Levels;

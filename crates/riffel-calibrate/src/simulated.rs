@@ -4,8 +4,8 @@
 //! (2023), Bayesian Analysis 20.
 
 use rayon::prelude::*;
-use riffel::numerics::random_numbers::uniform;
 use riffel::roughness::LevelLimit;
+use riffel_numerics::random_numbers::uniform;
 use riffel_study::Stop;
 use serde::Serialize;
 use statrs::distribution::{ChiSquared, ContinuousCDF};

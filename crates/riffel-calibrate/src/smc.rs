@@ -2,8 +2,8 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
-use riffel::numerics::bisection::bisection;
-use riffel::numerics::random_numbers::uniform;
+use riffel_numerics::bisection::bisection;
+use riffel_numerics::random_numbers::uniform;
 use riffel_study::Stop;
 
 use crate::draw::{Draw, random};

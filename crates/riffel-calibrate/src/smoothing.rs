@@ -88,7 +88,7 @@ fn pareto(values: &[f64]) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use riffel::numerics::random_numbers::{normal, uniform};
+    use riffel_numerics::random_numbers::{normal, uniform};
 
     use super::*;
     use crate::data::{Conditional, Held};

@@ -24,8 +24,8 @@ pub fn physics_in_words(error: &Error) -> Message {
             wheelset,
             shift = fixed(1e3 * lateral_shift, 0),
             yaw = fixed(1e3 * yaw, 0),
-            farthest_shift = fixed(1e3 * riffel::curving::FARTHEST_SHIFT, 0),
-            largest_yaw = fixed(1e3 * riffel::curving::LARGEST_YAW, 0)
+            farthest_shift = fixed(1e3 * riffel::FARTHEST_SHIFT, 0),
+            largest_yaw = fixed(1e3 * riffel::LARGEST_YAW, 0)
         ),
         Error::NoEquilibrium { reached } => {
             say!(no_equilibrium_beyond, percent = fixed(100.0 * reached, 0))
@@ -45,6 +45,10 @@ impl From<&Error> for Message {
         physics_in_words(error)
     }
 }
+
+/// The crates of the physics.
+#[cfg(test)]
+pub(crate) const PHYSICS: [&str; 3] = ["riffel", "riffel-curving", "riffel-noise"];
 
 #[cfg(test)]
 mod tests {
@@ -70,9 +74,11 @@ mod tests {
                 found.extend(whole.map(str::to_owned));
             }
         }
-        let physics = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel/src");
+        let crates = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let mut found = Vec::new();
-        collect(&physics, &mut found);
+        for physics in PHYSICS {
+            collect(&crates.join(physics).join("src"), &mut found);
+        }
         found
     }
 

@@ -1,7 +1,7 @@
 //! What is wrong with a profile, as a message.
 
 use riffel::Rail;
-use riffel::profile::{PointFault, ProfileError, ShapeFault};
+use riffel_curving::profile::{PointFault, ProfileError, ShapeFault};
 
 use crate::{Message, fixed, say};
 

@@ -1,6 +1,6 @@
 //! The sites that bring the most track below its limit for the money.
 
-use riffel::numerics::bisection::bisection;
+use riffel_numerics::bisection::bisection;
 
 /// Sections of a line that join on: whether each is over its limit.
 pub(crate) type OverLimit = Vec<bool>;

@@ -1,7 +1,7 @@
 //! Straight lines through the levels of a section over its surveys.
 
 use riffel::diagnosis::first_since_ground;
-use riffel::numerics::normal_distribution::HALF_OF_80;
+use riffel_numerics::normal_distribution::HALF_OF_80;
 
 /// Two surveys no farther apart are repeats \[years\]: in a week no rail grows by what a survey shows.
 const REPEATED: f64 = 7.0 / 365.2425;

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use riffel::noise::FrequencyBand;
 use riffel_keys::CaseError;
 use riffel_keys::table::{HeadedTable, Row, words};
 use riffel_keys::text_file::{LARGEST_KEYS, decode, read_bounded};
+use riffel_noise::FrequencyBand;
 
 use crate::refusal::Refusal;
 

@@ -1,6 +1,6 @@
 //! Heights at uneven positions, brought to even steps.
 
-use riffel::numerics::cubic::{cubic_at, hermite};
+use riffel_numerics::cubic::{cubic_at, hermite};
 
 /// Heights at `start`, `start + spacing` and so on up to the last position, by cubic interpolation between the samples
 /// about each place: exact for parabolas whatever the steps, with an error of order (2πh/λ)³ for a wave of length λ in

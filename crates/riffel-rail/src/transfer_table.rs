@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use include_dir::{Dir, include_dir};
-use riffel::noise::{FrequencyBand, TransferFunction};
 use riffel_keys::quantity::{Frequency, Quantity};
 use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile};
+use riffel_noise::{FrequencyBand, TransferFunction};
 use serde::Deserialize;
 
 use crate::built_in::built_in;

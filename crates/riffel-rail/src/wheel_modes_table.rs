@@ -5,10 +5,10 @@ use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 use include_dir::{Dir, include_dir};
-use riffel::noise::{Air, WheelMode, WheelModes};
 use riffel_keys::quantity::{Frequency, Length, Quantity};
 use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile};
+use riffel_noise::{Air, WheelMode, WheelModes};
 use serde::Deserialize;
 
 use crate::built_in::built_in;

@@ -1,6 +1,6 @@
 //! Correlated parameters.
 
-use riffel::numerics::normal_distribution::{below, quantile};
+use riffel_numerics::normal_distribution::{below, quantile};
 
 /// A Gaussian copula: points of the unit cube are turned into normal scores, mixed by the Cholesky factor of their
 /// correlation matrix, and turned back (Nataf 1962). Each parameter keeps its distribution.

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use riffel::numerics::distribution::Distribution;
 use riffel_case::{CaseKey, Setting};
+use riffel_numerics::distribution::Distribution;
 use serde::Serialize;
 use toml::Value;
 

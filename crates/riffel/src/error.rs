@@ -112,8 +112,8 @@ pub enum Error {
          than {:.0} mm and yawed by less than {:.0} mrad to stay on its rails",
         1e3 * lateral_shift,
         1e3 * yaw,
-        1e3 * crate::constants::FARTHEST_SHIFT,
-        1e3 * crate::constants::LARGEST_YAW
+        1e3 * crate::FARTHEST_SHIFT,
+        1e3 * crate::LARGEST_YAW
     )]
     OffTheRails {
         /// The wheelset, 1 leads.
@@ -214,7 +214,10 @@ pub enum Error {
 
 impl Error {
     /// `Ok` for a finite value above zero.
-    pub(crate) fn unless_positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Self> {
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for any other value.
+    pub fn unless_positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Self> {
         if value.is_finite() && value > 0.0 {
             return Ok(());
         }
@@ -222,7 +225,10 @@ impl Error {
     }
 
     /// `Ok` for a finite value of zero or more.
-    pub(crate) fn unless_not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Self> {
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for any other value.
+    pub fn unless_not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), Self> {
         if value.is_finite() && value >= 0.0 {
             return Ok(());
         }

@@ -16,9 +16,9 @@
 //! | the loop closed | [`Loop::at`], of one wheel [`OneWheel`](feedback::OneWheel) | (4), (16)–(21), (24) |
 //!
 //! What is on the rail already, measured, is in [`roughness`]; as a train feels it, in [`axlebox`]; what may have made it, in
-//! [`diagnosis`]; what becomes of it under traffic, in [`forecast`]; how loud it is, in [`noise`]. How a bogie stands in a curve, and the
-//! creepages of its contacts, is in [`curving`]; where wheels touch rails, in [`profile`]. Large amplitudes, followed
-//! through time, are in [`passage`].
+//! [`diagnosis`]; what becomes of it under traffic, in [`forecast`]. Large amplitudes, followed through time, are in [`passage`]. How loud
+//! it is, is in the crate `riffel-noise`; how a bogie stands in a curve, the creepages of its contacts and where wheels touch rails, in
+//! `riffel-curving`.
 //!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
 //! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
@@ -94,7 +94,6 @@ pub mod axlebox;
 pub mod cancel;
 mod constants;
 pub mod contact;
-pub mod curving;
 pub mod damage;
 pub mod diagnosis;
 mod direction;
@@ -105,12 +104,9 @@ pub mod forecast;
 pub mod growth;
 mod mean_wear;
 mod memory;
-pub mod noise;
-pub mod numerics;
 pub mod paper;
 pub mod passage;
 mod place_of_wear;
-pub mod profile;
 pub mod receptance;
 pub mod roughness;
 pub mod tile;
@@ -119,7 +115,7 @@ mod wear;
 mod wear_regime;
 pub mod wheelset;
 
-pub use constants::{STANDARD_GRAVITY, STEEL_DENSITY};
+pub use constants::{FARTHEST_SHIFT, LARGEST_YAW, STANDARD_GRAVITY, STEEL_DENSITY};
 pub use contact::{Carter3d, HertzContact, RollingContact};
 pub use direction::{Direction, Place, Rail};
 pub use elastic::ElasticMaterial;
@@ -138,6 +134,7 @@ pub use wear_regime::{WearCorners, WearRegimes};
 extern crate self as riffel;
 
 #[cfg(test)]
+#[expect(dead_code, reason = "other tests use the rest")]
 #[path = "../tests/physics/fixtures.rs"]
 mod fixtures;
 

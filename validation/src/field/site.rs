@@ -1,9 +1,9 @@
 //! A site: its folder with the case, the traffic, what is published and what had to be chosen.
 
-use riffel::numerics::normal_distribution::quantile;
 use riffel_answers::AnswerError;
 use riffel_case::Case;
 use riffel_keys::{CaseError, KeyFile};
+use riffel_numerics::normal_distribution::quantile;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 

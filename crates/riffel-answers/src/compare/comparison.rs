@@ -2,10 +2,8 @@
 
 use riffel::forecast::{Reach, TrafficGrowth};
 use riffel::roughness::{LevelLimit, ThirdOctave};
-use riffel_case::ask;
-use riffel_case::idle_because;
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
-use riffel_case::{Case, Hold, SpeedChange, Variant};
+use riffel_case::{Case, Hold, SpeedChange, Variant, ask, idle_because};
 use riffel_keys::{CaseError, Message, Value, say};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};

@@ -1,7 +1,7 @@
 //! A vehicle in equilibrium as data.
 
 use riffel::contact::{CreepForces, Creepages};
-use riffel::curving::{FrameState, SecondContact, VehicleState, WheelState, WheelsetState};
+use riffel_curving::{FrameState, SecondContact, VehicleState, WheelState, WheelsetState};
 use serde::Serialize;
 
 /// A vehicle in equilibrium: `frame` of a wheelset or a bogie, `frames` and `body` of a vehicle.

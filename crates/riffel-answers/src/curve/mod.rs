@@ -7,8 +7,8 @@ mod tables;
 
 use std::cell::OnceCell;
 
-use riffel::curving::{ContinuationStep, VehicleInCurve, VehicleState, WheelsetState};
 use riffel_case::CurvingCase;
+use riffel_curving::{ContinuationStep, VehicleInCurve, VehicleState, WheelsetState};
 use riffel_keys::quantity::Length;
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 use riffel_plot::LineFigure;

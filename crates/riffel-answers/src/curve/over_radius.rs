@@ -1,6 +1,6 @@
 //! A vehicle over the radius of the curve.
 
-use riffel::curving::{Curve, RunningGear, VehicleInCurve};
+use riffel_curving::{Curve, RunningGear, VehicleInCurve};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::Serialize;
 

@@ -2,8 +2,8 @@
 
 use riffel::Rail;
 use riffel::contact::EllipticContact;
-use riffel::curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_case::CurvingCase;
+use riffel_curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_keys::{Message, fixed, say};
 
 use crate::side::side;

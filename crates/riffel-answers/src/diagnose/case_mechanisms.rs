@@ -2,8 +2,7 @@
 
 use riffel::diagnosis::{GrowthDensity, Mechanism, MechanismKind, TrafficSpeeds};
 use riffel_case::file::CurveRail;
-use riffel_case::wheels_of_curve;
-use riffel_case::{Case, WheelsOfCurve};
+use riffel_case::{Case, WheelsOfCurve, wheels_of_curve};
 use riffel_keys::{Message, fixed, say, shown_speeds};
 
 use crate::ridge::modes_of_axle;

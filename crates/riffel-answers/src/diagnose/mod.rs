@@ -21,9 +21,8 @@ pub(crate) use reason::course_in_words;
 pub use sideband::Sideband;
 
 use riffel::roughness::RailDefect;
-use riffel_case::Case;
-use riffel_case::traffic;
 use riffel_case::traffic::UsualTraffic;
+use riffel_case::{Case, traffic};
 use riffel_keys::{CaseError, Language, Message, number, say};
 use riffel_plot::LineFigure;
 use riffel_rail::RailRecord;

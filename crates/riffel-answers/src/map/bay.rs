@@ -1,10 +1,8 @@
 //! Growth over a sleeper bay.
 
-use riffel::LoopState;
 use riffel::growth::{Bay, BayMaps};
-use riffel::{Axis, Ridge};
-use riffel_case::Case;
-use riffel_case::ask;
+use riffel::{Axis, LoopState, Ridge};
+use riffel_case::{Case, ask};
 use riffel_keys::{Message, fixed, number, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;

@@ -8,8 +8,7 @@ mod ridge_map;
 mod table;
 
 use riffel::growth::RidgePoint;
-use riffel_case::Case;
-use riffel_case::ask;
+use riffel_case::{Case, ask};
 use riffel_keys::{Message, fixed, number, say};
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;

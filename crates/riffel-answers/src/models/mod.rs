@@ -6,10 +6,9 @@ mod passing;
 
 use riffel::growth::GrowthSpectrum;
 use riffel::{Complex64, Loop};
-use riffel_case::Case;
-use riffel_case::ask;
 use riffel_case::model::{FieldModel, Joints, ModelOnCase};
 use riffel_case::traffic::UsualTraffic;
+use riffel_case::{Case, ask};
 use riffel_keys::{Message, decimal, say, shown_speed};
 use riffel_plot::LineFigure;
 use serde::Serialize;

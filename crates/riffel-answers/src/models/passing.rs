@@ -2,10 +2,9 @@
 
 use riffel::forecast::{SpeedDistribution, band_lines};
 use riffel::growth::GrowthSpectrum;
-use riffel_case::Case;
-use riffel_case::ask;
 use riffel_case::model::ModelOnCase;
 use riffel_case::traffic::bands_of;
+use riffel_case::{Case, ask};
 
 use crate::highest::{Highest, over_the_window};
 

@@ -1,7 +1,7 @@
 //! Levels beside the track as a picture.
 
-use riffel::noise::Part;
 use riffel_keys::{Language, Message, number, say, shown_speed};
+use riffel_noise::Part;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
 use super::since::lower_bound_up_to;

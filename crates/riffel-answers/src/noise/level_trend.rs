@@ -1,11 +1,11 @@
 //! The level in months to come.
 
-use riffel::noise::Part;
-use riffel::numerics::bisection::fallible_bisection;
 use riffel::roughness::Spectrum;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Variant};
 use riffel_keys::{Message, fixed, number, say};
+use riffel_noise::Part;
+use riffel_numerics::bisection::fallible_bisection;
 use serde::Serialize;
 
 use super::at_least;

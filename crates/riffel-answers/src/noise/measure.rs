@@ -1,9 +1,9 @@
 //! What would make a train quieter: one thing changed, and nothing else.
 
-use riffel::noise::{Energies, Part};
 use riffel::roughness::Spectrum;
 use riffel_case::Case;
 use riffel_keys::{Message, fixed, say, shown_speed};
+use riffel_noise::{Energies, Part};
 use serde::Serialize;
 
 use super::sources::Radiation;

@@ -11,9 +11,9 @@ mod sources;
 mod tables;
 mod train;
 
-use riffel::noise::{Energies, Part};
 use riffel_case::Case;
 use riffel_keys::{Language, Message, say};
+use riffel_noise::{Energies, Part};
 use riffel_plot::LineFigure;
 use serde::Serialize;
 

@@ -1,9 +1,9 @@
 //! What is asked of rolling noise.
 
-use riffel::noise::{FrequencyBand, Surroundings};
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Area, Length, Speed};
 use riffel_keys::say;
+use riffel_noise::{FrequencyBand, Surroundings};
 use riffel_rail::Survey;
 use schemars::JsonSchema;
 use serde::Deserialize;

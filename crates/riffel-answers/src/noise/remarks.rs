@@ -1,8 +1,8 @@
 //! What the reader of levels should know.
 
-use riffel::noise::{FrequencyBand, RailDecay, SoundPower};
 use riffel_case::Case;
 use riffel_keys::{Message, Value, fixed, number, say};
+use riffel_noise::{FrequencyBand, RailDecay, SoundPower};
 use riffel_rail::name_in_words;
 
 use super::train::Train;

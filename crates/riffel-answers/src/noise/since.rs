@@ -1,7 +1,7 @@
 //! What has changed since an earlier roughness, and how far sums of bands reach.
 
-use riffel::noise::{Energies, Part};
 use riffel_keys::{Message, fixed, number, say};
+use riffel_noise::{Energies, Part};
 use serde::Serialize;
 
 use super::nominal;

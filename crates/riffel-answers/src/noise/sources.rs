@@ -1,11 +1,11 @@
 //! What a train on a rail radiates, and what is heard of it.
 
 use riffel::contact::ContactFilter;
-use riffel::noise::{
-    Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, SoundPower, WheelModes,
-};
 use riffel::roughness::Spectrum;
 use riffel_case::Case;
+use riffel_noise::{
+    Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, SoundPower, WheelModes,
+};
 use riffel_rail::TransferTable;
 
 use super::train::Train;

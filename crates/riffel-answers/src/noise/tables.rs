@@ -1,7 +1,7 @@
 //! Levels as tables.
 
-use riffel::noise::Part;
 use riffel_keys::{Message, number, say, shown_speed};
+use riffel_noise::Part;
 
 use super::NoiseAnswer;
 use crate::{Column, Rows, Table, Values};

@@ -4,12 +4,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use riffel::error::as_typed;
-use riffel::noise::{FrequencyBand, Part, PassBy, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
-use riffel_case::ask;
 use riffel_case::traffic::Traffic;
-use riffel_case::{Case, TrackRadiator};
+use riffel_case::{Case, TrackRadiator, ask};
 use riffel_keys::Message;
+use riffel_noise::{FrequencyBand, Part, PassBy, WheelModes};
 use riffel_rail::{
     LimitTable, RailDates, TransferPart, TransferTable, WheelModesTable, WheelRoughness, levels_unlike_a_rail,
     read_decay_rates,

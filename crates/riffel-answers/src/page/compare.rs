@@ -3,8 +3,7 @@
 use crate::LineGrowth;
 use crate::ridge::RidgePointDocument;
 use riffel::{Axis, Ridge};
-use riffel_case::Case;
-use riffel_case::ask;
+use riffel_case::{Case, ask};
 use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 

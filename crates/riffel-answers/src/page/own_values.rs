@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use riffel_case::OwnValue;
-use riffel_case::own_values;
+use riffel_case::{OwnValue, own_values};
 use serde::Deserialize;
 
 use crate::page::{CaseText, Fault, Reply};

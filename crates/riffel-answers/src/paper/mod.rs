@@ -5,14 +5,12 @@ mod maps;
 mod ridges;
 mod vertical;
 
+#[cfg(not(target_family = "wasm"))]
+use crate::{Result, Rows, Table};
 use riffel_case::file::{CaseFile, ContactDynamics};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::{Language, say};
-use riffel_plot::{LineFigure, MapFigure};
-#[cfg(not(target_family = "wasm"))]
-use riffel_plot::{Picture, PlotError};
-
-use crate::{Result, Rows, Table};
+use riffel_plot::{LineFigure, MapFigure, Picture, PlotError};
 
 /// A figure and its numbers.
 pub struct PaperFigure {

@@ -1,7 +1,6 @@
 //! Figures 2 and 3: vertical receptance and normal force over frequency.
 
-use riffel::Complex64;
-use riffel::LoopState;
+use riffel::{Complex64, LoopState};
 use riffel_case::Case;
 use riffel_case::file::{CaseFile, TrackModel};
 use riffel_keys::{Language, say};

@@ -5,9 +5,8 @@ mod words;
 
 use riffel::LoopState;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
-use riffel_case::ask;
 use riffel_case::traffic::{UsualTraffic, reported_growth};
-use riffel_case::{Case, DrawnSupports, Point, Sensitivity};
+use riffel_case::{Case, DrawnSupports, Point, Sensitivity, ask};
 use riffel_keys::{CaseError, Message};
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! Where a wheelset touches its track over its lateral shift, and its equivalent conicity.
 
-use riffel::profile::{EquivalentConicity, ProfileContact, WheelsetContact};
 use riffel_case::CurvingCase;
+use riffel_curving::profile::{EquivalentConicity, ProfileContact, WheelsetContact};
 use riffel_keys::{Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use serde::{Serialize, Serializer};

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use riffel::profile::{Profile, ProfilePoint};
+use riffel_curving::profile::{Profile, ProfilePoint};
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, Series};
 use riffel_rail::{ProfileReading, profile_of};

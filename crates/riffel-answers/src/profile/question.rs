@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use riffel::profile::ProfileAlignment;
 use riffel_case::CurvingCase;
 use riffel_case::file::Inclination;
+use riffel_curving::profile::ProfileAlignment;
 use riffel_keys::quantity::{Angle, Force, Length, Quantity};
 use riffel_rail::{ProfileOrientation, ProfileReading};
 use schemars::JsonSchema;

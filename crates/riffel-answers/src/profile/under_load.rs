@@ -1,8 +1,8 @@
 //! The contacts of a wheelset pressed on its track by their own profiles.
 
-use riffel::profile::{ContactSurface, LoadedContact, WheelsetContact};
 use riffel::{ElasticMaterial, Rail};
 use riffel_case::CurvingCase;
+use riffel_curving::profile::{ContactSurface, LoadedContact, WheelsetContact};
 use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;

@@ -2,8 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use riffel::profile::{Profile, ProfileAlignment, ProfileError, ProfileWear, RailWear, WheelDimensions, WornPoint};
 use riffel_case::file::Inclination;
+use riffel_curving::profile::{
+    Profile, ProfileAlignment, ProfileError, ProfileWear, RailWear, WheelDimensions, WornPoint,
+};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use riffel_rail::{ProfileKind, ProfileReading, profile_of};

@@ -10,8 +10,7 @@ use std::f64::consts::TAU;
 
 use riffel::receptance::{DecayRate, MassOnRail, Resonance, ResonanceKind};
 use riffel::{Complex64, Direction};
-use riffel_case::ask;
-use riffel_case::{Case, Track};
+use riffel_case::{Case, Track, ask};
 use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::{Serialize, Serializer};

@@ -1,9 +1,8 @@
 //! One key changed, and what becomes of growth under a traffic.
 
 use riffel::forecast::SpeedDistribution;
-use riffel_case::idle_because;
 use riffel_case::traffic::Traffic;
-use riffel_case::{Case, CaseKey, Hold, Variant};
+use riffel_case::{Case, CaseKey, Hold, Variant, idle_because};
 use riffel_keys::quantity::{Kind, Speed};
 use riffel_keys::{Message, number, say, significant_digits};
 use serde::Serialize;

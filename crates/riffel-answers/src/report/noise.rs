@@ -1,8 +1,8 @@
 //! Rolling noise in a report.
 
-use riffel::noise::Part;
 use riffel_case::Case;
 use riffel_keys::{Language, Message, Value, fixed, number, say, shown_speed};
+use riffel_noise::Part;
 use riffel_plot::PlotError;
 
 use super::outlook::{Outlook, drawing};

@@ -4,9 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use riffel_calibrate::{Chains, Plan};
-use riffel_case::Case;
-use riffel_case::ask;
 use riffel_case::traffic::Traffic;
+use riffel_case::{Case, ask};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::text_file::is_standard_input;
 use riffel_keys::{CaseError, Message, question, say};

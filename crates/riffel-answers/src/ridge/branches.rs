@@ -1,14 +1,12 @@
 //! The branches of the ridge of a case: as a document, and in words.
 
-use riffel_case::ask;
-use riffel_case::traffic;
+use riffel_case::{Case, ask, traffic};
 use std::collections::BTreeSet;
 
 use riffel::diagnosis::MechanismKind;
 use riffel::growth::RidgeBranch;
 use riffel::wheelset::ModeName;
 use riffel::{Axis, Loop, Ridge};
-use riffel_case::Case;
 use riffel_keys::{Message, Value, fixed, number, range, say, shown_speeds};
 use serde::Serialize;
 

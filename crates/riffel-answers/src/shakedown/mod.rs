@@ -5,9 +5,8 @@ mod tables;
 
 use rayon::prelude::*;
 use riffel::{HertzContact, LoopState};
-use riffel_case::Case;
-use riffel_case::ask;
 use riffel_case::file::LimitName;
+use riffel_case::{Case, ask};
 use riffel_keys::quantity::{Length, Quantity, Ratio, Speed};
 use riffel_keys::{Message, fixed, say, significant};
 use riffel_plot::LineFigure;

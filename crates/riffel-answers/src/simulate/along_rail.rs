@@ -2,8 +2,7 @@
 
 use riffel::passage::ContactInstant;
 use riffel::roughness::Profile;
-use riffel_case::ask;
-use riffel_case::{Case, ContactName};
+use riffel_case::{Case, ContactName, ask};
 use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
 

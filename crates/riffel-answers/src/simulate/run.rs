@@ -2,8 +2,7 @@
 
 use riffel::contact::ContactFilter;
 use riffel::passage::PassageModel;
-use riffel_case::ask;
-use riffel_case::{Case, ContactName};
+use riffel_case::{Case, ContactName, ask};
 use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
 use serde::Serialize;

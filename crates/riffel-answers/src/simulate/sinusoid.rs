@@ -5,8 +5,7 @@ use std::f64::consts::TAU;
 use riffel::Complex64;
 use riffel::error::as_typed;
 use riffel::passage::{Harmonic, Settled, Sinusoid};
-use riffel_case::ask;
-use riffel_case::{Case, ContactName};
+use riffel_case::{Case, ContactName, ask};
 use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 

@@ -1,8 +1,7 @@
 //! Wheels of a case on a smooth rail.
 
 use riffel::passage::{ContactInstant, ContactSwing, Outcome, PassageModel};
-use riffel_case::ask;
-use riffel_case::{Case, ContactName};
+use riffel_case::{Case, ContactName, ask};
 use riffel_keys::{Message, fixed, say};
 use serde::{Serialize, Serializer};
 

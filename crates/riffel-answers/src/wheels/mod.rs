@@ -3,13 +3,11 @@
 mod figure;
 mod table;
 
-use riffel::curving::{Curve, WheelState};
 use riffel::forecast::band_lines;
-use riffel_case::ask;
 use riffel_case::file::{ContactOfWheel, CurveRail};
 use riffel_case::traffic::{UsualTraffic, bands_of};
-use riffel_case::wheels_of_curve;
-use riffel_case::{Case, Variant, WheelOfCurve, WheelsOfCurve};
+use riffel_case::{Case, Variant, WheelOfCurve, WheelsOfCurve, ask, wheels_of_curve};
+use riffel_curving::{Curve, WheelState};
 use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::LineFigure;
 use serde::Serialize;

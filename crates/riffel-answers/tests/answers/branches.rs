@@ -6,8 +6,7 @@ use riffel::Ridge;
 use riffel::growth::RidgeBranch;
 use riffel_answers::map::MapAnswer;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
-use riffel_case::traffic;
-use riffel_case::{Case, NOMINAL_CASE};
+use riffel_case::{Case, NOMINAL_CASE, traffic};
 use riffel_keys::Language;
 
 use crate::case;

@@ -8,9 +8,8 @@ use riffel_answers::forecast::{ForecastHorizon, ForecastRequest, TrackForecast};
 use riffel_answers::map::MapAnswer;
 use riffel_answers::report::{Inputs, MeasuredRail, MeasuredRoughness, ReportRequest, Site, report};
 use riffel_answers::roughness::SpectraAnswer;
-use riffel_case::on_curve;
 use riffel_case::traffic::{Traffic, bands_of};
-use riffel_case::{Case, CurvingCase, METRO_CURVE_CASE, NOMINAL_CASE, TRAFFIC};
+use riffel_case::{Case, CurvingCase, METRO_CURVE_CASE, NOMINAL_CASE, TRAFFIC, on_curve};
 use riffel_keys::{Language, Message, say};
 use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Survey};
 

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
-use riffel::noise::FrequencyBand;
-use riffel::numerics::matrix::Matrix;
-use riffel::numerics::random_numbers::uniform;
 use riffel::receptance::DecayRate;
 use riffel_case::Case;
 use riffel_keys::{CaseError, say};
+use riffel_noise::FrequencyBand;
+use riffel_numerics::matrix::Matrix;
+use riffel_numerics::random_numbers::uniform;
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
 use super::{Block, Conditional, Group, Observable, Place, table};

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::Complex64;
-use riffel::numerics::matrix::Matrix;
-use riffel::numerics::random_numbers::normal;
 use riffel::receptance::MeasuredReceptance;
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message};
+use riffel_numerics::matrix::Matrix;
+use riffel_numerics::random_numbers::normal;
 use riffel_rail::response::doubts_about_rail;
 
 use super::joined_lines::{Band, Line, joined};

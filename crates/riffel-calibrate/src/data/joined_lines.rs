@@ -147,7 +147,7 @@ impl Joining {
 
 #[cfg(test)]
 mod tests {
-    use riffel::numerics::random_numbers::normal;
+    use riffel_numerics::random_numbers::normal;
 
     use super::*;
     use crate::draw::random;

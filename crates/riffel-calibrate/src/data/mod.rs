@@ -17,9 +17,9 @@ pub(crate) use wear::Wear;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use riffel::forecast::LEAST_PASSAGES;
-use riffel::numerics::matrix::Matrix;
-use riffel::numerics::random_numbers::normal;
 use riffel_keys::{Message, say};
+use riffel_numerics::matrix::Matrix;
+use riffel_numerics::random_numbers::normal;
 use serde::Serialize;
 
 pub(crate) use crate::gaussian::Conditional;

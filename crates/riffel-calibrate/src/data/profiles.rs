@@ -5,10 +5,10 @@ use std::path::{Component, Path, PathBuf};
 
 use riffel::Complex64;
 use riffel::diagnosis::{FALL_BY_GRINDING, fall_of_bands, first_since_ground};
-use riffel::numerics::matrix::Matrix;
 use riffel::roughness::{Profile, Spectrum, WaveGrowth, WaveGrowths};
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message, say};
+use riffel_numerics::matrix::Matrix;
 use riffel_rail::{Layout, RoughnessFile};
 
 use super::{Block, Observable, Place, UNIT, table, too_few};

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use riffel::forecast::WearSpread;
-use riffel::numerics::matrix::Matrix;
 use riffel_case::file::MeasuredWear;
 use riffel_keys::CaseError;
+use riffel_numerics::matrix::Matrix;
 
 use super::{Block, Observable, Place, table};
 use crate::file::Kind;

@@ -1,7 +1,7 @@
 //! What it is worth to know more: one value, or another measurement.
 
-use riffel::numerics::least_squares::least_squares;
-use riffel::numerics::matrix::Matrix;
+use riffel_numerics::least_squares::least_squares;
+use riffel_numerics::matrix::Matrix;
 
 use super::Worth;
 use crate::error::CalibrationError;

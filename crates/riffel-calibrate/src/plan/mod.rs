@@ -13,10 +13,10 @@ mod usual;
 use std::path::{Path, PathBuf};
 
 use riffel::STANDARD_GRAVITY;
-use riffel::numerics::distribution::Distribution;
 use riffel_case::traffic::{DAYS_PER_YEAR, Line, Traffic};
 use riffel_case::{Case, settings};
 use riffel_keys::{CaseError, KeyFile, Message, say, text_file};
+use riffel_numerics::distribution::Distribution;
 
 use crate::file::{DataFile, PlanFile, SamplerKind};
 use crate::model::{Model, Parameter, Vehicle, VehicleKey, View};

@@ -1,10 +1,10 @@
 //! What a plan says of trains that are heard.
 
 use riffel::contact::ContactFilter;
-use riffel::noise::{FrequencyBand, PassBy, Surroundings};
 use riffel_case::ask;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::{CaseError, Message, Value, say};
+use riffel_noise::{FrequencyBand, PassBy, Surroundings};
 use riffel_rail::{Survey, WheelRoughness};
 
 use super::{Reading, beside};

@@ -3,10 +3,9 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use riffel_case::Case;
 use riffel_case::file::TrackModel;
 use riffel_case::traffic::Traffic;
-use riffel_case::wear_spread;
+use riffel_case::{Case, wear_spread};
 use riffel_keys::quantity::{Quantity, Ratio};
 use riffel_keys::{CaseError, Message, say};
 

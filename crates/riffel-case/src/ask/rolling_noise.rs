@@ -1,11 +1,11 @@
 //! What a case says of the sound of a wheel on its rail.
 
-use riffel::noise::{
+use riffel::{Error, Loop, STEEL_DENSITY};
+use riffel_keys::{Message, say};
+use riffel_noise::{
     Air, BandRadiation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, RailDecay, RollingSource,
     Sleepers, WheelModes,
 };
-use riffel::{Error, Loop, STEEL_DENSITY};
-use riffel_keys::{Message, say};
 
 use crate::{Case, Track};
 

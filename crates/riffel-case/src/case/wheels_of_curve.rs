@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use riffel::curving::{Curve, VehicleState, WheelState};
+use riffel_curving::{Curve, VehicleState, WheelState};
 use riffel_keys::{CaseError, Message, number, say};
 
 use crate::Case;

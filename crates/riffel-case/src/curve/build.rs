@@ -4,7 +4,7 @@ use riffel_keys::{CaseError, number, say};
 use std::sync::Arc;
 
 use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
-use riffel::curving::{
+use riffel_curving::{
     Axle, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring, GRAVITY, Kinematics, LawOnEllipse,
     RunningSurfaces, VehicleInCurve,
 };

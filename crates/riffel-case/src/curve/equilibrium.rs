@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
-use riffel::curving::{VehicleInCurve, VehicleState};
-use riffel::profile::ProfileContact;
+use riffel_curving::profile::ProfileContact;
+use riffel_curving::{VehicleInCurve, VehicleState};
 
 use super::CurvingCase;
 

@@ -11,8 +11,8 @@ pub(crate) use wheelset::SharedProfiles;
 
 use std::path::{Path, PathBuf};
 
-use riffel::curving::{VehicleInCurve, VehicleState};
-use riffel::profile::NominalProfile;
+use riffel_curving::profile::NominalProfile;
+use riffel_curving::{VehicleInCurve, VehicleState};
 use riffel_keys::quantity::{Mass, Quantity};
 use riffel_keys::{CaseError, Message, say, text_file};
 use serde::Deserialize;

@@ -1,6 +1,6 @@
 //! What holds the wheelsets, from its keys.
 
-use riffel::curving::{Axle, Body, BogieFrame, FollowingFrame, RunningGear};
+use riffel_curving::{Axle, Body, BogieFrame, FollowingFrame, RunningGear};
 use riffel_keys::{CaseError, Message, say};
 
 use super::CurvingCase;

@@ -3,12 +3,12 @@
 use riffel_keys::{CaseError, Message, number, say};
 use std::path::Path;
 
-use riffel::curving::{ContactPlane, Kinematics};
-use riffel::profile::{
+use riffel::{ElasticMaterial, Rail};
+use riffel_curving::profile::{
     NOMINAL, NominalProfile, Profile, ProfileError, RadiusDifference, RollingTable, Track, WheelDimensions, Wheels,
     WheelsetOnTrack,
 };
-use riffel::{ElasticMaterial, Rail};
+use riffel_curving::{ContactPlane, Kinematics};
 use riffel_rail::{ProfileKind, ProfileOfName, ProfileReading, profile_of};
 use std::sync::Arc;
 

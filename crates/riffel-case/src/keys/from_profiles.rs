@@ -1,7 +1,7 @@
 //! Where a wheel stands on its rail, from the profiles of a case.
 
 use riffel::Rail;
-use riffel::profile::{Profile, ProfileContact, WheelsetContact};
+use riffel_curving::profile::{Profile, ProfileContact, WheelsetContact};
 use riffel_keys::CaseError;
 
 use crate::curve::{CurvingCase, Equilibrium};

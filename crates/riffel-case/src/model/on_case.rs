@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 use riffel::Loop;
 use riffel::contact::{ContactFilter, LoadWear};
-use riffel::curving::GRAVITY;
 use riffel::feedback::Contact;
 use riffel::forecast::{MeanGrowth, SpeedDistribution};
 use riffel::growth::Bay;
 use riffel::receptance::RigidGround;
 use riffel::wheelset::{Motion, SprungMass};
+use riffel_curving::GRAVITY;
 use riffel_keys::{CaseError, say};
 use toml::{Table, Value};
 

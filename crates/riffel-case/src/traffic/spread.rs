@@ -6,8 +6,8 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use riffel::forecast::WheelValues;
-use riffel::numerics::distribution::Distribution;
 use riffel_keys::quantity::{Dimension, Kind, Quantity, Ratio};
+use riffel_numerics::distribution::Distribution;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, de};

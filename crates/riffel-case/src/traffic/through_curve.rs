@@ -1,7 +1,7 @@
 //! All wheels of a vehicle in its curve, each with its own mean state at each speed.
 
 use riffel::STANDARD_GRAVITY;
-use riffel::curving::VehicleInCurve;
+use riffel_curving::VehicleInCurve;
 use riffel_keys::CaseError;
 
 use super::spreads::{FRICTION, LOAD, PartValues, WHEEL_RADIUS};

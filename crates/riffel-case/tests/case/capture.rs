@@ -11,8 +11,7 @@ use rayon::prelude::*;
 use riffel::growth::Axis;
 use riffel_case::model::{FieldModel, ModelOnCase};
 use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
-use riffel_case::wheels_of_curve;
-use riffel_case::{Case, Variant};
+use riffel_case::{Case, Variant, wheels_of_curve};
 
 /// Traffic on every case: one wheel, all wheels of a curve, and wheels that are spread.
 const TRAFFICS: [(&str, &str); 5] = [

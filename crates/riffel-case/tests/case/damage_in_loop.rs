@@ -4,10 +4,9 @@ use riffel::forecast::{Forecast, ForecastBand, LINES_PER_BAND, SpeedDistribution
 use riffel::growth::RowEvaluator;
 use riffel::roughness::Spectrum;
 use riffel::{Axis, GrowthMap};
-use riffel_case::ask;
 use riffel_case::file::RailGrade;
 use riffel_case::traffic::{Traffic, bands_of};
-use riffel_case::{Case, DamagePoint, Point, Variant};
+use riffel_case::{Case, DamagePoint, Point, Variant, ask};
 
 const DAMAGE: &str = "\n[damage]\nshear_yield = \"230 MPa\"\nlimit = \"line\"\n\
     laws = [\"wear\", \"load\", \"flow\", \"flow-along\", \"bending\", \"fatigue\"]\nflow = { depth = \"1 nm\", exponent = 2 }\n\

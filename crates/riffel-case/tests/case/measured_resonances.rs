@@ -1,7 +1,6 @@
 //! What stands out of a receptance without a model, against the model it was made from.
 
-use riffel_case::ask;
-use riffel_case::traffic;
+use riffel_case::{Case, ask, traffic};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::fs;
@@ -9,7 +8,6 @@ use std::path::Path;
 
 use riffel::diagnosis::{MechanismKind, Prediction};
 use riffel::receptance::ResonanceKind;
-use riffel_case::Case;
 use tempfile::TempDir;
 
 /// The case of the book on discrete supports, with the place of the load.

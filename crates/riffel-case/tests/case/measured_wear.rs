@@ -1,8 +1,7 @@
 //! The wear of a rail as it was measured, in the place of a wear coefficient.
 
 use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
-use riffel_case::wear_spread;
-use riffel_case::{Case, METRO_CASE, NOMINAL_CASE, Variant};
+use riffel_case::{Case, METRO_CASE, NOMINAL_CASE, Variant, wear_spread};
 
 use crate::{case, parsed};
 

@@ -5,8 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use riffel::diagnosis::MechanismKind;
-use riffel_case::traffic;
-use riffel_case::{Case, NOMINAL_CASE};
+use riffel_case::{Case, NOMINAL_CASE, traffic};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../riffel-rail/tests/measured-tables")

@@ -2,11 +2,11 @@
 
 use riffel::Loop;
 use riffel::forecast::{MeanGrowth, SpeedDistribution, band_lines};
-use riffel::numerics::normal_distribution::quantile;
 use riffel::roughness::ThirdOctave;
 use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, METRO_CURVE_CASE, NOMINAL_CASE, Variant};
 use riffel_keys::CaseError;
+use riffel_numerics::normal_distribution::quantile;
 
 use crate::nominal;
 

@@ -1,9 +1,8 @@
 //! The wave's own geometry by the keys of a case.
 
 use riffel::Complex64;
-use riffel_case::ask;
 use riffel_case::model::{FieldModel, ModelOnCase};
-use riffel_case::{Case, NOMINAL_CASE, Point};
+use riffel_case::{Case, NOMINAL_CASE, Point, ask};
 
 use crate::nominal as case;
 

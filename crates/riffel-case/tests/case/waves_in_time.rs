@@ -5,8 +5,7 @@ use std::f64::consts::TAU;
 use riffel::Complex64;
 use riffel::passage::{Evolution, EvolutionStep, Sinusoid};
 use riffel::roughness::Profile;
-use riffel_case::ask;
-use riffel_case::{Case, NOMINAL_CASE};
+use riffel_case::{Case, NOMINAL_CASE, ask};
 
 use crate::{case, trailer};
 

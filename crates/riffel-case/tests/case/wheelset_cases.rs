@@ -1,7 +1,6 @@
 //! The example cases of wheelsets.
 
-use riffel_case::ask;
-use riffel_case::{CaseWheelset, preset};
+use riffel_case::{CaseWheelset, ask, preset};
 
 /// Value of a preset \[SI\].
 fn of_preset(name: &str, key: &str) -> f64 {

@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 use std::fs;
 
 use riffel::wheelset::Wheelset;
-use riffel_case::ask;
-use riffel_case::{Case, CaseWheelset};
+use riffel_case::{Case, CaseWheelset, ask};
 use riffel_keys::CaseError;
 use tempfile::TempDir;
 

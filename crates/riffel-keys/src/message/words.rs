@@ -73,6 +73,7 @@ mod tests {
 
     use super::*;
     use crate::message::wordings;
+    use crate::physics_in_words::PHYSICS;
 
     /// All texts that stand in the sources of some crates.
     fn literals(folder: &Path, found: &mut BTreeSet<String>) {
@@ -94,7 +95,7 @@ mod tests {
     fn words_that_go_by_their_english_stand_in_the_sources() {
         let mut found = BTreeSet::new();
         let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-        for name in ["riffel", "riffel-keys", "riffel-case", "riffel-answers", "riffel-cli"] {
+        for name in PHYSICS.into_iter().chain(["riffel-keys", "riffel-case", "riffel-answers", "riffel-cli"]) {
             literals(&crates.join(name).join("src"), &mut found);
         }
         for kind in ["Rule", "Quantity", "Field", "Format"] {

@@ -13,8 +13,7 @@ mod form;
 mod lines;
 mod signal;
 
-use riffel::Complex64;
-use riffel::STANDARD_GRAVITY;
+use riffel::{Complex64, STANDARD_GRAVITY};
 
 use crate::{Exponents, Unit};
 

@@ -19,8 +19,7 @@ use riffel::{Direction, GrowthMap};
 use riffel_answers::contact::{ContactPatch, CreepCurves, FrequencyResponse, RollingTheories};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
-use riffel_case::ask;
-use riffel_case::{CaseContact, CaseStructure, DrawnSupports};
+use riffel_case::{CaseContact, CaseStructure, DrawnSupports, ask};
 
 use crate::array::owned;
 use crate::document::{document, sentences};

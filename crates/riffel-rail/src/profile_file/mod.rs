@@ -10,7 +10,7 @@ mod written;
 
 use std::path::Path;
 
-use riffel::profile::{NominalProfile, Profile, ProfileError, SmoothedPoints};
+use riffel_curving::profile::{NominalProfile, Profile, ProfileError, SmoothedPoints};
 use riffel_keys::{CaseError, Message, Value, fixed, say, text_file};
 
 pub use self::reading::{ProfileKind, ProfileOrientation, ProfileReading};

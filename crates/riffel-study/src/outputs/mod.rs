@@ -7,9 +7,8 @@ mod wave;
 
 use riffel::Complex64;
 use riffel::growth::{RidgeSearch, RowEvaluator};
-use riffel_case::ask;
 use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
-use riffel_case::{Case, Setting, Variant};
+use riffel_case::{Case, Setting, Variant, ask};
 use riffel_keys::{CaseError, KeyFile, Message, say};
 
 pub use band::Band;

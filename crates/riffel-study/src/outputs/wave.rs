@@ -1,8 +1,7 @@
 //! Wheels over a wave in time, as an output of a study.
 
 use riffel::passage::{Evolution, EvolutionStep, PassageModel, PassingWheel, Settled, Sinusoid};
-use riffel_case::Case;
-use riffel_case::ask;
+use riffel_case::{Case, ask};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

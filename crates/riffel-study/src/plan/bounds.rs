@@ -1,8 +1,8 @@
 //! Whether the case takes the values of a plan, before anything runs.
 
-use riffel::numerics::distribution::Distribution;
 use riffel_case::{Case, Setting};
 use riffel_keys::{CaseError, KeyFile};
+use riffel_numerics::distribution::Distribution;
 
 use super::Plan;
 use crate::parameter::{Parameter, Spread};

@@ -11,8 +11,7 @@ pub use spread::distribution;
 use std::path::{Path, PathBuf};
 
 use file::{Method, PlanFile};
-use riffel_case::idle_because;
-use riffel_case::{Case, CaseKey, settings};
+use riffel_case::{Case, CaseKey, idle_because, settings};
 use riffel_keys::{CaseError, KeyFile, say, text_file};
 
 use crate::correlation::GaussianCopula;

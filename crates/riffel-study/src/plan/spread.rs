@@ -2,10 +2,10 @@
 
 use std::collections::HashSet;
 
-use riffel::numerics::distribution::Distribution;
 use riffel_case::CaseKey;
 use riffel_keys::quantity::Kind;
 use riffel_keys::{CaseError, KeyFile, Message, say};
+use riffel_numerics::distribution::Distribution;
 use toml::Value;
 
 use super::file::{LognormalFile, NormalFile, ParameterFile, RangeFile, Spacing};

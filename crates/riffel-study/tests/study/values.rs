@@ -1,9 +1,8 @@
 //! Samples and their numbers.
 
 use riffel::{GrowthMap, Ridge};
-use riffel_case::Variant;
-use riffel_case::ask;
 use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
+use riffel_case::{Variant, ask};
 use riffel_study::{ParameterValue, Study};
 
 use crate::{PLAN, study_of};

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use axum::extract::State;
-use riffel::profile::NominalProfile;
 use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::OutlineAnswer;
 use riffel_case::{CurvingCase, METRO_CURVE_CASE};
+use riffel_curving::profile::NominalProfile;
 use riffel_keys::text_file::with_texts;
 use riffel_keys::{CaseError, Message};
 use riffel_rail::{ProfileOrientation, ProfileReading};

@@ -1,15 +1,12 @@
 //! `POST /api/curve/wheels`: growth of a case under every wheel of the bogie in its curve.
 
-use riffel_case::on_curve;
-use riffel_case::keys_that_give_way;
-use riffel_case::keys_of_curve;
+use riffel_case::{Case, keys_of_curve, keys_that_give_way, on_curve};
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use axum::extract::State;
 use riffel_answers::page::CaseText;
 use riffel_answers::wheels::WheelsAnswer;
-use riffel_case::Case;
 use riffel_keys::text_file::with_texts;
 use serde::Deserialize;
 use serde_json::{Value, json};

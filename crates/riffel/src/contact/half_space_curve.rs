@@ -5,7 +5,7 @@ use super::{
     CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, HalfSpace, HalfSpaceRolling, OscillatingCreepages,
 };
 use crate::Error;
-use crate::numerics::cubic::{cubic_at, cubic_slope, hermite};
+use riffel_numerics::cubic::{cubic_at, cubic_slope, hermite};
 
 /// Q(P, ξ) of a [`HalfSpace`] in pure longitudinal creepage, through its values and slopes at some twenty creepages. Lateral
 /// creepage and spin are ignored.

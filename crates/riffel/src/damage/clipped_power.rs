@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::numerics::gauss::{equal_panels, panels};
-use crate::numerics::normal_distribution::{below, density};
+use riffel_numerics::gauss::{equal_panels, panels};
+use riffel_numerics::normal_distribution::{below, density};
 
 /// E⟨X + σz⟩^m, z normal, ⟨·⟩ zero below zero; for a cosine X = X₀ + U cos θ its mean and its first harmonic.
 ///

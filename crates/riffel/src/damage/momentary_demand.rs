@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::{Demand, ShakedownLimit};
-use crate::numerics::cubic::{cubic_at, hermite};
+use riffel_numerics::cubic::{cubic_at, hermite};
 
 /// Intervals of the utilised friction from zero to one.
 const INTERVALS: usize = 256;

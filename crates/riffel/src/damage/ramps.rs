@@ -1,7 +1,7 @@
 //! Laws of straight pieces, over a wave and over the loads of traffic.
 
 use super::ClippedPower;
-use crate::numerics::normal_distribution::below;
+use riffel_numerics::normal_distribution::below;
 
 /// Σ c ⟨x − t⟩: a law that changes its slope by c at each t.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! The rate of a clipped power about one mean state, read from a table over the amplitude.
 
 use super::ClippedPower;
-use crate::numerics::chebyshev::{Cell, Cut};
+use riffel_numerics::chebyshev::{Cell, Cut};
 
 /// Equal parts of the range, each of which knows the cell that it begins in.
 const PARTS: usize = 256;

@@ -3,8 +3,8 @@
 use super::median_line::{extrapolation, median_line};
 use super::normal;
 use crate::Error;
-use crate::numerics::normal_distribution::above;
 use crate::roughness::{PowerSpectrum, Profile, level};
+use riffel_numerics::normal_distribution::above;
 
 /// Bands of an octave.
 const BANDS_AN_OCTAVE: f64 = 24.0;

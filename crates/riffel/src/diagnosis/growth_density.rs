@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use super::TrafficSpeeds;
 use crate::feedback::Loop;
 use crate::growth::{Axis, GrowthSpectrum, RowEvaluator};
-use crate::numerics::normal_distribution::density;
+use riffel_numerics::normal_distribution::density;
 
 /// Speeds at which narrow lines are looked for.
 const FEW: usize = 3;

@@ -1,7 +1,7 @@
 //! How a level changes from record to record.
 
 use crate::Error;
-use crate::numerics::normal_distribution::below;
+use riffel_numerics::normal_distribution::below;
 
 /// Fall of a level between two records \[dB\] that no wear makes: the rail was ground between them. Riffel's choice.
 pub const FALL_BY_GRINDING: f64 = 3.0;
@@ -211,7 +211,7 @@ pub(super) mod tests {
     use rand_xoshiro::rand_core::SeedableRng;
 
     use super::*;
-    use crate::numerics::random_numbers::{normal, normal_pair};
+    use riffel_numerics::random_numbers::{normal, normal_pair};
 
     /// Levels of one record after the other.
     pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> LevelTrend {

@@ -22,7 +22,7 @@ pub(super) fn of_student(t: f64, freedom: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::normal_distribution::above;
+    use riffel_numerics::normal_distribution::above;
 
     #[test]
     fn tails_are_those_of_the_tables() {

@@ -1,7 +1,7 @@
 //! What wavelength a mechanism predicts.
 
 use super::{GrowthDensity, MechanismKind, TrafficSpeeds};
-use crate::numerics::normal_distribution::{above, density};
+use riffel_numerics::normal_distribution::{above, density};
 
 /// Wavelength or frequency that a mechanism fixes.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! When something first is so.
 
-use crate::numerics::bisection::bisection;
+use riffel_numerics::bisection::bisection;
 
 /// Axle passages from `least` on after which something is so, which then stays so; `None` if it is not up to `most`.
 ///

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::WheelValues;
 use crate::Error;
 use crate::cancel::check;
-use crate::numerics::distribution::{Distribution, TAIL};
+use riffel_numerics::distribution::{Distribution, TAIL};
 
 /// Equal steps over a normal distribution to begin with, a quarter of a standard deviation each.
 const FIRST_STEPS: usize = 32;

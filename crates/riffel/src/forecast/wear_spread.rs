@@ -1,6 +1,6 @@
 //! How well a wear coefficient is known, and what that makes of growth.
 
-use crate::numerics::normal_distribution::{HALF_OF_50, HALF_OF_80, HALF_OF_95};
+use riffel_numerics::normal_distribution::{HALF_OF_50, HALF_OF_80, HALF_OF_95};
 
 /// A wear coefficient known to a factor: log-normal about the value in use.
 ///
@@ -60,7 +60,7 @@ mod tests {
     use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
     use super::*;
-    use crate::numerics::random_numbers::unit;
+    use riffel_numerics::random_numbers::unit;
 
     /// Of 40 000 coefficients drawn from the law, 80 and 50 % lie in the bands, to four standard errors; 80 % within the factor of
     /// three.

@@ -1,7 +1,7 @@
 //! Values of passing wheels.
 
 use crate::Error;
-use crate::numerics::distribution::Distribution;
+use riffel_numerics::distribution::Distribution;
 
 /// Values of passing wheels.
 #[derive(Debug, Clone, PartialEq)]

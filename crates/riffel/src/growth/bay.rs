@@ -6,8 +6,8 @@ use num_complex::Complex64;
 
 use super::{Axis, GrowthMap, Ridge};
 use crate::feedback::{Loop, LoopState};
-use crate::numerics::simpson::simpson;
 use crate::receptance::{CrossReceptance, Uncoupled};
+use riffel_numerics::simpson::simpson;
 
 /// Nodes of Simpson's rule over half a bay, a support and mid-span among them.
 const NODES: usize = 17;

@@ -3,7 +3,7 @@
 use super::Axis;
 use super::branch::minima;
 use super::fine_row::FineRow;
-use crate::numerics::golden_section::golden_section;
+use riffel_numerics::golden_section::golden_section;
 
 /// Growth rates at rising wavelengths of a window, close together where growth changes fast, and at its maxima. Both ends of the
 /// window are there.

@@ -10,7 +10,7 @@ use super::fine_row::{FineRow, first_wavelengths};
 use super::{Axis, GrowthMap, RowEvaluator};
 use crate::cancel::check;
 use crate::feedback::Loop;
-use crate::numerics::golden_section::golden_section;
+use riffel_numerics::golden_section::golden_section;
 
 /// Share of the growth of the strongest branch below which another is left out: it would take a hundred times as long.
 const WEAKEST: f64 = 0.01;

@@ -5,8 +5,8 @@ use num_complex::Complex64;
 use crate::Error;
 use crate::damage::DamageLaw;
 use crate::feedback::Loop;
-use crate::numerics::elimination::{identity, inverse};
 use crate::receptance::MovingLoadOnSupports;
+use riffel_numerics::elimination::{identity, inverse};
 
 /// Growth per passage as an operator over the wavenumbers k_n = 2π/λ + 2πn/d, n = −N … N.
 ///

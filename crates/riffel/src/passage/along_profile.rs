@@ -3,8 +3,8 @@
 use super::patch_average::PatchAverage;
 use super::{ContactInTime, ContactInstant, March, PassageModel};
 use crate::Error;
-use crate::numerics::cubic::{cubic, cubic_at, hermite};
 use crate::roughness::Profile;
+use riffel_numerics::cubic::{cubic, cubic_at, hermite};
 
 /// What wheels did along a profile.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{Evolution, Sinusoid};
 use crate::Error;
-use crate::numerics::matrix::dot;
 use crate::roughness::{BandPass, Profile, WavelengthBand};
+use riffel_numerics::matrix::dot;
 
 impl Evolution {
     /// A rail before any wheel, of a record whose ends do not meet.

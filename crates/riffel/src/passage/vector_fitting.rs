@@ -3,8 +3,8 @@
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use crate::numerics::eigenvalues::eigenvalues;
-use crate::numerics::least_squares::{least_squares, least_squares_of_several, remainder};
+use riffel_numerics::eigenvalues::eigenvalues;
+use riffel_numerics::least_squares::{least_squares, least_squares_of_several, remainder};
 
 /// A real pole, or one of a pair with the imaginary part above zero, and its residue. In time it is
 /// Re(residue · e^{pole · t}), twice that for a pair.

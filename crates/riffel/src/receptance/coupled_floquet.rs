@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::periodic::{InBay, outgoing_sinh};
 use super::twisting_rail::{CoupledWave, CoupledWaves, LateralReceptance};
-use crate::numerics::simultaneous_roots::polish;
+use riffel_numerics::simultaneous_roots::polish;
 
 /// The Floquet waves of a rail that bends across the track and twists, on supports every d that hold both motions.
 ///

@@ -83,7 +83,7 @@ impl DecayRate {
 
 /// Places of the response to one side of the force \[m\], with the length of rail \[m\] that each stands for, for bays of
 /// the given length.
-pub(crate) fn one_sided_places(bay: f64) -> impl Iterator<Item = (f64, f64)> {
+pub fn one_sided_places(bay: f64) -> impl Iterator<Item = (f64, f64)> {
     (0..BAYS.len()).map(move |n| {
         let before = n.checked_sub(1).map(|before| BAYS[n] - BAYS[before]);
         let after = BAYS.get(n + 1).map(|after| after - BAYS[n]);

@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use crate::numerics::normal_distribution::HALF_OF_50;
+use riffel_numerics::normal_distribution::HALF_OF_50;
 
 /// Least height of a peak over the higher of the two saddles beside it \[dB\]: less is within what an amplitude
 /// of a hammer test is good to.
@@ -119,7 +119,7 @@ fn scatter(levels: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::random_numbers::unit;
+    use riffel_numerics::random_numbers::unit;
     use std::f64::consts::TAU;
 
     /// Two oscillators in series, at 100 Hz with ζ = 5 % and at 500 Hz with 2 %, on even lines of `step` \[Hz\].

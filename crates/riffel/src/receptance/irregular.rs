@@ -7,8 +7,8 @@ use rand_xoshiro::rand_core::SeedableRng;
 use super::periodic::Station;
 use super::{Beam, FloquetWaves, PeriodicTrack, Waveguide};
 use crate::Error;
-use crate::numerics::elimination::inverse;
-use crate::numerics::random_numbers::normal;
+use riffel_numerics::elimination::inverse;
+use riffel_numerics::random_numbers::normal;
 
 /// An infinite rail on equal supports every d, of which some N side by side have moved along the rail, such as the sleepers of a
 /// track as it was laid.

@@ -5,8 +5,8 @@ use num_complex::Complex64;
 use super::waves::Waveguide;
 use super::{Beam, ContinuousTrack, Layer, Receptance, Support};
 use crate::Error;
-use crate::numerics::golden_section::golden_section;
-use crate::numerics::simultaneous_roots::polish;
+use riffel_numerics::golden_section::golden_section;
+use riffel_numerics::simultaneous_roots::polish;
 
 /// An infinite rail, free or on one or two layers spread evenly, under an oscillating load that
 /// travels at the speed V.

@@ -5,7 +5,7 @@ use std::fmt;
 use num_complex::Complex64;
 
 use super::Receptance;
-use crate::numerics::golden_section::golden_section;
+use riffel_numerics::golden_section::golden_section;
 
 /// What a resonance is, in the field's words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

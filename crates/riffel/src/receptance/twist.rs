@@ -3,8 +3,8 @@
 use num_complex::Complex64;
 
 use super::wave_stiffness::WaveStiffness;
-use crate::numerics::square_root::square_root;
 use crate::{ElasticMaterial, Error};
+use riffel_numerics::square_root::square_root;
 
 /// What a rail section needs beyond bending to twist, and where its foot and its mass are.
 #[derive(Debug, Clone, Copy, PartialEq)]

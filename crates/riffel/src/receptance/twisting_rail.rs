@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::waves::outgoing;
 use super::{Beam, Twist, Waveguide};
-use crate::numerics::simultaneous_roots::polish;
+use riffel_numerics::simultaneous_roots::polish;
 
 /// Deflection v of the shear centre across the track and twist θ: by a unit force across and by a unit moment.
 pub(super) type LateralReceptance = [[Complex64; 2]; 2];

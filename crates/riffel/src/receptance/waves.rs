@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use crate::numerics::square_root::square_root;
+use riffel_numerics::square_root::square_root;
 
 /// A wave of unit amplitude leaving x = 0 like e^{−αx}, and how strongly a force excites it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,7 +9,7 @@ use realfft::RealFftPlanner;
 
 use super::{BandLevel, Profile, Spectrum, mean_square};
 use crate::Error;
-use crate::numerics::random_numbers::unit;
+use riffel_numerics::random_numbers::unit;
 
 impl Spectrum {
     /// Length of a profile in longest wavelengths, so that the longest band, of a width of 0.23/λ, has three waves.

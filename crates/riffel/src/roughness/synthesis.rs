@@ -8,7 +8,7 @@ use realfft::RealFftPlanner;
 
 use super::{ThirdOctave, mean_square};
 use crate::Error;
-use crate::numerics::random_numbers::normal_pair;
+use riffel_numerics::random_numbers::normal_pair;
 
 /// Most samples of a recipe: 100 km at 1 mm.
 const MOST_SAMPLES: f64 = 1e8;

@@ -2,8 +2,8 @@
 
 use crate::Error;
 
-/// Nominal centres of a decade.
-pub(crate) const NOMINAL_OF_DECADE: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
+/// Nominal centres of a decade \[-\], from 1.
+pub const NOMINAL_OF_DECADE: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
 
 /// A base-ten one-third octave: centre 10^(n/10) m, edges 10^(±1/20) about it (EN 15610, Annex C, in
 /// wavenumber; the bands are the same in wavelength).
@@ -15,8 +15,8 @@ pub struct ThirdOctave {
 }
 
 impl ThirdOctave {
-    /// Ratio of a band's edge to its centre.
-    pub(crate) const HALF_WIDTH_DECADES: f64 = 0.05;
+    /// Decimal logarithm of the ratio of a band's edge to its centre \[-\].
+    pub const HALF_WIDTH_DECADES: f64 = 0.05;
 
     /// The band whose centre is 10^(`index`/10) m.
     pub const fn new(index: i32) -> Self {

@@ -202,9 +202,9 @@ fn spectra(one: &[f64], other: &[f64], samples: usize) -> Spectra {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::random_numbers::unit;
     use rand_xoshiro::Xoshiro256PlusPlus;
     use rand_xoshiro::rand_core::{Rng, SeedableRng};
+    use riffel_numerics::random_numbers::unit;
     use std::f64::consts::TAU;
 
     const SPACING: f64 = 2e-3;

@@ -1,7 +1,7 @@
 //! Reciprocity and passivity of receptances.
 
 use super::{ContactReceptances, Port};
-use crate::numerics::matrix::Matrix;
+use riffel_numerics::matrix::Matrix;
 
 /// The largest departure of receptances from reciprocity, |H_ij − H_ji| over the larger of the two \[-\], and the entry.
 pub fn reciprocity_error(receptances: &ContactReceptances) -> (f64, [Port; 2]) {

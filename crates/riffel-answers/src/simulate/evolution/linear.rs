@@ -7,9 +7,8 @@ use rayon::prelude::*;
 use riffel::Complex64;
 use riffel::passage::Evolution;
 use riffel::roughness::{Profile, ThirdOctave, level};
-use riffel_case::Case;
-use riffel_case::ask;
 use riffel_case::traffic::VehicleInTime;
+use riffel_case::{Case, ask};
 use riffel_keys::CaseError;
 
 use super::WornProfile;

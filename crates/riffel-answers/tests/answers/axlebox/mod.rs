@@ -9,8 +9,7 @@ use riffel::axlebox::{AxleBoxTransfer, PatchAverageProfile, Run, RunSettings, Sa
 use riffel::roughness::{BandPass, ColouredNoise, Profile, Recipe, Spectrum, WavelengthBand};
 use riffel_answers::AnswerError;
 use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRequest};
-use riffel_case::ask;
-use riffel_case::{Case, NOMINAL_CASE};
+use riffel_case::{Case, NOMINAL_CASE, ask};
 use riffel_keys::{CaseError, Language};
 use riffel_rail::{AxleBoxFile, AxleBoxLayout};
 

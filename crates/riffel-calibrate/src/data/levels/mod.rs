@@ -17,10 +17,10 @@ use std::collections::btree_map::Entry;
 use std::f64::consts::TAU;
 
 use riffel::forecast::{LINES_PER_BAND, band_lines};
-use riffel::noise::BandRadiation;
-use riffel::numerics::matrix::Matrix;
 use riffel::roughness::ThirdOctave;
 use riffel_case::LoopOnTrack;
+use riffel_noise::BandRadiation;
+use riffel_numerics::matrix::Matrix;
 
 use self::measured::{LevelRow, RowPlace, Weights};
 use self::pass_by::Passing;

@@ -5,10 +5,10 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 
 use riffel::contact::ContactFilter;
-use riffel::noise::{Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, Part, PassBy};
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_case::{Case, TrackRadiator};
 use riffel_keys::CaseError;
+use riffel_noise::{Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand, Part, PassBy};
 
 use super::dated::DatedLevels;
 use super::table;

@@ -1,6 +1,6 @@
 //! The rail that levels tell of.
 
-use riffel::numerics::matrix::Matrix;
+use riffel_numerics::matrix::Matrix;
 
 use super::measured::LevelRow;
 use super::{Levels, UNIT};

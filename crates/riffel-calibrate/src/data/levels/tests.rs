@@ -4,7 +4,7 @@ use std::path::Path;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
-use riffel::numerics::random_numbers::normal;
+use riffel_numerics::random_numbers::normal;
 
 use super::*;
 use crate::Plan;

@@ -5,8 +5,7 @@ mod quantity;
 use riffel_keys::{CaseError, say};
 use std::f64::consts::TAU;
 
-use riffel::Complex64;
-use riffel::LoopState;
+use riffel::{Complex64, LoopState};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 

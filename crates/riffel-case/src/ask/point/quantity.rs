@@ -1,7 +1,6 @@
 //! The quantities of a point: keys, units, names, and the numbers they have in a state of the loop.
 
-use riffel::Complex64;
-use riffel::LoopState;
+use riffel::{Complex64, LoopState};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

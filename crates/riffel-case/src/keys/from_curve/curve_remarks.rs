@@ -2,7 +2,7 @@
 
 use riffel::Rail;
 use riffel::contact::Creepages;
-use riffel::curving::Curve;
+use riffel_curving::Curve;
 use riffel_keys::{Message, fixed, say, shown_speed};
 
 use super::Placing;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use riffel::profile::{ContactSurface, LoadedContact, ProfileError};
 use riffel::{HertzContact, Rail};
+use riffel_curving::profile::{ContactSurface, LoadedContact, ProfileError};
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 
 use super::Placing;

@@ -1,8 +1,8 @@
 //! What the equilibrium of a vehicle says of one contact.
 
 use riffel::contact::Creepages;
-use riffel::curving::WheelState;
 use riffel::{HertzContact, Rail};
+use riffel_curving::WheelState;
 use riffel_keys::{CaseError, number, say};
 
 use super::Placing;

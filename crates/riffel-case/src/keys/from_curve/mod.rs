@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use riffel::Rail;
-use riffel::curving::VehicleInCurve;
+use riffel_curving::VehicleInCurve;
 use riffel_keys::{CaseError, Message, say};
 use serde::Deserialize;
 

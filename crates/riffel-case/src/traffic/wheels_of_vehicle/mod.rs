@@ -11,9 +11,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use rayon::prelude::*;
 use riffel::Loop;
 use riffel::forecast::{MeanGrowth, SpeedDistribution, VehicleGrowth};
-use riffel::numerics::distribution::Distribution;
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, Value, say, shown_speed};
+use riffel_numerics::distribution::Distribution;
 
 use super::on_case::VehicleOnCase;
 use super::spreads::{LOAD, PartValues, Rules, Spreads};

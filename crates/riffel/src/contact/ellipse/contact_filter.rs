@@ -6,7 +6,7 @@ use libm::j1;
 
 use super::HertzContact;
 use crate::Error;
-use crate::numerics::simpson::simpson;
+use riffel_numerics::simpson::simpson;
 
 /// Contact filter of an elliptic patch: the oscillation of the wheel's approach at constant load, over the
 /// amplitude of the roughness that causes it.

@@ -2,7 +2,7 @@
 
 use super::kalker_table::{COEFFICIENTS, POISSON_RATIOS, ROW_OF_THE_CIRCLE, ROWS_TO_A_DECADE};
 use crate::Error;
-use crate::numerics::cubic::{cubic_at, hermite};
+use riffel_numerics::cubic::{cubic_at, hermite};
 
 /// Kalker's creep coefficients of the linear theory of rolling contact \[-\].
 ///

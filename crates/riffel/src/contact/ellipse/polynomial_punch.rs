@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::numerics::matrix::Matrix;
+use riffel_numerics::matrix::Matrix;
 
 /// Most terms of a wave e^{ikx} over a patch: enough up to ka = 55.
 pub(in crate::contact) const TERMS: usize = 72;

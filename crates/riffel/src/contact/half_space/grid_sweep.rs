@@ -12,7 +12,7 @@ use super::patch::Field;
 use super::response::{Oscillation, Response, Tangent};
 use super::scalar::{add_multiple, dot, norm};
 use crate::contact::Creepages;
-use crate::numerics::hermitian::solve_hermitian;
+use riffel_numerics::hermitian::solve_hermitian;
 
 /// Residual of the linear equations, as a share of their right-hand side.
 pub(super) const TOLERANCE: f64 = 1e-5;

@@ -39,8 +39,8 @@ use super::{
     Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, MeanState, Oscillating,
     OscillatingCreepages, QuasiStatic, RollingContact,
 };
-use crate::numerics::bisection::fallible_bisection;
 use crate::{ElasticMaterial, Error};
+use riffel_numerics::bisection::fallible_bisection;
 
 /// What to try where rolling does not converge.
 pub(super) const REMEDY: &str = "try another grid (contact.grid) or a creepage further from full slip";

@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use crate::contact::ellipse::{PolynomialPunch, TERMS};
-use crate::numerics::spherical_bessel::spherical_bessel_functions;
+use riffel_numerics::spherical_bessel::spherical_bessel_functions;
 
 /// An elliptic patch under constant load on a rail with a wave, whose curvature under a point is κ = R k² Δ.
 ///

@@ -23,7 +23,7 @@ pub use shen_hedrick_elkins::ShenHedrickElkins;
 
 use std::sync::Arc;
 
-use crate::numerics::bisection::bisection;
+use riffel_numerics::bisection::bisection;
 
 /// Relative rigid motion of wheel and rail, per metre rolled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages, ForceLimit};
 use crate::Error;
-use crate::numerics::bisection::bisection;
+use riffel_numerics::bisection::bisection;
 
 /// Friction that falls with slip velocity, μ = μ₀ \[(1 − A) e^{−Bw} + A\].
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
 
 use super::StressTensor;
-use crate::numerics::gauss::gauss_legendre;
+use riffel_numerics::gauss::gauss_legendre;
 
 /// The half-space under an ellipse, lengths in its semi-axis a along x.
 ///

@@ -2,8 +2,8 @@
 
 use num_complex::Complex64;
 
-use crate::numerics::square_root::square_root;
 use crate::receptance::Waves;
+use riffel_numerics::square_root::square_root;
 
 /// The waves of a periodic track at one frequency, and its receptance between any two places.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::axle::{Axle, Segment};
 use super::span::{Section, Transfer, matrix_hyperbolic};
-use crate::numerics::square::Square;
+use riffel_numerics::square::Square;
 
 /// Bending of a segment in one plane (Timoshenko 1921), with deflection w, rotation ψ, shear force S and moment M:
 ///

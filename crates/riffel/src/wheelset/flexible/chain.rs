@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::disc::CoupledInertia;
 use super::span::{LONGEST_PHASE, Section, Transfer};
-use crate::numerics::square::Square;
+use riffel_numerics::square::Square;
 
 /// What sits at a place of the axle.
 #[derive(Debug, Clone, PartialEq)]
@@ -248,5 +248,38 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
         let count = self.frequencies_below(middle).clamp(below, above);
         self.divide([low, middle], [below, count], found);
         self.divide([middle, high], [count, above], found);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::steel;
+    use crate::wheelset::flexible::beam::BeamSection;
+    use crate::wheelset::{Axle, Segment};
+
+    /// Of an axle with a wheel and a brake disc on either side, the discs perhaps of different masses.
+    fn chain(discs: [f64; 2]) -> Chain<BeamSection, 2> {
+        let axle = Axle::new(steel(), 7850.0, vec![Segment { length: 2.2, diameter: 0.16 }]).unwrap();
+        let places = [(-1.1, 0.0), (-0.75, 350.0), (-0.3, discs[0]), (0.3, discs[1]), (0.75, 350.0), (1.1, 0.0)];
+        let nodes = places.map(|(place, mass)| Node { inertia: [mass, 0.05 * mass], ..Node::bare(place) });
+        Chain::new(nodes.to_vec(), |place| BeamSection::new(&axle, axle.segment_at(place)), 0.002)
+    }
+
+    #[test]
+    fn the_other_half_of_a_symmetric_axle_is_its_mirror_image() {
+        let symmetric = chain([110.0; 2]);
+        assert!(symmetric.symmetric && !chain([110.0, 111.0]).symmetric);
+        let from_both = Chain { symmetric: false, ..symmetric.clone() };
+        for step in 1..200 {
+            let w = 40.0 * f64::from(step);
+            let cuts = symmetric.cuts(w);
+            let [one, other] = [&symmetric, &from_both].map(|chain| chain.between([1, 4], w, &cuts));
+            for (one, other) in one.as_flattened().iter().zip(other.as_flattened()) {
+                for (one, other) in one.0.as_flattened().iter().zip(other.0.as_flattened()) {
+                    assert!((one - other).norm() <= 1e-11 * other.norm(), "{w}: {one} {other}");
+                }
+            }
+        }
     }
 }

@@ -5,8 +5,8 @@ use num_complex::Complex64;
 use super::chain::Chain;
 use super::disc::CoupledInertia;
 use super::span::Section;
-use crate::numerics::gauss::GAUSS;
-use crate::numerics::square::Square;
+use riffel_numerics::gauss::GAUSS;
+use riffel_numerics::square::Square;
 
 /// A mode of a [`Chain`], of a generalised mass of 1 kg.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::axle::{Axle, Segment};
 use super::span::{Section, Transfer, hyperbolic};
-use crate::numerics::square::Square;
+use riffel_numerics::square::Square;
 
 /// Torsion of a segment, θ' = T/2GI and T' = −2ρIω²θ, or its stretch, u' = N/EA and N' = −ρAω²u.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use crate::numerics::square::Square;
+use riffel_numerics::square::Square;
 
 /// Displacements d and loads p at the far end of a span by those at its near end: d' = T_dd d + T_dp p and
 /// p' = T_pd d + T_pp p. The loads are those that the span receives from what lies beyond it.

@@ -4,7 +4,7 @@ use crate::ask;
 use crate::wheels_of_curve;
 use std::path::Path;
 
-use riffel::curving::WheelState;
+use riffel_curving::WheelState;
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -89,7 +89,7 @@ fn a_patch_wider_than_the_band_is_told() {
 /// contact moves across the profiles, and what is written wins.
 #[test]
 fn the_place_on_the_rail_is_filled_in() {
-    use riffel::profile::NominalProfile;
+    use riffel_curving::profile::NominalProfile;
 
     let moving = "contact.conformity={cross_slope=\"10 1/m\"}";
     let rail = NominalProfile::named("60E1").unwrap().profile();

@@ -1,7 +1,7 @@
 //! Contacts under load.
 
-use riffel::profile::ContactSurface;
 use riffel::{HertzContact, Rail};
+use riffel_curving::profile::ContactSurface;
 
 use super::{CURVE, case, growth};
 use crate::Case;

@@ -2,7 +2,7 @@
 
 use super::boussinesq::Boussinesq;
 use crate::cancel::check;
-use crate::numerics::matrix::dot;
+use riffel_numerics::matrix::dot;
 
 /// Largest overlap, and largest gap under pressure, relative to the largest displacement.
 pub(super) const TOLERANCE: f64 = 1e-9;
