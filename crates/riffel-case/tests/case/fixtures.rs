@@ -1,7 +1,7 @@
 //! Cases that tests share.
 
 use proptest::prelude::*;
-use riffel_case::{Case, NOMINAL_CASE};
+use riffel_case::Case;
 use riffel_keys::CaseError;
 
 /// The case of a text, with overrides.
@@ -13,11 +13,6 @@ pub(crate) fn parsed(text: &str, overrides: &[&str]) -> Result<Case, CaseError> 
 /// One that is right.
 pub(crate) fn case(text: &str, overrides: &[&str]) -> Case {
     parsed(text, overrides).unwrap()
-}
-
-/// The paper's case with overrides.
-pub(crate) fn nominal(overrides: &[&str]) -> Case {
-    case(NOMINAL_CASE, overrides)
 }
 
 /// A flexible wheelset on a track whose layers are viscous, so that nothing of it is cut.

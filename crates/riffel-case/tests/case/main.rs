@@ -25,4 +25,10 @@ mod wheelset_cases;
 mod wheelset_files;
 mod wheelset_presets;
 
-use fixtures::{case, nominal, parsed, trailer};
+use fixtures::{case, parsed, trailer};
+use riffel_case::{Case, NOMINAL_CASE};
+
+/// The paper's case with overrides.
+fn nominal(overrides: &[&str]) -> Case {
+    case(NOMINAL_CASE, overrides)
+}
