@@ -13,7 +13,7 @@ use riffel::wheelset::{
 };
 use riffel::{Complex64, ElasticMaterial, Loop, Rail, Receptance};
 
-use crate::fixtures::{self, steel};
+use crate::fixtures;
 use crate::paper::{close, free_beam, law_on_wave as law};
 
 const RADIUS: f64 = 0.46;
