@@ -2,7 +2,8 @@
 
 use riffel::Error;
 
-/// Acceleration of gravity \[m/s²\] of the loads, rounded; vehicles and units elsewhere take the standard 9.80665.
+/// Acceleration of gravity \[m/s²\] of the loads, rounded as in the equilibria that these are checked against; vehicles and units
+/// elsewhere take the standard 9.80665.
 pub const GRAVITY: f64 = 9.81;
 
 /// A circular curve with cant, run through at one speed.
