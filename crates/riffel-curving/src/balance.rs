@@ -3,6 +3,10 @@
 //! The unknowns of a frame and its wheelsets stand together: [`two_point_path`] across the track, yaw and rotation of each wheelset,
 //! shift and yaw of the frame, sums of the normal forces of each wheel. A lone wheelset has no unknowns of its frame.
 
+use std::cell::RefCell;
+
+use riffel::{Error, Rail};
+
 use super::creep::{CreepOnRail, KnownEllipses};
 use super::newton::Equations;
 use super::running_gear::Secondary;
@@ -10,8 +14,6 @@ use super::state::{BodyState, FrameState, WheelState, WheelsetState};
 use super::two_point_path;
 use super::wheel_on_rail::{WheelOnRail, WheelsetMotion, wheel_on_rail};
 use super::{GRAVITY, RunningGear, VehicleInCurve};
-use riffel::{Error, Rail};
-use std::cell::RefCell;
 
 /// The equations of a vehicle at a share of its curve: of curvature, uncompensated acceleration, torques and moments.
 pub(super) struct Balance<'a> {

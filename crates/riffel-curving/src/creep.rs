@@ -4,12 +4,13 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use super::RollingPosition;
 use riffel::contact::{
     CreepEllipse, CreepForces, CreepLaw, Creepages, EllipticContact, Fastsim, KalkerCoefficients, ShenHedrickElkins,
     TractionBound,
 };
 use riffel::{ElasticMaterial, Error};
+
+use super::RollingPosition;
 
 /// How the contacts on one rail answer to creepage.
 #[derive(Clone)]

@@ -1,14 +1,14 @@
 //! Equilibrium of a vehicle in a curve.
 
 use rayon::prelude::*;
+use riffel::Error;
+use riffel::cancel::check;
 
 use super::balance::Balance;
 use super::newton::{Root, root};
 use super::state::ContinuationStep;
 use super::two_point_path;
 use super::{VehicleInCurve, VehicleState, WheelState};
-use riffel::Error;
-use riffel::cancel::check;
 
 /// Largest residual over the static load of a wheel that counts as equilibrium. Rounding leaves 1e-14 to 1e-12.
 const TOLERANCE: f64 = 1e-10;

@@ -1,7 +1,8 @@
 //! What no vehicle does: limits of an equilibrium.
 
-use super::{Creep, VehicleInCurve, VehicleState};
 use riffel::{Error, FARTHEST_SHIFT, LARGEST_YAW};
+
+use super::{Creep, VehicleInCurve, VehicleState};
 
 impl VehicleState {
     /// `Ok` for wheelsets on their rails, shifted by less than [`FARTHEST_SHIFT`] and yawed by less than [`LARGEST_YAW`].

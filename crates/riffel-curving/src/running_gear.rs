@@ -1,7 +1,8 @@
 //! What holds the wheelsets of a vehicle: one frame, one bogie, or two bogies under a body.
 
-use super::Axle;
 use riffel::Error;
+
+use super::Axle;
 
 /// What holds the wheelsets.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use proptest::prelude::*;
-
-use super::*;
 use riffel::Rail;
 use riffel::contact::{CreepEllipse, ShenHedrickElkins};
+
+use super::*;
 
 fn ellipse() -> CreepEllipse {
     CreepEllipse::of_coefficients(10.5e6, 9.2e6, 22e3, 54e3).unwrap()

@@ -1,8 +1,9 @@
 //! Limits of a lone wheelset and of a vehicle on two bogies.
 
+use riffel::contact::CreepEllipse;
+
 use super::tests::{axle, bogie, creep, tilted};
 use super::*;
-use riffel::contact::CreepEllipse;
 
 fn frame(yaw_moment: f64) -> BogieFrame {
     BogieFrame { wheelbase: 2.5, yaw_moment }

@@ -5,8 +5,9 @@
 //! coordinate u tells all three: η = u before, η = η* while the share of the second point goes from 0 to 1 over a length,
 //! η = u less that length after. Equilibrium is continuous in u, and complementarity holds by construction.
 
-use super::TwoPoints;
 use riffel::Rail;
+
+use super::TwoPoints;
 
 /// Length of u \[m\] over which the load goes from one point to the other: a scale for Newton's steps, without a meaning.
 const LENGTH: f64 = 1e-3;

@@ -1,7 +1,8 @@
 //! A vehicle, or a part of it, in a curve.
 
-use super::{Axle, Creep, Curve, Kinematics, RunningGear};
 use riffel::Error;
+
+use super::{Axle, Creep, Curve, Kinematics, RunningGear};
 
 /// A vehicle in a curve: one wheelset, a bogie, or two bogies under a body.
 #[derive(Clone)]

@@ -1,10 +1,11 @@
 //! One wheel of a yawed wheelset in a curve: its creepages, its forces, and what they do to the wheelset.
 
+use riffel::contact::Creepages;
+use riffel::{Error, Rail};
+
 use super::creep::CreepOnRail;
 use super::two_point_path::Place;
 use super::{ContactPlane, Creep, Kinematics, RollingPosition, WheelState};
-use riffel::contact::Creepages;
-use riffel::{Error, Rail};
 
 /// What moves a wheel.
 #[derive(Debug, Clone, Copy)]

@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use libm::{jn, yn};
+use riffel::Error;
 
 use super::Air;
-use riffel::Error;
 
 /// A long cylinder that oscillates across its axis, all of it in phase: a line of dipoles.
 ///

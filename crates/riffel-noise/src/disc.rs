@@ -3,12 +3,12 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use libm::tgamma;
-
-use super::Air;
 use riffel::{Complex64, Error};
 use riffel_numerics::elimination::inverse;
 use riffel_numerics::gauss::{equal_panels, panels};
 use riffel_numerics::spherical_bessel::spherical_bessel_functions;
+
+use super::Air;
 
 /// A thin disc in free air, both faces of which move by s(r) cos nθ along its axis.
 ///

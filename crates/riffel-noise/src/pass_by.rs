@@ -1,7 +1,8 @@
 //! A train that passes: from the sound power of its sources to the level beside the track.
 
-use super::Air;
 use riffel::Error;
+
+use super::Air;
 
 /// What is around source and receiver.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

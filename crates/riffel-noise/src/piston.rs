@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use libm::j1;
+use riffel::Error;
 
 use super::Air;
-use riffel::Error;
 
 /// A round piston in a rigid plane that radiates to one side.
 ///

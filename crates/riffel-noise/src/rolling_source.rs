@@ -2,10 +2,11 @@
 
 use std::f64::consts::{LN_10, TAU};
 
-use super::{Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, WheelModes};
 use riffel::feedback::Loop;
 use riffel::receptance::{CrossReceptance, Support, one_sided_places};
 use riffel::{Complex64, Error};
+
+use super::{Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, WheelModes};
 
 /// Frequencies in a band, evenly spaced in their logarithm.
 const LINES: u32 = 8;

@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::Air;
 use riffel::Error;
+
+use super::Air;
 
 /// A sphere that oscillates along a line.
 ///

@@ -1,8 +1,9 @@
 //! The source model of the European directive: roughness and tables of transfer functions.
 
-use super::{FrequencyBand, REFERENCE_POWER};
 use riffel::Error;
 use riffel::roughness::level;
+
+use super::{FrequencyBand, REFERENCE_POWER};
 
 /// Transfer function L_H \[dB\] by band: the level of sound power of one wheelset, re 1 pW, less that of the roughness
 /// between wheel and rail, re 1 µm.

@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
+use riffel::{Complex64, Error};
+use riffel_numerics::gauss::panels;
 
 use super::cylinder::efficiency;
 use super::{Air, VibratingDisc};
-use riffel::{Complex64, Error};
-use riffel_numerics::gauss::panels;
 
 /// A natural mode of a wheel on its axle, of a generalised mass of 1 kg.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
+use riffel_numerics::gauss::{equal_panels, panels};
+
 use crate::contact::MeanRolling;
 use crate::damage::Ramps;
 use crate::wear::WearRegime;
 use crate::{EnergyWear, Error, HertzContact, STEEL_DENSITY};
-use riffel_numerics::gauss::{equal_panels, panels};
 
 /// How regimes of wear meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

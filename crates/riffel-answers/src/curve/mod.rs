@@ -7,6 +7,8 @@ mod tables;
 
 use std::cell::OnceCell;
 
+use equilibrium::Equilibrium;
+use over_radius::OverRadius;
 use riffel_case::CurvingCase;
 use riffel_curving::{ContinuationStep, VehicleInCurve, VehicleState, WheelsetState};
 use riffel_keys::quantity::Length;
@@ -19,8 +21,6 @@ use crate::answer::titled;
 use crate::question::{AsWritten, CaseSource, Client, Question};
 use crate::side::side;
 use crate::{Answer, AnswerError, Result, Table};
-use equilibrium::Equilibrium;
-use over_radius::OverRadius;
 
 /// A bogie in a curve: creepages, forces and wear number of each wheel, and over the radius.
 #[derive(Debug, Deserialize, JsonSchema)]

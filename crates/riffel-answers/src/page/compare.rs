@@ -1,14 +1,14 @@
 //! `POST /api/compare`: maps of variants in the window of one case; `POST /api/growth`: their growth over wavelength.
 
-use crate::LineGrowth;
-use crate::ridge::RidgePointDocument;
 use riffel::{Axis, Ridge};
 use riffel_case::{Case, ask};
 use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
+use crate::LineGrowth;
 use crate::page::map::{Computed, Head};
 use crate::page::{CaseText, Fault, Reply, Traffic};
+use crate::ridge::RidgePointDocument;
 
 /// Wavelengths of a growth curve.
 pub(super) const WAVELENGTH_POINTS: usize = 241;

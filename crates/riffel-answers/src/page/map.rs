@@ -1,7 +1,5 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
-use crate::map::DerivedDocument;
-use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_case::traffic::{FASTEST_DOUBLING_DAYS, UsualTraffic};
@@ -10,7 +8,9 @@ use riffel_keys::Message;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
+use crate::map::DerivedDocument;
 use crate::page::{CaseText, Fault, Reply};
+use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {

@@ -6,11 +6,12 @@ mod ridges;
 mod vertical;
 
 #[cfg(not(target_family = "wasm"))]
-use crate::{Result, Rows, Table};
 use riffel_case::file::{CaseFile, ContactDynamics};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::{Language, say};
 use riffel_plot::{LineFigure, MapFigure, Picture, PlotError};
+
+use crate::{Result, Rows, Table};
 
 /// A figure and its numbers.
 pub struct PaperFigure {

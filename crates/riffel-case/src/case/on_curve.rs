@@ -11,7 +11,6 @@ use crate::file::{ContactDynamics, CreepLawName, CurveRail, FromCurve};
 use crate::keys::substitutes::Substitutes;
 use crate::keys::written_keys::WrittenKeys;
 use crate::parts::window::Window;
-use crate::wheels_of_curve;
 use crate::{Case, CaseKey};
 
 /// Keys that `contact.from` fills in, if they are not written.

@@ -1,8 +1,5 @@
 //! Traffic on a case: the wheel of each vehicle, and growth under all of them.
 
-use crate::ask;
-use crate::case::measured_wear::measured_coefficient_in_words;
-use crate::case::measured_wear::wearing;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -12,6 +9,7 @@ use riffel_keys::{CaseError, Message, fixed, say};
 
 use super::wheels_of_vehicle::{KeptWheels, VehicleRequest};
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, bands_of, reported_growth, vehicle_in_words};
+use crate::case::measured_wear::{measured_coefficient_in_words, wearing};
 use crate::{Case, Hold, Variant};
 
 /// Traffic on a case: growth rates, and what the reader should know.

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use super::wheelset_on_track::{SampledWheel, Stand};
-use super::{Profile, ProfileError, ProfilePoint, ShapeFault};
 use riffel::Rail;
 use riffel::contact::GapStrip;
+
+use super::wheelset_on_track::{SampledWheel, Stand};
+use super::{Profile, ProfileError, ProfilePoint, ShapeFault};
 
 /// Gap where the surfaces of one of the bodies end \[m\]: far beyond any approach.
 const BEYOND: f64 = 0.05;

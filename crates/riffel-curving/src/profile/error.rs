@@ -1,9 +1,9 @@
 //! What can be wrong with a profile, and with wheels on rails.
 
+use riffel::Rail;
 use thiserror::Error;
 
 use super::{PointFault, ShapeFault};
-use riffel::Rail;
 
 /// Points that are no profile, or profiles that do not fit each other.
 #[derive(Debug, Clone, PartialEq, Error)]

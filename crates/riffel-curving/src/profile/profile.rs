@@ -1,11 +1,12 @@
 //! A smooth curve across the track.
 
+use riffel_numerics::bisection::bisection;
+use riffel_numerics::cubic::{cubic_at, cubic_slope, hermite};
+
 use super::crossing::check_outline;
 use super::side::{OVERHANG, Side};
 use super::spline::slopes;
 use super::{PointFault, ProfileError};
-use riffel_numerics::bisection::bisection;
-use riffel_numerics::cubic::{cubic_at, cubic_slope, hermite};
 
 /// Fewest points of a profile.
 const LEAST: usize = 8;

@@ -1,11 +1,11 @@
 //! Where the wheels of a wheelset on profiles run, as a table over its shift at the level of the rails.
 
 use rayon::prelude::*;
+use riffel::Rail;
 
 use super::radius_difference::around_middle;
 use super::{ProfileError, WheelsetContact, WheelsetOnTrack};
 use crate::{RollingPosition, RunningSurfaces, TwoPoints};
-use riffel::Rail;
 
 /// Farther than this the contact of a wheel that jumps moves on the wheel \[m\]. Shorter jumps are bridged by the cubic.
 const JUMP: f64 = 1.5e-3;

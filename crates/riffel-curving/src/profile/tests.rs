@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
+use riffel::Rail;
 
 use super::*;
 use crate::{RunningSurfaces, TwoPoints};
-use riffel::Rail;
 
 fn nominal(name: &str) -> Profile {
     NominalProfile::named(name).unwrap().profile()

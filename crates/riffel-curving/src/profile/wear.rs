@@ -1,7 +1,8 @@
 //! Wear of a measured profile against a nominal one.
 
-use super::{Profile, ProfileError, ProfilePoint, ShapeFault};
 use riffel_numerics::bisection::{bisection, fallible_bisection};
+
+use super::{Profile, ProfileError, ProfilePoint, ShapeFault};
 
 /// Distance of the points of the nominal profile along it \[m\].
 const STEP: f64 = 2.5e-4;

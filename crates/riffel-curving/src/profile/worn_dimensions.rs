@@ -1,8 +1,9 @@
 //! The few numbers by which wear of wheels and rails is judged.
 
+use riffel_numerics::bisection::bisection;
+
 use super::wear::{depth, tip};
 use super::{Profile, ProfileError, ProfileWear, ShapeFault};
-use riffel_numerics::bisection::bisection;
 
 /// Below the tread of a wheel, towards the tip, where the flange is measured \[m\].
 const FLANGE_MEASURE: f64 = 0.010;

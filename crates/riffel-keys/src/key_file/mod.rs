@@ -9,13 +9,13 @@ use miette::NamedSource;
 use serde::de::DeserializeOwned;
 use toml::de::DeTable;
 use toml::{Table, Value};
+use text::{Text, join, within};
 
 use crate::excerpt::{clipped, excerpt};
 use crate::printable::{command_in, in_a_message};
 use crate::quantity::{KINDS, Kind, WrittenQuantity, refused_as};
 use crate::range::Judgement;
 use crate::{CaseError, Message, PhysicalRange, say};
-use text::{Text, join, within};
 
 /// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
 const DEEPEST: usize = 16;

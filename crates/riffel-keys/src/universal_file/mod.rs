@@ -14,10 +14,9 @@ mod lines;
 mod signal;
 
 use riffel::{Complex64, STANDARD_GRAVITY};
+use binary::Encoding;
 
 use crate::{Exponents, Unit};
-
-use binary::Encoding;
 pub use error::UniversalFileError;
 use fields::Fields;
 use form::Form;

@@ -1,13 +1,14 @@
 use std::sync::Arc;
 
-use super::*;
-use crate::fixtures;
 use riffel::contact::ContactFilter;
 use riffel::feedback::OneWheel;
 use riffel::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack};
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear};
+
+use super::*;
+use crate::fixtures;
 
 const SPACING: f64 = 0.6;
 

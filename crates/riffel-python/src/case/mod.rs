@@ -10,8 +10,10 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray2};
+use points::{Column, columns};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use ridge::over_speed;
 use riffel::growth::Bay;
 use riffel::receptance::DecayRate;
 use riffel::tile::TILE;
@@ -20,6 +22,7 @@ use riffel_answers::contact::{ContactPatch, CreepCurves, FrequencyResponse, Roll
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
 use riffel_case::{CaseContact, CaseStructure, DrawnSupports, ask};
+use work::ends;
 
 use crate::array::owned;
 use crate::document::{document, sentences};
@@ -27,9 +30,6 @@ use crate::errors::{of_case, wrong};
 use crate::interrupt::{interruptible, interruptible_while};
 use crate::receptance_arg::{self, CallableReceptance};
 use crate::tables;
-use points::{Column, columns};
-use ridge::over_speed;
-use work::ends;
 
 pub(crate) use portable::PortableCase;
 

@@ -3,12 +3,12 @@
 use std::f64::consts::FRAC_PI_2;
 
 use num_complex::Complex64;
+use riffel_numerics::cubic::cubic;
 
 use super::transforms::{backward, forward, length};
 use super::{AxleBoxTransfer, Inverse, PatchAverageProfile, RunSettings};
 use crate::Error;
 use crate::roughness::{Profile, ThirdOctave, WavelengthBand};
-use riffel_numerics::cubic::cubic;
 
 /// Samples of roughness in time to one of acceleration, so that cubics between them err by less than 1e-3.
 const FINER: usize = 4;

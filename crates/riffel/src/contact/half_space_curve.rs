@@ -1,11 +1,12 @@
 //! The creep curve of the exact theory as a law that is asked millions of times.
 
+use riffel_numerics::cubic::{cubic_at, cubic_slope, hermite};
+
 use super::half_space::REMEDY;
 use super::{
     CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, HalfSpace, HalfSpaceRolling, OscillatingCreepages,
 };
 use crate::Error;
-use riffel_numerics::cubic::{cubic_at, cubic_slope, hermite};
 
 /// Q(P, ξ) of a [`HalfSpace`] in pure longitudinal creepage, through its values and slopes at some twenty creepages. Lateral
 /// creepage and spin are ignored.

@@ -2,8 +2,9 @@
 
 use std::sync::OnceLock;
 
-use super::{Demand, ShakedownLimit};
 use riffel_numerics::cubic::{cubic_at, hermite};
+
+use super::{Demand, ShakedownLimit};
 
 /// Intervals of the utilised friction from zero to one.
 const INTERVALS: usize = 256;

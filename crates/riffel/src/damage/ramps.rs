@@ -1,7 +1,8 @@
 //! Laws of straight pieces, over a wave and over the loads of traffic.
 
-use super::ClippedPower;
 use riffel_numerics::normal_distribution::below;
+
+use super::ClippedPower;
 
 /// Σ c ⟨x − t⟩: a law that changes its slope by c at each t.
 #[derive(Debug, Clone, Copy, PartialEq)]

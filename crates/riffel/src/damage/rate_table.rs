@@ -1,7 +1,8 @@
 //! The rate of a clipped power about one mean state, read from a table over the amplitude.
 
-use super::ClippedPower;
 use riffel_numerics::chebyshev::{Cell, Cut};
+
+use super::ClippedPower;
 
 /// Equal parts of the range, each of which knows the cell that it begins in.
 const PARTS: usize = 256;

@@ -1,7 +1,8 @@
 //! Pressures to which a rail may be loaded again and again.
 
-use crate::cancel::check;
 use riffel_numerics::bisection::bisection;
+
+use crate::cancel::check;
 
 /// Which limit S, as p₀/k over the utilised friction f = |Q|/P, the demand is measured against.
 #[derive(Debug, Clone, Copy, PartialEq)]

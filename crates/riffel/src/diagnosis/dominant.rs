@@ -1,10 +1,11 @@
 //! Dominant wavelengths of a profile.
 
+use riffel_numerics::normal_distribution::above;
+
 use super::median_line::{extrapolation, median_line};
 use super::normal;
 use crate::Error;
 use crate::roughness::{PowerSpectrum, Profile, level};
-use riffel_numerics::normal_distribution::above;
 
 /// Bands of an octave.
 const BANDS_AN_OCTAVE: f64 = 24.0;

@@ -1,11 +1,11 @@
 //! Growth of a case over wavelength, as a prediction of where corrugation stands.
 
 use num_complex::Complex64;
+use riffel_numerics::normal_distribution::density;
 
 use super::TrafficSpeeds;
 use crate::feedback::Loop;
 use crate::growth::{Axis, GrowthSpectrum, RowEvaluator};
-use riffel_numerics::normal_distribution::density;
 
 /// Speeds at which narrow lines are looked for.
 const FEW: usize = 3;

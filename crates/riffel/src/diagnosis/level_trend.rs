@@ -1,7 +1,8 @@
 //! How a level changes from record to record.
 
-use crate::Error;
 use riffel_numerics::normal_distribution::below;
+
+use crate::Error;
 
 /// Fall of a level between two records \[dB\] that no wear makes: the rail was ground between them. Riffel's choice.
 pub const FALL_BY_GRINDING: f64 = 3.0;

@@ -1,10 +1,11 @@
 //! Dominant wavelengths of one-third-octave spectra.
 
+use riffel_numerics::normal_distribution;
+
 use super::DominantWavelength;
 use super::median_line::median_line;
 use super::normal;
 use crate::roughness::{Spectrum, ThirdOctave};
-use riffel_numerics::normal_distribution;
 
 /// Bands to either side from which the trend is taken: half a decade.
 const TREND: i32 = 5;

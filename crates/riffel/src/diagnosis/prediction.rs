@@ -1,7 +1,8 @@
 //! What wavelength a mechanism predicts.
 
-use super::{GrowthDensity, MechanismKind, TrafficSpeeds};
 use riffel_numerics::normal_distribution::{above, density};
+
+use super::{GrowthDensity, MechanismKind, TrafficSpeeds};
 
 /// Wavelength or frequency that a mechanism fixes.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,11 +1,11 @@
 //! How fast the vehicles of a kind run.
 
 use rayon::prelude::*;
+use riffel_numerics::distribution::{Distribution, TAIL};
 
 use super::WheelValues;
 use crate::Error;
 use crate::cancel::check;
-use riffel_numerics::distribution::{Distribution, TAIL};
 
 /// Equal steps over a normal distribution to begin with, a quarter of a standard deviation each.
 const FIRST_STEPS: usize = 32;

@@ -1,7 +1,8 @@
 //! Values of passing wheels.
 
-use crate::Error;
 use riffel_numerics::distribution::Distribution;
+
+use crate::Error;
 
 /// Values of passing wheels.
 #[derive(Debug, Clone, PartialEq)]

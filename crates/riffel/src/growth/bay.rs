@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use num_complex::Complex64;
+use riffel_numerics::simpson::simpson;
 
 use super::{Axis, GrowthMap, Ridge};
 use crate::feedback::{Loop, LoopState};
 use crate::receptance::{CrossReceptance, Uncoupled};
-use riffel_numerics::simpson::simpson;
 
 /// Nodes of Simpson's rule over half a bay, a support and mid-span among them.
 const NODES: usize = 17;

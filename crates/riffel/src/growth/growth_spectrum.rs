@@ -1,9 +1,10 @@
 //! Growth over wavelength at one speed, with its narrow lines.
 
+use riffel_numerics::golden_section::golden_section;
+
 use super::Axis;
 use super::branch::minima;
 use super::fine_row::FineRow;
-use riffel_numerics::golden_section::golden_section;
 
 /// Growth rates at rising wavelengths of a window, close together where growth changes fast, and at its maxima. Both ends of the
 /// window are there.

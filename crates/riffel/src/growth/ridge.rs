@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 use rayon::prelude::*;
+use riffel_numerics::golden_section::golden_section;
 
 use super::branch::{Minimum, Place, RidgeBranch, chains, minima};
 use super::fine_row::{FineRow, first_wavelengths};
 use super::{Axis, GrowthMap, RowEvaluator};
 use crate::cancel::check;
 use crate::feedback::Loop;
-use riffel_numerics::golden_section::golden_section;
 
 /// Share of the growth of the strongest branch below which another is left out: it would take a hundred times as long.
 const WEAKEST: f64 = 0.01;

@@ -1,12 +1,12 @@
 //! Growth of a wave together with its neighbours, which the passing of supports makes of it.
 
 use num_complex::Complex64;
+use riffel_numerics::elimination::{identity, inverse};
 
 use crate::Error;
 use crate::damage::DamageLaw;
 use crate::feedback::Loop;
 use crate::receptance::MovingLoadOnSupports;
-use riffel_numerics::elimination::{identity, inverse};
 
 /// Growth per passage as an operator over the wavenumbers k_n = 2π/λ + 2πn/d, n = −N … N.
 ///

@@ -1,10 +1,11 @@
 //! Wheels along a given profile.
 
+use riffel_numerics::cubic::{cubic, cubic_at, hermite};
+
 use super::patch_average::PatchAverage;
 use super::{ContactInTime, ContactInstant, March, PassageModel};
 use crate::Error;
 use crate::roughness::Profile;
-use riffel_numerics::cubic::{cubic, cubic_at, hermite};
 
 /// What wheels did along a profile.
 #[derive(Debug, Clone, PartialEq)]

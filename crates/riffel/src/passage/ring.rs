@@ -2,10 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use riffel_numerics::matrix::dot;
+
 use super::{Evolution, Sinusoid};
 use crate::Error;
 use crate::roughness::{BandPass, Profile, WavelengthBand};
-use riffel_numerics::matrix::dot;
 
 impl Evolution {
     /// A rail before any wheel, of a record whose ends do not meet.

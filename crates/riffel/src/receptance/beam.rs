@@ -1,12 +1,12 @@
 //! The rail as a beam that bends and shears.
 
 use num_complex::Complex64;
+use riffel_numerics::square_root::square_root;
 
 use super::EulerBernoulliBeam;
 use super::wave_stiffness::WaveStiffness;
 use super::waves::{Wave, Waveguide, Waves, outgoing};
 use crate::{ElasticMaterial, Error};
-use riffel_numerics::square_root::square_root;
 
 /// What a rail section needs beyond bending, for Timoshenko's beam.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,10 @@
 //! Discrete supports under a rail whose waves bend and twist it.
 
 use num_complex::Complex64;
+use riffel_numerics::simultaneous_roots::polish;
 
 use super::periodic::{InBay, outgoing_sinh};
 use super::twisting_rail::{CoupledWave, CoupledWaves, LateralReceptance};
-use riffel_numerics::simultaneous_roots::polish;
 
 /// The Floquet waves of a rail that bends across the track and twists, on supports every d that hold both motions.
 ///

@@ -3,12 +3,12 @@
 use num_complex::Complex64;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
+use riffel_numerics::elimination::inverse;
+use riffel_numerics::random_numbers::normal;
 
 use super::periodic::Station;
 use super::{Beam, FloquetWaves, PeriodicTrack, Waveguide};
 use crate::Error;
-use riffel_numerics::elimination::inverse;
-use riffel_numerics::random_numbers::normal;
 
 /// An infinite rail on equal supports every d, of which some N side by side have moved along the rail, such as the sleepers of a
 /// track as it was laid.

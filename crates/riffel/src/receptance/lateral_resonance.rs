@@ -1,7 +1,8 @@
 //! Frequencies at which waves of bending across the track and of twist cut on.
 
-use super::{ResonanceKind, SpatialTrack, Support, Twist, Waveguide};
 use riffel_numerics::matrix::Matrix;
+
+use super::{ResonanceKind, SpatialTrack, Support, Twist, Waveguide};
 
 impl SpatialTrack {
     /// Undamped angular frequencies \[rad/s\] of the lateral motion that have a name, lowest first: those at which the

@@ -1,12 +1,12 @@
 //! Rail on an even foundation under a load that moves and oscillates.
 
 use num_complex::Complex64;
+use riffel_numerics::golden_section::golden_section;
+use riffel_numerics::simultaneous_roots::polish;
 
 use super::waves::Waveguide;
 use super::{Beam, ContinuousTrack, Layer, Receptance, Support};
 use crate::Error;
-use riffel_numerics::golden_section::golden_section;
-use riffel_numerics::simultaneous_roots::polish;
 
 /// An infinite rail, free or on one or two layers spread evenly, under an oscillating load that
 /// travels at the speed V.

@@ -3,9 +3,9 @@
 use std::fmt;
 
 use num_complex::Complex64;
+use riffel_numerics::golden_section::golden_section;
 
 use super::Receptance;
-use riffel_numerics::golden_section::golden_section;
 
 /// What a resonance is, in the field's words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 use pulp::Arch;
+use riffel_numerics::chebyshev::{Cell, Cut, NODES};
 
 use super::{Frequencies, Receptance};
 use crate::tile::{SplitComplex, TILE, Tile};
-use riffel_numerics::chebyshev::{Cell, Cut, NODES};
 
 /// What is too sharp for the smallest cell is a resonance without loss, and is left to the source. The ends of cells are checked, too.
 const CUT: Cut = Cut { first_cells: 64, most_halvings: 10, checks: [-1.0, -0.56, 0.07, 0.7, 1.0] };

@@ -1,10 +1,10 @@
 //! The rail as a rod that twists and warps.
 
 use num_complex::Complex64;
+use riffel_numerics::square_root::square_root;
 
 use super::wave_stiffness::WaveStiffness;
 use crate::{ElasticMaterial, Error};
-use riffel_numerics::square_root::square_root;
 
 /// What a rail section needs beyond bending to twist, and where its foot and its mass are.
 #[derive(Debug, Clone, Copy, PartialEq)]

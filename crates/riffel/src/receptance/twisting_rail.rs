@@ -1,10 +1,10 @@
 //! The rail bending across the track and twisting, both at once.
 
 use num_complex::Complex64;
+use riffel_numerics::simultaneous_roots::polish;
 
 use super::waves::outgoing;
 use super::{Beam, Twist, Waveguide};
-use riffel_numerics::simultaneous_roots::polish;
 
 /// Deflection v of the shear centre across the track and twist θ: by a unit force across and by a unit moment.
 pub(super) type LateralReceptance = [[Complex64; 2]; 2];

@@ -6,10 +6,10 @@ use num_complex::Complex64;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use realfft::RealFftPlanner;
+use riffel_numerics::random_numbers::unit;
 
 use super::{BandLevel, Profile, Spectrum, mean_square};
 use crate::Error;
-use riffel_numerics::random_numbers::unit;
 
 impl Spectrum {
     /// Length of a profile in longest wavelengths, so that the longest band, of a width of 0.23/λ, has three waves.

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 use realfft::RealFftPlanner;
+use riffel_numerics::random_numbers::normal_pair;
 
 use super::{ThirdOctave, mean_square};
 use crate::Error;
-use riffel_numerics::random_numbers::normal_pair;
 
 /// Most samples of a recipe: 100 km at 1 mm.
 const MOST_SAMPLES: f64 = 1e8;

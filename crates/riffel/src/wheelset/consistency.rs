@@ -1,7 +1,8 @@
 //! Reciprocity and passivity of receptances.
 
-use super::{ContactReceptances, Port};
 use riffel_numerics::matrix::Matrix;
+
+use super::{ContactReceptances, Port};
 
 /// The largest departure of receptances from reciprocity, |H_ij − H_ji| over the larger of the two \[-\], and the entry.
 pub fn reciprocity_error(receptances: &ContactReceptances) -> (f64, [Port; 2]) {

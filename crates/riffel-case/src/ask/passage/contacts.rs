@@ -6,7 +6,6 @@ use riffel::passage::{ContactInTime, DamageInTime, TransientContact, WaveInTime}
 use riffel_keys::{CaseError, Message, say};
 
 use crate::Case;
-use crate::ask;
 use crate::build::CreepInTime;
 use crate::file::{ContactDynamics, Rotation};
 use crate::keys::general_keys::{ContactKeys, GeneralKeys};

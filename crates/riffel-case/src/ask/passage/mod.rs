@@ -4,19 +4,15 @@ pub(super) mod contacts;
 mod structures;
 mod viscous_layers;
 
-use crate::ask;
-use crate::ask::passage::contacts::check_in_time;
-use crate::ask::passage::contacts::contacts_in_time;
-use crate::ask::passage::structures::natural_frequencies_of_wheels;
-use crate::ask::passage::structures::one_wheel_in_time;
-use crate::ask::passage::structures::structures_in_time;
-use crate::ask::passage::viscous_layers::largest_loss_of_layers;
-use crate::ask::passage::viscous_layers::with_viscous_layers;
 use riffel::passage::{ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages};
 use riffel_keys::CaseError;
 
 use crate::Case;
+use crate::ask;
 use crate::file::TrackModel;
+use contacts::{check_in_time, contacts_in_time};
+use structures::{natural_frequencies_of_wheels, one_wheel_in_time, structures_in_time};
+use viscous_layers::{largest_loss_of_layers, with_viscous_layers};
 
 /// A case on its way into time, as far as the speed has no part in it.
 pub(crate) struct CaseInTime<'a> {

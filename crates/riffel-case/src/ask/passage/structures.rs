@@ -1,8 +1,5 @@
 //! Track and wheels of a case in time.
 
-use crate::ask;
-use crate::ask::discrete_supports::moving_load_on_supports;
-use riffel_keys::{CaseError, number, say};
 use std::f64::consts::TAU;
 
 use riffel::Error;
@@ -10,8 +7,11 @@ use riffel::feedback::Contact;
 use riffel::passage::{ImpulseResponse, StructuresInTime};
 use riffel::receptance::SpatialMovingLoad;
 use riffel::wheelset::RigidMass;
+use riffel_keys::{CaseError, number, say};
 
 use crate::Case;
+use crate::ask;
+use crate::ask::discrete_supports::moving_load_on_supports;
 
 /// Structures of one wheel along one axis.
 pub(super) fn one_wheel_in_time(case: &Case, speed: f64) -> Result<StructuresInTime, CaseError> {

@@ -3,11 +3,10 @@
 mod across_rail;
 mod spread_effects;
 
-use crate::ask;
-use crate::traffic::through_curve::before_a_wheel;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use across_rail::AcrossRail;
 use rayon::prelude::*;
 use riffel::Loop;
 use riffel::forecast::{MeanGrowth, SpeedDistribution, VehicleGrowth};
@@ -20,14 +19,15 @@ use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{ThroughCurve, is_of_vehicle};
 use super::wheel_on_case::{WheelOnCase, settings_of, window};
 use super::{CurveOfVehicle, Traffic};
+use crate::ask;
 use crate::case::kept_state::KeptState;
 use crate::curve::Equilibrium;
 use crate::file::FromCurve;
 use crate::file::setting::Setting;
 use crate::keys::substitutes::Substitutes;
 use crate::parts::window::Window;
+use crate::traffic::through_curve::before_a_wheel;
 use crate::{Case, Hold, Variant};
-use across_rail::AcrossRail;
 
 /// Change of the growth rates between two rules of quadrature, relative to the largest, at which the coarser is taken.
 const TOLERANCE: f64 = 5e-3;

@@ -2,14 +2,15 @@
 
 mod overlap;
 
-use super::contact_surface::PatchSurface;
-use super::{ContactGap, ContactSurface, ProfileError, ShapeFault, WheelsetContact, WheelsetOnTrack};
 use overlap::{Overlap, ends_of, grid_over};
 use riffel::contact::{
     ContactBody, ContactGrid, CreepForces, Creepages, EllipticContact, GapStrip, NormalContact, NormalState,
     PatchRolling, PenetrationState, VirtualPenetration,
 };
 use riffel::{ElasticMaterial, Error, Rail};
+
+use super::contact_surface::PatchSurface;
+use super::{ContactGap, ContactSurface, ProfileError, ShapeFault, WheelsetContact, WheelsetOnTrack};
 
 /// The grid reaches to where the gap is this share of the approach of the fast patch \[-\]; the patch itself ends before
 /// the gap is the approach. Should it come near the rim, the next one is tried.

@@ -1,8 +1,9 @@
 //! Where two undeformed surfaces overlap, and the elements over it.
 
-use crate::profile::ContactGap;
 use riffel::Error;
 use riffel::contact::{ContactGrid, GapStrip};
+
+use crate::profile::ContactGap;
 
 /// Means over the overlap of the undeformed surfaces at an approach, weighted by the square of its depth.
 pub(super) struct Overlap {

@@ -1,12 +1,12 @@
 //! Contacts of wheels and rails under load.
 
 use approx::assert_relative_eq;
+use riffel::HertzContact;
+use riffel::contact::HalfSpace;
 
 use super::*;
 use crate::fixtures::steel;
 use crate::profile::{ContactSurface, NominalProfile, Profile, Track, Wheels};
-use riffel::HertzContact;
-use riffel::contact::HalfSpace;
 
 const RAIL_RADIUS: f64 = 0.3;
 

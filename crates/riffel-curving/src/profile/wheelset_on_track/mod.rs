@@ -6,13 +6,13 @@ mod wheels;
 
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
-use super::{Profile, ProfileError, ProfilePoint};
 use outline::{Attitude, attitude, outline_of};
+use rayon::prelude::*;
 use riffel::Rail;
 use riffel_numerics::bisection::fallible_bisection;
 use track::place;
+
+use super::{Profile, ProfileError, ProfilePoint};
 
 pub(super) use outline::Outline;
 pub use track::Track;

@@ -1,7 +1,8 @@
 //! The outline of a wheel that is turned about the track, as the rail meets it.
 
-use crate::profile::ProfilePoint;
 use riffel::Rail;
+
+use crate::profile::ProfilePoint;
 
 /// Largest sine of the angle by which a contact runs ahead about the axle; steeper parts of a yawed wheel are not seen.
 const FARTHEST_AHEAD: f64 = 0.99;

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::profile::{Profile, ProfileError, ShapeFault};
 use riffel::Rail;
+
+use crate::profile::{Profile, ProfileError, ShapeFault};
 
 /// Distance of the samples of a rail \[m\].
 const RAIL_STEP: f64 = 2e-5;

@@ -5,10 +5,11 @@ mod lines;
 
 use std::ops::RangeInclusive;
 
+use lines::Lines;
+
 use super::PatchAverageProfile;
 use crate::Error;
 use crate::roughness::Profile;
-use lines::Lines;
 
 /// Part of the circumference by which a wheel may differ from its case: wear.
 const WORN: f64 = 0.04;

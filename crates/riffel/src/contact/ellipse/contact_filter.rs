@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use libm::j1;
+use riffel_numerics::simpson::simpson;
 
 use super::HertzContact;
 use crate::Error;
-use riffel_numerics::simpson::simpson;
 
 /// Contact filter of an elliptic patch: the oscillation of the wheel's approach at constant load, over the
 /// amplitude of the roughness that causes it.

@@ -1,9 +1,10 @@
 //! What a patch of finite size feels of the curvature of a wave.
 
+use riffel_numerics::spherical_bessel::spherical_bessel_functions;
+
 use super::HertzContact;
 use super::polynomial_punch::{PolynomialPunch, TERMS};
 use crate::Error;
-use riffel_numerics::spherical_bessel::spherical_bessel_functions;
 
 /// Largest ka for which [`TERMS`] are enough, a wave of a tenth of the semi-axis; from there on Φ is taken to fall as 1/ka.
 const FARTHEST: f64 = 55.0;

@@ -1,8 +1,9 @@
 //! Kalker's creep coefficients of an elliptic contact.
 
+use riffel_numerics::cubic::{cubic_at, hermite};
+
 use super::kalker_table::{COEFFICIENTS, POISSON_RATIOS, ROW_OF_THE_CIRCLE, ROWS_TO_A_DECADE};
 use crate::Error;
-use riffel_numerics::cubic::{cubic_at, hermite};
 
 /// Kalker's creep coefficients of the linear theory of rolling contact \[-\].
 ///

@@ -1,6 +1,7 @@
 //! Responses at many wavenumbers: each begins with what those before it have found.
 
 use num_complex::Complex64;
+use riffel_numerics::hermitian::solve_hermitian;
 
 use super::Grid;
 use super::friction::{Slip, halves};
@@ -12,7 +13,6 @@ use super::patch::Field;
 use super::response::{Oscillation, Response, Tangent};
 use super::scalar::{add_multiple, dot, norm};
 use crate::contact::Creepages;
-use riffel_numerics::hermitian::solve_hermitian;
 
 /// Residual of the linear equations, as a share of their right-hand side.
 pub(super) const TOLERANCE: f64 = 1e-5;

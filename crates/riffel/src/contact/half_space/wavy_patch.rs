@@ -1,9 +1,9 @@
 //! How the patch moves and changes its shape on a wave.
 
 use num_complex::Complex64;
+use riffel_numerics::spherical_bessel::spherical_bessel_functions;
 
 use crate::contact::ellipse::{PolynomialPunch, TERMS};
-use riffel_numerics::spherical_bessel::spherical_bessel_functions;
 
 /// An elliptic patch under constant load on a rail with a wave, whose curvature under a point is κ = R k² Δ.
 ///

@@ -2,9 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use riffel_numerics::bisection::bisection;
+
 use super::{CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages, ForceLimit};
 use crate::Error;
-use riffel_numerics::bisection::bisection;
 
 /// Friction that falls with slip velocity, μ = μ₀ \[(1 − A) e^{−Bw} + A\].
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,8 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
 
-use super::StressTensor;
 use riffel_numerics::gauss::gauss_legendre;
+
+use super::StressTensor;
 
 /// The half-space under an ellipse, lengths in its semi-axis a along x.
 ///

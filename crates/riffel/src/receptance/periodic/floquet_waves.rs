@@ -1,9 +1,9 @@
 //! Waves over a rail on even supports, and receptances that they make.
 
 use num_complex::Complex64;
+use riffel_numerics::square_root::square_root;
 
 use crate::receptance::Waves;
-use riffel_numerics::square_root::square_root;
 
 /// The waves of a periodic track at one frequency, and its receptance between any two places.
 #[derive(Debug, Clone, Copy, PartialEq)]

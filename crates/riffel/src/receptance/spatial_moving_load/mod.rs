@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
+use riffel_numerics::square::Square;
 
 use super::quadrature_over_wavenumbers::QuadratureOverWavenumbers;
 use super::spatial_track::Motions;
 use super::twisting_rail::{CoupledWave, Foundation, LateralReceptance, TwistingRail};
 use super::{Beam, MovingLoadTrack, SpatialTrack, Supports, Waveguide};
 use crate::{Error, Place};
-use riffel_numerics::square::Square;
 
 /// A [`SpatialTrack`] on supports at x = 0, ±d, ±2d, … under loads that oscillate and pass them together at the speed V.
 ///

@@ -1,10 +1,10 @@
 //! An axle that bends and shears.
 
 use num_complex::Complex64;
+use riffel_numerics::square::Square;
 
 use super::axle::{Axle, Segment};
 use super::span::{Section, Transfer, matrix_hyperbolic};
-use riffel_numerics::square::Square;
 
 /// Bending of a segment in one plane (Timoshenko 1921), with deflection w, rotation ψ, shear force S and moment M:
 ///

@@ -1,10 +1,10 @@
 //! One motion of the axle with its discs: bending in a plane, torsion or stretch.
 
 use num_complex::Complex64;
+use riffel_numerics::square::Square;
 
 use super::disc::CoupledInertia;
 use super::span::{LONGEST_PHASE, Section, Transfer};
-use riffel_numerics::square::Square;
 
 /// What sits at a place of the axle.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,13 +17,13 @@ pub use natural::{NaturalMode, SectionMotion};
 
 use beam::BeamSection;
 use chain::{Chain, Node};
+use riffel_numerics::square::Square;
 use rod::RodSection;
 
 use super::free_motion::FreeMotion;
 use super::section::{Between, SectionReceptances};
 use super::{ContactGeometry, ContactReceptances, RigidBody, Suspension, Wheelset, WheelsetWithHubs};
 use crate::{Direction, Error};
-use riffel_numerics::square::Square;
 
 /// An elastic axle with rigid discs: wheels, brake discs, gear, axle boxes; free, or on its primary suspension.
 ///

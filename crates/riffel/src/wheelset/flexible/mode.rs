@@ -1,12 +1,12 @@
 //! A natural mode of one motion of the axle.
 
 use num_complex::Complex64;
+use riffel_numerics::gauss::GAUSS;
+use riffel_numerics::square::Square;
 
 use super::chain::Chain;
 use super::disc::CoupledInertia;
 use super::span::Section;
-use riffel_numerics::gauss::GAUSS;
-use riffel_numerics::square::Square;
 
 /// A mode of a [`Chain`], of a generalised mass of 1 kg.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,10 +1,10 @@
 //! An axle that twists or stretches.
 
 use num_complex::Complex64;
+use riffel_numerics::square::Square;
 
 use super::axle::{Axle, Segment};
 use super::span::{Section, Transfer, hyperbolic};
-use riffel_numerics::square::Square;
 
 /// Torsion of a segment, θ' = T/2GI and T' = −2ρIω²θ, or its stretch, u' = N/EA and N' = −ρAω²u.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,14 +1,14 @@
 mod under_load;
 
-use crate::ask;
-use crate::wheels_of_curve;
 use std::path::Path;
 
 use riffel_curving::WheelState;
 use riffel_keys::CaseError;
 
 use crate::Case;
+use crate::ask;
 use crate::curve::CurvingCase;
+use crate::wheels_of_curve;
 
 const CURVE: &str = include_str!("../../../../cases/metro-curve.toml");
 

@@ -1,8 +1,9 @@
 //! Pressures and gaps that complement one another, by conjugate gradients.
 
+use riffel_numerics::matrix::dot;
+
 use super::boussinesq::Boussinesq;
 use crate::cancel::check;
-use riffel_numerics::matrix::dot;
 
 /// Largest overlap, and largest gap under pressure, relative to the largest displacement.
 pub(super) const TOLERANCE: f64 = 1e-9;

@@ -1,7 +1,8 @@
-use super::super::checks::{ELLIPSE, derivatives_match, grows_to_limit, starts_linear, stays_below_friction};
-use super::*;
 use approx::assert_relative_eq;
 use proptest::prelude::*;
+
+use super::super::checks::{ELLIPSE, derivatives_match, grows_to_limit, starts_linear, stays_below_friction};
+use super::*;
 
 fn law(friction: f64, bound: TractionBound, divisions: usize) -> Fastsim {
     Fastsim::new(ELLIPSE, friction, bound, divisions).unwrap()
