@@ -111,6 +111,7 @@ pub(crate) fn wider_than_its_band(case: &Case) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wheels_of_curve;
     use crate::{CurvingCase, METRO_CURVE_CASE, NOMINAL_CASE};
 
     /// Every wheel of a curve has the same growth by the keys that are told of it: a lone wheel on either rail, and a wheelset.

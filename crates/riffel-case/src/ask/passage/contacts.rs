@@ -124,6 +124,7 @@ fn keys_of_side(keys: &GeneralKeys, rail: Rail) -> &ContactKeys {
 mod tests {
     use super::*;
     use crate::NOMINAL_CASE;
+    use crate::ask;
     use crate::fixtures::{case, trailer};
 
     /// Wheels on all axes pass discrete supports, but do not come to rest on them.
