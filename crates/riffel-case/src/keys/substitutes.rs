@@ -105,7 +105,8 @@ pub(crate) struct Substitutes {
 }
 
 impl Substitutes {
-    /// Those of another case in a window: a vehicle and a variant keep the wear coefficient of their case, another case has its own.
+    /// Substitutes for a case in another window: a vehicle and a variant keep the wear coefficient of their case, another case has its
+    /// own.
     #[must_use]
     pub(crate) fn within(mut self, window: Window) -> Self {
         self.wear.take_if(|_| window == Window::Map);

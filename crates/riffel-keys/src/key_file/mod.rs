@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use miette::NamedSource;
 use serde::de::DeserializeOwned;
+use text::{Text, join, within};
 use toml::de::DeTable;
 use toml::{Table, Value};
-use text::{Text, join, within};
 
 use crate::excerpt::{clipped, excerpt};
 use crate::printable::{command_in, in_a_message};
@@ -242,7 +242,7 @@ impl KeyFile {
             Some(Value::Float(number)) => Some(WrittenQuantity::bare(*number)),
             _ => None,
         };
-        written.map_or(Ok(None), |written| self.judged(key, &range, &written))
+        written.map_or(Ok(None), |written| self.judged(key, range, &written))
     }
 
     /// [`judge`](Self::judge) a number in SI that takes the place of a key.
@@ -251,7 +251,7 @@ impl KeyFile {
     /// [`CaseError`] for a value outside its physical range.
     pub fn judge_number(&self, key: &str, value: f64) -> Result<Option<Message>, CaseError> {
         let range = PhysicalRange::of(key);
-        range.map_or(Ok(None), |range| self.judged(key, &range, &WrittenQuantity::bare(value)))
+        range.map_or(Ok(None), |range| self.judged(key, range, &WrittenQuantity::bare(value)))
     }
 
     fn judged(

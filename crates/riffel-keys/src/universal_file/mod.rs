@@ -13,8 +13,8 @@ mod form;
 mod lines;
 mod signal;
 
-use riffel::{Complex64, STANDARD_GRAVITY};
 use binary::Encoding;
+use riffel::{Complex64, STANDARD_GRAVITY};
 
 use crate::{Exponents, Unit};
 pub use error::UniversalFileError;

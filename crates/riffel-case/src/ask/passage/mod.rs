@@ -61,7 +61,7 @@ pub fn passing_wheel(case: &Case, speed: f64) -> Result<PassingWheel, CaseError>
 pub(crate) fn wheels_in_time(case: &Case) -> Result<CaseInTime<'_>, CaseError> {
     check_in_time(case)?;
     Ok(CaseInTime {
-        case: case,
+        case,
         contacts: contacts_in_time(case)?,
         natural_frequencies: natural_frequencies_of_wheels(case)?,
         structures: None,

@@ -83,7 +83,7 @@ pub(super) fn opposite(file: &mut CaseFile) -> ContactSlots<'_> {
 /// Slots of a contact in a case.
 pub(super) type SlotsOf = for<'a> fn(&'a mut CaseFile) -> ContactSlots<'a>;
 
-/// The components of a creepage, none where it is left out.
+/// Components of a creepage; zero where it is left out.
 fn components(creepage: &mut Option<Creepage>) -> &mut VectorCreepage {
     let vector = match creepage.take() {
         Some(Creepage::Vector(vector)) => vector,
