@@ -74,7 +74,7 @@ impl PassageAnswer {
     /// A case along a profile.
     ///
     /// # Errors
-    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`], for a profile coarser than the patch is long, and for one shorter than the
+    /// [`CaseError`](riffel_keys::CaseError) as of [`ask::in_time`](riffel_case::ask::in_time), for a profile coarser than the patch is long, and for one shorter than the
     /// motion remembers.
     pub fn new(case: &Case, request: PassageRequest) -> Result<Self> {
         let profile = &request.profile;

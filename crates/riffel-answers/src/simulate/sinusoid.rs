@@ -151,7 +151,7 @@ impl SinusoidAnswer {
     /// A case over a sinusoid.
     ///
     /// # Errors
-    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
+    /// [`CaseError`](riffel_keys::CaseError) as of [`ask::in_time`](riffel_case::ask::in_time) and for a point outside its physical range; [`riffel::Error`] where the motion
     /// does not settle.
     pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self> {
         let SinusoidRequest { speed, profile, steps, contact_filter, transient } = request;

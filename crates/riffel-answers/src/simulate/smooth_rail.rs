@@ -95,7 +95,7 @@ impl SmoothRailAnswer {
     ///
     /// # Errors
     /// [`CaseError`](riffel_keys::CaseError) for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
-    /// [`Case::in_time_without_profile`].
+    /// [`ask::in_time_without_profile`](riffel_case::ask::in_time_without_profile).
     pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self> {
         let longest = PassageModel::LONGEST_TIME_STEP * speed;
         let step = step.unwrap_or(longest);

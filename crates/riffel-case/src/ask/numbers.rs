@@ -102,7 +102,7 @@ impl Case {
     }
 
     /// Loop and track of the case with other numbers of some keys, in SI. They are those of
-    /// [`with_settings`](Self::with_settings); the numbers must lie in the ranges of their keys, which are not looked at again
+    /// [`with`](Self::with); the numbers must lie in the ranges of their keys, which are not looked at again
     /// for those that are set without the text: some twenty times as fast.
     ///
     /// # Errors

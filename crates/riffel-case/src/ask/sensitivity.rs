@@ -47,7 +47,7 @@ const HALVINGS: usize = 10;
 /// A parameter at the end of its range cannot be moved to both sides and is left out.
 ///
 /// # Errors
-/// [`CaseError`] as of [`point`].
+/// [`CaseError`] as of [`Case::point`].
 pub fn sensitivities(case: &Case, wavelength: f64, speed: f64) -> Result<Vec<Sensitivity>, CaseError> {
     let at_point = case.point(wavelength, speed)?.growth_rate;
     let whole = written_out(case)?;

@@ -17,7 +17,7 @@ pub fn stability(case: &Case, speed: f64) -> Option<Stability> {
 }
 
 /// What the reader should know about the validity of the models where one speed \[m/s\] is asked about: as
-/// [`remarks`], but whether the loop oscillates without any profile is said of that speed.
+/// [`remarks`](Case::remarks), but whether the loop oscillates without any profile is said of that speed.
 pub fn remarks_at(case: &Case, speed: f64) -> Vec<Message> {
     let of_stability =
         [say!(loop_not_judged, speed = ""), say!(loop_unstable, speed = "", frequency = "", growth = "")];

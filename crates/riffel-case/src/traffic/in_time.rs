@@ -30,10 +30,10 @@ pub struct VehicleInTime {
 impl Traffic {
     /// The wheels of every vehicle on a case, at each of the [`nodes`](riffel::forecast::SpeedDistribution::nodes) of its speed.
     ///
-    /// Cost: that of [`Case::in_time`] for each, on all threads.
+    /// Cost: that of [`ask::in_time`](crate::ask::in_time) for each, on all threads.
     ///
     /// # Errors
-    /// [`CaseError`] with the key of the vehicle, and those of [`Case::passing_wheel`].
+    /// [`CaseError`] with the key of the vehicle, and those of [`ask::passing_wheel`](crate::ask::passing_wheel).
     pub fn in_time(&self, case: &Case) -> Result<Vec<VehicleInTime>, CaseError> {
         let case = &*self.wearing_as_measured(case)?;
         let bands = bands_of(case);

@@ -45,7 +45,7 @@ impl Linear {
     /// that at places of the bay, each as if the wheels stayed there.
     ///
     /// # Errors
-    /// Errors of [`Case::growth_with_neighbours`].
+    /// Errors of [`ask::growth_with_neighbours`](riffel_case::ask::growth_with_neighbours).
     pub(super) fn new(vehicles: &[VehicleInTime], bands: &Bands, heights: &[f64], spacing: f64) -> Result<Self> {
         let ring = Profile::new(0.0, spacing, heights.to_vec())?;
         let waves = Evolution::new(&ring).waves();

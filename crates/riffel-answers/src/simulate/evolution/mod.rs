@@ -88,7 +88,7 @@ impl EvolutionRun {
     /// A run before any wheel.
     ///
     /// # Errors
-    /// [`CaseError`](riffel_keys::CaseError) as of [`Case::in_time`], for a profile coarser than the patch is long, for a record shorter than the motion remembers
+    /// [`CaseError`](riffel_keys::CaseError) as of [`ask::in_time`](riffel_case::ask::in_time), for a profile coarser than the patch is long, for a record shorter than the motion remembers
     /// or than four of the longest waves kept, and for a ring on discrete supports that is not of whole bays.
     pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self> {
         /// Mean square of a band that is nothing but rounding \[m²\].
