@@ -48,20 +48,20 @@ impl CheckedKeys {
     ) -> Result<Self, CaseError> {
         let written = WrittenKeys::read(unfilled, folder)?;
         let Some(from) = &written.from else {
-            return Self::complete(written, Mean::Given, given, window);
+            return Self::complete(&written, written.file.clone(), Mean::Given, given, window);
         };
         let equilibrium = written.equilibrium(from, &given)?;
         written.on_wheel(&Arc::new(equilibrium), from, given, window)
     }
 
-    /// Written keys with their mean state, where they go together.
+    /// Written keys with their values and their mean state, where these go together.
     pub(crate) fn complete(
-        written: WrittenKeys,
+        written: &WrittenKeys,
+        mut file: CaseFile,
         mean: Mean,
         given: Substitutes,
         window: Window,
     ) -> Result<Self, CaseError> {
-        let WrittenKeys { text, folder, mut file, .. } = written;
         if let Some((measured, coefficient)) = given.wear
             && file.wear.measured == Some(measured)
         {
@@ -74,7 +74,7 @@ impl CheckedKeys {
             wheel.inertia.get_or_insert(Quantity::new(reduced));
             wheel.rotation.get_or_insert_default();
         }
-        let keys = Self { text: Arc::new(text), folder, file, mean, given, window };
+        let keys = Self { text: written.text.clone(), folder: written.folder.clone(), file, mean, given, window };
         keys.check_wheel()?;
         keys.check_measured_wear()?;
         keys.general()?;

@@ -1,6 +1,7 @@
 //! The keys of a case as they are written, read once, before anything is made of them.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use riffel_keys::{CaseError, seal};
 
@@ -12,7 +13,7 @@ use crate::text::case_text::CaseText;
 /// without it.
 #[derive(Clone)]
 pub(crate) struct WrittenKeys {
-    pub(crate) text: CaseText,
+    pub(crate) text: Arc<CaseText>,
     /// The keys without presets.
     pub(crate) unfilled: CaseText,
     /// Folder to which file names in the case are relative; without one the case may not name any.
@@ -47,6 +48,6 @@ impl WrittenKeys {
         if let (None, Some(key)) = (folder, named) {
             return Err(text.names_a_file(key));
         }
-        Ok(Self { text, unfilled, folder: folder.map(Path::to_owned), file, from })
+        Ok(Self { text: Arc::new(text), unfilled, folder: folder.map(Path::to_owned), file, from })
     }
 }

@@ -114,8 +114,7 @@ impl WrittenKeys {
         }
         let (equilibrium, from) = (equilibrium.clone(), from.clone());
         let mean = MeanOfWheel { equilibrium, from, remarks, tractive_ratio, outward };
-        let written = Self { file, ..self.clone() };
-        CheckedKeys::complete(written, Mean::OfWheel(Arc::new(mean)), given, window)
+        CheckedKeys::complete(self, file, Mean::OfWheel(Arc::new(mean)), given, window)
     }
 }
 
