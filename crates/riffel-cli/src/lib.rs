@@ -5,10 +5,13 @@
 mod arguments;
 mod command;
 mod error;
+mod interrupt;
 mod messages;
 mod output;
 mod progress;
 mod results;
+mod scratch;
+mod session;
 mod staging;
 mod terminal;
 
@@ -17,11 +20,12 @@ use std::ffi::OsString;
 use arguments::{Arguments, Ask, Command, Commands, QuestionCall};
 use clap::Parser;
 use error::CliError;
-use messages::{Reader, Verbosity, complain_of, complain_of_usage};
+use messages::{Reader, Verbosity, Voice};
 use miette::Report;
 use riffel_answers::question;
 use riffel_keys::Language;
 use riffel_keys::text_file::is_standard_input;
+use session::Session;
 
 /// Exit status after an error of the user.
 const BAD_INPUT: u8 = 2;
@@ -38,26 +42,28 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
         Ok(arguments) => match arguments.ask() {
             Some(ask) => answer(ask, &arguments, program),
             None => {
-                messages::begin(arguments.verbosity(), arguments.language(), Reader::Person);
-                status(execute(arguments.command, program))
+                let session = Session::new(arguments.voice(Reader::Person));
+                status(session.voice, execute(&session, arguments.command, program))
             }
         },
         Err(usage) if usage.use_stderr() => {
-            messages::begin(Verbosity::Normal, asked_language(&words), Reader::Person);
-            complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
+            let language = asked_language(&words);
+            let voice = Voice { verbosity: Verbosity::Normal, language, reader: Reader::Person };
+            voice.complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
             BAD_INPUT
         }
         Err(help) => {
             let printed = output::unless_reader_left(help.print());
-            status(printed.map(|()| 0).map_err(Report::from))
+            let voice = Voice { verbosity: Verbosity::Normal, language: Language::default(), reader: Reader::Person };
+            status(voice, printed.map(|()| 0).map_err(Report::from))
         }
     }
 }
 
 /// The exit status of an outcome, of which an error is told.
-fn status(outcome: miette::Result<u8>) -> u8 {
+fn status(voice: Voice, outcome: miette::Result<u8>) -> u8 {
     outcome.unwrap_or_else(|report| {
-        complain_of(report);
+        voice.complain_of(report);
         BAD_INPUT
     })
 }
@@ -69,13 +75,13 @@ fn answer(ask: &Ask, arguments: &Arguments, program: &[OsString]) -> u8 {
         end_with(process);
     }
     let reader = Reader::Program { messages: ask.messages };
-    messages::begin(arguments.verbosity(), arguments.language(), reader);
+    let session = Session::new(arguments.voice(reader));
     let question = || {
         let question = question::known(&ask.name.join(" "))?;
         let keys = riffel_keys::question::read().map_err(|reason| CliError::ReadQuestion { reason })?;
         Ok(QuestionCall::of_json(question, keys)?)
     };
-    status(question().and_then(|call| execute(Commands::Question(call), program)))
+    status(session.voice, question().and_then(|call| execute(&session, Commands::Question(call), program)))
 }
 
 /// End this process soon after its parent has ended, whose number it was told: nobody waits for an answer any more.
@@ -101,7 +107,7 @@ fn asked_language(words: &[OsString]) -> Language {
     Language::ALL.iter().find(asked).copied().unwrap_or_default()
 }
 
-fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
+fn execute(session: &Session, command: Commands, program: &[OsString]) -> miette::Result<u8> {
     let inputs = match &command {
         Commands::Question(call) => call.inputs(),
         Commands::Other(Command::Page(page)) => page.case.iter().cloned().collect(),
@@ -110,26 +116,26 @@ fn execute(command: Commands, program: &[OsString]) -> miette::Result<u8> {
     if inputs.iter().filter(|path| is_standard_input(path)).count() > 1 {
         Err(CliError::StandardInput)?;
     }
-    staging::set_inputs(inputs);
+    inputs.into_iter().for_each(|path| session.add_input(path));
     // The page ends its own work.
     if !matches!(command, Commands::Other(Command::Serve(_))) {
-        staging::clean_up_on_interrupt();
+        session.interrupt.handle();
     }
     let command = match command {
-        Commands::Question(call) => return command::question::run(&call),
+        Commands::Question(call) => return command::question::run(session, &call),
         Commands::Other(command) => command,
     };
     match command {
-        Command::Init(arguments) => command::init::run(&arguments)?,
-        Command::Figures(arguments) => command::figures::run(&arguments)?,
-        Command::Serve(arguments) => command::serve::run(&arguments, program)?,
-        Command::Page(arguments) => command::page::run(&arguments)?,
+        Command::Init(arguments) => command::init::run(session, &arguments)?,
+        Command::Figures(arguments) => command::figures::run(session, &arguments)?,
+        Command::Serve(arguments) => command::serve::run(session, &arguments, program)?,
+        Command::Page(arguments) => command::page::run(session, &arguments)?,
         Command::Completions(arguments) => command::completions::run(&arguments)?,
-        Command::Man(arguments) => command::man::run(&arguments)?,
-        Command::Schema(arguments) => command::schema::run(&arguments)?,
+        Command::Man(arguments) => command::man::run(session, &arguments)?,
+        Command::Schema(arguments) => command::schema::run(session, &arguments)?,
         // It has become another command.
         Command::Ask(_) => {}
-        Command::Validate(arguments) => return command::validate::run(&arguments),
+        Command::Validate(arguments) => return command::validate::run(session, &arguments),
     }
     Ok(0)
 }

@@ -3,8 +3,6 @@
 use std::ffi::OsStr;
 use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
-use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_answers::AnswerError;
@@ -24,19 +22,6 @@ pub(crate) enum Verbosity {
     Verbose,
 }
 
-/// Of this run.
-static VERBOSITY: AtomicU8 = AtomicU8::new(Verbosity::Normal as u8);
-
-/// The notes of this run so far.
-static PRINTED: Mutex<Vec<String>> = Mutex::new(Vec::new());
-
-fn printed() -> MutexGuard<'static, Vec<String>> {
-    PRINTED.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// The language of this run, by its place among all.
-static LANGUAGE: AtomicUsize = AtomicUsize::new(Language::English as usize);
-
 /// Who reads what a run says beside its results.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reader {
@@ -49,23 +34,12 @@ pub(crate) enum Reader {
     },
 }
 
-/// True if this run speaks to a program.
-static TO_A_PROGRAM: AtomicBool = AtomicBool::new(false);
-
-/// True if the messages of answers and errors are told as data.
-static MESSAGES_AS_DATA: AtomicBool = AtomicBool::new(false);
-
-/// Begin a run that says as much, in a language, to somebody.
-pub(crate) fn begin(verbosity: Verbosity, language: Language, reader: Reader) {
-    VERBOSITY.store(verbosity as u8, Ordering::Relaxed);
-    let (to_a_program, as_data) = match reader {
-        Reader::Person => (false, false),
-        Reader::Program { messages } => (true, messages),
-    };
-    TO_A_PROGRAM.store(to_a_program, Ordering::Relaxed);
-    MESSAGES_AS_DATA.store(as_data, Ordering::Relaxed);
-    LANGUAGE.store(language as usize, Ordering::Relaxed);
-    printed().clear();
+/// How a run speaks.
+#[derive(Clone, Copy)]
+pub(crate) struct Voice {
+    pub(crate) verbosity: Verbosity,
+    pub(crate) language: Language,
+    pub(crate) reader: Reader,
 }
 
 /// Where errors go to a file or a pipe, lay them out for 80 columns: else the width would be that of whatever terminal
@@ -78,66 +52,89 @@ pub(crate) fn lay_out_errors() {
     }
 }
 
-/// The language of this run.
-pub(crate) fn language() -> Language {
-    Language::ALL.get(LANGUAGE.load(Ordering::Relaxed)).copied().unwrap_or_default()
-}
-
-/// True if nothing but errors is to be said.
-pub(crate) fn is_quiet() -> bool {
-    VERBOSITY.load(Ordering::Relaxed) == Verbosity::Quiet as u8
-}
-
-/// A line on standard error, said also with `--quiet`. Where that is closed or full there is nobody left to tell. Control
-/// characters of a file or a command line are written out.
-pub(crate) fn complain(message: impl Into<Message>) {
-    let message = message.into();
-    if is_for_a_program() {
-        return write_line(&json!({ "remark": message.document(language()) }));
+impl Voice {
+    /// True if nothing but errors is to be said.
+    pub(crate) fn is_quiet(self) -> bool {
+        self.verbosity == Verbosity::Quiet
     }
-    let words = message.text(language());
-    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(&words));
-}
 
-/// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out. As
-/// JSON where another program asks for it.
-pub(crate) fn complain_of(report: Report) {
-    if is_for_a_program() {
-        let (message, help) = words_of(&report);
-        return write_document(&message, help.as_ref());
+    /// A line on standard error, unless `--quiet` was given.
+    pub(crate) fn say(self, message: impl Into<Message>) {
+        if !self.is_quiet() {
+            self.complain(message);
+        }
     }
-    let shown = format!("{:?}", Report::new(Shown(report)));
-    // A word of the same length, for what follows is set below it.
-    let shown = shown.replace("  help: ", &format!("  {}: ", say!(help_in_four_letters).text(language())));
-    let _ = writeln!(io::stderr().lock(), "{shown}");
-}
 
-/// True if another program reads what ends the run.
-pub(crate) fn is_for_a_program() -> bool {
-    TO_A_PROGRAM.load(Ordering::Relaxed)
-}
-
-/// True if the messages of answers and errors are told as data.
-pub(crate) fn tells_messages_as_data() -> bool {
-    MESSAGES_AS_DATA.load(Ordering::Relaxed)
-}
-
-/// How far the work is, for a program that reads it; whether one does.
-pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
-    let is_for_a_program = is_for_a_program();
-    if is_for_a_program {
-        write_line(&json!({ "progress": { "done": done, "of": of } }));
+    /// A line on standard error, said also with `--quiet`. Where that is closed or full there is nobody left to tell. Control
+    /// characters of a file or a command line are written out.
+    pub(crate) fn complain(self, message: impl Into<Message>) {
+        let message = message.into();
+        if self.is_for_a_program() {
+            return write_line(&json!({ "remark": message.document(self.language) }));
+        }
+        let words = message.text(self.language);
+        let _ = writeln!(io::stderr().lock(), "{}", in_a_message(&words));
     }
-    is_for_a_program
-}
 
-/// An error as one line of JSON.
-fn write_document(message: &Message, help: Option<&Message>) {
-    let told = |message: &Message| match tells_messages_as_data() {
-        true => as_data(|| json!(message)),
-        false => json!(in_a_message(&message.to_string())),
-    };
-    write_line(&json!({ "error": { "message": told(message), "help": help.map(told) } }));
+    /// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out. As
+    /// JSON where another program asks for it.
+    pub(crate) fn complain_of(self, report: Report) {
+        if self.is_for_a_program() {
+            let (message, help) = words_of(&report);
+            return self.write_document(&message, help.as_ref());
+        }
+        let shown = format!("{:?}", Report::new(Shown { report, language: self.language }));
+        // A word of the same length, for what follows is set below it.
+        let shown = shown.replace("  help: ", &format!("  {}: ", say!(help_in_four_letters).text(self.language)));
+        let _ = writeln!(io::stderr().lock(), "{shown}");
+    }
+
+    /// What is wrong with the command line. In colours on a terminal, unless the command line has control characters
+    /// itself, as they could not be told apart.
+    pub(crate) fn complain_of_usage<'a>(self, usage: &clap::Error, mut arguments: impl Iterator<Item = &'a OsStr>) {
+        if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
+            let _ = usage.print();
+        } else {
+            self.complain(usage.render().to_string().trim_end());
+        }
+    }
+
+    /// True if another program reads what ends the run.
+    pub(crate) fn is_for_a_program(self) -> bool {
+        matches!(self.reader, Reader::Program { .. })
+    }
+
+    /// True if the messages of answers and errors are told as data.
+    pub(crate) fn tells_messages_as_data(self) -> bool {
+        self.reader == Reader::Program { messages: true }
+    }
+
+    /// How far the work is, for a program that reads it; whether one does.
+    pub(crate) fn tell_progress(self, done: u64, of: u64) -> bool {
+        let is_for_a_program = self.is_for_a_program();
+        if is_for_a_program {
+            write_line(&json!({ "progress": { "done": done, "of": of } }));
+        }
+        is_for_a_program
+    }
+
+    /// A remark, once it is known to be new, in full with `--verbose`.
+    pub(crate) fn note(self, remark: &Message, note: &str) {
+        match (self.is_quiet(), self.is_for_a_program()) {
+            (true, _) => {}
+            (false, true) => write_line(&json!({ "remark": remark.document(self.language) })),
+            (false, false) => self.complain(say!(note, remark = note)),
+        }
+    }
+
+    /// An error as one line of JSON.
+    fn write_document(self, message: &Message, help: Option<&Message>) {
+        let told = |message: &Message| match self.tells_messages_as_data() {
+            true => as_data(|| json!(message)),
+            false => json!(in_a_message(&message.to_string())),
+        };
+        write_line(&json!({ "error": { "message": told(message), "help": help.map(told) } }));
+    }
 }
 
 /// What ends a run and what would be right: errors of a case and of the physics have every language, others are English.
@@ -159,80 +156,42 @@ fn write_line(document: &Value) {
     let _ = writeln!(io::stderr().lock(), "{document}");
 }
 
-/// What is wrong with the command line. In colours on a terminal, unless the command line has control characters
-/// itself, as they could not be told apart.
-pub(crate) fn complain_of_usage<'a>(usage: &clap::Error, mut arguments: impl Iterator<Item = &'a OsStr>) {
-    if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
-        let _ = usage.print();
-    } else {
-        complain(usage.render().to_string().trim_end());
-    }
-}
-
 fn is_shown_as_it_is(text: &str) -> bool {
     in_a_message(text) == text
 }
 
 /// An error whose words hold no control characters but line feeds.
 #[derive(Debug)]
-struct Shown(Report);
+struct Shown {
+    report: Report,
+    language: Language,
+}
 
 impl Display for Shown {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (message, _) = words_of(&self.0);
-        formatter.write_str(&in_a_message(&message.text(language())))
+        let (message, _) = words_of(&self.report);
+        formatter.write_str(&in_a_message(&message.text(self.language)))
     }
 }
 
 impl std::error::Error for Shown {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        self.0.source()
+        self.report.source()
     }
 }
 
 impl Diagnostic for Shown {
     fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
-        let (_, help) = words_of(&self.0);
-        let help = help?.text(language());
+        let (_, help) = words_of(&self.report);
+        let help = help?.text(self.language);
         Some(Box::new(in_a_message(&help).into_owned()))
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        self.0.labels()
+        self.report.labels()
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.0.source_code()
-    }
-}
-
-/// A line on standard error, unless `--quiet` was given.
-pub(crate) fn say(message: impl Into<Message>) {
-    if !is_quiet() {
-        complain(message);
-    }
-}
-
-/// Notes on the validity of the models and on what was read: each once in a run, in full with `--verbose`.
-pub(crate) fn print_remarks<M>(remarks: &[M])
-where
-    for<'a> &'a M: Into<Message>,
-{
-    let is_verbose = VERBOSITY.load(Ordering::Relaxed) == Verbosity::Verbose as u8;
-    let mut printed = printed();
-    for remark in remarks {
-        let remark: Message = remark.into();
-        let note = match is_verbose {
-            true => remark.text(language()),
-            false => remark.short(language()),
-        };
-        if !printed.contains(&note) {
-            match (is_quiet(), is_for_a_program()) {
-                (true, _) => {}
-                (false, true) => write_line(&json!({ "remark": remark.document(language()) })),
-                (false, false) => complain(say!(note, remark = &note)),
-            }
-            printed.push(note);
-        }
+        self.report.source_code()
     }
 }

@@ -8,7 +8,7 @@ use comfy_table::{CellAlignment, ContentArrangement, TableStyle, presets};
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::messages::{language, tells_messages_as_data};
+use crate::messages::Voice;
 use riffel_keys::message::as_data;
 use riffel_keys::text_file::printable;
 
@@ -67,19 +67,19 @@ pub(crate) fn unless_reader_left(outcome: io::Result<()>) -> Result<(), CliError
 }
 
 /// Print one JSON document.
-pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
-    write(&json(document))
+pub(crate) fn print_json(voice: Voice, document: &impl Serialize) -> Result<(), CliError> {
+    write(&json(voice, document))
 }
 
 /// A JSON document, indented, with a final line feed.
-pub(crate) fn json(document: &impl Serialize) -> String {
+pub(crate) fn json(voice: Voice, document: &impl Serialize) -> String {
     // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
-    json_of(|| serde_json::to_string_pretty(document).unwrap_or_default())
+    json_of(voice, || serde_json::to_string_pretty(document).unwrap_or_default())
 }
 
 /// [`json`] of a document that `write` writes.
-pub(crate) fn json_of(write: impl FnOnce() -> String) -> String {
-    let mut text = match tells_messages_as_data() {
+pub(crate) fn json_of(voice: Voice, write: impl FnOnce() -> String) -> String {
+    let mut text = match voice.tells_messages_as_data() {
         true => as_data(write),
         false => write(),
     };
@@ -99,8 +99,8 @@ pub(crate) fn json_of(write: impl FnOnce() -> String) -> String {
 const STYLE: TableStyle = presets::NOTHING.header_separator(comfy_table::LineStyle::new('─', '─', '─', '─'));
 
 /// A table of an answer as a reader sees it: words to the left, numbers to the right.
-pub(crate) fn table_of(table: &riffel_answers::Table) -> Table {
-    let (heads, rows) = table.shown(language());
+pub(crate) fn table_of(voice: Voice, table: &riffel_answers::Table) -> Table {
+    let (heads, rows) = table.shown(voice.language);
     let mut shown = Table::new();
     shown.load_style(STYLE).set_header(heads).add_rows(rows);
     for column in shown.column_iter_mut().skip(1) {

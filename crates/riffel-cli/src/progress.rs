@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use riffel_keys::{Message, fixed, number};
 
-use crate::messages::{is_for_a_program, is_quiet, language, say, tell_progress};
+use crate::messages::Voice;
 
 /// Time from one line to the next where there is no terminal, as in the log of a cluster.
 const LINE_EVERY: Duration = Duration::from_secs(10);
@@ -37,23 +37,23 @@ struct Count {
 
 impl Progress {
     /// Of work that is so long in some unit, of which its share is shown.
-    pub(crate) fn new(what: Message, length: usize) -> Self {
+    pub(crate) fn new(voice: Voice, what: Message, length: usize) -> Self {
         let template = "{msg} {wide_bar} {percent:>3} %  {elapsed}";
-        Self::shown(what, length as u64, false, template)
+        Self::shown(voice, what, length as u64, false, template)
     }
 
     /// Of so many draws, samples or the like, with their rate and the time that is left.
-    pub(crate) fn counting(what: Message, total: u64) -> Self {
+    pub(crate) fn counting(voice: Voice, what: Message, total: u64) -> Self {
         let template = "{wide_bar} {human_pos}/{human_len} {msg}  {per_sec}  {eta}";
-        Self::shown(what, total, true, template)
+        Self::shown(voice, what, total, true, template)
     }
 
-    fn shown(what: Message, total: u64, is_in_words: bool, template: &str) -> Self {
+    fn shown(voice: Voice, what: Message, total: u64, is_in_words: bool, template: &str) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }
-        bar.set_message(what.text(language()));
+        bar.set_message(what.text(voice.language));
         let count = Arc::new(Count { what, is_in_words, done: AtomicU64::new(0), total: AtomicU64::new(total) });
         let is_terminal = stderr().is_terminal();
         // On a clock of their own: work in one long step never advances.
@@ -61,16 +61,16 @@ impl Progress {
             let waiting = bar.clone();
             thread::spawn(move || {
                 thread::sleep(Duration::from_secs(1));
-                if !waiting.is_finished() && !is_quiet() {
+                if !waiting.is_finished() && !voice.is_quiet() {
                     waiting.set_draw_target(ProgressDrawTarget::stderr());
                     waiting.enable_steady_tick(Duration::from_secs(1));
                 }
             });
         }
-        let lines = (!is_terminal && !is_quiet() && !is_among_results()).then(|| {
+        let lines = (!is_terminal && !voice.is_quiet() && !is_among_results()).then(|| {
             let (lines, ends) = channel();
             let count = Arc::clone(&count);
-            thread::spawn(move || count.tell(&ends));
+            thread::spawn(move || count.tell(voice, &ends));
             lines
         });
         Self { bar, count, _lines: lines }
@@ -91,16 +91,16 @@ impl Progress {
 
 impl Count {
     /// A line now and then until the other end goes.
-    fn tell(&self, ends: &Receiver<()>) {
+    fn tell(&self, voice: Voice, ends: &Receiver<()>) {
         let begun = Instant::now();
-        let every = match is_for_a_program() {
+        let every = match voice.is_for_a_program() {
             true => TOLD_EVERY,
             false => LINE_EVERY,
         };
         let goes_on = |every| ends.recv_timeout(every) == Err(RecvTimeoutError::Timeout);
         self.tell_while(goes_on, every, |done, total| {
-            if !tell_progress(done, total) {
-                say(self.line([done, total], begun.elapsed()));
+            if !voice.tell_progress(done, total) {
+                voice.say(self.line([done, total], begun.elapsed()));
             }
         });
     }

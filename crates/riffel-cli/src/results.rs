@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use riffel_answers::{self as answers, Answer, OwnText, Printed};
 
 use crate::error::CliError;
-use crate::messages::{language, print_remarks};
+use crate::messages::Voice;
 use crate::output::{as_text, json_of, print, table_of};
+use crate::session::Session;
 use crate::staging::{Existing, Staging, write_file};
 
 /// Where the results of a command go: with `--json` the document is printed, and files are written only to a folder that is
@@ -22,14 +23,14 @@ pub(crate) struct Results {
 impl Results {
     /// Hand out an answer: its files and its document, or what they say in words; then its remarks. With `--json` and a folder both,
     /// and nothing is said.
-    pub(crate) fn answer(&self, answer: &dyn Answer) -> Result<(), CliError> {
-        let document = || json_of(|| answer.document());
+    pub(crate) fn answer(&self, session: &Session, answer: &dyn Answer) -> Result<(), CliError> {
+        let document = || json_of(session.voice, || answer.document());
         if self.json {
             print(&document())?;
         }
         let mut written = String::new();
         if let Some(folder) = self.folder.as_ref().filter(|_| answer.has_files()) {
-            let mut staging = Staging::new(self.command, folder)?;
+            let mut staging = Staging::new(session, self.command, folder)?;
             for file in answer.files() {
                 staging.write_result(file)?;
             }
@@ -37,15 +38,15 @@ impl Results {
             written = format!("{}: {}\n", folder.display(), staging.publish()?.join(" "));
         }
         if !self.json {
-            print(&(in_words(answer) + &written))?;
+            print(&(in_words(session.voice, answer) + &written))?;
         }
-        print_remarks(answer.remarks());
+        session.print_remarks(answer.remarks());
         Ok(())
     }
 }
 
 /// Write a text to its file, or print it.
-pub(crate) fn put(text: &OwnText<'_>) -> Result<(), CliError> {
+pub(crate) fn put(session: &Session, text: &OwnText<'_>) -> Result<(), CliError> {
     let Some(path) = text.path else {
         return print(&text.text);
     };
@@ -54,16 +55,16 @@ pub(crate) fn put(text: &OwnText<'_>) -> Result<(), CliError> {
         answers::Existing::Replaced => Existing::Replace,
         answers::Existing::ReplacedIfKnown(mark) => Existing::known(path, &text.text, mark),
     };
-    write_file(path, &text.text, existing)?;
-    text.written.iter().try_for_each(|written| print(&(written.text(language()) + "\n")))
+    write_file(session, path, &text.text, existing)?;
+    text.written.iter().try_for_each(|written| print(&(written.text(session.voice.language) + "\n")))
 }
 
 /// An answer in words.
-pub(crate) fn in_words(answer: &dyn Answer) -> String {
+pub(crate) fn in_words(voice: Voice, answer: &dyn Answer) -> String {
     let told = answer.printed().into_iter().map(|told| match told {
-        Printed::Line(line) => line.text(language()) + "\n",
-        Printed::Table(table) => format!("{}\n", table_of(&table)),
-        Printed::Texts(table) => format!("{}\n", as_text(table_of(&table))),
+        Printed::Line(line) => line.text(voice.language) + "\n",
+        Printed::Table(table) => format!("{}\n", table_of(voice, &table)),
+        Printed::Texts(table) => format!("{}\n", as_text(table_of(voice, &table))),
     });
     told.collect()
 }

@@ -2,103 +2,51 @@
 
 mod manifest;
 mod place;
-mod scratch;
 mod staged_file;
 
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use riffel_answers::map::map_csv;
 use riffel_answers::{ResultFile, Table, fingerprint};
 use riffel_arrays::whole_file;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, Picture, html_of_stages};
-use riffel_study::Stop;
 use tempfile::TempPath;
 
 use crate::error::CliError;
+use crate::interrupt::Active;
 use crate::progress::Progress;
+use crate::scratch::Scratch;
+use crate::session::Session;
 use manifest::{Files, Manifest};
-pub(crate) use place::{add_input, set_inputs};
-use scratch::Scratch;
 use staged_file::StagedFile;
-
-/// Exit status of a program that Ctrl-C stopped.
-pub(crate) const INTERRUPTED: u8 = 130;
-
-/// The temporary folder in use, for the handler of Ctrl-C to remove.
-static ACTIVE: Mutex<Option<Active>> = Mutex::new(None);
-
-struct Active {
-    scratch: Scratch,
-    /// The folder of results, if it was made for this run.
-    made: Option<PathBuf>,
-}
-
-impl Active {
-    fn discard(self) {
-        self.scratch.close();
-        if let Some(made) = self.made {
-            // Fails, as it should, where something has been put there meanwhile.
-            let _ = fs::remove_dir(made);
-        }
-    }
-}
-
-fn active() -> MutexGuard<'static, Option<Active>> {
-    // The data is a path: nothing about it is broken by a panic elsewhere.
-    ACTIVE.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// A study under way, which ends by itself when it is asked to.
-static STUDY: OnceLock<Arc<Stop>> = OnceLock::new();
-
-/// Let Ctrl-C ask a study to stop, instead of ending the program; the second one ends it.
-pub(crate) fn stop_on_interrupt() -> Arc<Stop> {
-    STUDY.get_or_init(Arc::default).clone()
-}
-
-/// On Ctrl-C or a request to end, remove what is half-written and leave with status 130.
-///
-/// The handler waits for the lock, so it never cuts into the renaming of finished files.
-pub(crate) fn clean_up_on_interrupt() {
-    // Fails only if a handler is set already, which this program does once.
-    let _ = ctrlc::set_handler(|| {
-        if let Some(stop) = STUDY.get().filter(|stop| !stop.is_asked()) {
-            return stop.ask();
-        }
-        let mut guard = active();
-        if let Some(active) = guard.take() {
-            active.discard();
-        }
-        std::process::exit(INTERRUPTED.into());
-    });
-}
 
 /// A folder of results in the making: files are written to a temporary folder inside it and renamed
 /// all together at the end. Dropped before [`publish`](Self::publish), nothing remains.
-pub(crate) struct Staging {
+pub(crate) struct Staging<'a> {
+    session: &'a Session,
     command: &'static str,
     folder: PathBuf,
     temporary: PathBuf,
     files: Vec<String>,
 }
 
-impl Staging {
+impl<'a> Staging<'a> {
     /// Prepare the folder for the files of a command, making it if need be.
-    pub(crate) fn new(command: &'static str, folder: &Path) -> Result<Self, CliError> {
+    pub(crate) fn new(session: &'a Session, command: &'static str, folder: &Path) -> Result<Self, CliError> {
         place::check_folder(folder)?;
         // What is wrong with the folder is better known before the work than after it.
         Manifest::read(folder)?;
-        let mut guard = active();
+        let mut guard = session.interrupt.active();
         let made = !folder.exists();
         fs::create_dir_all(folder).map_err(|reason| cannot_write(folder, reason))?;
         let made = made.then(|| folder.to_owned());
-        Self::within(&mut guard, command, folder, made)
+        Self::within(session, &mut guard, command, folder, made)
     }
 
     fn within(
+        session: &'a Session,
         active: &mut Option<Active>,
         command: &'static str,
         folder: &Path,
@@ -107,7 +55,7 @@ impl Staging {
         let scratch = Scratch::new_in(folder).map_err(|reason| cannot_write(folder, reason))?;
         let temporary = scratch.path().to_owned();
         *active = Some(Active { scratch, made });
-        Ok(Self { command, folder: folder.to_owned(), temporary, files: Vec::new() })
+        Ok(Self { session, command, folder: folder.to_owned(), temporary, files: Vec::new() })
     }
 
     /// Where a writer that wants a path may make the file of the given name.
@@ -151,7 +99,8 @@ impl Staging {
                 self.write(&format!("{name}.html"), html_of_stages(&stages)?)
             }
             ResultFile::Map(name, map) => {
-                let progress = Progress::new(riffel_keys::say!(progress_writing_map), map.speed().points());
+                let progress =
+                    Progress::new(self.session.voice, riffel_keys::say!(progress_writing_map), map.speed().points());
                 self.write_with(&format!("{name}.csv"), |file| map_csv(map, file, |rows| progress.advance(rows)))
             }
             ResultFile::Grid(name, grid) => {
@@ -187,16 +136,16 @@ impl Staging {
         let mut manifest = Manifest::read(&self.folder)?;
         let mut written = Files::new();
         for name in &self.files {
-            check_file(&manifest, &self.folder, name)?;
+            check_file(self.session, &manifest, &self.folder, name)?;
             let fingerprint =
                 fingerprint(&self.temporary.join(name)).map_err(|reason| self.cannot_write(name, reason))?;
             written.insert(name.clone(), fingerprint);
         }
         let stale = manifest.replace(self.command, &written);
-        place::check(&self.folder.join(manifest::NAME))?;
+        place::check(self.session, &self.folder.join(manifest::NAME))?;
         let names = self.files.clone();
-        self.write(manifest::NAME, crate::output::json(&manifest))?;
-        let mut guard = active();
+        self.write(manifest::NAME, crate::output::json(self.session.voice, &manifest))?;
+        let mut guard = self.session.interrupt.active();
         // The manifest first: what it lists and does not find does no harm, what it does not list is never replaced.
         for name in self.files.iter().rev() {
             whole_file::put(&self.temporary.join(name), &self.folder, name)
@@ -214,10 +163,10 @@ impl Staging {
     }
 }
 
-impl Drop for Staging {
+impl Drop for Staging<'_> {
     fn drop(&mut self) {
         // After `publish` there is nothing left to discard.
-        if let Some(active) = active().take() {
+        if let Some(active) = self.session.interrupt.active().take() {
             active.discard();
         }
     }
@@ -253,9 +202,9 @@ impl Existing {
 }
 
 /// Write one file whole.
-pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<(), CliError> {
+pub(crate) fn write_file(session: &Session, path: &Path, text: &str, existing: Existing) -> Result<(), CliError> {
     const NAME: &str = "file";
-    place::check(path)?;
+    place::check(session, path)?;
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -264,10 +213,10 @@ pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<
         let what = format!("there is no folder {}", folder.display());
         return Err(cannot_write(path, io::Error::other(what)));
     }
-    let mut staging = Staging::within(&mut active(), "", folder, None)?;
+    let mut staging = Staging::within(session, &mut session.interrupt.active(), "", folder, None)?;
     staging.write(NAME, text)?;
     let file = staging.temporary.join(NAME);
-    let _placing = active();
+    let _placing = session.interrupt.active();
     let placed = match existing {
         Existing::Replace => fs::rename(&file, path),
         Existing::Keep(_) => {
@@ -283,17 +232,17 @@ pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<
 }
 
 /// `Ok` if a command may write its files to a folder: what is wrong with it is better known before long work than after it.
-pub(crate) fn check_files(folder: &Path, names: &[&str]) -> Result<(), CliError> {
+pub(crate) fn check_files(session: &Session, folder: &Path, names: &[&str]) -> Result<(), CliError> {
     place::check_folder(folder)?;
     let manifest = Manifest::read(folder)?;
     let mut names = names.iter();
-    names.try_for_each(|name| check_file(&manifest, folder, name))
+    names.try_for_each(|name| check_file(session, &manifest, folder, name))
 }
 
 /// `Ok` if a file is not there, or is that of a run before.
-fn check_file(manifest: &Manifest, folder: &Path, name: &str) -> Result<(), CliError> {
+fn check_file(session: &Session, manifest: &Manifest, folder: &Path, name: &str) -> Result<(), CliError> {
     let path = folder.join(name);
-    place::check(&path)?;
+    place::check(session, &path)?;
     match path.exists() && !manifest.lists(name) {
         true => Err(CliError::Foreign { path }),
         false => Ok(()),

@@ -12,7 +12,7 @@ use clap::{Args, Parser};
 use riffel_answers::paper::Model;
 use riffel_keys::Language;
 
-use crate::messages::Verbosity;
+use crate::messages::{Reader, Verbosity, Voice};
 
 pub(crate) use commands::{Command, Commands};
 pub(crate) use figures::{Figures, ModelArgument};
@@ -64,18 +64,14 @@ impl Arguments {
         }
     }
 
-    /// The language in which it is said.
-    pub(crate) fn language(&self) -> Language {
-        self.language
-    }
-
-    /// How much is to be said beside the results.
-    pub(crate) fn verbosity(&self) -> Verbosity {
-        match (self.quiet, self.verbose) {
+    /// How the run speaks to a reader.
+    pub(crate) fn voice(&self, reader: Reader) -> Voice {
+        let verbosity = match (self.quiet, self.verbose) {
             (true, _) => Verbosity::Quiet,
             (false, true) => Verbosity::Verbose,
             (false, false) => Verbosity::Normal,
-        }
+        };
+        Voice { verbosity, language: self.language, reader }
     }
 }
 

@@ -7,6 +7,7 @@ use clap::Args;
 use riffel_answers::question::{CaseSource, Source};
 use riffel_case::{Case, NOMINAL_CASE};
 
+use crate::session::Session;
 use crate::terminal::Terminal;
 
 #[derive(Args)]
@@ -36,11 +37,11 @@ pub(crate) struct Page {
 
 impl Page {
     /// The case to put into the page.
-    pub(crate) fn read(&self) -> miette::Result<Case> {
+    pub(crate) fn read(&self, session: &Session) -> miette::Result<Case> {
         match &self.case {
             Some(path) => {
                 let case = CaseSource::new(Source::File(path.clone()), self.overrides.clone());
-                Ok(Arc::unwrap_or_clone(case.read(&Terminal)?))
+                Ok(Arc::unwrap_or_clone(case.read(&Terminal(session))?))
             }
             None => Ok(Case::parse("nominal.toml", NOMINAL_CASE, &self.overrides)?),
         }

@@ -13,11 +13,12 @@ use riffel_calibrate::{CalibrationError, Chains, Folder, Identifiability, Measur
 use riffel_keys::{Message, fixed, number};
 
 use crate::arguments::QuestionCall;
-use crate::messages::{complain, language, print_remarks, say};
+use crate::interrupt::INTERRUPTED;
 use crate::output::{json, print};
 use crate::progress::{self, duration};
 use crate::results::in_words;
-use crate::staging::{INTERRUPTED, Staging, check_files, stop_on_interrupt};
+use crate::session::Session;
+use crate::staging::{Staging, check_files};
 
 /// The limit of the forecast that is made with every calibration.
 const LIMIT: &str = "iso-3095-2013";
@@ -33,41 +34,44 @@ const SLOW: f64 = 60.0;
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
 
-pub(super) fn run(call: &QuestionCall) -> miette::Result<u8> {
+pub(super) fn run(session: &Session, call: &QuestionCall) -> miette::Result<u8> {
     let question: CalibrateQuestion = of_keys(call.keys.clone().into())?;
     let path = call.folder("posterior");
     let (traffic, tables) = (question.traffic.as_deref(), &*question.tables);
     let plan = Measured { case: &question.plan, traffic, tables }.plan_for(&path)?;
     if question.dry_run {
         match call.json {
-            true => print(&json(&CalibrationPlan::from(&plan)))?,
-            false => print(&dry_run(&plan)?)?,
+            true => print(&json(session.voice, &CalibrationPlan::from(&plan)))?,
+            false => print(&dry_run(session, &plan)?)?,
         }
-        print_remarks(&plan.remarks);
+        session.print_remarks(&plan.remarks);
         return Ok(0);
     }
-    check_files(&path, &FILES)?;
-    let stop = stop_on_interrupt();
+    check_files(session, &path, &FILES)?;
+    let stop = session.interrupt.asks_work();
     let folder = Folder::begin(&plan, &path, question.restart)?;
     folder.write_plan(&plan)?;
     let sampler = &plan.file.sampler;
-    on_threads(question.threads, || tell_plan(&plan))?;
+    on_threads(question.threads, || tell_plan(session, &plan))?;
     let begun = Instant::now();
     let sample = |folder: &Folder<'_>, _: &str| {
         let chains = sampler.chains;
-        let progress =
-            progress::Progress::counting(riffel_keys::say!(progress_draws), chains * folder.draws_of_a_chain());
+        let progress = progress::Progress::counting(
+            session.voice,
+            riffel_keys::say!(progress_draws),
+            chains * folder.draws_of_a_chain(),
+        );
         let tell = |of: Progress| match of {
             Progress::Drawn(draws) => progress.advance(draws as usize),
             Progress::GoesOn { draws } => {
                 progress.lengthen(chains * (sampler.left_out() + draws));
-                say(riffel_keys::say!(chains_go_on, draws));
+                session.voice.say(riffel_keys::say!(chains_go_on, draws));
             }
         };
         folder.run(&tell, &stop)
     };
     let stopped = || {
-        complain(riffel_keys::say!(calibration_stopped, folder = path.display().to_string()));
+        session.voice.complain(riffel_keys::say!(calibration_stopped, folder = path.display().to_string()));
         Ok(INTERRUPTED)
     };
     let Some(chains) = on_threads(question.threads, || sample(&folder, ""))?? else {
@@ -79,7 +83,7 @@ pub(super) fn run(call: &QuestionCall) -> miette::Result<u8> {
             let to = (&*path, question.restart);
             let of_each = |folder: &Folder<'_>, title: &str| {
                 if !title.is_empty() {
-                    say(riffel_keys::say!(chains_of_model, title));
+                    session.voice.say(riffel_keys::say!(chains_of_model, title));
                 }
                 sample(folder, title)
             };
@@ -95,26 +99,26 @@ pub(super) fn run(call: &QuestionCall) -> miette::Result<u8> {
     let results = folder.results(&plan, &chains, &summary)?;
     let told = Identifiability::of(&plan, &chains).map_err(CalibrationError::Refused)?;
     let answer = Calibration::new(&plan, &chains, &summary, &told);
-    let conclusions = conclusions(&plan, &chains, &answer, models.as_ref(), &path)?;
+    let conclusions = conclusions(session, &plan, &chains, &answer, models.as_ref(), &path)?;
     let names = results.publish()?;
     print(&match call.json {
-        true => json(&answer),
+        true => json(session.voice, &answer),
         false => format!("{conclusions}{}: {}\n", path.display(), names.join(" ")),
     })?;
-    say(riffel_keys::say!(sampled_in, time = number(duration(begun.elapsed().as_secs_f64()))));
-    print_remarks(answer.remarks());
-    print_remarks(models.as_ref().map_or(&[], Answer::remarks));
-    print_remarks(&answer.untold);
-    print_remarks(&answer.far_from_others);
+    session.voice.say(riffel_keys::say!(sampled_in, time = number(duration(begun.elapsed().as_secs_f64()))));
+    session.print_remarks(answer.remarks());
+    session.print_remarks(models.as_ref().map_or(&[], Answer::remarks));
+    session.print_remarks(&answer.untold);
+    session.print_remarks(&answer.far_from_others);
     let doubts = answer.doubts.iter();
-    doubts.for_each(|doubt| complain(doubt.text(language())));
+    doubts.for_each(|doubt| session.voice.complain(doubt.text(session.voice.language)));
     Ok(if answer.is_conclusive { 0 } else { NO_CONCLUSION })
 }
 
 /// Say how many draws there are to be, and how long they may take where that is longer than one waits without a word.
-fn tell_plan(plan: &Plan) {
+fn tell_plan(session: &Session, plan: &Plan) {
     let sampler = &plan.file.sampler;
-    say(riffel_keys::say!(
+    session.voice.say(riffel_keys::say!(
         chains_begin,
         chains = number(sampler.chains),
         warmup = number(sampler.left_out()),
@@ -137,33 +141,38 @@ fn tell_plan(plan: &Plan) {
     let draws = sampler.chains * (sampler.left_out() + sampler.draws) / at_once;
     let whole = SETS_A_DRAW * seconds * draws as f64;
     if whole > SLOW {
-        say(riffel_keys::say!(chains_take, seconds = fixed(seconds, 3), minutes = fixed((whole / 60.0).ceil(), 0)));
+        session.voice.say(riffel_keys::say!(
+            chains_take,
+            seconds = fixed(seconds, 3),
+            minutes = fixed((whole / 60.0).ceil(), 0)
+        ));
     }
 }
 
 /// Write what follows from the draws: what they tell of values together, where the plan has levels and the traffic says how much of
 /// it there is, when the rail reaches its limit, and which models predict better; what is to be said of that.
 fn conclusions(
+    session: &Session,
     plan: &Plan,
     chains: &Chains,
     answer: &Calibration,
     models: Option<&CompetingModels>,
     folder: &Path,
 ) -> miette::Result<String> {
-    let mut staging = Staging::new("calibrate", folder)?;
+    let mut staging = Staging::new(session, "calibrate", folder)?;
     staging.write_figure(answer.name(), &answer.figure())?;
-    let (mut text, mut tables) = (in_words(answer), answer.tables());
+    let (mut text, mut tables) = (in_words(session.voice, answer), answer.tables());
     if plan.passages_per_day.is_some() && plan.has_levels() {
         let limit = level_limit(LIMIT)?;
         let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
         staging.write_figure(answer.name(), &answer.figure())?;
-        text += &in_words(&answer);
+        text += &in_words(session.voice, &answer);
         tables.extend(answer.tables());
     }
     if let Some(models) = models {
         staging.write_figure(models.name(), &models.figure())?;
-        staging.write(models.document_name(), json(models))?;
-        text += &in_words(models);
+        staging.write(models.document_name(), json(session.voice, models))?;
+        text += &in_words(session.voice, models);
         tables.extend(models.tables());
     }
     for table in tables.into_iter().filter(Table::has_file) {
@@ -174,7 +183,7 @@ fn conclusions(
 }
 
 /// What a plan asks for.
-fn dry_run(plan: &Plan) -> miette::Result<String> {
+fn dry_run(session: &Session, plan: &Plan) -> miette::Result<String> {
     let values = plan.posterior.parameters().iter().map(|parameter| {
         let touched = plan.posterior.data_of(&parameter.name);
         let data = match &touched[..] {
@@ -192,5 +201,5 @@ fn dry_run(plan: &Plan) -> miette::Result<String> {
         draws = number(sampler.draws)
     );
     let lines = values.chain(what_is_compared(plan)?).chain([asked]);
-    Ok(lines.map(|line| line.text(language()) + "\n").collect())
+    Ok(lines.map(|line| line.text(session.voice.language) + "\n").collect())
 }

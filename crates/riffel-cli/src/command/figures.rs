@@ -7,11 +7,12 @@ use crate::arguments::Figures;
 use crate::error::CliError;
 use crate::output::print;
 use crate::progress::Progress;
+use crate::session::Session;
 use crate::staging::Staging;
 
-pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
-    let mut staging = Staging::new("figures", &arguments.output)?;
-    let progress = Progress::new(riffel_keys::say!(progress_figures), paper::FIGURES.len());
+pub(crate) fn run(session: &Session, arguments: &Figures) -> miette::Result<()> {
+    let mut staging = Staging::new(session, "figures", &arguments.output)?;
+    let progress = Progress::new(session.voice, riffel_keys::say!(progress_figures), paper::FIGURES.len());
     let model = arguments.model.into();
     for (number, make) in paper::FIGURES {
         let figure = make(model, Language::English).map_err(CliError::from)?;

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use crate::arguments::Init;
 use crate::output::print;
+use crate::session::Session;
 use crate::staging::{Existing, write_file};
 
-pub(crate) fn run(arguments: &Init) -> miette::Result<()> {
+pub(crate) fn run(session: &Session, arguments: &Init) -> miette::Result<()> {
     let (text, name) = match arguments {
         Init { metro: true, .. } => (riffel_case::METRO_CASE, "metro.toml"),
         Init { main_line: true, .. } => (riffel_case::MAIN_LINE_CASE, "main-line.toml"),
@@ -21,7 +22,7 @@ pub(crate) fn run(arguments: &Init) -> miette::Result<()> {
         true => Existing::Replace,
         false => Existing::Keep("--force to replace it"),
     };
-    write_file(path, text, existing)?;
+    write_file(session, path, text, existing)?;
     let path = path.display();
     let next = match arguments {
         Init { traffic: true, .. } => {

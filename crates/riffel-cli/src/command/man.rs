@@ -8,9 +8,10 @@ use clap_mangen::Man;
 use crate::arguments::{Arguments, ManPages};
 use crate::error::CliError;
 use crate::output::print;
+use crate::session::Session;
 use crate::staging::Staging;
 
-pub(crate) fn run(arguments: &ManPages) -> miette::Result<()> {
+pub(crate) fn run(session: &Session, arguments: &ManPages) -> miette::Result<()> {
     // In a page a line is a paragraph: nothing is broken to a width.
     let mut program = Arguments::command().disable_help_subcommand(true);
     program.build();
@@ -19,7 +20,7 @@ pub(crate) fn run(arguments: &ManPages) -> miette::Result<()> {
         print(&String::from_utf8_lossy(&page))?;
         return Ok(());
     };
-    let mut staging = Staging::new("man", folder)?;
+    let mut staging = Staging::new(session, "man", folder)?;
     write(&program, &mut staging)?;
     let files = staging.publish()?;
     print(&format!("{}: {}\n", folder.display(), files.join(" ")))?;

@@ -7,10 +7,11 @@ use riffel_web::{FILE_GENERATOR, PAGE_MODULE, page_file};
 use crate::arguments::Page;
 use crate::error::CliError;
 use crate::output::print;
+use crate::session::Session;
 use crate::staging::{Existing, write_file};
 
-pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
-    let case = arguments.read()?;
+pub(crate) fn run(session: &Session, arguments: &Page) -> miette::Result<()> {
+    let case = arguments.read(session)?;
     let module = match &arguments.module {
         Some(path) => fs::read(path).map_err(|reason| CliError::ReadModule { path: path.clone(), reason })?,
         None => PAGE_MODULE.ok_or(CliError::NoModule)?.to_vec(),
@@ -21,7 +22,7 @@ pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
         true => Existing::Replace,
         false => Existing::known(&arguments.output, &page, Some(FILE_GENERATOR)),
     };
-    write_file(&arguments.output, &page, existing)?;
+    write_file(session, &arguments.output, &page, existing)?;
     print(&format!(
         "wrote {}, {:.1} MB; open it in a browser: it needs no server and no network\n",
         arguments.output.display(),

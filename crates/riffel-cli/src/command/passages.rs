@@ -11,9 +11,10 @@ use riffel_keys::{number, say as message};
 
 use crate::arguments::QuestionCall;
 use crate::error::CliError;
-use crate::messages::{complain, say};
+use crate::interrupt::INTERRUPTED;
 use crate::progress::Progress;
-use crate::staging::{Existing, INTERRUPTED, check_files, stop_on_interrupt, write_file};
+use crate::session::Session;
+use crate::staging::{Existing, check_files, write_file};
 use crate::terminal::Terminal;
 
 /// What a run that was stopped is gone on from, in the folder of its results.
@@ -38,19 +39,19 @@ const FILES: [&str; 11] = [
 const STATE_EVERY: Duration = Duration::from_secs(1);
 
 /// The rail under many wheels, from where the folder has it on; returns the exit status, or `None` where one passage is asked for.
-pub(crate) fn run(call: &QuestionCall) -> miette::Result<Option<u8>> {
+pub(crate) fn run(session: &Session, call: &QuestionCall) -> miette::Result<Option<u8>> {
     let question: SimulateQuestion = of_keys(call.keys.clone().into())?;
-    let Some((mut run, passages)) = question.evolution(&Terminal)? else {
+    let Some((mut run, passages)) = question.evolution(&Terminal(session))? else {
         return Ok(None);
     };
     let results = call.results_of(None);
     let state = results.folder.as_ref().map(|folder| folder.join(STATE));
     if let (Some(folder), Some(path)) = (&results.folder, &state) {
-        check_files(folder, &FILES)?;
-        resume(&mut run, path, passages)?;
+        check_files(session, folder, &FILES)?;
+        resume(session, &mut run, path, passages)?;
     }
-    let stop = stop_on_interrupt();
-    let progress = Progress::new(message!(progress_passages), passages as usize);
+    let stop = session.interrupt.asks_work();
+    let progress = Progress::new(session.voice, message!(progress_passages), passages as usize);
     progress.advance(run.passages() as usize);
     let mut kept = Instant::now();
     let answer = loop {
@@ -63,14 +64,14 @@ pub(crate) fn run(call: &QuestionCall) -> miette::Result<Option<u8>> {
         if let Some(path) = &state
             && (asked || kept.elapsed() > STATE_EVERY)
         {
-            keep(&run, path)?;
+            keep(session, &run, path)?;
             kept = Instant::now();
         }
         if asked {
             drop(progress);
             let passed = run.passages();
             let (passed, passages) = (number(passed), number(passages));
-            complain(match &state {
+            session.voice.complain(match &state {
                 Some(path) => message!(passages_kept, passed = passed, passages = passages, file = path.display()),
                 None => message!(passages_stopped, passed = passed, passages = passages),
             });
@@ -79,14 +80,14 @@ pub(crate) fn run(call: &QuestionCall) -> miette::Result<Option<u8>> {
     };
     drop(progress);
     if let Some(path) = &state {
-        keep(&run, path)?;
+        keep(session, &run, path)?;
     }
-    results.answer(&answer)?;
+    results.answer(session, &answer)?;
     Ok(Some(0))
 }
 
 /// Go on from the state in the folder, if there is one.
-fn resume(run: &mut EvolutionRun, path: &Path, passages: u64) -> Result<(), CliError> {
+fn resume(session: &Session, run: &mut EvolutionRun, path: &Path, passages: u64) -> Result<(), CliError> {
     let refuse = |reason: String| CliError::State { path: path.to_owned(), reason };
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
@@ -100,12 +101,12 @@ fn resume(run: &mut EvolutionRun, path: &Path, passages: u64) -> Result<(), CliE
     if run.passages() > passages {
         return Err(refuse(format!("it is after {} passages, more than the {passages} asked for", run.passages())));
     }
-    say(message!(going_on_after, passages = number(run.passages()), file = path.display()));
+    session.voice.say(message!(going_on_after, passages = number(run.passages()), file = path.display()));
     Ok(())
 }
 
-fn keep(run: &EvolutionRun, path: &Path) -> Result<(), CliError> {
+fn keep(session: &Session, run: &EvolutionRun, path: &Path) -> Result<(), CliError> {
     let folder = path.parent().unwrap_or(path);
     fs::create_dir_all(folder).map_err(|reason| CliError::Write { path: folder.to_owned(), reason })?;
-    write_file(path, &run.state(), Existing::Replace)
+    write_file(session, path, &run.state(), Existing::Replace)
 }

@@ -4,32 +4,32 @@ use riffel_answers::AnswerError;
 use riffel_answers::question::Files;
 
 use crate::arguments::QuestionCall;
-use crate::messages::{complain, language};
+use crate::interrupt::INTERRUPTED;
 use crate::results::put;
-use crate::staging::INTERRUPTED;
+use crate::session::Session;
 use crate::terminal::Terminal;
 
 /// There is an answer, but none to go by.
 const DOUBTFUL: u8 = 1;
 
 /// Answer a question, and hand the answer out; returns the exit status.
-pub(crate) fn run(call: &QuestionCall) -> miette::Result<u8> {
+pub(crate) fn run(session: &Session, call: &QuestionCall) -> miette::Result<u8> {
     let own = match call.question.name() {
-        "simulate" => super::passages::run(call)?,
-        "study" => Some(super::study::run(call)?),
-        "calibrate" => Some(super::calibrate::run(call)?),
+        "simulate" => super::passages::run(session, call)?,
+        "study" => Some(super::study::run(session, call)?),
+        "calibrate" => Some(super::calibrate::run(session, call)?),
         _ => None,
     };
     if let Some(status) = own {
         return Ok(status);
     }
-    let answer = match call.question.answer(call.keys.clone(), &Terminal) {
+    let answer = match call.question.answer(call.keys.clone(), &Terminal(session)) {
         Err(AnswerError::Stopped(message)) => {
-            complain(message);
+            session.voice.complain(message);
             return Ok(INTERRUPTED);
         }
         Err(AnswerError::Unfinished(message)) => {
-            complain(message);
+            session.voice.complain(message);
             return Ok(DOUBTFUL);
         }
         answer => answer?,
@@ -39,13 +39,13 @@ pub(crate) fn run(call: &QuestionCall) -> miette::Result<u8> {
     let text = answer.own_text().filter(|_| !in_document || call.output.is_some());
     if let Some(mut text) = text {
         text.written = text.written.filter(|_| !in_document);
-        put(&text)?;
+        put(session, &text)?;
         if text.is_all() {
             return Ok(0);
         }
     }
-    call.results_of(answer.folder_name()).answer(&*answer)?;
+    call.results_of(answer.folder_name()).answer(session, &*answer)?;
     let doubts = answer.doubts();
-    doubts.iter().for_each(|doubt| complain(doubt.text(language())));
+    doubts.iter().for_each(|doubt| session.voice.complain(doubt.text(session.voice.language)));
     Ok(if doubts.is_empty() { 0 } else { DOUBTFUL })
 }

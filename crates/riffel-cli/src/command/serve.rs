@@ -6,14 +6,14 @@ use riffel_web::{Options, ServeError, serve};
 
 use crate::arguments::Serve;
 use crate::error::CliError;
-use crate::messages::{complain, say};
 use crate::output::print;
+use crate::session::Session;
 
-pub(crate) fn run(arguments: &Serve, program: &[OsString]) -> miette::Result<()> {
+pub(crate) fn run(session: &Session, arguments: &Serve, program: &[OsString]) -> miette::Result<()> {
     let options =
         Options { address: arguments.address, port: arguments.port, open: arguments.open, program: program.to_vec() };
     if !options.address.is_loopback() {
-        complain(format_args!(
+        session.voice.complain(format_args!(
             "warning: other machines can reach this page at {} and let this one compute; there is no password",
             options.address
         ));
@@ -21,9 +21,9 @@ pub(crate) fn run(arguments: &Serve, program: &[OsString]) -> miette::Result<()>
     let outcome = serve(options, |url| {
         // Whoever cannot be told the address on standard output is told it here.
         if let Err(error) = print(&format!("{url}\n")) {
-            complain(format_args!("{error}; the page is at {url}"));
+            session.voice.complain(format_args!("{error}; the page is at {url}"));
         }
-        say("the page is served until Ctrl-C");
+        session.voice.say("the page is served until Ctrl-C");
     });
     outcome.map_err(|error| match error {
         ServeError::Listen { .. } => CliError::Listen { error },

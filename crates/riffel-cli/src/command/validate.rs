@@ -7,13 +7,14 @@ use crate::error::CliError;
 use crate::output::{print, print_json};
 use crate::progress::Progress;
 use crate::results::in_words;
+use crate::session::Session;
 
-pub(crate) fn run(arguments: &Validate) -> miette::Result<u8> {
+pub(crate) fn run(session: &Session, arguments: &Validate) -> miette::Result<u8> {
     if arguments.field {
-        return run_field(arguments);
+        return run_field(session, arguments);
     }
     let checks = chosen(&arguments.words)?;
-    let progress = Progress::new(riffel_keys::say!(progress_validation), checks.len());
+    let progress = Progress::new(session.voice, riffel_keys::say!(progress_validation), checks.len());
     let rows = checks.iter().map(|check| {
         let row = (check.run)();
         progress.advance(1);
@@ -21,19 +22,19 @@ pub(crate) fn run(arguments: &Validate) -> miette::Result<u8> {
     });
     let checked = Checked(rows.collect());
     drop(progress);
-    print(&in_words(&checked))?;
+    print(&in_words(session.voice, &checked))?;
     Ok(u8::from(checked.failed() > 0))
 }
 
 /// The sites of the field.
-fn run_field(arguments: &Validate) -> miette::Result<u8> {
+fn run_field(session: &Session, arguments: &Validate) -> miette::Result<u8> {
     let samples = arguments.samples as usize;
-    let progress = Progress::new(riffel_keys::say!(progress_field), field::runs(samples)?);
+    let progress = Progress::new(session.voice, riffel_keys::say!(progress_field), field::runs(samples)?);
     let document = field::field(samples, arguments.seed, &|count| progress.advance(count))?;
     drop(progress);
     match arguments.json {
-        true => print_json(&document)?,
-        false => print(&in_words(&document))?,
+        true => print_json(session.voice, &document)?,
+        false => print(&in_words(session.voice, &document))?,
     }
     Ok(0)
 }

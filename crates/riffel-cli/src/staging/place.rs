@@ -3,31 +3,14 @@
 use std::fs::{self, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use riffel_arrays::whole_file::kind;
 
 use crate::error::CliError;
-
-/// The files that this run reads.
-static INPUTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
-
-fn inputs() -> MutexGuard<'static, Vec<PathBuf>> {
-    INPUTS.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Begin a run that reads these files; those of an earlier run in the same process are forgotten.
-pub(crate) fn set_inputs(paths: Vec<PathBuf>) {
-    *inputs() = paths;
-}
-
-/// One more file that this run reads.
-pub(crate) fn add_input(path: PathBuf) {
-    inputs().push(path);
-}
+use crate::session::Session;
 
 /// `Ok` if a file may be put at the path.
-pub(super) fn check(path: &Path) -> Result<(), CliError> {
+pub(super) fn check(session: &Session, path: &Path) -> Result<(), CliError> {
     let there = match fs::symlink_metadata(path) {
         Ok(there) => there,
         Err(reason) if reason.kind() == io::ErrorKind::NotFound => return Ok(()),
@@ -39,7 +22,7 @@ pub(super) fn check(path: &Path) -> Result<(), CliError> {
         return Err(CliError::NotAFile { path: path.to_owned(), what: kind(there.file_type()) });
     }
     let is_input = |input: &PathBuf| fs::metadata(input).is_ok_and(|known| is_same(path, &there, input, &known));
-    if inputs().iter().any(is_input) {
+    if session.reads(is_input) {
         return Err(CliError::IsAnInput { path: path.to_owned() });
     }
     Ok(())

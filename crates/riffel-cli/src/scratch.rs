@@ -13,7 +13,7 @@ const LOCK: &str = "lock";
 
 /// A temporary folder of this run; removed when it is dropped, and after a crash by the next run that writes to the
 /// same place.
-pub(super) struct Scratch {
+pub(crate) struct Scratch {
     /// Dropped before the folder, which some systems would not remove with an open file in it.
     lock: File,
     folder: TempDir,
@@ -21,7 +21,7 @@ pub(super) struct Scratch {
 
 impl Scratch {
     /// A new one in a folder, from which those of runs that were killed are removed.
-    pub(super) fn new_in(place: &Path) -> io::Result<Self> {
+    pub(crate) fn new_in(place: &Path) -> io::Result<Self> {
         remove_leftovers(place);
         let folder = tempfile::Builder::new().prefix(PREFIX).tempdir_in(place)?;
         // Under its name the lock is there only when it is held: another run never sees it free too early.
@@ -32,12 +32,12 @@ impl Scratch {
         Ok(Self { lock, folder })
     }
 
-    pub(super) fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         self.folder.path()
     }
 
     /// Remove it now.
-    pub(super) fn close(self) {
+    pub(crate) fn close(self) {
         drop(self.lock);
         let _ = self.folder.close();
     }
