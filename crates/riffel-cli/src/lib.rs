@@ -22,10 +22,14 @@ use clap::Parser;
 use error::CliError;
 use messages::{Reader, Verbosity, Voice};
 use miette::Report;
-use riffel_answers::question;
+use riffel_answers::question::{self, AnyQuestion};
 use riffel_keys::Language;
 use riffel_keys::text_file::is_standard_input;
+use serde_json::{Map, Value};
 use session::Session;
+
+/// A question and its keys.
+pub type KeyedQuestion = (&'static dyn AnyQuestion, Map<String, Value>);
 
 /// Exit status after an error of the user.
 const BAD_INPUT: u8 = 2;
@@ -58,6 +62,17 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
             status(voice, printed.map(|()| 0).map_err(Report::from))
         }
     }
+}
+
+/// The question that a command line asks, with its keys as they were given; `None` where the command is no question.
+///
+/// # Errors
+/// What is wrong with the command line.
+pub fn question_of(arguments: impl IntoIterator<Item = OsString>) -> Result<Option<KeyedQuestion>, clap::Error> {
+    Ok(match Arguments::try_parse_from(arguments)?.command {
+        Commands::Question(call) => Some((call.question, call.keys)),
+        Commands::Other(_) => None,
+    })
 }
 
 /// The exit status of an outcome, of which an error is told.

@@ -5,7 +5,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use serde_json::Value;
+use riffel_answers::question::{AnyQuestion, Nobody};
+use serde_json::{Map, Value};
 use tempfile::TempDir;
 
 /// The root of the repository.
@@ -83,8 +84,40 @@ impl Sandbox {
         Outcome { text, status: child.wait().unwrap().code() }
     }
 
-    /// What a command that succeeds prints on standard output, as JSON.
+    /// The document of a question, answered in this process: its files are those of the sandbox.
+    ///
+    /// Work that the program has a hand in, and files that it writes beside the document, are those of the program.
     pub(crate) fn json(&self, arguments: &str) -> Value {
+        let words = shlex::split(arguments).unwrap();
+        let line = std::iter::once("riffel".into()).chain(words.iter().map(Into::into));
+        let question = riffel_cli::question_of(line).unwrap_or_else(|error| panic!("{arguments}: {error}"));
+        let recorded = std::env::var_os("RIFFEL_RECORDER").is_some();
+        match question {
+            Some((question, keys)) if !recorded && is_answer_alone(question, &words) => {
+                let answer = question.answer(self.placed(keys), &Nobody);
+                let document = answer.unwrap_or_else(|error| panic!("{arguments}: {error}")).document();
+                let place = format!("{}/", self.folder.path().display());
+                serde_json::from_str(&document.replace(&place, "")).unwrap()
+            }
+            _ => self.json_of_program(arguments),
+        }
+    }
+
+    /// The keys of a question, of which those that name a file of the sandbox have its path.
+    fn placed(&self, keys: Map<String, Value>) -> Map<String, Value> {
+        let placed = |value| match value {
+            Value::String(name) if self.path(&name).exists() => self.path(&name).to_str().unwrap().into(),
+            other => other,
+        };
+        let each = |value| match value {
+            Value::Array(values) => values.into_iter().map(placed).collect(),
+            one => placed(one),
+        };
+        keys.into_iter().map(|(key, value)| (key, each(value))).collect()
+    }
+
+    /// What a command that succeeds prints on standard output, as JSON.
+    pub(crate) fn json_of_program(&self, arguments: &str) -> Value {
         let output = self.command().args(shlex::split(arguments).unwrap()).output().unwrap();
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.success(), "{arguments}: {errors}");
@@ -101,6 +134,13 @@ impl Sandbox {
         names.sort();
         names
     }
+}
+
+/// Whether the document of a question is all that comes of it.
+fn is_answer_alone(question: &dyn AnyQuestion, words: &[String]) -> bool {
+    let places = ["-o", "--output", "--save-format", "--into"];
+    let writes = words.iter().any(|word| places.contains(&word.split('=').next().unwrap_or_default()));
+    !writes && !["simulate", "study", "calibrate", "network"].contains(&question.name().split(' ').next().unwrap())
 }
 
 /// A number of a JSON document.
