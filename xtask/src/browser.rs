@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use crate::step::{run_beside, run_unseen};
+use crate::times::printed;
 use crate::{Outcome, environment, page, root};
 
 /// What the tests need, with exact versions.
@@ -51,13 +52,7 @@ pub(crate) enum Thoroughness {
 
 /// Run the tests of the page; screenshots are kept in `target/browser-tests/screenshots`.
 pub(crate) fn test(browser: &Browser, thoroughness: Thoroughness) -> Outcome {
-    let tests = ["-m", "pytest", "--quiet", "crates/riffel-web/tests"];
-    let mut tests = environment::command(&browser.python, &tests);
-    tests
-        .env("RIFFEL", root().join("target/debug/riffel"))
-        .env("CHROMIUM", &browser.chromium)
-        .env("SCREENSHOTS", folder().join("screenshots"))
-        .env("PYTHONDONTWRITEBYTECODE", "1");
+    let mut tests = command(browser);
     match thoroughness {
         Thoroughness::Once => {
             tests.args(["-m", "not thorough"]).args(SIDE_BY_SIDE);
@@ -67,6 +62,24 @@ pub(crate) fn test(browser: &Browser, thoroughness: Thoroughness) -> Outcome {
         }
     }
     run_beside(&mut tests)
+}
+
+/// The tests in a browser, with the times of those that take long.
+pub(crate) fn timed(browser: &Browser) -> Result<String, String> {
+    let tests = ["-m", "not thorough", "--durations=0", "--durations-min=1"];
+    printed(command(browser).args(tests).args(SIDE_BY_SIDE))
+}
+
+/// The tests in a browser, as a command of pytest.
+fn command(browser: &Browser) -> Command {
+    let tests = ["-m", "pytest", "--quiet", "crates/riffel-web/tests"];
+    let mut tests = environment::command(&browser.python, &tests);
+    tests
+        .env("RIFFEL", root().join("target/debug/riffel"))
+        .env("CHROMIUM", &browser.chromium)
+        .env("SCREENSHOTS", folder().join("screenshots"))
+        .env("PYTHONDONTWRITEBYTECODE", "1");
+    tests
 }
 
 fn folder() -> PathBuf {

@@ -1,10 +1,11 @@
-//! The check: all of it, or what takes a minute.
+//! The check: all of it, what takes a minute, or all with what has jobs of its own.
 
 use std::thread::{self, ScopedJoinHandle};
 
 use crate::browser::Thoroughness;
 use crate::step::{cargo, run, run_beside};
-use crate::{Outcome, browser, dependencies, python};
+use crate::times::{Step, printed};
+use crate::{Outcome, browser, budget, compiler, dependencies, python, times};
 
 const FORMAT: [&str; 3] = ["fmt", "--all", "--check"];
 const LINTS: [&str; 7] = ["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"];
@@ -33,11 +34,10 @@ pub(crate) fn quick() -> Outcome {
     run(cargo(&TESTS).args(QUICK))
 }
 
-/// Everything there is.
+/// The whole check.
 ///
 /// Packages are fetched while Rust compiles. The Python package and the page, which wait much, are tested beside the
-/// rest. The page in one file, whose module takes eight minutes of a processor to build, and what has been seen in other colours,
-/// another size or the other language are left to `cargo xtask browser`.
+/// rest. What else there is has jobs of its own: see [`thorough`].
 pub(crate) fn all() -> Outcome {
     run(&mut cargo(&FORMAT))?;
     dependencies::check()?;
@@ -50,11 +50,53 @@ pub(crate) fn all() -> Outcome {
         let python = scope.spawn(move || python::test(&python));
         let browser = scope.spawn(move || browser::test(&browser, Thoroughness::Once));
         run_beside(&mut cargo(&TESTS))?;
-        let mut documentation = cargo(&["doc", "--workspace", "--no-deps", "--quiet"]);
-        run_beside(documentation.env("RUSTDOCFLAGS", "--deny warnings"))?;
         end(python)?;
         end(browser)
-    })
+    })?;
+    budget::hold()
+}
+
+/// The whole check and what has jobs of its own: documentation, tests that take minutes, the page in one file and in other colours,
+/// sizes and languages.
+pub(crate) fn thorough() -> Outcome {
+    all()?;
+    documentation()?;
+    long()?;
+    browser::test_alone()
+}
+
+/// The documentation of the library, without a warning.
+pub(crate) fn documentation() -> Outcome {
+    let mut documentation = cargo(&["doc", "--workspace", "--no-deps", "--quiet"]);
+    run(documentation.env("RUSTDOCFLAGS", "--deny warnings"))
+}
+
+/// The tests that take minutes.
+pub(crate) fn long() -> Outcome {
+    // Not what writes a table or a capture for a reader.
+    run(cargo(&TESTS).args(["--tests", "--", "--ignored", "--skip", "is_captured", "--skip", "detection"]))
+}
+
+/// The check, one step after another, with the time of each and of the tests that take longest.
+pub(crate) fn timed() -> Outcome {
+    let step = |name, run: fn() -> Result<String, String>| Step { name, run: Box::new(run) };
+    times::write(vec![
+        step("formatting, dependencies", || {
+            run(&mut cargo(&FORMAT)).and_then(|()| dependencies::check()).map(|()| String::new())
+        }),
+        step("lints", || printed(&mut cargo(&LINTS))),
+        step("compiling tests", || printed(cargo(&TESTS).arg("--no-run"))),
+        step("tests", || {
+            let mut tests = cargo(&["test", "--workspace", "--tests"]);
+            // The runner of the tests alone, for which times are no stable option.
+            let runner = format!("CARGO_TARGET_{}_RUNNER", compiler::host()?.to_uppercase().replace('-', "_"));
+            tests.env(runner, "env RUSTC_BOOTSTRAP=1");
+            printed(tests.args(["--", "-Zunstable-options", "--report-time"]))
+        }),
+        step("tests in documentation", || printed(cargo(&TESTS).arg("--doc"))),
+        step("Python package", || python::timed(&python::prepare()?)),
+        step("page", || browser::timed(&browser::prepare()?)),
+    ])
 }
 
 fn end<T>(job: ScopedJoinHandle<'_, Result<T, String>>) -> Result<T, String> {

@@ -1,6 +1,7 @@
 //! Developer commands: `cargo xtask help` names them.
 
 mod browser;
+mod budget;
 mod check;
 mod compiler;
 mod dependencies;
@@ -10,6 +11,7 @@ mod page;
 mod python;
 mod release;
 mod step;
+mod times;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -28,14 +30,24 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Everything there is: formatting, lints, tests, documentation, the Python package, the page in a
-    /// browser.
+    /// The whole check: formatting, lints, tests, the Python package, the page in a browser.
     Test {
         /// Only what takes a minute: formatting, lints, the tests of the libraries. Left out are the program and its
         /// files, pictures, the page under load, examples in documentation, Python and the browser.
-        #[arg(long)]
+        #[arg(long, conflicts_with_all = ["thorough", "times"])]
         quick: bool,
+        /// What has jobs of its own too: documentation, tests that take minutes, the page in one file and in other colours, sizes and
+        /// languages.
+        #[arg(long, conflicts_with = "times")]
+        thorough: bool,
+        /// One step after another, and write to `benches/check.md` what each takes and which tests take longest.
+        #[arg(long)]
+        times: bool,
     },
+    /// The documentation of the library alone.
+    Documentation,
+    /// The tests that take minutes alone.
+    Long,
     /// The page alone, in a real browser: Debian's Chromium, driven by pytest. All there is, also in other colours, sizes and
     /// languages and in one file.
     Browser,
@@ -71,8 +83,12 @@ fn main() -> ExitCode {
         return recorded;
     }
     let outcome = match Arguments::parse().command {
-        Task::Test { quick: true } => check::quick(),
-        Task::Test { quick: false } => check::all(),
+        Task::Test { quick: true, .. } => check::quick(),
+        Task::Test { thorough: true, .. } => check::thorough(),
+        Task::Test { times: true, .. } => check::timed(),
+        Task::Test { .. } => check::all(),
+        Task::Documentation => check::documentation(),
+        Task::Long => check::long(),
         Task::Browser => browser::test_alone(),
         Task::Page => page::install(),
         Task::Python => python::test_alone(),

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::step::run_beside;
+use crate::times::printed;
 use crate::{Outcome, environment, root};
 
 /// What the tests need, with exact versions.
@@ -26,6 +27,24 @@ pub(crate) fn prepare() -> Result<PathBuf, String> {
 /// The wheel is of the dev profile and has the features of the tests: its numbers are those of the program of the
 /// same profile, and its dependencies are theirs.
 pub(crate) fn test(python: &Path) -> Outcome {
+    install(python)?;
+    run_beside(&mut tests(python))?;
+    run_beside(&mut environment::command(python, &["-m", "mypy"]))
+}
+
+/// Install the package and run its tests, with the times of those that take long.
+pub(crate) fn timed(python: &Path) -> Result<String, String> {
+    install(python)?;
+    printed(tests(python).args(["--durations=0", "--durations-min=1"]))
+}
+
+/// The tests of the installed package.
+fn tests(python: &Path) -> Command {
+    environment::command(python, &["-m", "pytest", "--quiet"])
+}
+
+/// Build the wheel and install it under `target/python`.
+fn install(python: &Path) -> Outcome {
     let wheels = folder().join("wheels");
     // One wheel, whichever version was built before.
     let _ = fs::remove_dir_all(&wheels);
@@ -35,9 +54,7 @@ pub(crate) fn test(python: &Path) -> Outcome {
     run_beside(build.arg(python).arg("--out").arg(&wheels))?;
     let mut install = environment::command(python, &["-m", "pip", "install", "--quiet"]);
     install.args(["--no-index", "--no-deps", "--force-reinstall"]);
-    run_beside(install.arg(wheel(&wheels)?))?;
-    run_beside(&mut environment::command(python, &["-m", "pytest", "--quiet"]))?;
-    run_beside(&mut environment::command(python, &["-m", "mypy"]))
+    run_beside(install.arg(wheel(&wheels)?))
 }
 
 fn folder() -> PathBuf {

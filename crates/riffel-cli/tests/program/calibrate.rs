@@ -149,7 +149,7 @@ fn chains_lead_to_a_forecast_and_a_decision() {
     )
     .unwrap();
     let head = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
-        [sampler]\nchains = 2\nwarmup = 300\ndraws = 400\n\
+        [sampler]\nchains = 2\nwarmup = 150\ndraws = 200\n\
         [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
         [[parameter]]\nkey = \"vehicle.traction_share\"\nuniform = { min = 0.05, max = 0.95 }\n\
         [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\ncommon_error = 0.01\n\
@@ -173,7 +173,7 @@ fn chains_lead_to_a_forecast_and_a_decision() {
     // Densities of data given the others, one for each draw and contrast.
     let array = fs::read_to_string(sandbox.path("out/posterior.zarr/log_likelihood/dated-levels/zarr.json"));
     let array: serde_json::Value = serde_json::from_str(&array.unwrap()).unwrap();
-    assert_eq!(array["shape"], serde_json::json!([2, 400, 2]));
+    assert_eq!(array["shape"], serde_json::json!([2, 200, 2]));
     // The document of the same chains has what the table has.
     let outcome = sandbox.riffel(&format!("calibrate {plan} -o out --restart --json -q"));
     // Doubts stand behind it.
@@ -245,7 +245,7 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
     let set = "validation/calibration/b-three-dates";
     sandbox.copy(set);
     let plan = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
-        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 200\n\
+        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 60\n\
         [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
         [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
         discrepancy = { kind = \"band\", standard_deviation = 1.0 }\n";
@@ -262,7 +262,7 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
 }
 
 /// The evidence of one difference of levels, of which growth is linear in the wear over its normal prior: the density of a normal
-/// distribution about the growth of the mean, with the variances of both. Each of two steps of 2000 members errs by 1/√2000; to
+/// distribution about the growth of the mean, with the variances of both. Each of two steps of 400 members errs by 1/√400; to
 /// four errors of both.
 #[test]
 fn the_evidence_of_a_linear_problem_is_in_the_document() {
@@ -278,7 +278,7 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     let [mean, deviation] = [2.5e-9, 0.1e-9];
     let plan = format!(
         "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
-        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 1000\n\
+        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 200\n\
         [[parameter]]\nkey = \"wear.coefficient\"\nnormal = {{ mean = {mean}, standard_deviation = {deviation} }}\n\
         [[data]]\nkind = \"dated-levels\"\nfile = \"two.csv\"\n"
     );
@@ -301,7 +301,7 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     assert!(slope * slope > variance, "{slope} {variance}");
     let document = sandbox.json(&format!("calibrate {set}/linear.toml -o out --json"));
     let told = document["log_evidence"]["value"].as_f64().unwrap();
-    assert!((told - expected).abs() < 4.0 * (2.0_f64 / 2000.0).sqrt(), "{told} {expected}");
+    assert!((told - expected).abs() < 4.0 * (2.0_f64 / 400.0).sqrt(), "{told} {expected}");
 }
 
 /// Growth is what the levels say, 2.9 dB in two million axles, whatever command tells it; the whole case is taken, for no other.

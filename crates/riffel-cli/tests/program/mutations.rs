@@ -22,7 +22,7 @@ const LONGEST: Duration = Duration::from_secs(10);
 /// Bytes of a file that are mutated.
 const MOST: usize = 60_000;
 /// Inputs over all readers, as `RIFFEL_MUTATIONS` says or else so many.
-const USUAL: usize = 5000;
+const USUAL: usize = 1500;
 
 /// Numbers that look random (Steele, Lea & Flood 2014, splitmix64).
 struct Numbers(u64);
