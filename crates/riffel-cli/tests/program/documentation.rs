@@ -8,6 +8,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
+
 use crate::sandbox::{Sandbox, root};
 
 /// README, book and the pages that exist only to be tested.
@@ -108,38 +110,41 @@ fn an_update_keeps_what_a_page_leaves_open() {
 
 #[test]
 fn every_command_of_the_documentation_prints_what_is_shown() {
-    let mut stale = Vec::new();
-    for page in pages() {
-        let text = fs::read_to_string(&page).unwrap();
-        let sandbox = Sandbox::new();
-        sandbox.copy("validation/reference/sbb-track-noise");
-        let mut written = String::new();
-        let mut rest = text.as_str();
-        while let Some((before, after)) = rest.split_once("```console\n") {
-            let (block, after) = after.split_once("```").unwrap();
-            written.push_str(before);
-            written.push_str("```console\n");
-            written.push_str(&run(&sandbox, block, &page));
-            written.push_str("```");
-            rest = after;
-        }
-        written.push_str(rest);
-        if written != text {
-            if std::env::var_os("UPDATE_DOCUMENTATION").is_some() {
-                fs::write(&page, &written).unwrap();
-            } else {
-                let (place, (shown, printed)) = text
-                    .lines()
-                    .zip(written.lines())
-                    .enumerate()
-                    .find(|(_, (shown, printed))| shown != printed)
-                    .unwrap_or((text.lines().count(), ("", "")));
-                let (page, line) = (page.display(), place + 1);
-                stale.push(format!("{page}:{line}\nshown:   {shown}\nprinted: {printed}"));
-            }
-        }
-    }
+    let stale: Vec<String> = pages().into_par_iter().filter_map(|page| stale(&page)).collect();
     assert!(stale.is_empty(), "these pages show old output:\n{}", stale.join("\n\n"));
+}
+
+/// Where a page shows old output; or the page is written anew.
+fn stale(page: &Path) -> Option<String> {
+    let text = fs::read_to_string(page).unwrap();
+    let sandbox = Sandbox::named(&page.file_stem().unwrap().to_string_lossy());
+    sandbox.copy("validation/reference/sbb-track-noise");
+    let mut written = String::new();
+    let mut rest = text.as_str();
+    while let Some((before, after)) = rest.split_once("```console\n") {
+        let (block, after) = after.split_once("```").unwrap();
+        written.push_str(before);
+        written.push_str("```console\n");
+        written.push_str(&run(&sandbox, block, page));
+        written.push_str("```");
+        rest = after;
+    }
+    written.push_str(rest);
+    if written == text {
+        return None;
+    }
+    if std::env::var_os("UPDATE_DOCUMENTATION").is_some() {
+        fs::write(page, &written).unwrap();
+        return None;
+    }
+    let (place, (shown, printed)) = text
+        .lines()
+        .zip(written.lines())
+        .enumerate()
+        .find(|(_, (shown, printed))| shown != printed)
+        .unwrap_or((text.lines().count(), ("", "")));
+    let (page, line) = (page.display(), place + 1);
+    Some(format!("{page}:{line}\nshown:   {shown}\nprinted: {printed}"))
 }
 
 #[test]

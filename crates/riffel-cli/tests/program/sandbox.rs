@@ -23,6 +23,8 @@ pub(crate) fn program() -> PathBuf {
 /// A temporary folder with `cases/`.
 pub(crate) struct Sandbox {
     folder: TempDir,
+    /// By which its commands are recorded.
+    name: String,
 }
 
 /// What a command printed, both streams as a terminal shows them, and its exit status.
@@ -40,9 +42,13 @@ impl Outcome {
 }
 
 impl Sandbox {
+    /// That of the test which runs.
     pub(crate) fn new() -> Self {
-        let folder = TempDir::new().unwrap();
-        let sandbox = Self { folder };
+        Self::named(std::thread::current().name().unwrap_or("another"))
+    }
+
+    pub(crate) fn named(name: &str) -> Self {
+        let sandbox = Self { folder: TempDir::new().unwrap(), name: name.to_owned() };
         sandbox.copy("cases");
         sandbox
     }
@@ -65,8 +71,7 @@ impl Sandbox {
     pub(crate) fn command(&self) -> Command {
         let mut command = Command::new(program());
         command.current_dir(self.folder.path()).env("NO_COLOR", "1");
-        let test = std::thread::current();
-        command.env("RIFFEL_TEST", test.name().unwrap_or("another"));
+        command.env("RIFFEL_TEST", &self.name);
         command
     }
 

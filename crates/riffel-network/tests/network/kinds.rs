@@ -206,15 +206,27 @@ fn told(kind: DefectKind, length: f64, seed: u64) -> Result<(Option<DefectKind>,
     Ok((most.and_then(|(kind, _)| kind), corrugation))
 }
 
-/// Spacing 10–25 m, jitter, depth, growth, wavelength 35–240 mm, level 1.4–6 times the limit, noise, one to four dates, one or two
-/// rails, odometers 3 m and 1 ‰ off: of a hundred rails 95 and more are told right. The book has the table.
+/// Of a hundred rails 95 and more are told right. The book has the table.
 #[test]
+#[ignore = "a quarter of a minute"]
 fn kinds_of_a_hundred_rails() -> Result<(), NetworkError> {
+    told_right(25, 95)
+}
+
+/// Of the first sixteen of them fifteen are.
+#[test]
+fn kinds_of_some_rails() -> Result<(), NetworkError> {
+    told_right(4, 15)
+}
+
+/// So many rails of each kind, of which at least so many in all are told right, and none is ground in vain: spacing 10–25 m, jitter, depth,
+/// growth, wavelength 35–240 mm, level 1.4–6 times the limit, noise, one to four dates, one or two rails, odometers 3 m and 1 ‰ off.
+fn told_right(of_each: u64, at_least: usize) -> Result<(), NetworkError> {
     let kinds = [DefectKind::Joint, DefectKind::Weld, DefectKind::Ground, DefectKind::Corrugation];
     let mut table: BTreeMap<(DefectKind, Option<DefectKind>), Vec<u64>> = BTreeMap::new();
     let (mut right, mut ground_in_vain) = (0, 0);
     for kind in kinds {
-        for seed in 0..25 {
+        for seed in 0..of_each {
             let (found, corrugation) = told(kind, 1.0, 1000 * (kind as u64) + seed)?;
             right += usize::from(found == Some(kind));
             if kind != DefectKind::Corrugation {
@@ -223,8 +235,8 @@ fn kinds_of_a_hundred_rails() -> Result<(), NetworkError> {
             table.entry((kind, found)).or_default().push(seed);
         }
     }
-    println!("{right} of 100, {ground_in_vain} sections ground in vain: {table:?}");
-    assert!(right >= 95, "{right}: {table:?}");
+    println!("{right}, {ground_in_vain} sections ground in vain: {table:?}");
+    assert!(right >= at_least, "{right}: {table:?}");
     assert_eq!(ground_in_vain, 0);
     Ok(())
 }
