@@ -78,8 +78,11 @@ const ON_SUPPORTS: &str = "cases/discrete-supports.toml --set track.pad.loss_fac
 #[test]
 fn supports_print_themselves_beside_a_wave() {
     let sandbox = Sandbox::new();
-    let run = sandbox
-        .json(&format!("simulate {ON_SUPPORTS} --speed 30 --step 0.5mm --sinusoid 0.1um,55mm --passages 2e5 --json"));
+    let command = format!("simulate {ON_SUPPORTS} --speed 30 --step 0.5mm --sinusoid 0.1um,55mm --passages 2e5 -o out");
+    let told = sandbox.riffel(&command).text;
+    assert!(told.contains("waves that fit between two supports: from nothing to "), "{told}");
+    let run = fs::read_to_string(sandbox.path("out/evolution.json")).unwrap();
+    let run: serde_json::Value = serde_json::from_str(&run).unwrap();
     let bays = number(&run["length_m"]) / 0.6;
     assert!((bays - bays.round()).abs() < 1e-9, "{bays}");
     let bands = run["bands"].as_array().unwrap();
