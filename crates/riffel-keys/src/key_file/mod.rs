@@ -139,14 +139,15 @@ impl KeyFile {
             .ok()
             .filter(|table| table.len() == 1)
             .and_then(|mut table| table.remove("value"))
-            .filter(|value| value.is_str() || !takes_a_name)
+            .filter(|value| value.is_str() || value.is_table() || !takes_a_name)
             .unwrap_or_else(|| Value::String(value.to_owned()));
 
         let parts: Vec<&str> = path.split('.').map(str::trim).collect();
         if parts.iter().any(|part| part.is_empty()) {
             return Err(malformed());
         }
-        self.insert(&parts, value).map_err(wrong)?;
+        let rails = self.insert(&parts, value).map_err(wrong)?;
+        self.overrides.extend(rails.map(|table| (table, Some(assignment.to_owned()))));
         let key = parts.join(".");
         self.overrides.insert(key.clone(), Some(assignment.to_owned()));
         Ok(key)
@@ -158,33 +159,44 @@ impl KeyFile {
     /// [`CaseError::Changed`] for a key within a value.
     pub fn write(&mut self, key: &str, value: impl Into<Value>) -> Result<(), CaseError> {
         let parts: Vec<&str> = key.split('.').collect();
-        self.insert(&parts, value.into())
-            .map_err(|message| CaseError::Changed { key: key.to_owned(), message: message.clipped() })?;
+        let changed = |message: Message| CaseError::Changed { key: key.to_owned(), message: message.clipped() };
+        let rails = self.insert(&parts, value.into()).map_err(changed)?;
+        self.overrides.extend(rails.map(|table| (table, None)));
         self.overrides.insert(key.to_owned(), None);
         Ok(())
     }
 
-    fn insert(&mut self, parts: &[&str], value: Value) -> Result<(), Message> {
+    /// Give a key a value. Where it is that of one rail and the table has a value for both, the other rail keeps that: such a table
+    /// is returned.
+    fn insert(&mut self, parts: &[&str], value: Value) -> Result<Option<String>, Message> {
+        const RAILS: [&str; 2] = ["left", "right"];
         let Some((last, parents)) = parts.split_last() else {
-            return Ok(());
+            return Ok(None);
         };
         if parts.len() > DEEPEST {
             let count = parts.len();
             return Err(say!(key_of_many_parts, most = DEEPEST, count));
         }
         let mut table = &mut self.table;
-        for parent in parents {
-            table = table
-                .entry((*parent).to_owned())
-                .or_insert_with(|| Value::Table(Table::new()))
-                .as_table_mut()
-                .ok_or_else(|| {
-                    let path = parts.join(".");
-                    say!(value_not_table, parent = *parent, path)
-                })?;
+        let mut rails = None;
+        for (depth, parent) in parents.iter().enumerate() {
+            let inner = table.entry((*parent).to_owned()).or_insert_with(|| Value::Table(Table::new()));
+            if depth > 0
+                && depth + 1 == parents.len()
+                && RAILS.contains(last)
+                && (inner.is_str() || inner.is_float() || inner.is_integer())
+            {
+                let of_both = |rail: &str| (rail.to_owned(), inner.clone());
+                *inner = Value::Table(RAILS.map(of_both).into_iter().collect());
+                rails = Some(parents.join("."));
+            }
+            table = inner.as_table_mut().ok_or_else(|| {
+                let path = parts.join(".");
+                say!(value_not_table, parent = *parent, path)
+            })?;
         }
         table.insert((*last).to_owned(), value);
-        Ok(())
+        Ok(rails)
     }
 
     /// Remove a key.
