@@ -29,7 +29,7 @@ impl WearLimitDocument {
     /// What limits a growth rate per passage of the wheels of a case, the fastest of a document.
     pub fn new(case: &Case, growth_rate: Option<f64>) -> Self {
         let coefficient = case.file.wear.coefficient.si();
-        Self::under(case, case.feedback.mean_wear(), coefficient, growth_rate)
+        Self::under(case, case.mean_wear(), coefficient, growth_rate)
     }
 
     /// What limits one under a traffic, with the wear coefficient that growth goes by there.

@@ -1,5 +1,6 @@
 //! The wear coefficient that gives the wear of a rail as it was measured.
 
+use riffel::MeanWear;
 use riffel::forecast::WearSpread;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, Message, say, significant};
@@ -32,6 +33,14 @@ impl CheckedKeys {
     }
 }
 
+impl Case {
+    /// Mean wear of the rail under its wheel, whose axle has the mass that its bogie says, if it has one.
+    pub fn mean_wear(&self) -> MeanWear {
+        let wear = self.feedback.mean_wear();
+        MeanWear { axle_mass: self.keys.mean.axle_mass().unwrap_or(wear.axle_mass), ..wear }
+    }
+}
+
 /// The case whose wear coefficient gives the wear that was measured, if one was: all wheels are like its own then.
 pub(crate) fn with_measured_wear(case: Case) -> Result<Case, CaseError> {
     if case.file.wear.measured.is_none() || case.keys.given.wear.is_some() {
@@ -41,7 +50,7 @@ pub(crate) fn with_measured_wear(case: Case) -> Result<Case, CaseError> {
         let rule = say!(is_of_wear_by_energy);
         return Err(case.keys.text.keys.invalid("wear.measured", rule, ""));
     }
-    let depth = case.feedback.mean_wear().depth_per_100_mgt();
+    let depth = case.mean_wear().depth_per_100_mgt();
     let mut case = wearing(case, depth)?;
     let told = measured_coefficient_in_words(&case);
     case.remarks.extend(told.map(|told| say!(measured_wear_of_the_case, coefficient = told)));

@@ -36,4 +36,10 @@ impl Mean {
             Self::OfWheel(wheel) => Some(wheel),
         }
     }
+
+    /// Mass of an axle of the bogie \[kg\], if there is one: its wheels share the load unevenly in a curve.
+    pub(crate) fn axle_mass(&self) -> Option<f64> {
+        let bogie = self.wheel()?.equilibrium.curving.file.bogie.as_ref()?;
+        Some(bogie.mass_per_axle.si())
+    }
 }

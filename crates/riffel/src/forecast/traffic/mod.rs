@@ -207,7 +207,7 @@ impl TrafficGrowth {
 
     /// Mean mass of an axle \[kg\].
     pub fn axle_mass(&self) -> f64 {
-        let masses = self.vehicles.iter().map(|v| v.share * v.axle_mass());
+        let masses = self.vehicles.iter().map(|v| v.share * v.axle_mass);
         masses.sum()
     }
 

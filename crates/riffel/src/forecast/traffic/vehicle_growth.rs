@@ -19,6 +19,8 @@ pub struct VehicleGrowth {
     pub share: f64,
     /// Normal load P₀ of a wheel \[N\].
     pub wheel_load: f64,
+    /// Mass of an axle, two wheels \[kg\].
+    pub axle_mass: f64,
     /// Its speeds.
     pub speeds: SpeedDistribution,
     /// Growth by line.
@@ -96,6 +98,7 @@ impl VehicleGrowth {
             name: name.to_owned(),
             share,
             wheel_load,
+            axle_mass: 2.0 * wheel_load / STANDARD_GRAVITY,
             growth: MeanGrowth::between(states, &lines, &speeds),
             wear_depth: depths.sum(),
             by_amplitude,
@@ -172,6 +175,7 @@ impl VehicleGrowth {
         }
         let mean_of = |value: &dyn Fn(&Self) -> f64| -> f64 { parts.iter().map(|(part, it)| part * value(it)).sum() };
         let wheel_load = mean_of(&|it| it.wheel_load);
+        let axle_mass = mean_of(&|it| it.axle_mass);
         let lines = parts.first().map_or(0, |part| part.1.growth.rates.len());
         let force = |line: usize| {
             let ratios =
@@ -207,6 +211,7 @@ impl VehicleGrowth {
             name: name.to_owned(),
             share,
             wheel_load,
+            axle_mass,
             speeds,
             growth,
             spectrum: None,
@@ -267,11 +272,6 @@ impl VehicleGrowth {
             });
         }
         Ok(self.covering(share))
-    }
-
-    /// Mass of an axle \[kg\], two wheels.
-    pub fn axle_mass(&self) -> f64 {
-        2.0 * self.wheel_load / STANDARD_GRAVITY
     }
 
     /// Mean growth rate of the amplitude per passage in a band \[-\], by its place among the bands.
