@@ -1786,10 +1786,16 @@ and-exclude-each-other = und `{ $other }` schließen einander aus
 the-nearest-key-is = der ähnlichste Schlüssel ist `{ $key }`
 is-no-key-of-a-case = ist kein Schlüssel eines Falls
 vehicle-at-km-h = Fahrzeug "{ $vehicle }" bei { $speed }: { $error }
+damage-by-one-law-or-more = ein Gesetz oder mehrere nennen, wie in ["wear"], oder weglassen
 is-an-empty-list = ist eine leere Liste
 give-both-keys-of-one-of = gib beide Schlüssel von einem der beiden an
 goes-down-to-but-every-value = geht hinunter bis { $value }, jeder Wert muss aber größer als null sein
 is-no-spread-give-mean-and = ist keine Streuung: mean und standard_deviation, min und max oder eine Liste aus value und share angeben, mit { $name } wie in "{ $example }"
+key-of-vehicle-without-effect = `{ $key }` bleibt ohne Wirkung: ein Verkehr wird bei den Geschwindigkeiten seiner Fahrzeuge und in den Bändern des Falls gerechnet; weglassen
+wheelset-of-vehicle-in-curve = `{ $key }` bleibt bei einem Fahrzeug mit `curve` ohne Wirkung, denn es bringt alle seine Radsätze mit; weglassen
+speed-of-vehicle-in-curve = `{ $key }` bleibt bei einem Fahrzeug mit `curve` ohne Wirkung, denn sein Gleichgewicht gilt für jede seiner eigenen Geschwindigkeiten: diese mit `speed` oder `speeds` angeben
+creepage-of-vehicle-in-curve = `{ $key }` ist angegeben, aber jedes Rad eines Fahrzeugs mit `curve` hat seinen Schlupf aus dem Gleichgewicht; weglassen, oder die Radsätze mit set = {"{"} bogie.drive_torque = [ … ] {"}"} antreiben
+friction-of-both-rails = `{ $key }` ist eine Reibung für beide Schienen, aber `contact.friction` ist { $left } auf der linken und { $right } auf der rechten; weglassen, oder dem Fahrzeug set.contact.friction = {"{"} left = …, right = … {"}"} geben
 axles-that-roll-free = `{ $key }` ist unter eins, aber auch frei rollende Achsen schädigen die Schiene nach den Gesetzen von { KEY("damage.laws") }: Achsen mit Zugkraft und solche ohne als zwei Fahrzeuge nennen
 the-shares-of-sum-to-but = die Anteile von `{ $key }` ergeben zusammen { $sum }, müssen aber 1 ergeben
 vehicle = Fahrzeug "{ $vehicle }": { $error }

@@ -1793,10 +1793,16 @@ and-exclude-each-other = and `{ $other }` exclude each other
 the-nearest-key-is = the nearest key is `{ $key }`
 is-no-key-of-a-case = is no key of a case
 vehicle-at-km-h = vehicle "{ $vehicle }" at { $speed }: { $error }
+damage-by-one-law-or-more = name one law or more, as in ["wear"], or leave it out
 is-an-empty-list = is an empty list
 give-both-keys-of-one-of = give both keys of one of the two
 goes-down-to-but-every-value = goes down to { $value }, but every value must be greater than zero
 is-no-spread-give-mean-and = is no spread: give mean and standard_deviation, min and max, or a list of value and share, with { $name } as in "{ $example }"
+key-of-vehicle-without-effect = `{ $key }` is without effect: a traffic is computed at the speeds of its vehicles and in the bands of the case; leave it out
+wheelset-of-vehicle-in-curve = `{ $key }` is without effect on a vehicle with a `curve`, which brings all its wheelsets; leave it out
+speed-of-vehicle-in-curve = `{ $key }` is without effect on a vehicle with a `curve`, which is balanced at each of its own speeds: give these by `speed` or `speeds`
+creepage-of-vehicle-in-curve = `{ $key }` is given, but each wheel of a vehicle with a `curve` takes its creepage from the equilibrium; leave it out, or drive the wheelsets by set = {"{"} bogie.drive_torque = [ … ] {"}"}
+friction-of-both-rails = `{ $key }` is one friction for both rails, but `contact.friction` is { $left } on the left rail and { $right } on the right one; leave it out, or give the vehicle set.contact.friction = {"{"} left = …, right = … {"}"}
 axles-that-roll-free = `{ $key }` is below one, but axles that roll free damage the rail by the laws of { KEY("damage.laws") }, too: name the axles with traction and those without as two vehicles
 the-shares-of-sum-to-but = the shares of `{ $key }` sum to { $sum }, but must sum to 1
 vehicle = vehicle "{ $vehicle }": { $error }

@@ -49,6 +49,9 @@ impl CheckedKeys {
             let on_waves = demand.on_waves(hertz, |curved| self.shakedown_limit(keys.limit, curved));
             demand = self.physics("contact.longitudinal_radius", on_waves)?;
         }
+        if keys.laws.is_empty() {
+            return Err(self.text.keys.invalid("damage.laws", say!(is_an_empty_list), say!(damage_by_one_law_or_more)));
+        }
         let mut laws = Vec::with_capacity(keys.laws.len());
         for (index, &name) in keys.laws.iter().enumerate() {
             if keys.laws[..index].contains(&name) {

@@ -157,7 +157,7 @@ impl CaseText {
 }
 
 /// True for a key and for those of the table that it is.
-fn is_within(key: &str, table: &str) -> bool {
+pub(crate) fn is_within(key: &str, table: &str) -> bool {
     let rest = key.strip_prefix(table);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

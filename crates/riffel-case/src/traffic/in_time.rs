@@ -7,7 +7,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, say, shown_speed};
 
 use super::spreads::{PartValues, place_of};
-use super::wheel_on_case::settings_of;
+use super::vehicle_keys::settings_of;
 use super::{Traffic, bands_of};
 use crate::ask::passage::wheels_in_time;
 use crate::file::ContactDynamics;
@@ -46,6 +46,7 @@ impl Traffic {
             .map(|(index, vehicle)| {
                 let speeds = &self.speeds[index];
                 self.check_followed(index)?;
+                self.check_keys_on(index, case)?;
                 self.check_traction_share(index, case)?;
                 let wheel =
                     match settings_of(vehicle).is_empty() && case.file.contact.response != ContactDynamics::NonSteady {

@@ -68,7 +68,9 @@ impl Traffic {
         let source = KeyFile::parse(name, text)?;
         is_a_traffic(&source)?;
         no_forces_as_axle_loads(&source)?;
-        let file: TrafficFile = source.deserialize()?;
+        const CURVE: &str = "is neither true, for the curve of the case, nor the name of a case file of `riffel curve`";
+        let no_curve = |key: &str| key.ends_with("].curve").then(|| source.invalid(key, CURVE, ""));
+        let file: TrafficFile = source.deserialize_or(no_curve)?;
         let line = file.line;
         if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {
             return Err(exclusive(&source, "line.mgt_per_year", "line.passages_per_day"));
@@ -84,10 +86,10 @@ impl Traffic {
         }
         let (mut speeds, mut spreads) = (Vec::new(), Vec::new());
         let of_line =
-            ["line.passages_per_day", "line.mgt_per_year", "line.friction_days.mean", "line.friction_days.factor"];
+            ["passages_per_day", "mgt_per_year", "measured_line", "friction_days.mean", "friction_days.factor"];
         let mut remarks = of_line
             .into_iter()
-            .filter_map(|key| source.judge(key).transpose())
+            .filter_map(|key| source.judge(&format!("line.{key}")).transpose())
             .collect::<Result<Vec<Message>, CaseError>>()?;
         for (index, vehicle) in file.vehicle.iter().enumerate() {
             remarks.extend(judged(&source, index, vehicle)?);
@@ -109,12 +111,6 @@ impl Traffic {
             {
                 let rule = say!(is_outside, value = share, low = 0.0, high = 1.0);
                 return Err(source.invalid(&key("traction_share"), rule, ""));
-            }
-            if vehicle.axle_load.is_some() && vehicle.wheel_load.is_some() {
-                return Err(exclusive(&source, &key("wheel_load"), &key("axle_load")));
-            }
-            if vehicle.tractive_ratio.is_some() && vehicle.creepage.is_some() {
-                return Err(exclusive(&source, &key("creepage"), &key("tractive_ratio")));
             }
             speeds.push(distribution(&source, index, vehicle)?);
             spreads.push(Spreads::of(&source, line.friction_days, index, vehicle)?);
@@ -218,6 +214,13 @@ fn distribution(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Spe
                 .map_err(|error| source.invalid(&key("speed.standard_deviation"), &error, ""))
         }
         (None, Some(list)) => {
+            if list.is_empty() {
+                return Err(source.invalid(
+                    &key("speeds"),
+                    say!(is_an_empty_list),
+                    "give one { speed, share } or more",
+                ));
+            }
             for (place, entry) in list.iter().enumerate() {
                 let key = |name: &str| key(&format!("speeds[{place}].{name}"));
                 above_zero(source, &key("share"), Some(entry.share))?;

@@ -12,6 +12,7 @@ mod spreads;
 mod through_curve;
 mod traffic_file;
 mod usual;
+mod vehicle_keys;
 mod vehicle_name;
 mod wheel_on_case;
 mod wheels_of_vehicle;
@@ -32,8 +33,9 @@ pub use vehicle_name::{WHEEL_OF_THE_CASE, vehicle_in_words};
 use crate::Case;
 
 /// Keys of the traffic file that have a range, each with its place in the schema.
-pub(crate) const POINTERS: [(&str, &str); 11] = [
+pub(crate) const POINTERS: [(&str, &str); 12] = [
     ("line.passages_per_day", "/$defs/Line/properties/passages_per_day"),
+    ("line.measured_line", "/$defs/Line/properties/measured_line"),
     ("line.mgt_per_year", "/$defs/Line/properties/mgt_per_year"),
     ("vehicle.axle_load", "/$defs/Vehicle/properties/axle_load"),
     ("vehicle.wheel_load", "/$defs/Vehicle/properties/wheel_load"),

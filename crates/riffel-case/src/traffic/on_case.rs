@@ -178,6 +178,7 @@ impl Traffic {
         let vehicle = &self.file.vehicle[index];
         let asked =
             VehicleRequest { kept, traffic: self, index, case, lines: &band_lines(bands), variant, speeds: None };
+        self.check_keys_on(index, case)?;
         let on_case = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let at = format!("vehicle[{index}]");

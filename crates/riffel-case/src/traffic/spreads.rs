@@ -5,9 +5,11 @@ use riffel_keys::{CaseError, KeyFile, say};
 use toml::Value;
 
 use super::spread::{Values, names_of_key, of_key};
+use super::vehicle_keys::said_once;
 use super::{FrictionDays, Vehicle};
 use crate::CaseKey;
 use crate::file::setting::{Setting, settings, settings_until};
+use crate::text::case_text::is_within;
 
 /// What is spread over the wheels of a vehicle besides its speed.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -24,7 +26,7 @@ pub(super) struct SpreadOfKey {
     /// The key of the vehicle, `friction` or `spread.track.pad.stiffness`.
     pub(super) own: String,
     /// The key of the case.
-    key: String,
+    pub(super) key: String,
     values: ValuesOfKey,
 }
 
@@ -126,6 +128,34 @@ impl PartValues {
         self.0.iter().cloned()
     }
 
+    /// The values with those of some keys of a vehicle.
+    pub(super) fn with(&self, own: impl Iterator<Item = (String, Setting)>) -> Self {
+        Self(self.0.iter().cloned().chain(own).collect())
+    }
+
+    /// The values without friction.
+    pub(super) fn without_friction(&self) -> Self {
+        Self(self.0.iter().filter(|(_, (key, _))| key != FRICTION).cloned().collect())
+    }
+
+    /// The values where each rail has friction of its own, left and right: days without a mean scale both.
+    ///
+    /// # Errors
+    /// The key of the vehicle or of its line that gives one friction to both.
+    pub(super) fn on_rails(&self, rails: [f64; 2], days: Option<FrictionDays>) -> Result<Self, String> {
+        let mut values = self.clone();
+        for (own, (_, value)) in values.0.iter_mut().filter(|(_, (key, _))| key == FRICTION) {
+            let days = days.filter(|days| own == FRICTION_DAYS && days.mean.is_none());
+            let (Some(days), Some(of_day)) = (days, value.as_float()) else {
+                return Err(own.clone());
+            };
+            let of_rails = rails.map(|friction| Value::Float(friction * of_day / days.middle()));
+            let of_rails = ["left", "right"].map(str::to_owned).into_iter().zip(of_rails);
+            *value = Value::Table(of_rails.collect());
+        }
+        Ok(values)
+    }
+
     /// The value of a key of the case, if it is spread.
     pub(super) fn of(&self, key: &str) -> Option<f64> {
         let found = self.0.iter().find(|(_, (own, _))| own == key);
@@ -142,15 +172,6 @@ impl Spreads {
         vehicle: &Vehicle,
     ) -> Result<Self, CaseError> {
         let at = |name: &str| place_of(index, name);
-        let taken = [
-            ("load", "axle_load", vehicle.load.is_some() && vehicle.axle_load.is_some()),
-            ("load", "wheel_load", vehicle.load.is_some() && vehicle.wheel_load.is_some()),
-            ("wheel_radius", "rolling_radius", vehicle.wheel_radius.is_some() && vehicle.rolling_radius.is_some()),
-        ];
-        if let Some((own, other, _)) = taken.into_iter().find(|(_, _, both)| *both) {
-            let rule = say!(and_exclude_each_other, other = at(other));
-            return Err(source.invalid(&at(own), &rule, say!(give_one_of_the_two)));
-        }
         let mut of_keys = Vec::new();
         let mut shorthand = |own: &str, key: &str, values: WheelValues| {
             of_keys.push(SpreadOfKey {
@@ -172,9 +193,10 @@ impl Spreads {
         }
         let given = settings(&vehicle.set);
         let spread = settings(&vehicle.spread);
-        let says_friction = vehicle.friction.is_some() || given.iter().chain(&spread).any(|it| it.0 == FRICTION);
+        let says = |(key, _): &Setting| is_within(key, FRICTION);
+        let says_friction = vehicle.friction.is_some() || given.iter().chain(&spread).any(says);
         if let Some(days) = days.filter(|_| !says_friction) {
-            let values = WheelValues::log_normal(days.mean.si(), days.factor.si());
+            let values = WheelValues::log_normal(days.middle(), days.factor.si());
             let values = values.map_err(|error| source.invalid(FRICTION_DAYS, &error, ""))?;
             shorthand(FRICTION_DAYS, FRICTION, values);
         }
@@ -184,23 +206,20 @@ impl Spreads {
                 let help = say!(the_nearest_key_is, key = CaseKey::nearest(&key));
                 return Err(source.invalid(&at(&own), say!(is_no_key_of_a_case), &help));
             };
-            let twice = of_keys.iter().any(|it: &SpreadOfKey| it.key == key) || given.iter().any(|it| it.0 == key);
-            if twice {
-                let rule = "is given a second time by another key of the vehicle";
-                return Err(source.invalid(&at(&own), rule, say!(give_one_of_the_two)));
-            }
             let values = match known.quantity {
                 Some(kind) => ValuesOfKey::Numbers(of_key(source, &at(&own), kind, &value)?),
                 None => ValuesOfKey::Names(names_of_key(source, &at(&own), &value)?),
             };
             of_keys.push(SpreadOfKey { own, key, values });
         }
-        Ok(Self {
+        let spreads = Self {
             lateral_position: (vehicle.lateral_position.as_ref())
                 .map(|it| it.values(source, &at("lateral_position"), Values::Any))
                 .transpose()?,
             of_keys,
-        })
+        };
+        said_once(source, index, vehicle, &spreads)?;
+        Ok(spreads)
     }
 
     /// What is spread of a key of the case.

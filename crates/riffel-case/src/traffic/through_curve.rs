@@ -2,16 +2,17 @@
 
 use riffel::STANDARD_GRAVITY;
 use riffel_curving::VehicleInCurve;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 
-use super::spreads::{FRICTION, LOAD, PartValues, WHEEL_RADIUS};
+use super::spreads::{FRICTION, LOAD, PartValues, WHEEL_RADIUS, place_of};
+use super::vehicle_keys::settings_of;
 use super::{CurveOfVehicle, Traffic};
 use crate::curve::CurvingCase;
 use crate::curve::Equilibrium;
-use crate::file::FromCurve;
 use crate::file::setting::Setting;
+use crate::file::{FromCurve, RailFriction};
 use crate::keys::written_keys::WrittenKeys;
-use crate::text::case_text::CaseText;
+use crate::text::case_text::{CaseText, is_within};
 use crate::{Case, Variant};
 
 /// Keys of a case that the equilibrium of a vehicle gives in their place, where the case takes its own mean state from no curve.
@@ -39,6 +40,8 @@ pub(super) fn is_of_vehicle(key: &str) -> bool {
 pub(super) struct ThroughCurve {
     curving: CurvingCase,
     vehicle: VehicleInCurve,
+    /// What its wheels have of their own.
+    pub(super) values: PartValues,
 }
 
 impl Traffic {
@@ -62,17 +65,39 @@ impl Traffic {
                         text.fill_in()?;
                         text.curving_case(&text.asks_for()?, &text, case.keys.folder.as_deref())?
                     }
+                    None if !text.keys.has("curve") => {
+                        let key = place_of(index, "curve");
+                        let message = format!(
+                            "`{key}` is true, but the case has no [curve]; give it one, or name a case file of `riffel curve` in place of true"
+                        );
+                        return Err(self.source.refuse(&key, message));
+                    }
                     None => CurvingCase::of_tables(text, case.keys.folder.as_deref())?,
                 }
             }
             Some(CurveOfVehicle::File(file)) => {
                 let own = crate::file::setting::settings(&vehicle.set);
                 let of_vehicle = own.iter().chain(&variant.settings);
-                let of_vehicle = of_vehicle.filter(|(key, _)| is_of_vehicle(key) || key == FRICTION);
+                let of_vehicle = of_vehicle.filter(|(key, _)| is_of_vehicle(key) || is_within(key, FRICTION));
                 let overrides: Vec<String> = of_vehicle.map(|(key, value)| format!("{key}={value}")).collect();
                 CurvingCase::read(&self.folder.join(file), &overrides)?
             }
         };
+        // A variant goes before the vehicle.
+        let values = match variant.keys().any(|key| key == FRICTION) {
+            true => &values.without_friction(),
+            false => values,
+        };
+        let into_bogie = |(own, _): &(String, Setting)| ["axle_load", "wheel_load", "rolling_radius"].contains(&&**own);
+        let mut values = values.with(settings_of(vehicle).into_iter().filter(into_bogie));
+        if let Some(RailFriction::Each(rails)) = curving.file.contact.as_ref().map(|contact| contact.friction) {
+            values =
+                values.on_rails(RailFriction::Each(rails).of_rails(), self.file.line.friction_days).map_err(|own| {
+                    let key = place_of(index, &own);
+                    let message = say!(friction_of_both_rails, key = &key, left = rails.left, right = rails.right);
+                    self.source.refuse(&key, &message)
+                })?;
+        }
         let mut overrides = Vec::new();
         if let (Some(load), Some(bogie)) = (values.of(LOAD), &curving.file.bogie) {
             let mass = 2.0 * load / STANDARD_GRAVITY;
@@ -89,7 +114,7 @@ impl Traffic {
         }
         curving.shared = case.keys.given.profiles.or_kept();
         let vehicle = curving.vehicle_in_curve()?;
-        Ok(Some(ThroughCurve { curving, vehicle }))
+        Ok(Some(ThroughCurve { curving, vehicle, values }))
     }
 }
 

@@ -48,8 +48,10 @@ pub struct Line {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct FrictionDays {
-    /// Its middle, of which as many days lie above as below; 0.4 where it is left out.
-    pub mean: Quantity<Ratio>,
+    /// Its middle, of which as many days lie above as below; where it is left out, the friction of each rail of a curve that has
+    /// one for each, and 0.4 elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean: Option<Quantity<Ratio>>,
     /// Two days of three lie between mean / factor and mean · factor; 1.4 where it is left out.
     pub factor: Quantity<Ratio>,
 }
@@ -58,7 +60,14 @@ pub struct FrictionDays {
 /// have 0.5 to 0.6, those with a friction modifier 0.25 to 0.35, wet ones 0.2 to 0.3.
 impl Default for FrictionDays {
     fn default() -> Self {
-        Self { mean: Quantity::new(0.4), factor: Quantity::new(1.4) }
+        Self { mean: None, factor: Quantity::new(1.4) }
+    }
+}
+
+impl FrictionDays {
+    /// Its middle \[-\] on both rails.
+    pub(super) fn middle(&self) -> f64 {
+        self.mean.map_or(0.4, |mean| mean.si())
     }
 }
 

@@ -1,14 +1,14 @@
 //! The wheel of a vehicle on a case.
 
-use riffel::STANDARD_GRAVITY;
 use riffel::forecast::SpeedDistribution;
 use riffel_keys::{CaseError, Message, say};
 use toml::Value;
 
-use super::spreads::{FRICTION_DAYS, PartValues, place_of};
-use super::{Traffic, Vehicle};
+use super::Traffic;
+use super::spreads::{PartValues, place_of};
+use super::vehicle_keys::settings_of;
 use crate::case::kept_state::KeptState;
-use crate::file::setting::{Setting, settings};
+use crate::file::setting::Setting;
 use crate::parts::window::Window;
 use crate::{Case, CaseKey, Variant};
 
@@ -67,16 +67,6 @@ impl Traffic {
         let at = |key: &str| format!("vehicle[{index}]{key}");
         let mut own = settings_of(vehicle);
         own.extend(values.settings());
-        if case.is_in_curve()
-            && let Some((key, _)) = own.iter().find(|(key, _)| OF_CURVE.contains(&&**key))
-        {
-            let message = format!(
-                "`{}` is given, but contact.from of the case takes creepage and load from a bogie in its curve; leave it out, or \
-                 change the bogie by set = {{ bogie.mass_per_axle = … }}, or give the vehicle curve = true, which brings all wheels",
-                place_of(index, key)
-            );
-            return Err(self.source.refuse(&place_of(index, key), &message));
-        }
         let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
             let message = say!(vehicle, vehicle = &vehicle.name, error = Message::from(&error));
             self.source.refuse(&at(""), &message)
@@ -118,30 +108,6 @@ impl Traffic {
         })?;
         Ok(WheelOnCase { wheel, speeds, held })
     }
-}
-
-/// Keys of a vehicle that a bogie in a curve has in other words.
-const OF_CURVE: [&str; 8] =
-    ["axle_load", "wheel_load", "rolling_radius", "tractive_ratio", "load", "wheel_radius", "friction", FRICTION_DAYS];
-
-/// What a vehicle gives the case, each with the key of the vehicle that it comes from.
-pub(super) fn settings_of(vehicle: &Vehicle) -> Vec<(String, Setting)> {
-    let wheel = |mass: f64| 0.5 * mass * STANDARD_GRAVITY;
-    let load = vehicle.axle_load.map(|mass| wheel(mass.si()));
-    let numbers = [
-        ("axle_load", "contact.normal_load", load),
-        ("wheel_load", "contact.normal_load", vehicle.wheel_load.map(|force| force.si())),
-        ("wheel_mass", "wheel.mass", vehicle.wheel_mass.map(|mass| mass.si())),
-        ("rolling_radius", "wheel.rolling_radius", vehicle.rolling_radius.map(|radius| radius.si())),
-        ("tractive_ratio", "contact.tractive_ratio", vehicle.tractive_ratio.map(|ratio| ratio.si())),
-    ];
-    let creepage = vehicle.creepage.map(|creepage| ("creepage".to_owned(), creepage.setting()));
-    let numbers = numbers
-        .into_iter()
-        .filter_map(|(own, key, value)| Some((own.to_owned(), (key.to_owned(), Value::Float(value?)))));
-    let others = settings(&vehicle.set).into_iter();
-    let others = others.map(|setting| (format!("set.{}", setting.0), setting));
-    creepage.into_iter().chain(numbers).chain(others).collect()
 }
 
 /// The window of wavelengths and speeds, so that the case is checked and tabulated over it; and an amplitude

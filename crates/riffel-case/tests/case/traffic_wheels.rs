@@ -379,20 +379,146 @@ fn what_is_no_spread_is_refused_with_its_key() {
         ("spread.contact.friction = { min = \"0.3 m\", max = 0.5 }", "vehicle[0].spread.contact.friction.min"),
         ("spread.contact.friction = 0.3", "vehicle[0].spread.contact.friction"),
         ("spread.contact.friction = { min = -0.3, max = 0.5 }", "vehicle[0].spread.contact.friction"),
-        (
-            "friction = { min = 0.3, max = 0.5 }\nspread.contact.friction = { min = 0.3, max = 0.5 }",
-            "vehicle[0].spread.contact.friction",
-        ),
-        ("curve = true", "curve"),
+        ("curve = true", "`vehicle[0].curve` is true, but the case has no [curve]"),
         ("curve = \"no-such-file.toml\"", "no-such-file.toml"),
     ];
     for (vehicle, key) in cases {
         let message = refusal(&case, &format!("{vehicle}\n{speed}"));
         assert!(message.contains(key), "{vehicle}: {message}");
     }
+    let lawless = crate::parsed(NOMINAL_CASE, &["damage.laws=[]"]).map(|_| ()).unwrap_err().to_string();
+    assert!(lawless.contains("`damage.laws` is an empty list"), "{lawless}");
     let narrow = crate::parsed(NOMINAL_CASE, &["wear.band_width=2 mm"]);
     let narrow = narrow.map(|_| ()).unwrap_err().to_string();
     assert!(narrow.contains("wear.band_width") && narrow.contains("one contact"), "{narrow}");
+}
+
+/// Two keys of a vehicle that say one key of the case.
+#[test]
+fn a_key_of_the_case_is_said_once() {
+    let case = nominal(&[]);
+    for (one, other) in [
+        ("axle_load = \"10 t\"", "set.contact.normal_load = 3e4"),
+        ("axle_load = \"10 t\"", "spread.contact.normal_load = { min = 4e4, max = 5e4 }"),
+        ("set.contact.normal_load = 4e4", "load = { min = 4e4, max = 5e4 }"),
+        ("wheel_mass = 350", "spread.wheel.mass = { min = 300, max = 400 }"),
+        ("set.wheel.mass = 350", "spread.wheel.mass = { min = 300, max = 400 }"),
+        ("rolling_radius = 0.4", "wheel_radius = { min = 0.4, max = 0.5 }"),
+        ("rolling_radius = 0.4", "spread.wheel.rolling_radius = { min = 0.4, max = 0.5 }"),
+        ("set.wheel.rolling_radius = 0.4", "wheel_radius = { min = 0.4, max = 0.5 }"),
+        ("set.contact.friction = 0.3", "friction = { min = 0.2, max = 0.4 }"),
+        ("set.contact.friction.left = 0.3", "friction = { min = 0.2, max = 0.4 }"),
+        ("tractive_ratio = 0.1", "spread.contact.tractive_ratio = { min = 0.1, max = 0.2 }"),
+        ("creepage = 1e-3", "spread.contact.tractive_ratio = { min = 0.1, max = 0.2 }"),
+        ("creepage = 1e-3", "tractive_ratio = 0.1"),
+    ] {
+        let message = refusal(&case, &format!("{one}\n{other}\nspeed = {{ mean = 30 }}"));
+        let key = |text: &str| format!("`vehicle[0].{}", text.split_once(" = ").unwrap().0);
+        let told = format!("{}` and {}` exclude each other", key(other), key(one));
+        assert!(message.contains(&told), "{told}: {message}");
+    }
+}
+
+/// What has no effect on a vehicle, and what only the curve of a vehicle says, is refused with its key and the rule.
+#[test]
+fn keys_of_a_vehicle_have_an_effect() {
+    let without = "is without effect";
+    let of_curve = "takes its creepage from the equilibrium";
+    for (case, vehicle, told) in [
+        (nominal(&[]), "set.map.speed = { min = 20, max = 30 }", without),
+        (nominal(&[]), "spread.map.speed.max = { min = 50, max = 60 }", without),
+        (nominal(&[]), "spread.title = [{ value = \"x\", share = 1 }]", without),
+        (curve(&[]), "curve = true\nset.contact.from.wheelset = 2", without),
+        (curve(&[]), "curve = true\nset.curve.speed = 10", without),
+        (curve(&[]), "curve = true\nspread.curve.speed = { min = 10, max = 14 }", without),
+        (curve(&[]), "curve = true\ntractive_ratio = 0.1", of_curve),
+        (curve(&[]), "curve = true\ncreepage = 1e-3", of_curve),
+        (curve(&[]), "curve = true\nspread.contact.tractive_ratio = { min = 0.1, max = 0.2 }", of_curve),
+        (curve(&[]), "creepage = 1e-3", "takes creepage and load from a bogie"),
+        (curve(&[]), "spread.contact.friction = { min = 0.2, max = 0.4 }", "takes creepage and load from a bogie"),
+    ] {
+        let message = refusal(&case, &format!("{vehicle}\nspeeds = [{{ speed = 12.5, share = 1 }}]"));
+        let key = vehicle.trim_start_matches("curve = true\n").split_once(" = ").unwrap().0;
+        assert!(message.starts_with(&format!("`vehicle[0].{key}")) && message.contains(told), "{vehicle}: {message}");
+    }
+}
+
+/// An axle load, a wheel load and a radius reach the bogie, as their spreads do.
+#[test]
+fn loads_and_radii_of_a_vehicle_reach_its_bogie() -> Result<(), CaseError> {
+    let rates = |vehicle: &str| -> Result<Vec<f64>, CaseError> {
+        let vehicle = format!("curve = true\n{vehicle}\nspeeds = [{{ speed = 12.5, share = 1 }}]");
+        Ok(on(&curve(&[]), &vehicle)?.growth.rates().to_vec())
+    };
+    for [one, other] in [
+        ["axle_load = \"8 t\"", "load = [{ value = 39226.6, share = 1 }]"],
+        ["axle_load = \"8 t\"", "set.bogie.mass_per_axle = \"8 t\""],
+        ["axle_load = \"8 t\"", "wheel_load = 39226.6"],
+        ["rolling_radius = 0.4", "wheel_radius = { min = 0.4, max = 0.4 }"],
+    ] {
+        assert_eq!(rates(one)?, rates(other)?, "{one} {other}");
+        assert_ne!(rates(one)?, rates("")?, "{one}");
+    }
+    Ok(())
+}
+
+/// A friction modifier on one rail stays under days that scale both, and is not wiped out by one friction for both.
+#[test]
+fn friction_of_each_rail_stays_under_a_traffic() -> Result<(), CaseError> {
+    let rails = &["contact.friction={ left = 0.4, right = 0.2 }"];
+    let rates = |keys: &[&str], vehicle: &str| -> Result<Vec<f64>, CaseError> {
+        let vehicle = format!("curve = true\nspeeds = [{{ speed = 12.5, share = 1 }}]\n{vehicle}");
+        Ok(on(&curve(keys), &vehicle)?.growth.rates().to_vec())
+    };
+    let same = "[line]\nfriction_days = { factor = 1 }";
+    // The logarithm of friction costs its last digits.
+    let (days, as_it_is) = (rates(rails, same)?, rates(rails, "")?);
+    let largest = as_it_is.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    assert!(days.iter().zip(&as_it_is).all(|(a, b)| (a - b).abs() < 1e-11 * largest), "{days:?}");
+    assert_ne!(rates(rails, same)?, rates(&[], same)?);
+    let own = format!("set.contact.friction = {{ left = 0.4, right = 0.2 }}\n{same}");
+    assert_eq!(rates(&[], &own)?, rates(rails, "")?);
+    // The mean over the days is that over the same factors of both rails.
+    let days = rates(rails, "[line]\nfriction_days = { factor = 1.1 }")?;
+    assert_ne!(days, rates(rails, "")?);
+    for (vehicle, key) in [
+        ("friction = [{ value = 0.4, share = 1 }]", "vehicle[0].friction"),
+        ("spread.contact.friction = { min = 0.3, max = 0.5 }", "vehicle[0].spread.contact.friction"),
+        ("[line]\nfriction_days = { mean = 0.4 }", "line.friction_days"),
+    ] {
+        let message = rates(rails, vehicle).map(|_| ()).unwrap_err().to_string();
+        let told =
+            format!("`{key}` is one friction for both rails, but `contact.friction` is 0.4 on the left rail and 0.2");
+        assert!(message.contains(&told) && message.contains("set.contact.friction = { left"), "{message}");
+    }
+    Ok(())
+}
+
+/// A key of one rail gives a table of both, in which the other rail keeps its value.
+#[test]
+fn one_rail_takes_a_value_of_its_own() {
+    let growth = |keys: &[&str]| curve(keys).point(0.06, 12.5).unwrap().growth_rate;
+    for (both, one, table) in [
+        ("contact.friction=0.3", "contact.friction.right=0.2", "contact.friction={ left = 0.3, right = 0.2 }"),
+        ("profiles.rail=60E1", "profiles.rail.right=54E1", "profiles.rail={ left = \"60E1\", right = \"54E1\" }"),
+    ] {
+        assert_eq!(growth(&[both, one]), growth(&[table]), "{one}");
+        assert_ne!(growth(&[both]), growth(&[table]), "{one}");
+    }
+    let straight = crate::parsed(NOMINAL_CASE, &["contact.friction.left=0.1"]).map(|_| ()).unwrap_err().to_string();
+    assert!(straight.contains("contact.friction.left=0.1") && straight.contains("`contact.friction` is"), "{straight}");
+}
+
+/// Tonnes are of the axles of the bogie, whichever rail is under study.
+#[test]
+fn tonnes_are_of_axles_of_the_bogie() -> Result<(), CaseError> {
+    for rail in ["contact.from.rail=low", "contact.from.rail=high"] {
+        for vehicle in ["curve = true\n", ""] {
+            let on = on(&curve(&[rail]), &format!("{vehicle}speeds = [{{ speed = 12.5, share = 1 }}]"))?;
+            assert!((on.growth.axle_mass() - 1e4).abs() < 1e-6, "{rail} {}", on.growth.axle_mass());
+        }
+    }
+    Ok(())
 }
 
 /// So fast that the bogie tips over: the speed is told.

@@ -17,7 +17,8 @@ use riffel_numerics::distribution::Distribution;
 use super::on_case::VehicleOnCase;
 use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{ThroughCurve, is_of_vehicle};
-use super::wheel_on_case::{WheelOnCase, settings_of, window};
+use super::vehicle_keys::settings_of;
+use super::wheel_on_case::{WheelOnCase, window};
 use super::{CurveOfVehicle, Traffic};
 use crate::ask;
 use crate::case::kept_state::KeptState;
@@ -49,6 +50,8 @@ pub(super) struct WheelOfVehicle {
     speeds: SpeedDistribution,
     /// Where it runs, if that counts.
     across: Option<AcrossRail>,
+    /// Mass of an axle of its bogie \[kg\], if it has one.
+    axle_mass: Option<f64>,
     /// Growth under it in the bands of the traffic, once it was asked for.
     growth: OnceLock<VehicleGrowth>,
 }
@@ -112,7 +115,7 @@ impl VehicleRequest<'_> {
             return Err(self.refuse(".lateral_position", &message));
         }
         if let Some(through) = traffic.through_curve(self.index, self.case, variant, values)? {
-            return self.wheels_through(&through, values);
+            return self.wheels_through(&through);
         }
         let WheelOnCase { wheel, speeds, held } =
             traffic.wheel_on(self.index, self.case, self.lines, variant, values)?;
@@ -125,6 +128,7 @@ impl VehicleRequest<'_> {
                 share: 1.0,
                 states: vec![(speeds.mean(), wheel.places())],
                 across: self.across(&wheel)?,
+                axle_mass: wheel.keys.mean.axle_mass(),
                 speeds,
                 growth: OnceLock::new(),
             }],
@@ -140,7 +144,8 @@ impl VehicleRequest<'_> {
     }
 
     /// Every wheel on the rail under study, at every speed at which the vehicle is balanced.
-    fn wheels_through(&self, through: &ThroughCurve, values: &PartValues) -> Result<WheelsOfVehicle, CaseError> {
+    fn wheels_through(&self, through: &ThroughCurve) -> Result<WheelsOfVehicle, CaseError> {
+        let values = &through.values;
         let own = &self.traffic.speeds[self.index];
         let speeds = match self.speeds {
             Some(speeds) => speeds.clone(),
@@ -149,13 +154,13 @@ impl VehicleRequest<'_> {
             })?,
         };
         let window = window(self.case, self.lines, &speeds);
-        // The load goes into the bogie.
         let own = settings_of(&self.traffic.file.vehicle[self.index]).into_iter();
         // What belongs to the vehicle of another file is set there.
         let of_file = matches!(self.traffic.file.vehicle[self.index].curve, Some(CurveOfVehicle::File(_)));
         let of_case = |(key, _): &Setting| !(of_file && is_of_vehicle(key));
-        let of_wheels = values.settings().filter(|(_, (key, _))| key != LOAD);
-        let own = own.chain(of_wheels).map(|(_, setting)| setting);
+        // Loads go into the bogie.
+        let own = own.chain(values.settings()).filter(|(own, (key, _))| key != LOAD || own.starts_with("set."));
+        let own = own.map(|(_, setting)| setting);
         let own: Vec<Setting> = own.filter(of_case).collect();
         let of_variant = self.variant.settings.iter().filter(|setting| of_case(setting));
         let of_variant: Vec<Setting> = of_variant.cloned().collect();
@@ -208,6 +213,7 @@ impl VehicleRequest<'_> {
                             // A speed of a distribution is one.
                             speeds: SpeedDistribution::single(speed).unwrap_or(speeds.clone()),
                             across: self.across(wheel)?,
+                            axle_mass: wheel.keys.mean.axle_mass(),
                             growth: OnceLock::new(),
                         });
                     }
@@ -217,6 +223,7 @@ impl VehicleRequest<'_> {
                     states: at.map(|(speed, wheel)| (speed, wheel.places())).collect(),
                     speeds: speeds.clone(),
                     across: self.across(&first[wheelset])?,
+                    axle_mass: first[wheelset].keys.mean.axle_mass(),
                     growth: OnceLock::new(),
                 }),
             }
@@ -319,7 +326,8 @@ impl VehicleRequest<'_> {
                         let speeds = wheel.speeds.clone();
                         let states = wheel.states();
                         let growth = VehicleGrowth::between(name, share, &states, bands, speeds);
-                        let growth = growth.map_err(refused)?;
+                        let mut growth = growth.map_err(refused)?;
+                        growth.axle_mass = wheel.axle_mass.unwrap_or(growth.axle_mass);
                         wheel.growth.get_or_init(|| growth).clone()
                     }
                 };

@@ -104,6 +104,12 @@ pub(super) const RANGES: &[PhysicalRange] = &[
         "Within half the width of a rail head, 30 to 37 mm.",
     ),
     row::<Length>(
+        &["line.measured_line"],
+        [-0.1, 0.1],
+        [-0.05, 0.05],
+        "On the head of a rail, which ends 30 to 40 mm beside its axis.",
+    ),
+    row::<Length>(
         &["contact.conformity.rail_radius", "opposite_contact.rail_radius"],
         [1e-3, 10.0],
         [0.08, 1.0],
