@@ -11,6 +11,7 @@ use toml::Value;
 
 use super::shares::sums_to_one;
 use super::spreads::Spreads;
+use super::vehicle_keys::said_once;
 use super::{Line, TrafficFile, Vehicle};
 
 /// A mix of vehicles, checked.
@@ -113,7 +114,9 @@ impl Traffic {
                 return Err(source.invalid(&key("traction_share"), rule, ""));
             }
             speeds.push(distribution(&source, index, vehicle)?);
-            spreads.push(Spreads::of(&source, line.friction_days, index, vehicle)?);
+            let of_vehicle = Spreads::of(&source, line.friction_days, index, vehicle)?;
+            said_once(&source, index, vehicle, &of_vehicle)?;
+            spreads.push(of_vehicle);
         }
         let shares = file.vehicle.iter().map(|vehicle| vehicle.share.si());
         sums_to_one(&source, "vehicle", shares)?;

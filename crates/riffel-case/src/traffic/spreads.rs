@@ -5,7 +5,6 @@ use riffel_keys::{CaseError, KeyFile, say};
 use toml::Value;
 
 use super::spread::{Values, names_of_key, of_key};
-use super::vehicle_keys::said_once;
 use super::{FrictionDays, Vehicle};
 use crate::CaseKey;
 use crate::file::setting::{Setting, settings, settings_until};
@@ -212,14 +211,12 @@ impl Spreads {
             };
             of_keys.push(SpreadOfKey { own, key, values });
         }
-        let spreads = Self {
+        Ok(Self {
             lateral_position: (vehicle.lateral_position.as_ref())
                 .map(|it| it.values(source, &at("lateral_position"), Values::Any))
                 .transpose()?,
             of_keys,
-        };
-        said_once(source, index, vehicle, &spreads)?;
-        Ok(spreads)
+        })
     }
 
     /// What is spread of a key of the case.

@@ -109,7 +109,7 @@ fn wrong_traffic_is_refused() {
         "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 300, share = 1 }]\n => `vehicle[0].speeds[0].speed` is 300 m/s, but must be between 0.01 m/s and 200 m/s",
         "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = []\n => `vehicle[0].speeds` is an empty list",
         "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\ncurve = 5\n => `vehicle[0].curve` is neither true, for the curve of the case",
-        "[line]\nmeasured_line = 10\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n => `line.measured_line` is 10 m, but must be between -100 mm and 100 mm: did you mean 10 mm",
+        "[line]\nmeasured_line = 10\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n => `line.measured_line` is 10 m, but must be between -100 mm and 100 mm",
         "[line]\npassages_per_day = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n => `line.passages_per_day` is 0",
     ] {
         let (text, part) = row.split_once(" => ").unwrap();
