@@ -5,7 +5,7 @@ use std::error::Error;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
-use std::{fs, iter};
+use std::{fmt, fs, iter};
 
 const NUMPY_REQUIREMENTS: &str = "peers/requirements.txt";
 const RIFFEL_REQUIREMENTS: &str = "peers/requirements-riffel.txt";
@@ -14,62 +14,141 @@ const ROLLAND_REQUIREMENTS: &str = "peers/requirements-rolland.txt";
 /// Anything that stops a benchmark.
 pub(crate) type Failure = Box<dyn Error>;
 
+/// A peer whose packages are not there: a trial leaves it out.
+#[derive(Debug)]
+pub(crate) struct Absent(String);
+
+impl fmt::Display for Absent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl Error for Absent {}
+
+/// Where the contestants are, and which Python has their packages.
+pub(crate) struct Peers {
+    /// Folder of the benchmarks.
+    pub(crate) folder: PathBuf,
+    /// A Python that has the packages it has; without it one is made for each list of requirements.
+    python: Option<PathBuf>,
+}
+
+impl Peers {
+    pub(crate) fn new(python: Option<PathBuf>) -> Self {
+        Self { folder: env!("CARGO_MANIFEST_DIR").into(), python }
+    }
+
+    /// A script of the peers in NumPy, with its arguments.
+    pub(crate) fn numpy(&self, script: &str, arguments: &[String]) -> Result<Contestant, Failure> {
+        let python = self.python("peers", || Ok("python3".into()), NUMPY_REQUIREMENTS)?;
+        Contestant::start(self.script(&python, script, 1).args(arguments))
+    }
+
+    /// rolland, apart from the other peers: it wants a Python of its own and holds NumPy back.
+    pub(crate) fn rolland(&self) -> Result<Contestant, Failure> {
+        let python = self.python("peers-rolland", recent_python, ROLLAND_REQUIREMENTS)?;
+        let mut rolland = Contestant::start(&mut self.script(&python, "receptance_rolland.py", 1))?;
+        rolland.once("rolland", 1).map_err(|_| Absent("it does not run".to_owned()))?;
+        Ok(rolland)
+    }
+
+    /// A Python that has the package of Riffel, built from these sources as users build it unless it is at hand.
+    pub(crate) fn python_with_riffel(&self) -> Result<PathBuf, Failure> {
+        let python = self.python("peers-riffel", || Ok("python3".into()), RIFFEL_REQUIREMENTS)?;
+        if self.python.is_some() {
+            check_packages(&python, &["riffel".to_owned()])?;
+            return Ok(python);
+        }
+        run(Command::new(&python)
+            .args(["-m", "pip", "install", "--quiet", "--no-build-isolation"])
+            .args(["--no-deps", "--disable-pip-version-check"])
+            .arg(self.folder.join("..").canonicalize()?)
+            // The scripts beside the interpreter, for maturin.
+            .env("PATH", scripts_first(&python)?))?;
+        Ok(python)
+    }
+
+    /// A script that uses the package of Riffel, on a number of threads.
+    pub(crate) fn riffel_of_python(&self, python: &Path, script: &str, threads: usize) -> Result<Contestant, Failure> {
+        Contestant::start(&mut self.script(python, script, threads))
+    }
+
+    /// Riffel on a number of threads: this program again.
+    pub(crate) fn riffel(&self, threads: usize) -> Result<Contestant, Failure> {
+        let mut command = Command::new(std::env::current_exe()?);
+        command.arg(crate::CONTESTANT).args(crate::is_smoke().then_some(crate::SMOKE));
+        Contestant::start(command.env("RAYON_NUM_THREADS", threads.to_string()))
+    }
+
+    /// Version of a package that a list requires.
+    fn version(&self, requirements: &str, package: &str) -> Result<String, Failure> {
+        let mut pinned = required(&self.folder.join(requirements))?.into_iter();
+        let found = pinned.find(|(name, _)| name == package);
+        Ok(found.ok_or_else(|| format!("no version of {package} is required"))?.1)
+    }
+
+    /// Version of NumPy.
+    pub(crate) fn numpy_version(&self) -> Result<String, Failure> {
+        self.version(NUMPY_REQUIREMENTS, "numpy")
+    }
+
+    /// Version of SciPy.
+    pub(crate) fn scipy_version(&self) -> Result<String, Failure> {
+        self.version(NUMPY_REQUIREMENTS, "scipy")
+    }
+
+    /// Version of rolland.
+    pub(crate) fn rolland_version(&self) -> Result<String, Failure> {
+        self.version(ROLLAND_REQUIREMENTS, "rolland")
+    }
+
+    /// A Python with the packages of a list: the one at hand, or one of a virtual environment that is made with another.
+    fn python(
+        &self,
+        environment: &str,
+        maker: impl FnOnce() -> Result<PathBuf, Failure>,
+        requirements: &str,
+    ) -> Result<PathBuf, Failure> {
+        let requirements = self.folder.join(requirements);
+        if let Some(python) = &self.python {
+            let names = required(&requirements)?.into_iter().map(|(name, _)| name);
+            check_packages(python, &names.collect::<Vec<_>>())?;
+            return Ok(python.clone());
+        }
+        let environment = self.folder.join("../target").join(environment);
+        let python = environment.join("bin/python");
+        if !python.exists() {
+            run(Command::new(maker()?).args(["-m", "venv"]).arg(&environment))?;
+        }
+        run(Command::new(&python)
+            .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"])
+            .arg(requirements))?;
+        Ok(python)
+    }
+
+    /// A script on a number of threads, of Riffel or of linear algebra.
+    fn script(&self, python: &Path, script: &str, threads: usize) -> Command {
+        let mut command = Command::new(python);
+        command.arg(self.folder.join("peers").join(script));
+        for variable in ["RAYON_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"] {
+            command.env(variable, threads.to_string());
+        }
+        command
+    }
+}
+
 /// A running contestant.
 pub(crate) struct Contestant {
     process: Child,
-    input: ChildStdin,
+    input: Option<ChildStdin>,
     output: BufReader<ChildStdout>,
 }
 
 impl Contestant {
-    /// A script of the peers in NumPy.
-    pub(crate) fn numpy(folder: &Path, script: &str) -> Result<Self, Failure> {
-        let python = environment(folder, "peers", || Ok("python3".into()))?;
-        install(&python, &folder.join(NUMPY_REQUIREMENTS))?;
-        Self::python(&python, &folder.join("peers").join(script))
-    }
-
-    /// rolland, apart from the other peers: it wants a Python of its own and holds NumPy back. The error
-    /// says in few words what is missing.
-    pub(crate) fn rolland(folder: &Path) -> Result<Self, Failure> {
-        let python = environment(folder, "peers-rolland", recent_python)?;
-        install(&python, &folder.join(ROLLAND_REQUIREMENTS)).map_err(|_| "pip failed")?;
-        let mut rolland = Self::python(&python, &folder.join("peers/receptance_rolland.py"))?;
-        rolland.once("rolland", 1).map_err(|_| "it does not run")?;
-        Ok(rolland)
-    }
-
-    /// A script that uses the Python package of Riffel, built from these sources as users build it, on a
-    /// number of threads.
-    pub(crate) fn riffel_of_python(folder: &Path, script: &str, threads: usize) -> Result<Self, Failure> {
-        let python = environment(folder, "peers-riffel", || Ok("python3".into()))?;
-        install(&python, &folder.join(RIFFEL_REQUIREMENTS))?;
-        run(Command::new(&python)
-            .args(["-m", "pip", "install", "--quiet", "--no-build-isolation"])
-            .args(["--no-deps", "--disable-pip-version-check"])
-            .arg(folder.join("..").canonicalize()?)
-            // The scripts beside the interpreter, for maturin.
-            .env("PATH", scripts_first(&python)?))?;
-        Self::start(
-            Command::new(python).arg(folder.join("peers").join(script)).env("RAYON_NUM_THREADS", threads.to_string()),
-        )
-    }
-
-    /// A Python script on one thread.
-    fn python(python: &Path, script: &Path) -> Result<Self, Failure> {
-        Self::start(Command::new(python).arg(script).env("OMP_NUM_THREADS", "1").env("OPENBLAS_NUM_THREADS", "1"))
-    }
-
-    /// Riffel on a number of threads: this program again.
-    pub(crate) fn riffel(threads: usize) -> Result<Self, Failure> {
-        Self::start(
-            Command::new(std::env::current_exe()?).arg(crate::CONTESTANT).env("RAYON_NUM_THREADS", threads.to_string()),
-        )
-    }
-
     fn start(command: &mut Command) -> Result<Self, Failure> {
         let mut process = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-        let input = process.stdin.take().ok_or("no input to the contestant")?;
+        let input = process.stdin.take();
         let output = process.stdout.take().ok_or("no output of the contestant")?;
         Ok(Self { process, input, output: BufReader::new(output) })
     }
@@ -83,7 +162,7 @@ impl Contestant {
 
     /// Seconds for one task, done once.
     pub(crate) fn once(&mut self, task: &str, points: usize) -> Result<(f64, f64), Failure> {
-        writeln!(self.input, "{task} {points}")?;
+        writeln!(self.input.as_ref().ok_or("no input to a contestant")?, "{task} {points}")?;
         let mut line = String::new();
         self.output.read_line(&mut line)?;
         let (seconds, sum) = line.trim().split_once(' ').ok_or("a contestant gave no answer")?;
@@ -91,9 +170,10 @@ impl Contestant {
     }
 }
 
+/// A contestant ends with its input, and ends what it started.
 impl Drop for Contestant {
     fn drop(&mut self) {
-        let _ = self.process.kill();
+        self.input = None;
         let _ = self.process.wait();
     }
 }
@@ -103,20 +183,6 @@ fn run(command: &mut Command) -> Result<(), Failure> {
     if status.success() { Ok(()) } else { Err(format!("{command:?} failed").into()) }
 }
 
-/// The Python of a virtual environment, which is made with another Python if it is not there.
-fn environment(
-    folder: &Path,
-    name: &str,
-    maker: impl FnOnce() -> Result<PathBuf, Failure>,
-) -> Result<PathBuf, Failure> {
-    let environment = folder.join("../target").join(name);
-    let python = environment.join("bin/python");
-    if !python.exists() {
-        run(Command::new(maker()?).args(["-m", "venv"]).arg(&environment))?;
-    }
-    Ok(python)
-}
-
 /// The search path with the folder of an interpreter before all else.
 fn scripts_first(python: &Path) -> Result<std::ffi::OsString, Failure> {
     let path = std::env::var_os("PATH").unwrap_or_default();
@@ -124,17 +190,27 @@ fn scripts_first(python: &Path) -> Result<std::ffi::OsString, Failure> {
     Ok(std::env::join_paths(folder.into_iter().chain(std::env::split_paths(&path)))?)
 }
 
-fn install(python: &Path, requirements: &Path) -> Result<(), Failure> {
-    run(Command::new(python)
-        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"])
-        .arg(requirements))
+/// Names and versions of a list of requirements.
+fn required(requirements: &Path) -> Result<Vec<(String, String)>, Failure> {
+    let text = fs::read_to_string(requirements)?;
+    let pinned = text.lines().filter_map(|line| line.split_once("=="));
+    Ok(pinned.map(|(name, version)| (name.to_owned(), version.to_owned())).collect())
+}
+
+/// Fails with what is missing unless a Python has all packages.
+fn check_packages(python: &Path, names: &[String]) -> Result<(), Absent> {
+    const QUESTION: &str = "import sys, importlib.metadata as known\nfor name in sys.argv[1:]: known.version(name)";
+    match answer(Command::new(python).args(["-c", QUESTION]).args(names)) {
+        Some(_) => Ok(()),
+        None => Err(Absent(format!("{} lacks one of {}", python.display(), names.join(", ")))),
+    }
 }
 
 /// A Python of version 3.12 or later, from the search path or from pyenv.
 fn recent_python() -> Result<PathBuf, Failure> {
     let named = ["python3.13", "python3.12", "python3.14", "python3"].map(PathBuf::from);
     let python = named.into_iter().chain(iter::once_with(pyenv_pythons).flatten()).find(|python| is_recent(python));
-    Ok(python.ok_or("no Python 3.12 or later")?)
+    Ok(python.ok_or_else(|| Absent("no Python 3.12 or later".to_owned()))?)
 }
 
 fn is_recent(python: &Path) -> bool {
@@ -154,31 +230,6 @@ fn answer(command: &mut Command) -> Option<String> {
     let output = command.output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
     output.status.success().then(|| text.trim().to_owned())
-}
-
-/// Version of a package that the peers require.
-fn required_version(requirements: &Path, package: &str) -> Result<String, Failure> {
-    let text = fs::read_to_string(requirements)?;
-    let version = text.lines().find_map(|line| {
-        let (name, version) = line.split_once("==")?;
-        (name == package).then_some(version)
-    });
-    Ok(version.ok_or(format!("no version of {package} is required"))?.to_owned())
-}
-
-/// Version of NumPy.
-pub(crate) fn numpy_version(folder: &Path) -> Result<String, Failure> {
-    required_version(&folder.join(NUMPY_REQUIREMENTS), "numpy")
-}
-
-/// Version of SciPy.
-pub(crate) fn scipy_version(folder: &Path) -> Result<String, Failure> {
-    required_version(&folder.join(NUMPY_REQUIREMENTS), "scipy")
-}
-
-/// Version of rolland.
-pub(crate) fn rolland_version(folder: &Path) -> Result<String, Failure> {
-    required_version(&folder.join(ROLLAND_REQUIREMENTS), "rolland")
 }
 
 /// Processor and system, as far as the system tells.

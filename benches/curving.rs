@@ -10,17 +10,12 @@ use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, CurvingCase, Variant};
 use riffel_curving::profile::ContactSurface;
 
-use crate::contestant::{Contestant, Failure};
-use crate::median;
+use crate::contestant::{Contestant, Failure, Peers, machine};
+use crate::section::Section;
+use crate::{median, sizes};
 
-const ROUNDS: usize = 11;
-/// Shifts of the geometry, 0.1 mm apart, at each of the yaws.
-const SHIFTS: i32 = 201;
+/// Yaws of the geometry.
 const YAWS: [f64; 3] = [0.0, 5e-3, 10e-3];
-/// Elements across the patch of the exact contact.
-const ELEMENTS: usize = 48;
-/// Speeds of the traffic through a curve.
-const SPEEDS: usize = 20;
 
 fn case(name: &str, overrides: &[&str]) -> Result<CurvingCase, Failure> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases").join(format!("{name}.toml"));
@@ -41,8 +36,9 @@ pub(crate) fn task(name: &str, repeats: usize) -> Result<(f64, f64), Failure> {
 /// Both wheels of a wheelset at every shift and yaw.
 fn geometry(repeats: usize) -> Result<(f64, f64), Failure> {
     let wheelset = case("profiles", &[])?.wheelset_on_track()?;
+    let shifts = sizes().shifts;
     let places: Vec<(f64, f64)> =
-        YAWS.iter().flat_map(|yaw| (0..SHIFTS).map(|index| (1e-4 * f64::from(index - SHIFTS / 2), *yaw))).collect();
+        YAWS.iter().flat_map(|yaw| (0..shifts).map(|index| (1e-4 * f64::from(index - shifts / 2), *yaw))).collect();
     let begun = Instant::now();
     let mut sum = 0.0;
     for _ in 0..repeats {
@@ -62,7 +58,10 @@ fn contact(repeats: usize) -> Result<(f64, f64), Failure> {
     let mut sum = 0.0;
     for _ in 0..repeats {
         let load = black_box(60e3);
-        sum = wheelset.under_load(&place, Rail::Right, steel, load, ContactSurface::Flat, ELEMENTS)?.state().approach();
+        sum = wheelset
+            .under_load(&place, Rail::Right, steel, load, ContactSurface::Flat, sizes().patch_elements)?
+            .state()
+            .approach();
     }
     Ok((begun.elapsed().as_secs_f64() / repeats as f64, sum))
 }
@@ -106,23 +105,31 @@ fn traffic(speeds: usize) -> Result<(f64, f64), Failure> {
 }
 
 /// The section of the report.
-pub(crate) fn report(text: &mut String, one: &mut Contestant, two: &mut Contestant) -> Result<(), Failure> {
-    let milliseconds = |contestant: &mut Contestant, name: &str, repeats: usize| {
-        let times = (0..ROUNDS)
+pub(crate) fn report(text: &mut Section, peers: &Peers) -> Result<(), Failure> {
+    let (mut one, mut two) = (peers.riffel(1)?, peers.riffel(2)?);
+    let (rounds, fewest, shifts, elements, speeds) =
+        (sizes().few_rounds, sizes().fewest_rounds, sizes().shifts, sizes().patch_elements, sizes().speeds);
+    let milliseconds = |contestant: &mut Contestant, name: &str, repeats: usize, rounds: usize| {
+        let times = (0..rounds)
             .map(|_| Ok(contestant.time(&format!("curving {name}"), repeats)?.0))
             .collect::<Result<Vec<f64>, Failure>>()?;
         Ok::<f64, Failure>(1e3 * median(times))
     };
-    let [single, double] = [milliseconds(one, "geometry", 1)?, milliseconds(two, "geometry", 1)?];
-    let contact = milliseconds(one, "contact", 3)?;
-    writeln!(text, "\n## Profiles and curves\n")?;
+    let [single, double] =
+        [milliseconds(&mut one, "geometry", 1, rounds)?, milliseconds(&mut two, "geometry", 1, rounds)?];
+    let contact = milliseconds(&mut one, "contact", 3, rounds)?;
+    writeln!(
+        text,
+        "Medians of {rounds} rounds, of {fewest} of the growth; one thread unless said. Machine: {}.\n",
+        machine()
+    )?;
     writeln!(text, "| what | took | asked |\n|---|---|---|")?;
     writeln!(
         text,
-        "| wheelset on its track, both rails, S1002 on 60E1, {SHIFTS} shifts 0.1 mm apart at three yaws | {single:.0} ms on one \
+        "| wheelset on its track, both rails, S1002 on 60E1, {shifts} shifts 0.1 mm apart at three yaws | {single:.0} ms on one \
          thread, {double:.0} ms on two | 50 ms |"
     )?;
-    writeln!(text, "| exact contact of one wheel on its profiles, {ELEMENTS} elements | {contact:.1} ms | 20 ms |")?;
+    writeln!(text, "| exact contact of one wheel on its profiles, {elements} elements | {contact:.1} ms | 20 ms |")?;
     for (name, what, asked) in [
         ("bogie", "cones with a flange (`bogie.toml`)", "5 ms"),
         ("profiles", "profiles (`profiles.toml`)", "5 ms"),
@@ -130,14 +137,13 @@ pub(crate) fn report(text: &mut String, one: &mut Contestant, two: &mut Contesta
         ("metro-curve+fastsim", "the same with FASTSIM", "1 s"),
     ] {
         let repeats = if name.contains('+') { 1 } else { 20 };
-        let took = milliseconds(one, name, repeats)?;
+        let took = milliseconds(&mut one, name, repeats, rounds)?;
         writeln!(text, "| equilibrium of a bogie by steps from straight track: {what} | {took:.2} ms | {asked} |")?;
     }
-    let took = 1e-3 * milliseconds(two, "traffic", SPEEDS)?;
+    let took = 1e-3 * milliseconds(&mut two, "traffic", speeds, fewest)?;
     writeln!(
         text,
-        "| growth on both rails under four bogies at {SPEEDS} speeds, every wheel in its own state of `metro-curve.toml`, two threads | {took:.1} s | 1 s |"
+        "| growth on both rails under four bogies at {speeds} speeds, every wheel in its own state of `metro-curve.toml`, two threads | {took:.1} s | 1 s |"
     )?;
-    writeln!(text, "\nMedians of {ROUNDS} rounds, one thread unless said.")?;
     Ok(())
 }

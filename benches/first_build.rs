@@ -1,46 +1,20 @@
 //! What the first command costs: a release build into an empty folder.
 
 use std::fmt::Write as _;
-use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
 use serde_json::Value;
 
-use crate::contestant::{Failure, machine};
+use crate::contestant::{Failure, Peers, machine};
+use crate::section::Section;
 
-const HEADING: &str = "## First build\n";
 /// The crates that are shown.
 const SHOWN: usize = 12;
 
-/// Build the program anew and write the section into `benches/README.md`.
-pub(crate) fn record(folder: &Path) -> Result<(), Failure> {
-    let section = report(folder)?;
-    println!("{section}");
-    let file = folder.join("README.md");
-    let mut text = std::fs::read_to_string(&file)?;
-    match section_of(&text) {
-        Some(range) => text.replace_range(range, &section),
-        None => text = format!("{}\n\n{section}", text.trim_end()),
-    }
-    Ok(std::fs::write(file, text)?)
-}
-
-/// The section as it was last recorded.
-pub(crate) fn recorded(folder: &Path) -> String {
-    let text = std::fs::read_to_string(folder.join("README.md")).unwrap_or_default();
-    section_of(&text).map_or(String::new(), |range| format!("\n{}", &text[range]))
-}
-
-fn section_of(text: &str) -> Option<std::ops::Range<usize>> {
-    let begin = text.find(HEADING)?;
-    let after = begin + HEADING.len();
-    let end = text[after..].find("\n## ");
-    Some(begin..end.map_or(text.len(), |end| after + end))
-}
-
-fn report(folder: &Path) -> Result<String, Failure> {
-    let root = folder.join("..");
+/// Build the program anew.
+pub(crate) fn report(text: &mut Section, peers: &Peers) -> Result<(), Failure> {
+    let root = peers.folder.join("..");
     let fetch = Command::new("cargo").arg("fetch").current_dir(&root).status()?;
     if !fetch.success() {
         return Err("cargo fetch failed".into());
@@ -62,7 +36,6 @@ fn report(folder: &Path) -> Result<String, Failure> {
     let mut crates: Vec<&str> = units.iter().map(|(name, _)| name.as_str()).collect();
     crates.sort_unstable();
     crates.dedup();
-    let mut text = format!("{HEADING}\n");
     writeln!(
         text,
         "Written by `cargo xtask bench --build`. Machine: {}. `cargo build --release` into an empty folder, sources \
@@ -99,7 +72,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     for (name, seconds) in by_crate.iter().take(SHOWN) {
         writeln!(text, "| {name} | {seconds:.1} |")?;
     }
-    Ok(text)
+    Ok(())
 }
 
 /// Name with version, and seconds, of all that the compiler was run for, from cargo's page of timings.

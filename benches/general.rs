@@ -15,17 +15,9 @@ use riffel::wheelset::{Motion, Wheelset};
 use riffel::{Axis, Complex64, DissipationPhase, EnergyWear, GrowthMap, Loop, Place, PlaceOfWear, Rail, Ridge};
 use riffel_case::Case;
 
-use crate::contestant::{Contestant, Failure, numpy_version};
-use crate::{check_agreement, median, ratio};
-
-const ROUNDS: usize = 11;
-/// Points along each axis of the maps of equations alone, of one wheel and of eight.
-const ONE_SIDE: usize = 301;
-const EIGHT_SIDE: usize = 61;
-/// The map of the whole loop.
-const MAP: (usize, usize) = (241, 221);
-/// Frequencies of receptances, spaced evenly in logarithm from 20 Hz to 3000 Hz.
-const FREQUENCIES: usize = 200;
+use crate::contestant::{Failure, Peers, machine};
+use crate::section::Section;
+use crate::{median, ratio, sizes};
 
 /// Seconds of a task, and a sum of its result.
 pub(crate) fn task(name: &str, points: usize) -> Result<(f64, f64), Failure> {
@@ -207,54 +199,53 @@ fn twisting(overrides: &[&str], points: usize) -> Result<(f64, f64), Failure> {
 /// Discrete supports, a rail that twists, a flexible wheelset on both rails.
 fn map(compute: impl Fn(&Loop, Axis, Axis) -> f64) -> Result<(f64, f64), Failure> {
     let case = case(CURVE, &[DISCRETE])?;
-    let wavelength = Axis::new(0.030, 0.150, MAP.0)?;
-    let speed = Axis::new(5.0, 15.0, MAP.1)?;
+    let (along, speeds) = sizes().general_map;
+    let wavelength = Axis::new(0.030, 0.150, along)?;
+    let speed = Axis::new(5.0, 15.0, speeds)?;
     let begun = Instant::now();
     let sum = compute(&case.feedback, wavelength, speed);
     Ok((begun.elapsed().as_secs_f64(), sum))
 }
 
 /// The section of the report.
-pub(crate) fn report(
-    text: &mut String,
-    folder: &Path,
-    one: &mut Contestant,
-    two: &mut Contestant,
-) -> Result<(), Failure> {
-    let mut numpy = Contestant::numpy(folder, "general_numpy.py")?;
-    let equations = [("one-wheel", ONE_SIDE), ("eight-wheels", EIGHT_SIDE)];
+pub(crate) fn report(text: &mut Section, peers: &Peers) -> Result<(), Failure> {
+    let (rounds, frequencies, (along, speeds)) = (sizes().few_rounds, sizes().frequencies, sizes().general_map);
+    let [one_side, eight_side] = sizes().equation_sides;
+    let (mut one, mut two) = (peers.riffel(1)?, peers.riffel(2)?);
+    let mut numpy = peers.numpy("general_numpy.py", &[])?;
+    let equations = [("one-wheel", one_side), ("eight-wheels", eight_side)];
     let mut ours = equations.map(|_| Vec::new());
     let mut theirs = equations.map(|_| Vec::new());
     let structures = ["wheelset", "twisting", "twisting-discrete"];
     let mut receptances = structures.map(|_| Vec::new());
     let whole = ["map", "ridge"];
     let mut maps = whole.map(|_| Vec::new());
-    for _ in 0..ROUNDS {
+    for _ in 0..rounds {
         for (index, (name, side)) in equations.into_iter().enumerate() {
             let (seconds, sum) = one.time(&format!("general {name}"), side)?;
             let (by_numpy, expected) = numpy.time(name, side)?;
-            check_agreement("loops on all axes", (sum, expected), 1e-9)?;
+            text.compare("NumPy", (sum, expected), 1e-9);
             let points = (side * side) as f64;
             ours[index].push(1e6 * seconds / points);
             theirs[index].push(1e6 * by_numpy / points);
         }
         for (name, times) in structures.iter().zip(&mut receptances) {
-            let (seconds, _) = one.time(&format!("general {name}"), FREQUENCIES)?;
-            times.push(1e6 * seconds / FREQUENCIES as f64);
+            let (seconds, _) = one.time(&format!("general {name}"), frequencies)?;
+            times.push(1e6 * seconds / frequencies as f64);
         }
         for (name, times) in whole.iter().zip(&mut maps) {
-            times.push(two.time(&format!("general {name}"), MAP.0)?.0);
+            times.push(two.time(&format!("general {name}"), along)?.0);
         }
     }
     let [ours, theirs] = [ours, theirs].map(|times| times.map(median));
     let [wheelset, twisting, discrete] = receptances.map(median);
     let [map, ridge] = maps.map(median);
-    writeln!(text, "\n## Loop on all axes\n")?;
+    writeln!(text, "Medians of {rounds} rounds. Machine: {}.\n", machine())?;
     writeln!(
         text,
         "| equations alone, receptances at hand, one thread | Riffel, µs a point | NumPy {}, `linalg.solve` of all points at \
          once | Riffel is |\n|---|---|---|---|",
-        numpy_version(folder)?
+        peers.numpy_version()?
     )?;
     for (index, name) in ["one wheel, 3 axes", "8 wheels, 3 axes"].into_iter().enumerate() {
         writeln!(
@@ -272,9 +263,8 @@ pub(crate) fn report(
          | rail that bends, twists and warps on even supports, 3 × 3 | {twisting:.2} |\n\
          | the same on discrete supports | {discrete:.2} |\n\n\
          | {} × {} points, discrete supports, twisting rails, flexible wheelset on both, two threads | s |\n|---|---|\n\
-         | map | {map:.2} |\n| ridge | {ridge:.2} |\n\n\
-         Medians of {ROUNDS} rounds. The sums of Re Ŵ₁ of Riffel and NumPy agree to 1e-9.",
-        MAP.0, MAP.1
+         | map | {map:.2} |\n| ridge | {ridge:.2} |",
+        along, speeds
     )?;
     Ok(())
 }

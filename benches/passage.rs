@@ -17,19 +17,15 @@ use riffel::wheelset::{RigidInertia, RigidMass};
 use riffel::{Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear, RollingContact};
 use riffel_case::{Case, ask};
 
-use crate::contestant::{Contestant, Failure, numpy_version};
-use crate::{check_agreement, median, ratio};
+use crate::contestant::{Contestant, Failure, Peers, machine};
+use crate::section::Section;
+use crate::{is_smoke, median, ratio, sizes};
 
-const ROUNDS: usize = 5;
 const SPEED: f64 = 30.0;
 const SPACING: f64 = 0.6;
 const STEP: f64 = 5e-4;
-/// Bays that count, after those in which the beginning is forgotten.
-const COUNTED: usize = 6;
-const RUN_IN: usize = 14;
 const STEPS_TO_BAY: usize = 1200;
-/// Wheels over the rail that wears, and its length \[m\].
-const PASSAGES: u64 = 10_000;
+/// Length of the rail that wears \[m\].
 const RING: f64 = 19.8;
 const STEPS_ON_ALL_AXES: usize = 20_000;
 
@@ -91,7 +87,8 @@ fn march(bays: usize) -> Result<(f64, f64), Failure> {
     let begun = Instant::now();
     let mut march = model.march(STEP)?;
     let mut sum = 0.0;
-    let counted = (bays - COUNTED) * STEPS_TO_BAY;
+    let [_, counting, _] = sizes().bays;
+    let counted = (bays - counting) * STEPS_TO_BAY;
     for step in 1..=bays * STEPS_TO_BAY {
         let force = march.advance(&[height(step as f64 * STEP)])[0].normal_force;
         if step > counted {
@@ -99,7 +96,7 @@ fn march(bays: usize) -> Result<(f64, f64), Failure> {
         }
     }
     let seconds = begun.elapsed().as_secs_f64();
-    Ok((seconds, (sum / (COUNTED * STEPS_TO_BAY) as f64).sqrt()))
+    Ok((seconds, (sum / (counting * STEPS_TO_BAY) as f64).sqrt()))
 }
 
 /// A flexible wheelset on both rails over a rough right one, all axes; the root mean square of P − P₀ under the right wheel \[N\].
@@ -154,34 +151,36 @@ fn evolution(passages: u64) -> Result<(f64, f64), Failure> {
 }
 
 /// The section of the report.
-pub(crate) fn report(text: &mut String, folder: &Path, one: &mut Contestant) -> Result<(), Failure> {
-    let mut numpy = Contestant::numpy(folder, "passage_numpy.py")?;
-    let bays = RUN_IN + COUNTED;
-    let (mut ours, mut theirs, mut worn, mut general) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+pub(crate) fn report(text: &mut Section, peers: &Peers) -> Result<(), Failure> {
+    let [run_in, counted, finite_elements] = sizes().bays;
+    let (rounds, passages) = (sizes().few_rounds, sizes().passages);
+    let mut one = peers.riffel(1)?;
+    let mut numpy = peers.numpy("passage_numpy.py", &[finite_elements.to_string()])?;
+    let bays = run_in + counted;
+    let (mut ours, mut theirs, mut worn) = (Vec::new(), Vec::new(), Vec::new());
     let (mut by_riffel, mut by_numpy, mut marches) = (0.0, 0.0, 0.0);
-    for _ in 0..ROUNDS {
+    for _ in 0..rounds {
         let (seconds, force) = one.time("passage march", bays)?;
         ours.push(seconds);
         by_riffel = force;
         let (seconds, force) = numpy.once("march", bays)?;
         theirs.push(seconds);
         by_numpy = force;
-        check_agreement("wheels in time", (by_riffel, by_numpy), 5e-3)?;
-        let (seconds, steps) = one.once("passage evolution", PASSAGES as usize)?;
+        text.compare("modes in NumPy", (by_numpy, by_riffel), 5e-3);
+        let (seconds, steps) = one.once("passage evolution", passages)?;
         worn.push(seconds);
         marches = 2.0 * steps;
-        general.push(one.time("passage all-axes", STEPS_ON_ALL_AXES)?.0);
     }
-    let [ours, theirs, worn, general] = [ours, theirs, worn, general].map(median);
+    let [ours, theirs, worn] = [ours, theirs, worn].map(median);
     let real = bays as f64 * SPACING / SPEED;
-    writeln!(text, "\n## A wheel in time, one thread\n")?;
+    writeln!(text, "One thread; {rounds} rounds. Machine: {}.\n", machine())?;
     writeln!(
         text,
         "| {bays} sleeper bays at 30 m/s in steps of 0.5 mm | µs a step | times real time | rms of P − P₀ over the last \
-         {COUNTED} bays, kN |\n|---|---|---|---|"
+         {counted} bays, kN |\n|---|---|---|---|"
     )?;
     for (name, seconds, force) in
-        [("Riffel", ours, by_riffel), (&*format!("modes in NumPy {}", numpy_version(folder)?), theirs, by_numpy)]
+        [("Riffel", ours, by_riffel), (&*format!("modes in NumPy {}", peers.numpy_version()?), theirs, by_numpy)]
     {
         writeln!(
             text,
@@ -194,15 +193,22 @@ pub(crate) fn report(text: &mut String, folder: &Path, one: &mut Contestant) -> 
     writeln!(
         text,
         "\nRiffel is {} × faster. 60E1 on two viscous layers, a rigid wheel that turns, Hertz's spring, the creep law of the paper. \
-         Beside it 40 bays of finite elements, their modes up to 6 kHz moved exactly under forces that are linear over a \
+         Beside it {finite_elements} bays of finite elements, their modes up to 6 kHz moved exactly under forces that are linear over a \
          step, as Riffel's track is; making either is not counted (Riffel's response some seconds, their eigenvalues ten).\n\n\
-         {PASSAGES} wheels over {RING} m of that rail and its run-in: {worn:.2} s for {marches} marches, since a band of the profile may \
+         {passages} wheels over {RING} m of that rail and its run-in: {worn:.2} s for {marches} marches, since a band of the profile may \
          change by 8 % before the next; every wheel by itself would take {:.0} s. The memory is that of the profile and of one \
          passage; nothing grows with the length of the line or the number of wheels.",
         ratio(theirs / ours),
-        worn / marches * PASSAGES as f64
+        worn / marches * passages as f64
     )?;
-    let a_step = general / STEPS_ON_ALL_AXES as f64;
+    // Its responses take seconds to make, and no peer is beside it.
+    if is_smoke() { Ok(()) } else { report_all_axes(text, &mut one) }
+}
+
+/// A wheelset on all axes.
+fn report_all_axes(text: &mut Section, one: &mut Contestant) -> Result<(), Failure> {
+    let times = (0..sizes().few_rounds).map(|_| Ok(one.time("passage all-axes", STEPS_ON_ALL_AXES)?.0));
+    let a_step = median(times.collect::<Result<_, Failure>>()?) / STEPS_ON_ALL_AXES as f64;
     writeln!(
         text,
         "\nOn all axes a flexible wheelset with brake discs, both wheels on 60E1 on an even layer, creep law of Polach, takes {:.2} µs a \

@@ -2,22 +2,15 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use riffel_study::{ResultFolder, Shard, Stop, Study};
 
-use crate::contestant::{Contestant, Failure};
-use crate::{check_agreement, median};
+use crate::contestant::{Contestant, Failure, Peers, machine};
+use crate::section::Section;
+use crate::{median, sizes};
 
-/// Samples of the comparison of threads.
-const SAMPLES: usize = 100_000;
-/// Rounds of the comparison of threads: each takes half a minute on one.
-const ROUNDS: usize = 3;
-/// Samples of the fit, with their rounds.
-const SIZES: [(usize, usize); 5] = [(100, 11), (1000, 11), (10_000, 5), (100_000, 3), (1_000_000, 1)];
-/// Samples of the comparison with a cluster, with its rounds.
-const CLUSTER: (usize, usize) = (30_000, 5);
 /// Threads of a node of the extrapolation.
 const NODE: f64 = 64.0;
 
@@ -48,7 +41,7 @@ fn scratch() -> PathBuf {
 }
 
 /// Seconds of a study from reading its plan to its last file, and the sum of the highest growth rates.
-pub(crate) fn contest(samples: usize) -> Result<(f64, f64), Failure> {
+pub(crate) fn task(samples: usize) -> Result<(f64, f64), Failure> {
     let place = scratch();
     fs::create_dir_all(&place)?;
     fs::write(place.join("nominal.toml"), riffel_case::NOMINAL_CASE)?;
@@ -67,76 +60,86 @@ pub(crate) fn contest(samples: usize) -> Result<(f64, f64), Failure> {
 }
 
 /// The section of the report.
-pub(crate) fn report(
-    text: &mut String,
-    folder: &Path,
-    one: &mut Contestant,
-    two: &mut Contestant,
-) -> Result<(), Failure> {
+pub(crate) fn report(text: &mut Section, peers: &Peers) -> Result<(), Failure> {
+    let (samples, rounds) = (sizes().study, sizes().fewest_rounds);
+    let (mut one, mut two) = (peers.riffel(1)?, peers.riffel(2)?);
     let (mut singles, mut doubles) = (Vec::new(), Vec::new());
-    for _ in 0..ROUNDS {
-        let single = one.once("study free", SAMPLES)?;
-        let double = two.once("study free", SAMPLES)?;
-        if single.1 != double.1 {
-            return Err("the study gives other numbers on two threads".into());
-        }
+    for _ in 0..rounds {
+        let single = one.once("study free", samples)?;
+        let double = two.once("study free", samples)?;
+        text.compare("one thread and two", (double.1, single.1), 0.0);
         singles.push(single.0);
         doubles.push(double.0);
     }
     let [single, double] = [singles, doubles].map(median);
-    writeln!(text, "\n## Study: {SAMPLES} Monte-Carlo samples, ridge over 60 speeds × 241 wavelengths, free beam\n")?;
+    writeln!(
+        text,
+        "{samples} Monte-Carlo samples, ridge over 60 speeds × 241 wavelengths, free beam; {rounds} rounds. Machine: {}.\n",
+        machine()
+    )?;
     writeln!(text, "| threads | s | µs a sample and thread | efficiency |\n|---|---|---|---|")?;
-    let each = |seconds: f64, threads: f64| 1e6 * seconds * threads / SAMPLES as f64;
-    writeln!(text, "| one | {single:.1} | {:.0} | |", each(single, 1.0))?;
-    writeln!(text, "| two | {double:.1} | {:.0} | {:.0} % |\n", each(double, 2.0), 100.0 * single / (2.0 * double))?;
+    let each = |seconds: f64, threads: f64| 1e6 * seconds * threads / samples as f64;
+    writeln!(text, "| one | {single:.2} | {:.0} | |", each(single, 1.0))?;
+    writeln!(text, "| two | {double:.2} | {:.0} | {:.0} % |", each(double, 2.0), 100.0 * single / (2.0 * double))?;
+    report_sizes(text, &mut two)?;
+    report_cluster(text, peers, &mut two)
+}
 
-    writeln!(text, "| samples | s on two threads | µs a sample |\n|---|---|---|")?;
+/// Time by number of samples.
+fn report_sizes(text: &mut Section, two: &mut Contestant) -> Result<(), Failure> {
+    writeln!(text, "\n| samples | s on two threads | µs a sample |\n|---|---|---|")?;
     let mut points = Vec::new();
-    for (samples, rounds) in SIZES {
+    for &(samples, rounds) in sizes().studies {
         let seconds =
             (0..rounds).map(|_| Ok(two.once("study free", samples)?.0)).collect::<Result<Vec<f64>, Failure>>()?;
         let seconds = median(seconds);
         points.push((samples as f64, seconds));
         writeln!(text, "| {samples} | {seconds:.2} | {:.0} |", 1e6 * seconds / samples as f64)?;
     }
-    // From 10⁴ samples on; below that the files weigh more than the samples.
-    let (exponent, second) = fit(&points[2..]);
+    let (exponent, second) = fit(&points);
+    let [(fewest, _), .., (most, _)] = points[..] else {
+        return Err("a slope needs two sizes".into());
+    };
     let nodes = 100.0;
+    let shared = |samples: f64| second * samples.powf(exponent) * 2.0 / (nodes * NODE);
     writeln!(
         text,
         "\nFrom reading the plan to the last file, synchronised. Time grows as the number of samples to the power \
-         {exponent:.2} from 10⁴ to 10⁶; below, the files of the chunks weigh. Extrapolated and not measured: {nodes:.0} \
-         nodes of {NODE:.0} such threads as shards that share nothing would take {:.2} s for 10⁶ samples and {:.1} min for \
-         10⁹, start of the jobs, file system and merging apart. {ROUNDS} rounds on one thread and on two.",
-        second * 1e6f64.powf(exponent) * 2.0 / (nodes * NODE),
-        second * 1e6f64.powf(exponent) * 1e3 * 2.0 / (nodes * NODE) / 60.0,
+         {exponent:.2} from {fewest} to {most}. By that slope, and not measured: {:.0} s for 10⁶ samples on two threads; {nodes:.0} \
+         nodes of {NODE:.0} such threads as shards that share nothing would take {:.2} s for 10⁶ samples and {:.1} min for 10⁹, \
+         start of the jobs, file system and merging apart.",
+        second * 1e6f64.powf(exponent),
+        shared(1e6),
+        1e3 * shared(1e6) / 60.0,
     )?;
-    cluster(text, folder, two)
+    Ok(())
 }
 
 /// Two workers of Dask beside two threads.
-fn cluster(text: &mut String, folder: &Path, two: &mut Contestant) -> Result<(), Failure> {
-    let (samples, rounds) = CLUSTER;
+fn report_cluster(text: &mut Section, peers: &Peers, two: &mut Contestant) -> Result<(), Failure> {
+    let (samples, rounds) = (sizes().study, sizes().fewest_rounds);
     let place = scratch();
     fs::create_dir_all(&place)?;
     fs::write(place.join("nominal.toml"), riffel_case::NOMINAL_CASE)?;
     fs::write(place.join("study.toml"), plan(samples))?;
-    let mut dask = Contestant::riffel_of_python(folder, "study_dask.py", 2)?;
+    let mut dask = peers.riffel_of_python(&peers.python_with_riffel()?, "study_dask.py", 2)?;
     let task = format!("study {}", place.join("study.toml").display());
     let (mut threads, mut workers) = (Vec::new(), Vec::new());
     for _ in 0..rounds {
         let own = two.once("study free", samples)?;
         let there = dask.once(&task, samples)?;
-        check_agreement("studies on threads and on workers", (there.1, own.1), 1e-12)?;
+        text.compare("threads and workers of Dask", (there.1, own.1), 1e-12);
         threads.push(own.0);
         workers.push(there.0);
     }
+    // It ends with what it has put there.
+    drop(dask);
     fs::remove_dir_all(&place)?;
     let [threads, workers] = [threads, workers].map(median);
     writeln!(
         text,
         "\n{samples} samples take {threads:.1} s on two threads and {workers:.1} s on two workers of a local cluster of Dask, \
-         processes of one thread beside a scheduler that shares the same two cores: an efficiency of {:.0} %. {rounds} rounds.",
+         processes of one thread beside a scheduler that shares the same two cores: an efficiency of {:.0} %.",
         100.0 * threads / workers
     )?;
     Ok(())
