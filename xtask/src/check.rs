@@ -5,7 +5,7 @@ use std::thread::{self, ScopedJoinHandle};
 use crate::browser::Thoroughness;
 use crate::step::{cargo, run, run_beside};
 use crate::times::{Step, printed};
-use crate::{Outcome, browser, budget, compiler, dependencies, python, times};
+use crate::{Outcome, bench, browser, budget, compiler, dependencies, python, times};
 
 const FORMAT: [&str; 3] = ["fmt", "--all", "--check"];
 const LINTS: [&str; 7] = ["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"];
@@ -37,7 +37,7 @@ pub(crate) fn quick() -> Outcome {
 /// The whole check.
 ///
 /// Packages are fetched while Rust compiles. The Python package and the page, which wait much, are tested beside the
-/// rest. What else there is has jobs of its own: see [`thorough`].
+/// rest; the benchmarks, which use the package, are tried after it. What else there is has jobs of its own: see [`thorough`].
 pub(crate) fn all() -> Outcome {
     run(&mut cargo(&FORMAT))?;
     dependencies::check()?;
@@ -46,8 +46,9 @@ pub(crate) fn all() -> Outcome {
         let browser = scope.spawn(browser::prepare);
         run(&mut cargo(&LINTS))?;
         run(cargo(&TESTS).arg("--no-run"))?;
+        bench::build()?;
         let (python, browser) = (end(python)?, end(browser)?);
-        let python = scope.spawn(move || python::test(&python));
+        let python = scope.spawn(move || python::test(&python).and_then(|()| bench::test(&python)));
         let browser = scope.spawn(move || browser::test(&browser, Thoroughness::Once));
         run_beside(&mut cargo(&TESTS))?;
         end(python)?;

@@ -1,5 +1,6 @@
 //! Developer commands: `cargo xtask help` names them.
 
+mod bench;
 mod browser;
 mod budget;
 mod check;
@@ -96,7 +97,7 @@ fn main() -> ExitCode {
         Task::Golden { records } => golden::capture(&records),
         Task::Dependencies => dependencies::check(),
         Task::Release => release::build(),
-        Task::Bench { build } => bench(build),
+        Task::Bench { build } => bench::write(build),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -117,17 +118,6 @@ fn build_program() -> Outcome {
     let packages = ["--package", "riffel-cli", "--package", "riffel-python"];
     let features = ["--features", "riffel-python/as-tested"];
     run(cargo(&["build", "--quiet"]).args(packages).args(features))
-}
-
-/// Write `benches/README.md`, or its section on the first build alone.
-fn bench(build: bool) -> Outcome {
-    // The numbers are those of what is handed out; the first build is that of the sources.
-    let profile = if build { "release" } else { "dist" };
-    let mut bench = cargo(&["run", "--profile", profile, "--package", "riffel-bench"]);
-    if build {
-        bench.args(["--", "--build"]);
-    }
-    run(&mut bench)
 }
 
 /// Write the book with the program as it is now.
