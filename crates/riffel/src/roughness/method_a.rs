@@ -50,8 +50,8 @@ impl Spectrum {
     /// two away; at the edge of two bands, each of which sees it through a window of its own, they share its power to
     /// within 6 %. Stretches with fewer than ten waves of a band are left out of it beside longer ones. Long waves are
     /// looked at with fewer samples, 16 or more a wave, halved by a binomial filter whose gain is undone; what it lets
-    /// through of waves of two samples is below −100 dB. Cost: for each band some forty products for each sample that is
-    /// left, or a transform of the record where it has more than 32 lines; parallel.
+    /// through of waves of two samples is below −100 dB. Cost: one transform of the record for all bands with segments
+    /// of 1 m, for each other band some forty products for each sample that is left; parallel.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] where no stretch is as long as 1 m; [`Error::Measurement`] without a stretch, where
@@ -72,8 +72,8 @@ impl RecordLevels {
         let bands = (-60..=(10.0 * longest.log10()).floor() as i32)
             .map(ThirdOctave::new)
             .filter(|band| band.wavenumber_range().1 <= nyquist && band.wavelength_range().0 >= shortest);
-        let mut samples =
-            Samples { spacing, stretches: stretches.iter().map(|one| one.heights().into()).collect(), halvings: 0 };
+        let heights = stretches.iter().map(|one| one.heights().into());
+        let mut samples = Samples { spacing, stretches: heights.collect(), halvings: 0, before: BTreeMap::new() };
         let mut levels = Vec::new();
         let (mut segment_length, mut segments) = (0.0, 0);
         for band in bands {
@@ -92,11 +92,22 @@ impl RecordLevels {
     }
 }
 
+/// A part of one of the stretches, in samples, with its share of the mean square.
+#[derive(Debug, Clone, PartialEq)]
+struct Seen {
+    stretch: usize,
+    start: usize,
+    share: f64,
+}
+
 /// The stretches of a record, every so many samples.
 struct Samples<'a> {
     spacing: f64,
     stretches: Vec<Cow<'a, [f64]>>,
     halvings: i32,
+    /// Parts of the band before, by their number of samples, with the powers of all lines of those that were transformed: short
+    /// waves have the same segments.
+    before: BTreeMap<usize, (Vec<Seen>, Option<Vec<f64>>)>,
 }
 
 impl Samples<'_> {
@@ -106,6 +117,7 @@ impl Samples<'_> {
             spacing: 2.0 * self.spacing,
             stretches: self.stretches.iter().map(|one| halved(one).into()).collect(),
             halvings: self.halvings + 1,
+            before: BTreeMap::new(),
         }
     }
 
@@ -116,39 +128,54 @@ impl Samples<'_> {
     }
 
     /// Mean square of a band over all stretches with `fewest` samples or the longest one, and the number of segments.
-    fn power(&self, band: ThirdOctave, segment: usize, fewest: usize, kept: &KeptLines) -> (f64, usize) {
+    fn power(&mut self, band: ThirdOctave, segment: usize, fewest: usize, kept: &KeptLines) -> (f64, usize) {
+        let (seen, segments) = self.seen(segment, fewest);
+        let mut sum = 0.0;
+        let mut before = std::mem::take(&mut self.before);
+        for (samples, parts) in seen {
+            let line_spacing = 1.0 / (samples as f64 * self.spacing);
+            let (lines, shares) = lines_of_band(samples, line_spacing, band);
+            let known = before.remove(&samples).filter(|(known, _)| *known == parts);
+            let mut all = known.and_then(|(_, all)| all);
+            let heights = || -> Vec<(&[f64], f64)> {
+                let heights = |part: &Seen| &self.stretches[part.stretch][part.start..part.start + samples];
+                parts.iter().map(|part| (heights(part), part.share)).collect()
+            };
+            let few = if all.is_none() { kept.of(samples, lines.clone()) } else { None };
+            let powers = match few {
+                Some(few) => few.powers(&heights()),
+                None => all.get_or_insert_with(|| line_powers(&heights(), samples))[lines.clone()].to_vec(),
+            };
+            let gain = |line: usize| self.gain(line as f64 * line_spacing);
+            let shared = lines.zip(powers).zip(shares);
+            sum += shared.map(|((line, power), share)| power * share / gain(line).powi(2)).sum::<f64>();
+            self.before.insert(samples, (parts, all));
+        }
+        (sum, segments)
+    }
+
+    /// Parts of all stretches with `fewest` samples or the longest one, by their number of samples, and the number of segments.
+    fn seen(&self, segment: usize, fewest: usize) -> (BTreeMap<usize, Vec<Seen>>, usize) {
         let longest = self.stretches.iter().map(|heights| heights.len()).max();
         let fewest_of_all = fewest.min(longest.unwrap_or(0));
         let counting = || {
-            let all = self.stretches.iter();
-            all.filter(|heights| heights.len() >= fewest_of_all)
+            let all = self.stretches.iter().enumerate();
+            all.filter(|(_, heights)| heights.len() >= fewest_of_all)
         };
-        let total: usize = counting().map(|heights| heights.len()).sum();
-        let mut by_samples = BTreeMap::<usize, Vec<(&[f64], f64)>>::new();
+        let total: usize = counting().map(|(_, heights)| heights.len()).sum();
+        let mut by_samples = BTreeMap::<usize, Vec<Seen>>::new();
         let mut segments = 0;
-        for heights in counting() {
+        for (stretch, heights) in counting() {
             let parts = parts(heights.len(), segment, fewest);
             segments += parts.iter().filter(|part| part.samples == parts[0].samples).count();
             let sum: f64 = parts.iter().map(|part| part.weight).sum();
             let share = heights.len() as f64 / (total as f64 * sum);
             for part in parts {
-                let seen = &heights[part.start..part.start + part.samples];
                 let of_length = by_samples.entry(part.samples).or_default();
-                of_length.push((seen, share * part.weight));
+                of_length.push(Seen { stretch, start: part.start, share: share * part.weight });
             }
         }
-        let powers = by_samples.iter().map(|(&samples, parts)| {
-            let line_spacing = 1.0 / (samples as f64 * self.spacing);
-            let (lines, shares) = lines_of_band(samples, line_spacing, band);
-            let powers = match kept.of(samples, lines.clone()) {
-                Some(few) => few.powers(parts),
-                None => line_powers(parts, samples)[lines.clone()].to_vec(),
-            };
-            let shared = lines.zip(powers).zip(shares);
-            let gain = |line: usize| self.gain(line as f64 * line_spacing);
-            shared.map(|((line, power), share)| power * share / gain(line).powi(2)).sum::<f64>()
-        });
-        (powers.sum(), segments)
+        (by_samples, segments)
     }
 }
 
