@@ -3,6 +3,9 @@
 /// Windows whose sums follow from one another: few enough for rounding not to add up.
 const CHUNK: usize = 1 << 14;
 
+/// Chunks whose sums run side by side.
+const ABREAST: usize = 4;
+
 /// Values of a cell whose extremes stand for them in the search of the largest peak-to-peak value.
 const CELL: usize = 64;
 
@@ -22,21 +25,50 @@ pub fn moving_rms(values: &[f64], window: usize) -> Vec<f64> {
 
 /// Tell `visit` the mean squares of consecutive windows, some thousand at a time, with the index of the
 /// first value of the first window.
+///
+/// The sums of several chunks run side by side, since each waits for the one before it in its chunk.
 pub(super) fn moving_mean_squares(values: &[f64], window: usize, mut visit: impl FnMut(usize, &[f64])) {
     let windows = count(values, window).unwrap_or(0);
+    let mut rows = [const { Vec::new() }; ABREAST];
+    for start in (0..windows).step_by(ABREAST * CHUNK) {
+        let whole = windows - start >= ABREAST * CHUNK;
+        if whole {
+            let chunks = std::array::from_fn(|chunk| &values[start + chunk * CHUNK..][..CHUNK + window - 1]);
+            mean_squares(chunks, window, &mut rows);
+            for (chunk, squares) in rows.iter().enumerate() {
+                visit(start + chunk * CHUNK, squares);
+            }
+            continue;
+        }
+        for start in (start..windows).step_by(CHUNK) {
+            let end = (start + CHUNK).min(windows) + window - 1;
+            let [row, ..] = &mut rows;
+            mean_squares([&values[start..end]], window, std::array::from_mut(row));
+            visit(start, row);
+        }
+    }
+}
+
+/// Mean squares of all windows of some chunks of one length.
+fn mean_squares<const N: usize>(chunks: [&[f64]; N], window: usize, rows: &mut [Vec<f64>; N]) {
     let scale = (window as f64).recip();
-    let mut squares = Vec::with_capacity(CHUNK.min(windows));
-    for start in (0..windows).step_by(CHUNK) {
-        let end = (start + CHUNK).min(windows);
-        let mut sum: f64 = values[start..start + window].iter().map(|value| value * value).sum();
-        squares.clear();
-        squares.push(scale * sum);
-        let gone = values[start..end - 1].iter();
-        squares.extend(gone.zip(&values[start + window..]).map(|(gone, come)| {
-            sum += come * come - gone * gone;
-            scale * sum.max(0.0)
-        }));
-        visit(start, &squares);
+    let mut sums = chunks.map(|chunk| chunk[..window].iter().map(|value| value * value).sum::<f64>());
+    let windows = chunks.map(|chunk| chunk.len() + 1 - window)[0];
+    let gone = chunks.map(|chunk| &chunk[..windows - 1]);
+    let come = chunks.map(|chunk| &chunk[window..][..windows - 1]);
+    let mut slots = rows.each_mut().map(|row| {
+        row.resize(windows, 0.0);
+        &mut row[..windows]
+    });
+    for (slots, sum) in slots.iter_mut().zip(sums) {
+        slots[0] = scale * sum;
+    }
+    for index in 0..windows - 1 {
+        for chunk in 0..N {
+            let (gone, come) = (gone[chunk][index], come[chunk][index]);
+            sums[chunk] += come * come - gone * gone;
+            slots[chunk][index + 1] = scale * sums[chunk].max(0.0);
+        }
     }
 }
 
@@ -185,9 +217,10 @@ mod tests {
     /// Sums begin anew, so that what lies behind leaves no trace.
     #[test]
     fn a_large_beginning_leaves_no_trace() {
-        let mut values = vec![1e-6; 3 * CHUNK];
+        let mut values = vec![1e-6; 6 * CHUNK];
         values[..100].fill(1.0);
         let moving = moving_rms(&values, 10);
-        assert!((moving[2 * CHUNK] / 1e-6 - 1.0).abs() < 1e-9);
+        assert_eq!(moving.len(), 6 * CHUNK - 9);
+        assert!(moving[CHUNK..].iter().all(|rms| (rms / 1e-6 - 1.0).abs() < 1e-9));
     }
 }
