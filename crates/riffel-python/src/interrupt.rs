@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use riffel::cancel::run_while;
+use riffel::cancel::{run_beside, run_while};
 
 /// How often signals are looked at.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -75,32 +75,36 @@ pub(crate) fn interruptible_while<M>(
         return meanwhile();
     }
     let wanted = CancelToken::default();
+    let asked = wanted.clone();
     let (sender, receiver) = sync_channel(1);
-    rayon::in_place_scope(|scope| {
-        let asked = wanted.clone();
-        scope.spawn(move |_| {
-            asked.run(work);
-            // A panic closes the channel instead, and goes on at the end of the scope.
-            let _ = sender.send(());
-        });
-        let receiver = Mutex::new(receiver);
-        let mut result = meanwhile();
-        loop {
-            if let Err(error) = &result
-                && wanted.give_up()
-            {
-                give_up(error);
-            }
-            match wait(py, &receiver) {
-                Err(RecvTimeoutError::Timeout) => {
-                    if let Err(error) = py.check_signals() {
-                        result = Err(error);
-                    }
+    let work = move || {
+        work();
+        // Where it is broken off or panics, the channel is closed instead; a panic goes on when this thread has ended its part.
+        let _ = sender.send(());
+    };
+    run_beside(
+        move || asked.is_wanted(),
+        work,
+        || {
+            let receiver = Mutex::new(receiver);
+            let mut result = meanwhile();
+            loop {
+                if let Err(error) = &result
+                    && wanted.give_up()
+                {
+                    give_up(error);
                 }
-                Ok(()) | Err(RecvTimeoutError::Disconnected) => return result,
+                match wait(py, &receiver) {
+                    Err(RecvTimeoutError::Timeout) => {
+                        if let Err(error) = py.check_signals() {
+                            result = Err(error);
+                        }
+                    }
+                    Ok(()) | Err(RecvTimeoutError::Disconnected) => return result,
+                }
             }
-        }
-    })
+        },
+    )
 }
 
 /// Whether a callable of the user asks from within work for more: its thread must not wait for itself.
@@ -121,7 +125,11 @@ impl Default for CancelToken {
 impl CancelToken {
     /// Work, for as long as it is wanted.
     fn run<T: Send>(self, work: impl FnOnce() -> T + Send) -> Option<T> {
-        run_while(move || self.0.load(Ordering::Relaxed), work)
+        run_while(move || self.is_wanted(), work)
+    }
+
+    fn is_wanted(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 
     /// Whether it was wanted until now.

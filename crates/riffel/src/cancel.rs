@@ -13,7 +13,9 @@
 
 use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 type CancelToken = Arc<dyn Fn() -> bool + Send + Sync>;
 
@@ -26,7 +28,7 @@ struct BrokenOff;
 
 /// Work, for as long as its result is `wanted`, which is asked often and from several threads; `None` where it was broken off.
 ///
-/// The work has a rayon pool of its own, as large as the current one, which takes some 0.1 ms to start. Work that is broken off unwinds
+/// The work has a rayon pool of its own, as large as the current one; pools are kept for the next work. Work that is broken off unwinds
 /// like a panic: a lock that it holds at that step is poisoned.
 ///
 /// # Panics
@@ -36,16 +38,68 @@ pub fn run_while<T: Send>(
     wanted: impl Fn() -> bool + Send + Sync + 'static,
     work: impl FnOnce() -> T + Send,
 ) -> Option<T> {
-    let wanted: CancelToken = Arc::new(wanted);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(rayon::current_num_threads())
-        .start_handler(move |_| CANCEL_TOKEN.set(Some(wanted.clone())))
-        .build()
-        .expect("threads to work on");
-    match catch_unwind(AssertUnwindSafe(|| pool.install(work))) {
+    let threads = Threads::that_ask(Arc::new(wanted));
+    unless_broken_off(|| threads.pool().install(work))
+}
+
+/// Work as in [`run_while`], beside which this thread does something else, whose result is returned when both have ended.
+///
+/// # Panics
+///
+/// If the machine refuses threads, or where the work itself panics.
+pub fn run_beside<T>(
+    wanted: impl Fn() -> bool + Send + Sync + 'static,
+    work: impl FnOnce() + Send,
+    meanwhile: impl FnOnce() -> T,
+) -> T {
+    let threads = Threads::that_ask(Arc::new(wanted));
+    threads.pool().in_place_scope(|scope| {
+        scope.spawn(|_| _ = unless_broken_off(work));
+        meanwhile()
+    })
+}
+
+/// The result of work; `None` where it was broken off.
+fn unless_broken_off<T>(work: impl FnOnce() -> T) -> Option<T> {
+    match catch_unwind(AssertUnwindSafe(work)) {
         Ok(result) => Some(result),
         Err(reason) if reason.is::<BrokenOff>() => None,
         Err(panic) => resume_unwind(panic),
+    }
+}
+
+/// Pools that are not at work: to start one takes longer than to compute a small map.
+static IDLE: Mutex<Vec<ThreadPool>> = Mutex::new(Vec::new());
+
+/// Threads that know whether their work is wanted.
+struct Threads(Option<ThreadPool>);
+
+impl Threads {
+    /// As many as the current pool has.
+    fn that_ask(wanted: CancelToken) -> Self {
+        let count = rayon::current_num_threads();
+        let kept = {
+            let mut idle = IDLE.lock().unwrap_or_else(PoisonError::into_inner);
+            let place = idle.iter().position(|pool| pool.current_num_threads() == count);
+            place.map(|place| idle.swap_remove(place))
+        };
+        let start = || ThreadPoolBuilder::new().num_threads(count).build().expect("threads to work on");
+        let pool = kept.unwrap_or_else(start);
+        pool.broadcast(|_| CANCEL_TOKEN.set(Some(wanted.clone())));
+        Self(Some(pool))
+    }
+
+    fn pool(&self) -> &ThreadPool {
+        self.0.as_ref().expect("a pool until the end")
+    }
+}
+
+impl Drop for Threads {
+    fn drop(&mut self) {
+        if let Some(pool) = self.0.take() {
+            pool.spawn_broadcast(|_| CANCEL_TOKEN.set(None));
+            IDLE.lock().unwrap_or_else(PoisonError::into_inner).push(pool);
+        }
     }
 }
 
@@ -87,6 +141,32 @@ mod tests {
     #[should_panic(expected = "of its own")]
     fn a_panic_of_the_work_stays_one() {
         run_while(|| true, || panic!("of its own"));
+    }
+
+    /// The pool of work that was broken off works on when it is wanted again.
+    #[test]
+    fn a_kept_pool_asks_anew() {
+        for wanted in [true, false, true] {
+            let work = || {
+                check();
+                rayon::current_num_threads()
+            };
+            assert_eq!(run_while(move || wanted, work), wanted.then(rayon::current_num_threads));
+        }
+    }
+
+    #[test]
+    fn beside_work_this_thread_does_something_else() {
+        let done = AtomicUsize::new(0);
+        let work = || _ = done.fetch_add(1, Ordering::Relaxed);
+        assert_eq!(run_beside(|| true, work, || 7), 7);
+        assert_eq!(done.load(Ordering::Relaxed), 1);
+        let broken_off = || {
+            check();
+            done.fetch_add(1, Ordering::Relaxed);
+        };
+        run_beside(|| false, broken_off, || ());
+        assert_eq!(done.load(Ordering::Relaxed), 1);
     }
 
     #[test]
