@@ -1,4 +1,5 @@
-//! The page in a real browser: Debian's Chromium, driven by pytest.
+//! The page: its scripts alone under the node of playwright, then all of it in a real browser, Debian's Chromium, driven by
+//! pytest.
 //!
 //! Preferred is the browser without windows: one that has them, though it shows none, takes five times the processor for
 //! each page that is opened.
@@ -9,7 +10,7 @@ use std::process::Command;
 
 use crate::step::{run_beside, run_unseen};
 use crate::times::printed;
-use crate::{Outcome, environment, page, root};
+use crate::{Outcome, environment, output, page, root};
 
 /// What the tests need, with exact versions.
 const REQUIREMENTS: &str = "crates/riffel-web/tests/requirements.txt";
@@ -17,8 +18,10 @@ const REQUIREMENTS: &str = "crates/riffel-web/tests/requirements.txt";
 /// Chromium without windows, its program and package.
 const WINDOWLESS: &str = "chromium-headless-shell";
 
-/// Two browsers, each with a server: a test waits half of its time. All of the tests run one by one, for some of them
-/// tell times.
+/// Folder of the tests of the scripts.
+const UNIT: &str = "./crates/riffel-web/tests/unit";
+
+/// Two browsers, each with a server: a test waits half of its time.
 const SIDE_BY_SIDE: [&str; 2] = ["--numprocesses=2", "--dist=worksteal"];
 
 /// Names under which a Chromium with windows is found.
@@ -50,14 +53,17 @@ pub(crate) enum Thoroughness {
     All { module: Option<PathBuf> },
 }
 
-/// Run the tests of the page; screenshots are kept in `target/browser-tests/screenshots`.
+/// Run the tests of the page, those of its scripts first. Screenshots of [`Thoroughness::All`] are kept in
+/// `target/browser-tests/screenshots`.
 pub(crate) fn test(browser: &Browser, thoroughness: Thoroughness) -> Outcome {
+    run_beside(&mut scripts(browser)?)?;
     let mut tests = command(browser);
     match thoroughness {
         Thoroughness::Once => {
             tests.args(["-m", "not thorough"]).args(SIDE_BY_SIDE);
         }
         Thoroughness::All { module } => {
+            tests.env("SCREENSHOTS", folder().join("screenshots"));
             tests.envs(module.map(|module| ("RIFFEL_WASM", module)));
         }
     }
@@ -77,9 +83,20 @@ fn command(browser: &Browser) -> Command {
     tests
         .env("RIFFEL", root().join("target/debug/riffel"))
         .env("CHROMIUM", &browser.chromium)
-        .env("SCREENSHOTS", folder().join("screenshots"))
         .env("PYTHONDONTWRITEBYTECODE", "1");
     tests
+}
+
+/// The tests of the scripts, as a command of node: playwright comes with one.
+fn scripts(browser: &Browser) -> Result<Command, String> {
+    let place = "from playwright._impl._driver import compute_driver_executable as driver; print(driver()[0])";
+    let node = output(&browser.python, &["-c", place])?;
+    let mut tests = Command::new(String::from_utf8_lossy(&node).trim());
+    tests
+        .args(["--no-warnings", "--experimental-vm-modules", "--test", "--test-isolation=none", "--test-reporter=dot"])
+        .args(["--import", &format!("{UNIT}/page.mjs"), &format!("{UNIT}/*.test.mjs")])
+        .env("RIFFEL", root().join("target/debug/riffel"));
+    Ok(tests)
 }
 
 fn folder() -> PathBuf {
