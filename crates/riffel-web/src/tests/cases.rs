@@ -3,7 +3,7 @@
 use axum::http::{StatusCode, header};
 use serde_json::{Value, json};
 
-use super::{ask, english, nominal};
+use super::{ask, english, get, nominal};
 
 #[tokio::test]
 async fn a_map_is_that_of_the_program() {
@@ -139,6 +139,32 @@ async fn files_and_figures_are_those_of_the_program() {
     assert_eq!(label, "13,89 kg m²");
     let none = ask("/api/figure", &json!({ "number": 1, "contact": "quasi-static" })).await;
     assert_eq!(none.status, StatusCode::UNPROCESSABLE_ENTITY);
+}
+
+/// A first visit offers rails and tracks, each of which makes a case of every line.
+#[tokio::test]
+async fn every_track_of_the_first_visit_makes_a_case_of_every_line() {
+    let start = include_str!("../../assets/start.js");
+    let tracks = start.split_once("const TRACKS = [").unwrap().1.split_once("\n];").unwrap().0;
+    let tracks: Vec<Vec<&str>> =
+        tracks.split('[').skip(1).map(|track| track.split('\'').skip(1).step_by(2).collect()).collect();
+    assert!(tracks.len() > 5, "{tracks:?}");
+    let vocabulary = get("/api/vocabulary").await.json();
+    let lines = vocabulary["lines"].as_array().unwrap();
+    assert!(lines.len() > 3);
+    for line in lines {
+        for track in &tracks {
+            let &[section, preset, model] = &track[..] else { panic!("{track:?}") };
+            let mut keys = line["case"].clone();
+            keys["rail"]["section"] = json!(section);
+            keys["track"] = json!({ "model": model, "preset": preset });
+            if model.ends_with("periodic") {
+                keys["track"]["position"] = json!("0 m");
+            }
+            let answer = ask("/api/case", &json!({ "case": { "keys": keys } })).await;
+            assert_eq!(answer.status, StatusCode::OK, "{line}, {track:?}: {}", answer.json());
+        }
+    }
 }
 
 /// The sliders of the page move within what is usual, so that none of their places is asked about.
