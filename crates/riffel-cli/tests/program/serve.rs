@@ -165,6 +165,103 @@ fn no_question_of_a_page_opens_a_file_of_the_machine() {
     }
 }
 
+/// Asserts that two answers have the same numbers, names and truths; one may say more.
+fn same(page: &Value, program: &Value, what: &str) {
+    match (page, program) {
+        (Value::Object(own), Value::Object(other)) => {
+            let common: Vec<_> = own.keys().filter(|key| other.contains_key(*key)).collect();
+            assert!(!common.is_empty(), "{what}");
+            common.iter().for_each(|key| same(&own[*key], &other[*key], &format!("{what}.{key}")));
+        }
+        (Value::Array(own), Value::Array(other)) => {
+            assert_eq!(own.len(), other.len(), "{what}");
+            own.iter().zip(other).for_each(|(one, other)| same(one, other, what));
+        }
+        (Value::Number(own), Value::Number(other)) => {
+            let [own, other] = [own, other].map(|number| number.as_f64().unwrap());
+            // Quantities reach a page in SI, which costs a bit or two of the last digits.
+            assert!((own - other).abs() <= 1e-9 * other.abs().max(1e-300), "{what}: {own} {other}");
+        }
+        // Messages are data here and sentences there.
+        (Value::Object(_), Value::String(_)) => {}
+        _ => assert_eq!(page, program, "{what}"),
+    }
+}
+
+/// A command line beside each question of a page: the parts of the two answers that are one.
+#[test]
+fn the_numbers_of_a_page_are_those_of_the_program() {
+    let sandbox = Sandbox::new();
+    let few = |name: &str| {
+        let text = fs::read_to_string(root().join(format!("cases/{name}.toml"))).unwrap();
+        let short = text
+            .replace("\"300 mm\" }", "\"300 mm\", points = 21 }")
+            .replace("\"15 m/s\" }", "\"15 m/s\", points = 7 }");
+        fs::write(sandbox.path(&format!("{name}.toml")), &short).unwrap();
+        json!({ "toml": short })
+    };
+    let [nominal, metro, curve] = ["nominal", "metro", "curve"].map(few);
+    let wave = json!({ "case": nominal, "wavelength_m": 0.04, "speed_m_per_s": 25, "amplitude_m": 150e-6 });
+    let record: String =
+        (0..3000).map(|at| format!("{:.3},{:.3}\n", 1e-3 * f64::from(at), f64::from(at * 7919 % 41))).collect();
+    let record = format!("position_m,left_um\n{record}");
+    fs::write(sandbox.path("record.csv"), &record).unwrap();
+    let served = Served::new(&sandbox);
+    assert_eq!(served.post("/api/upload", "text/csv", &record).0, 200);
+    let keys: toml::Table = metro["toml"].as_str().unwrap().parse().unwrap();
+    let measured = json!({ "case": keys, "roughness": { "upload": 1, "name": "record.csv" }, "speed": "15 m/s" });
+    for (path, question, command, parts) in [
+        (
+            "/api/line",
+            json!({ "case": nominal }),
+            "map nominal.toml -o map",
+            &[("/fastest", "/under_traffic/fastest"), ("/cause", "/under_traffic/cause")][..],
+        ),
+        (
+            "/api/remedies",
+            json!({ "case": metro }),
+            "compare metro.toml --remedies -o remedies",
+            &[("/remedies", "/remedies")],
+        ),
+        (
+            "/api/passage",
+            wave.clone(),
+            "simulate nominal.toml --sinusoid 150um,0.04m --speed 25m/s -o passage",
+            &[("/contact_loss_fraction", "/contact_loss_fraction")],
+        ),
+        (
+            "/api/damage",
+            wave,
+            "shakedown nominal.toml --wavelength 0.04m --speed 25m/s",
+            &[("/shakedown/loop", "/loop")],
+        ),
+        ("/api/wheelset", json!({ "case": curve }), "wheelset curve.toml", &[("/modes", "/natural_frequencies")]),
+        (
+            "/api/stability",
+            json!({ "case": curve }),
+            "stability curve.toml",
+            &[("/points", "/points"), ("/branches", "/branches")],
+        ),
+        (
+            "/api/ask/noise",
+            measured,
+            "noise metro.toml --roughness record.csv --speed 15m/s -o noise",
+            &[("/level", "/level"), ("/frequency_hz", "/frequency_hz")],
+        ),
+    ] {
+        let (status, answer) = served.ask(path, &question);
+        assert_eq!(status, 200, "{path}: {answer}");
+        let body = answer.split_once("\r\n\r\n").unwrap().1;
+        let answer: Value = serde_json::from_str(body).unwrap();
+        let told = sandbox.json(&format!("{command} --json"));
+        for (here, there) in parts {
+            let [own, other] = [answer.pointer(here), told.pointer(there)]
+                .map(|part| part.unwrap_or_else(|| panic!("{path}: {here}")));
+            same(own, other, path);
+        }
+    }
+}
+
 /// A question with what it needs, and the file of the machine under one of its keys.
 fn with_the_file(question: &dyn AnyQuestion, key: &Key, file: &str) -> Value {
     let case: toml::Table = fs::read_to_string(root().join("cases/nominal.toml")).unwrap().parse().unwrap();
