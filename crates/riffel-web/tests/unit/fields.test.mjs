@@ -276,7 +276,7 @@ test('vehicles are keys of a traffic file', () => {
 test('vehicles that make no traffic say why', () => {
   for (const [name, texts, words] of [
     ['share', ['0', '-20', '120 %'], 'must be'], ['share', ['40'], 'sum to 110 %'], ['share', [''], 'share'], ['from', ['80'], 'highest speed'], ['to', ['30 knots'], 'no unit'], ['wheel', ['6 t', '3 GN'], 'no unit'], ['wheel', ['5,000'], 'two ways'],
-    ['tractive', ['1.2'], 'must be'], ['name', ['', 'tram'], 'vehicle'],
+    ['tractive', ['1.2'], 'must be'], ['name', ['', 'tram', ' tram '], 'vehicle'],
   ]) {
     for (const text of texts) {
       const { one, given, typed } = twoVehicles();
@@ -338,6 +338,8 @@ test('the layout of a table follows from its first lines', async () => {
   assert.deepEqual(await named('position_m,left_um\n0.000,1.2\n0.001,1.3\n'), ['comma', 'point', 1, ['position_m', 'left_um']]);
   assert.deepEqual(await named('\uFEFFWeg [m];Höhe links [mm]\r\n0,000;1,2\r\n0,001;1,3\r\n'), ['semicolon', 'comma', 1, ['Weg [m]', 'Höhe links [mm]']]);
   assert.deepEqual(await named('# made by a trolley\nx\ty\n0\t1\n1\t2\n'), ['tab', 'point', 2, ['x', 'y']]);
+  // A line with one number is part of the head.
+  assert.deepEqual(await named('trolley,7\nposition_m,left_um\n0,1\n1,2\n'), ['comma', 'point', 2, ['position_m', 'left_um']]);
   assert.deepEqual(await named('0 1 2\n1 2 3\n'), ['space', 'point', 0, ['', '', '']]);
   assert.deepEqual(await named('"a";"b"\n1;2\n3;4\n'), ['semicolon', 'point', 1, ['a', 'b']]);
   const { examples } = await of('a,b\n1,2\n3,4\n5,6\n7,8\n9');
