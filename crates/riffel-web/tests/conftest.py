@@ -1,7 +1,7 @@
 """The program and a browser for the tests of the page.
 
 RIFFEL is the program, CHROMIUM the browser of the system; `cargo xtask test` sets both. Screenshots are kept
-in SCREENSHOTS.
+in SCREENSHOTS where it is set.
 """
 
 import base64
@@ -21,7 +21,8 @@ from playwright.sync_api import sync_playwright
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = os.environ.get("RIFFEL", str(ROOT / "target/debug/riffel"))
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
-SCREENSHOTS = pathlib.Path(os.environ.get("SCREENSHOTS", ROOT / "target/browser-tests/screenshots"))
+SCREENSHOTS = os.environ.get("SCREENSHOTS")
+SIZE = {"width": 1440, "height": 900}
 # The longest wait for any state [s]: far more than a busy machine needs, so that only what never comes runs out of it.
 PATIENCE = 300
 # Nothing that Chromium does by itself reaches for a network.
@@ -42,6 +43,8 @@ class Served:
         )
         self.url = self.process.stdout.readline().strip()
         assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", self.url), self.url
+        with urllib.request.urlopen(self.url) as answer:
+            self.picture = self.url + re.search(r"assets/\w+/icon\.svg", answer.read().decode())[0]
         with urllib.request.urlopen(self.url + "api/vocabulary") as answer:
             nominal = json.load(answer)["nominal"]
         # What a page keeps of a visit before, on which the nominal case was open.
@@ -52,22 +55,13 @@ class Served:
         return self.process.wait(timeout=PATIENCE)
 
 
-# Messages of an answer in English, as the page says them.
-ENGLISH = """async (answer) => {
-  const { pieces } = await import(document.querySelector('script[type=module]').src.replace('main.js', 'wording.js'));
-  const is = (value) => 'capital' in value || ('id' in value && ('values' in value || 'english' in value));
-  const said = (value) => pieces(value, 'en').map((piece) => piece.text ?? piece).join('');
-  const told = (value) => Array.isArray(value) ? value.map(told)
-    : Object(value) !== value ? value
-    : is(value) ? said(value)
-    : Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, told(inner)]));
-  return told(answer);
-}"""
-
-
-def in_english(page, answer):
-    """An answer to the page as `--json` has it."""
-    return page.page.evaluate(ENGLISH, answer)
+def small(name):
+    """A case of the book with a map of few points."""
+    text = (ROOT / f"cases/{name}.toml").read_text()
+    for axis, points in [("wavelength", 61), ("speed", 31)]:
+        text, count = re.subn(rf'^{axis} = {{ (min = "[^"]*", max = "[^"]*").*', rf"{axis} = {{ \1, points = {points} }}", text, flags=re.M)
+        assert count == 1, name
+    return text
 
 
 @pytest.fixture(scope="session")
@@ -75,16 +69,6 @@ def served(tmp_path_factory):
     served = Served(tmp_path_factory.mktemp("served"))
     yield served
     served.end()
-
-
-@pytest.fixture(autouse=True)
-def closed_afterwards(browser):
-    """Close what a test has opened, whatever becomes of it: a page that stays open goes on painting beside the others."""
-    before = browser.contexts
-    yield
-    for context in browser.contexts:
-        if context not in before:
-            context.close()
 
 
 @pytest.fixture(scope="session")
@@ -96,19 +80,18 @@ def browser():
 
 
 class Page:
-    """A page with what every test asks of it. Complaints of the browser fail the test.
+    """A page with what every test asks of it. Complaints of the browser fail the test, but for those that it expects.
 
-    Without curves nothing is drawn in place of them, which takes most of the time of a page. Without remedies the program
+    Without curves their places know what they would show, and nothing is drawn, which takes most of the time of a page. Without remedies the program
     ranks none, which of a case with a wheelset takes most of its time.
     """
 
-    def __init__(self, browser, url, curves=True, remedies=True, visited=None, **context):
-        self.context = browser.new_context(
-            **{"viewport": {"width": 1440, "height": 900}, "locale": "en-GB", "accept_downloads": True, "reduced_motion": "reduce", **context}
-        )
+    def __init__(self, browser, url, curves=True, remedies=True, visited=None, picture=None, **context):
+        settings = {"viewport": SIZE, "locale": "en-GB", "accept_downloads": True, "reduced_motion": "reduce", **context}
+        self.context = browser.new_context(**settings)
         self.context.set_default_timeout(1000 * PATIENCE)
         if not curves:
-            script = {"content_type": "text/javascript", "body": "window.Plotly = { react: async () => {} };"}
+            script = {"content_type": "text/javascript", "body": "window.Plotly = { react: async (place, data, layout) => Object.assign(place, { data, layout }) };"}
             self.context.route("**/plotly.min.js", lambda route: route.fulfill(**script))
         if not remedies:
             nothing = {"remedies": [], "left_out": [], "notes": []}
@@ -119,6 +102,8 @@ class Page:
         self.page = self.context.new_page()
         self.complaints = []
         self.foreign = []
+        self.handlers = []
+        self.home, self.picture = url, picture
         self.page.on("console", lambda message: message.type == "error" and self.complaints.append(message.text))
         self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
         self.page.on("request", lambda request: self.check(request.url, "/".join(url.split("/")[:3])))
@@ -131,6 +116,72 @@ class Page:
     def open(self, url):
         self.page.goto(url)
         self.settle()
+
+    def forget(self):
+        """Leave the page for a picture of its origin, which runs no script that could write once more, and keep nothing of it."""
+        self.page.goto(self.picture)
+        self.page.evaluate("() => { localStorage.clear(); sessionStorage.clear(); }")
+
+    def again(self):
+        """Open it anew, as somebody who was never here but to see the nominal case: of the test before nothing is left."""
+        for event, handler in self.handlers:
+            self.page.remove_listener(event, handler)
+        self.page.unroute_all(behavior="ignoreErrors")
+        for other in self.context.pages:
+            if other is not self.page:
+                other.close()
+        self.forget()
+        self.page.set_viewport_size(SIZE)
+        self.page.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
+        for own in (self.complaints, self.foreign, self.handlers):
+            own.clear()
+        self.open(self.home)
+
+    def on(self, event, handler):
+        """Be told of an event until the test ends."""
+        self.handlers.append((event, handler))
+        self.page.on(event, handler)
+
+    def asked(self, path):
+        """The questions at a path, as they come."""
+        questions = []
+        self.on("request", lambda request: request.url.endswith(path) and questions.append(request.post_data_json))
+        return questions
+
+    def answers(self, path):
+        """The answers to a question, as they come."""
+        given = []
+        self.on("response", lambda response: response.url.endswith(path) and response.ok and given.append(json.loads(response.text())))
+        return given
+
+    def hold(self, path):
+        """Keep answers back until the function that is returned is called."""
+        kept = []
+        self.page.route(path, lambda route: kept.append(route))
+
+        def release():
+            self.page.unroute(path)
+            for route in kept:
+                try:
+                    route.continue_()
+                except Exception:  # noqa: BLE001 - the page has given up the question.
+                    pass
+
+        return release
+
+    def saved(self, act):
+        """The name and the bytes of the file that the page gives."""
+        with self.page.expect_download() as download:
+            act()
+        return download.value.suggested_filename, pathlib.Path(download.value.path()).read_bytes()
+
+    def take(self, kind):
+        """What the menu of what can be taken away gives."""
+        self.page.click("[popovertarget=take-away]")
+        return self.saved(lambda: self.page.click(f"[data-take={kind}]"))
+
+    def speak(self, language):
+        self.page.select_option("#language", language)
 
     def settle(self):
         """Wait until nothing is asked, drawn or written any more."""
@@ -149,15 +200,11 @@ class Page:
         end = time.monotonic() + PATIENCE
         while not condition():
             assert time.monotonic() < end, "waited in vain"
-            self.page.wait_for_timeout(50)
+            self.page.wait_for_timeout(80)
 
     def fits(self):
         """Wait until nothing is wider than the window: charts follow a new width a third of a second later."""
         self.until(lambda: self.page.evaluate("() => document.documentElement.scrollWidth") <= self.page.viewport_size["width"])
-
-    def pause(self):
-        """A moment for what must not happen; what must happen is waited for by its state."""
-        self.page.wait_for_timeout(300)
 
     def map(self):
         """The colours of the map, as one number that changes with any of them."""
@@ -194,29 +241,52 @@ class Page:
         self.settle()
 
     def keep(self, name, whole=False):
-        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-        self.page.screenshot(path=SCREENSHOTS / f"{name}.png", full_page=whole)
+        if SCREENSHOTS:
+            self.page.screenshot(path=pathlib.Path(SCREENSHOTS) / f"{name}.png", full_page=whole)
 
-    def close(self, complaints=0):
-        self.context.close()
+    def refused(self, status):
+        """The browser complains of each answer that is none: those of a status are what the test is about."""
+        self.complaints = [complaint for complaint in self.complaints if f"status of {status}" not in complaint]
+
+    def check_complaints(self):
         assert self.foreign == [], "the page asked elsewhere"
-        assert len(self.complaints) == complaints, self.complaints
+        assert self.complaints == []
+
+    def close(self):
+        self.context.close()
+        self.check_complaints()
+
+
+@pytest.fixture(scope="module")
+def shared(browser, served, request):
+    """One page for the tests of a module."""
+    page = Page(browser, served.url, visited=served.visited, picture=served.picture, **parts(request))
+    yield page
+    page.context.close()
 
 
 @pytest.fixture
-def page(browser, served, request):
-    page = Page(browser, served.url, visited=served.visited, **parts(request))
-    yield page
-    page.close()
+def page(shared):
+    shared.again()
+    yield shared
+    shared.check_complaints()
 
 
 @pytest.fixture
 def open_page(browser, served, request):
-    """Pages with other settings, which the test closes itself; of somebody who was here before, if not told otherwise."""
+    """Pages with other settings; of somebody who was here before, if not told otherwise."""
     settings = {"visited": served.visited, **parts(request)}
-    return lambda path="", **context: Page(browser, served.url + path, **{**settings, **context})
+    opened = []
+
+    def open_(path="", **context):
+        opened.append(Page(browser, served.url + path, **{**settings, **context}))
+        return opened[-1]
+
+    yield open_
+    for page in opened:
+        page.close()
 
 
 def parts(request):
-    """What a page has, but for what the markers of its test leave out."""
+    """What the pages of a module have, but for what its markers leave out."""
     return {part: request.node.get_closest_marker(f"without_{part}") is None for part in ("curves", "remedies")}

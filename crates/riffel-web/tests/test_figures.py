@@ -2,11 +2,16 @@
 
 import csv
 import io
+import json
 import struct
 import xml.etree.ElementTree as ElementTree
 import zlib
 
 import pytest
+from conftest import ROOT
+from test_compare import CURVES, keep_with, settled
+
+pytestmark = pytest.mark.without_remedies
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -35,39 +40,26 @@ def corner(png):
     return width, height, list(zlib.decompress(data)[1 : 1 + 3])
 
 
-@pytest.mark.parametrize("place", ["map", "phasors", "growth"])
-def test_a_figure_comes_as_svg_png_and_csv_on_white(open_page, place):
-    page = open_page(color_scheme="dark")
+def test_figures_come_as_svg_png_and_csv_on_white(page):
+    page.page.emulate_media(color_scheme="dark")
     page.settle()
-    svg = ElementTree.fromstring(given(page, place, "svg"))
-    assert svg.tag == f"{SVG}svg"
-    assert svg.find(f"{SVG}rect").get("fill") == "#fff"
-    assert svg.findall(f".//{SVG}text"), "words stay words"
-    # Nothing of it is pale: no light ink of the dark page.
-    assert "#e8ebee" not in ElementTree.tostring(svg, encoding="unicode")
-    assert not [node for node in svg.iter() if node.get("style")], "the policy forbids styles in a picture"
-    width, height, pixel = corner(given(page, place, "png"))
+    for place in ["map", "phasors", "growth"]:
+        svg = ElementTree.fromstring(given(page, place, "svg"))
+        assert svg.tag == f"{SVG}svg" and svg.find(f"{SVG}rect").get("fill") == "#fff"
+        assert svg.findall(f".//{SVG}text"), "words stay words"
+        # Nothing of it is pale: no light ink of the dark page.
+        assert "#e8ebee" not in ElementTree.tostring(svg, encoding="unicode")
+        assert not [node for node in svg.iter() if node.get("style")], "the policy forbids styles in a picture"
+        rows = list(csv.reader(io.StringIO(given(page, place, "csv").decode())))
+        assert len(rows) == {"map": 1 + 241 * 221, "phasors": 6}.get(place, len(rows)) > 5
+    width, height, pixel = corner(given(page, "growth", "png"))
     assert width > 300 and height > 200 and pixel == [255, 255, 255]
-    rows = list(csv.reader(io.StringIO(given(page, place, "csv").decode())))
-    if place == "map":
-        assert rows[0] == ["wavelength_m", "speed_m_per_s", "growth_rate_per_passage"] and len(rows) == 1 + 241 * 221
-        strongest = max(rows[1:], key=lambda row: float(row[2]))
-        highest = page.page.evaluate("() => window.riffel.state.head.highest")
-        # The highest of the grid against the ridge between its points, where growth is flat.
-        assert float(strongest[2]) == pytest.approx(highest["growth_rate_per_passage"], rel=1e-3)
-        assert [float(value) for value in rows[1][:2]] == [0.02, 5.0]
-    elif place == "growth":
-        assert len(rows) > 241 and rows[0][:2] == ["curve", "wavelength λ [mm]"]
-        assert float(rows[1][1]) == 20
-    else:
-        assert len(rows) == 6 and rows[1][1] == "31.5 µm"
     # The page is dark as before.
     assert page.page.evaluate("() => document.documentElement.dataset.theme") == "dark"
-    page.close()
 
 
-def test_on_paper_there_is_the_view_alone_on_white(open_page, tmp_path):
-    page = open_page(color_scheme="dark")
+def test_on_paper_there_is_the_view_alone_on_white(page, tmp_path):
+    page.page.emulate_media(color_scheme="dark")
     page.settle()
     before = page.page.locator("#growth .main-svg").first.bounding_box()
     page.page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
@@ -89,67 +81,59 @@ def test_on_paper_there_is_the_view_alone_on_white(open_page, tmp_path):
     pdf = (tmp_path / "page.pdf").read_bytes()
     # A4, and four of them at most: a page cut into slivers would take more.
     assert 1 <= pdf.count(b"/Type /Page\n") <= 4
-    page.close()
 
 
-def test_curve_and_paper_hand_out_their_figures(open_page):
-    page = open_page(color_scheme="dark")
+def test_the_curve_is_handed_out_and_on_paper_says_what_was_asked(page, tmp_path):
+    page.page.route("**/api/curve/wheels", lambda route: route.fulfill(status=422, json={"message": "not asked"}))
+    page.page.emulate_media(color_scheme="dark")
     page.page.click("#tab-curve")
-    page.until(lambda: page.page.locator("#wheels tbody tr").count() == 4)
-    page.until(lambda: page.page.locator("#curvatures .main-svg").count() > 0)
+    page.until(lambda: page.page.locator("#wheels tbody tr").count() == 4 and page.page.locator("#curvatures .main-svg").count() > 0)
+    page.settle()
     svg = ElementTree.fromstring(given(page, "bogie-above", "svg"))
     # White as wide as the drawing, wheels as dark as they wear, no styles.
-    assert svg.find(f"{SVG}rect").get("fill") == "#fff"
     left, top, width, height = (float(value) for value in svg.get("viewBox").split())
-    assert float(svg.get("width")) / float(svg.get("height")) == pytest.approx(width / height)
-    wheels = [rect for rect in svg.iter(f"{SVG}rect") if rect.get("rx")]
-    opacities = [float(rect.get("fill-opacity")) for rect in wheels]
-    assert len(wheels) == 4 and max(opacities) == pytest.approx(1) and min(opacities) < 0.9
-    assert not [node for node in svg.iter() if node.get("style")] and "#e8ebee" not in ElementTree.tostring(svg, encoding="unicode")
-    assert corner(given(page, "bogie-above", "png"))[2] == [255, 255, 255]
+    assert svg.find(f"{SVG}rect").get("fill") == "#fff" and float(svg.get("width")) / float(svg.get("height")) == pytest.approx(width / height)
+    opacities = [float(rect.get("fill-opacity")) for rect in svg.iter(f"{SVG}rect") if rect.get("rx")]
+    assert len(opacities) == 4 and max(opacities) == pytest.approx(1) and min(opacities) < 0.9
+    assert not [node for node in svg.iter() if node.get("style")]
     rows = list(csv.reader(io.StringIO(given(page, "bogie-above", "csv").decode())))
     assert len(rows) == 5 and rows[0][1] == "shift mm" and rows[1][0] == "1 left"
-    for place, least in [("outlines", "Profiles"), ("curvatures", "Curvature")]:
-        header = page.page.locator("#view-curve header").filter(has_text=least)
-        header.locator(".take summary").click()
-        with page.page.expect_download() as download:
-            header.locator("[data-figure=csv]").click()
-        assert download.value.suggested_filename == {"outlines": "profiles.csv", "curvatures": "curvatures.csv"}[place]
-        points = list(csv.reader(open(download.value.path(), encoding="utf-8", newline="")))
-        assert {row[0] for row in points[1:]} == {"wheel", "rail"} and len(points) > 500
+    on_paper(page, "curve", tmp_path, 2)
+    page.refused(422)
+
+
+def test_the_paper_is_drawn_handed_out_and_printed(page, tmp_path):
     page.page.click("#tab-paper")
-    figure = page.page.locator("#figure-4")
-    figure.scroll_into_view_if_needed()
-    page.until(lambda: figure.locator(".take").count() > 0)
-    asked = page.page.evaluate("async () => (await fetch('/api/figure', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ number: 4, contact: 'quasi-static' }) })).json()")
-    panel = asked["maps"][0]
-    caption = figure.locator("figcaption").first
+    for number in range(2, 9):
+        figure = page.page.locator(f"#figure-{number}")
+        figure.scroll_into_view_if_needed()
+        page.until(lambda: f"Figure {number}." in figure.locator("h2").inner_text() and figure.locator("canvas, .main-svg").count() > 0)
+    page.settle()
+    # No curve reaches into the panel beside it.
+    over = "() => [...document.querySelectorAll('#view-paper figure')].filter((one) => one.scrollWidth > one.clientWidth + 1).length"
+    assert page.page.evaluate(over) == 0
+    caption = page.page.locator("#figure-4 figcaption").first
     for kind in ["csv", "svg"]:
         caption.locator(".take summary").click()
-        with page.page.expect_download() as download:
-            caption.locator(f"[data-figure={kind}]").click()
-        assert download.value.suggested_filename.startswith("figure-4-1") and download.value.suggested_filename.endswith(kind)
-        text = open(download.value.path(), encoding="utf-8", newline="").read()
+        name, text = page.saved(lambda: caption.locator(f"[data-figure={kind}]").click())
+        assert name.startswith("figure-4-1") and name.endswith(kind)
         if kind == "csv":
-            rows = list(csv.reader(io.StringIO(text)))
+            rows = list(csv.reader(io.StringIO(text.decode())))
             # The values of the paper, with its sign.
-            assert rows[0] == ["wavelength_m", "speed_m_per_s", panel["value_label"]]
-            assert [float(row[2]) for row in rows[1:]] == panel["values"]
+            assert rows[0][:2] == ["wavelength_m", "speed_m_per_s"] and min(float(row[2]) for row in rows[1:]) < 0
         else:
             assert ElementTree.fromstring(text).findall(f".//{SVG}image")
-    page.close()
+    # The field is what the project keeps.
+    kept = json.loads((ROOT / "validation/field/prediction-wear-of-service.json").read_text())
+    outcomes = [(site["title"], outcome) for site in kept["cases"] for outcome in site["outcomes"]]
+    cells = [row.locator("th, td").all_inner_texts() for row in page.page.locator("#field tbody tr").all()]
+    assert [row[0] for row in cells] == [title for title, _ in outcomes]
+    assert all(row[4] == ("inside" if outcome["inside"] else "outside") for row, (_, outcome) in zip(cells, outcomes))
+    on_paper(page, "paper", tmp_path, 4)
 
 
-@pytest.mark.parametrize("view", ["curve", "paper"])
-def test_curve_and_paper_on_paper_say_what_was_asked(page, view, tmp_path):
-    page.page.click(f"#tab-{view}")
-    if view == "curve":
-        page.until(lambda: page.page.locator("#wheels tbody tr").count() == 4)
-        page.until(lambda: page.page.locator("#curvatures .main-svg").count() > 0)
-    else:
-        page.page.locator("#figure-4").scroll_into_view_if_needed()
-        page.until(lambda: page.page.locator("#figure-4 .take").count() > 0)
-    page.settle()
+def on_paper(page, view, folder, most):
+    """A view that is printed: what was asked stays, what only a screen needs does not, and all fits its sheets."""
     page.page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
     assert page.page.locator("#curve-radius" if view == "curve" else "#paper-contact").is_visible()
     for selector in [".take", ".strip .plain", ".waiting"]:
@@ -167,6 +151,30 @@ def test_curve_and_paper_on_paper_say_what_was_asked(page, view, tmp_path):
             assert box["y"] >= title["y"] + title["height"] - 1 or box["y"] + box["height"] <= title["y"], "a legend on the title of an axis"
     page.page.evaluate("() => dispatchEvent(new Event('afterprint'))")
     page.settle()
-    page.page.pdf(path=tmp_path / "page.pdf", prefer_css_page_size=True, print_background=True)
-    pdf = (tmp_path / "page.pdf").read_bytes()
-    assert 1 <= pdf.count(b"/Type /Page\n") <= (2 if view == "curve" else 4)
+    page.page.pdf(path=folder / "page.pdf", prefer_css_page_size=True, print_background=True)
+    assert 1 <= (folder / "page.pdf").read_bytes().count(b"/Type /Page\n") <= most
+
+
+def test_a_report_of_the_variants(page, tmp_path, browser):
+    page.page.click("#tab-compare")
+    keep_with(page, contact__friction="0.2")
+    name = page.page.locator(".variants input")
+    name.fill("<b>dry</b>")
+    name.press("Tab")
+    settled(page, 3)
+    page.until(lambda: len(page.page.evaluate(CURVES, "compare-curves")) == 2)
+    with page.page.expect_download() as download:
+        page.page.click("#report-variants")
+    file = tmp_path / "variants.html"
+    download.value.save_as(file)
+    context = browser.new_context(viewport={"width": 1100, "height": 900})
+    report = context.new_page()
+    asked = []
+    report.on("request", lambda request: asked.append(request.url))
+    report.goto(file.as_uri())
+    assert [url for url in asked if not url.startswith(("file:", "data:"))] == []
+    assert report.locator("th", has_text="<b>dry</b>").count() == 1
+    pictures = report.locator("img").evaluate_all("(all) => all.map(({ naturalWidth }) => naturalWidth)")
+    assert len(pictures) == 4 and min(pictures) > 100
+    assert report.locator("a").get_attribute("href") == page.page.url
+    context.close()

@@ -9,7 +9,7 @@ import urllib.request
 
 import pytest
 from conftest import PATIENCE, PROGRAM, Served
-from test_page import profile
+from test_measure import two_rails
 
 
 def test_other_machines_are_let_in_with_a_warning_only(tmp_path):
@@ -46,7 +46,7 @@ def test_the_end_leaves_nothing_behind(tmp_path, signal_):
     served = Served(tmp_path)
     host = served.url[7:-1]
     headers = {"Origin": f"http://{host}", "X-Riffel-Page": "a", "Content-Type": "text/csv"}
-    request = urllib.request.Request(served.url + "api/upload", profile(1), headers)
+    request = urllib.request.Request(served.url + "api/upload", two_rails(3).encode(), headers)
     assert json.load(urllib.request.urlopen(request))["bytes"] > 1000
     assert len(list(tmp_path.iterdir())) == 1
     assert served.end(signal_) == 0
