@@ -36,7 +36,7 @@ def settled(page, columns):
 
 def test_six_variants_in_maps_curves_and_table(page):
     page.page.click("#tab-compare")
-    for k, mass in enumerate(["400", "450", "500", "550", "600"]):
+    for mass in ["400", "450", "500", "550", "600"]:
         page.page.click("#keep")
         page.set("wheel.mass", mass)
     keep_with(page, contact__friction="0.2")

@@ -19,7 +19,6 @@ def curves(page):
 
 
 def test_a_small_wave_is_linear_a_large_one_parts_and_another_case_pales(page):
-    passages = page.answers("/api/passage")
     page.page.click("#tab-motion")
     page.until(lambda: page.page.evaluate("() => Boolean(document.getElementById('wave').data)"))
     amplitude(page, "0.1")

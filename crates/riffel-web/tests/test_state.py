@@ -4,7 +4,6 @@ import base64
 import json
 
 import pytest
-from conftest import small
 from test_form import FRICTION, field, value
 from test_measure import record, two_rails
 
