@@ -150,6 +150,7 @@ def test_the_example_is_calibrated_decided_and_ranked_as_the_program_does_it(pag
     page.page.click("#rank")
     page.page.locator("#ranking tbody tr").first.wait_for()
     page.settle()
+    saved(page, "#save-decision", 1 + len(decisions[0]["files"]), tmp_path)
     ranks = lambda answer: [(action["rank"], action["probability_cheapest"]) for action in answer["actions"]]
     assert ranks(program(tmp_path, "decide", "posterior", "--plan", "plan.toml", "--json")) == ranks(decisions[0])
     assert page.page.locator("#ranking tbody tr").count() == len(decisions[0]["actions"]) >= 4
