@@ -2,13 +2,9 @@
 
 use crate::sandbox::{Sandbox, number};
 
-/// The traffic of a metro.
+/// The traffic of a metro, all of it at one speed: what is told here does not hang on a spread.
 const METRO: &str = "[line]\npassages_per_day = 3900\n[[vehicle]]\nname = \"metro\"\nshare = 1\n\
-                     speed = { mean = \"44 km/h\", standard_deviation = \"5 km/h\" }\n";
-
-/// All of its vehicles at one speed, where what is told does not hang on their spread.
-const STEADY: &str = "[line]\npassages_per_day = 3900\n[[vehicle]]\nname = \"metro\"\nshare = 1\n\
-                      speed = { mean = \"44 km/h\" }\n";
+                     speed = { mean = \"44 km/h\" }\n";
 
 /// Wavelength \[m\] and growth rate of a row of a table with a heading, at a speed \[m/s\].
 fn of_ridge(sandbox: &Sandbox, path: &str, speed: f64) -> [f64; 2] {
@@ -280,7 +276,7 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
 #[test]
 fn a_model_that_no_railway_knows_tells_no_months() {
     let sandbox = Sandbox::new();
-    std::fs::write(sandbox.path("metro.toml"), STEADY).unwrap();
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
     let levels: String =
         [200, 160, 125, 100, 80, 63, 50, 40].iter().map(|wavelength| format!("{wavelength},-2\n")).collect();
     std::fs::write(sandbox.path("short.csv"), format!("wavelength_mm,level_db\n{levels}")).unwrap();
@@ -327,7 +323,7 @@ fn a_model_that_no_railway_knows_tells_no_months() {
 fn a_case_of_one_rail_is_not_held_against_the_other() {
     let sandbox = Sandbox::new();
     let case = "cases/metro-curve.toml --set map.wavelength.points=7 --set map.speed.points=3";
-    std::fs::write(sandbox.path("metro.toml"), STEADY).unwrap();
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
     for (names, is_other) in [
         (["left", "right"], true),
         (["links", "rechts"], true),
@@ -376,7 +372,7 @@ fn a_case_of_one_rail_is_not_held_against_the_other() {
 #[test]
 fn a_fit_begins_where_the_rail_was_ground() {
     let sandbox = Sandbox::new();
-    std::fs::write(sandbox.path("metro.toml"), STEADY).unwrap();
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
     let dates = [("2022-03-01", 6.0), ("2023-03-01", 10.0), ("2023-06-01", 1.0), ("2024-05-31", 5.0)];
     let mut table = "date,wavelength_mm,level_db\n".to_owned();
     for (number, (date, level)) in dates.iter().enumerate() {
@@ -408,7 +404,7 @@ fn a_fit_begins_where_the_rail_was_ground() {
 #[test]
 fn first_said_is_why_dates_tell_no_growth() {
     let sandbox = Sandbox::new();
-    std::fs::write(sandbox.path("metro.toml"), STEADY).unwrap();
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
     for (devices, change, said) in [
         (["A", "A"], 3.0, "what was measured"),
         (["A", "A"], -9.0, "since its level last fell by more than 3 dB"),
