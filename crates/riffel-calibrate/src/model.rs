@@ -345,7 +345,7 @@ impl<'a> Trial<'a> {
         speed: f64,
         bands: &[FrequencyBand],
     ) -> Result<Vec<BandRadiation>, String> {
-        let LoopOnTrack { feedback, track } = self.case(view)?;
+        let LoopOnTrack { feedback, track, .. } = self.case(view)?;
         let case = &self.model.views[view].case;
         let bands = bands.iter().copied();
         let bands = TrackRadiator::default().bands(case, feedback, track, None, speed, bands);
@@ -385,12 +385,10 @@ impl<'a> Trial<'a> {
         let mut all = MeanWear { depth: 0.0, axle_mass: 0.0, bounds_growth: true };
         for (index, vehicle) in self.model.vehicles.iter().enumerate() {
             let tried = self.vehicle(view, index)?;
-            for (feedback, weight) in tried.wheel.places() {
-                let own = feedback.mean_wear();
-                all.depth += vehicle.share * tried.traction_share * weight * own.depth;
-                all.axle_mass += vehicle.share * weight * own.axle_mass;
-                all.bounds_growth &= own.bounds_growth;
-            }
+            let own = tried.wheel.mean_wear();
+            all.depth += vehicle.share * tried.traction_share * own.depth;
+            all.axle_mass += vehicle.share * own.axle_mass;
+            all.bounds_growth &= own.bounds_growth;
         }
         Ok(all)
     }

@@ -205,8 +205,8 @@ impl Plan {
 fn passages_per_day(line: &Line, vehicles: &[Vehicle], case: &Case) -> Option<f64> {
     let axle_mass = vehicles.iter().map(|vehicle| {
         let own = vehicle.number(&VehicleKey::OfCase("contact.normal_load".to_owned(), 1.0));
-        let load = own.or(case.number("contact.normal_load")).unwrap_or(f64::NAN);
-        2.0 * vehicle.share * load / STANDARD_GRAVITY
+        let own = own.map(|load| 2.0 * load / STANDARD_GRAVITY);
+        vehicle.share * own.unwrap_or_else(|| case.mean_wear().axle_mass)
     });
     let axle_mass: f64 = axle_mass.sum();
     let of_mgt = line.mgt_per_year.map(|mgt| 1e9 * mgt / axle_mass / DAYS_PER_YEAR);

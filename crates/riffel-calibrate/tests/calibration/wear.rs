@@ -74,3 +74,38 @@ fn wear_that_is_none_is_refused() {
         assert!(refused.contains(rule), "{refused}");
     }
 }
+
+/// In a curve the wheels of an axle share its load unevenly: tonnes are counted by the axle, as a forecast counts them, whichever rail
+/// was measured.
+#[test]
+fn tonnes_in_a_curve_are_those_of_the_axle() {
+    let to = TempDir::new().unwrap();
+    let write = |name: &str, text: &str| fs::write(to.path().join(name), text).unwrap();
+    write("wear.csv", "depth_mm,mgt,factor\n1.2,100,1.5\n");
+    write(
+        "traffic.toml",
+        "[line]\nmgt_per_year = 12\n[[vehicle]]\nname = \"metro\"\nshare = \"100 %\"\n\
+         speed = { mean = \"45 km/h\", standard_deviation = \"2 km/h\" }\n",
+    );
+    write(
+        "plan.toml",
+        "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
+         [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
+         [[data]]\nkind = \"wear\"\nfile = \"wear.csv\"\n",
+    );
+    let curve = include_str!("../../../riffel-case/cases/metro-curve.toml");
+    let mut passages = Vec::new();
+    for rail in ["low", "high"] {
+        write("case.toml", &curve.replace("rail = \"low\" }", &format!("rail = \"{rail}\" }}")));
+        let plan = Plan::read(&to.path().join("plan.toml")).unwrap();
+        let case = Case::read(&to.path().join("case.toml"), &[]).unwrap();
+        let traffic = Traffic::read(&to.path().join("traffic.toml")).unwrap();
+        let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| ()).unwrap();
+        let coefficient = case.number("wear.coefficient").unwrap();
+        let found = plan.posterior.predictions(&[coefficient]).unwrap()[0][0];
+        let expected = on.growth.mean_wear().depth_per_100_mgt().ln();
+        assert!((found - expected).abs() < 1e-12, "{rail}: {found} {expected}");
+        passages.push(plan.passages_per_day.unwrap());
+    }
+    assert_eq!(passages[0], passages[1]);
+}

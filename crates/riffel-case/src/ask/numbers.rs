@@ -1,7 +1,7 @@
 //! The physics of a case for other numbers of some keys, without its text.
 
-use riffel::Loop;
 use riffel::wheelset::RigidInertia;
+use riffel::{Loop, MeanWear};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::Quantity;
 use toml::Value;
@@ -19,6 +19,8 @@ pub struct LoopOnTrack {
     pub feedback: Loop,
     /// The track, vertically.
     pub track: Track,
+    /// Mass of an axle of the bogie \[kg\]; `None` if the load of the wheel tells it.
+    axle_mass: Option<f64>,
 }
 
 /// Set a number of a file of keys; none for a key that is not known here.
@@ -109,11 +111,12 @@ impl Case {
     /// Errors of [`edit`](Self::edit).
     pub fn with_numbers(&self, numbers: &[(&str, f64)]) -> Result<LoopOnTrack, CaseError> {
         if let Some(keys) = self.keys_with_numbers(numbers) {
+            let axle_mass = keys.axle_mass();
             let (feedback, track) = keys.loop_and_track()?;
-            return Ok(LoopOnTrack { feedback, track });
+            return Ok(LoopOnTrack { feedback, track, axle_mass });
         }
-        let Self { feedback, track, .. } = self.settled(numbers)?;
-        Ok(LoopOnTrack { feedback, track })
+        let Self { feedback, track, keys, .. } = self.settled(numbers)?;
+        Ok(LoopOnTrack { feedback, track, axle_mass: keys.axle_mass() })
     }
 
     /// The case with other numbers of keys that its mean state may follow from, without the remarks that take time.
@@ -197,6 +200,18 @@ impl LoopOnTrack {
     /// Loops and weights of [`Case::places`].
     pub fn places(&self) -> Vec<(Loop, f64)> {
         self.track.places(&self.feedback)
+    }
+
+    /// Mean wear of the rail per axle, in the mean over its places.
+    pub fn mean_wear(&self) -> MeanWear {
+        let mut all = MeanWear { depth: 0.0, axle_mass: 0.0, bounds_growth: true };
+        for (feedback, weight) in self.places() {
+            let own = feedback.mean_wear();
+            all.depth += weight * own.depth;
+            all.axle_mass += weight * own.axle_mass;
+            all.bounds_growth &= own.bounds_growth;
+        }
+        MeanWear { axle_mass: self.axle_mass.unwrap_or(all.axle_mass), ..all }
     }
 }
 

@@ -6,6 +6,7 @@ use riffel_keys::Message;
 
 use crate::curve::Equilibrium;
 use crate::file::FromCurve;
+use crate::keys::checked_keys::CheckedKeys;
 
 /// Where the mean state comes from.
 #[derive(Clone)]
@@ -36,10 +37,16 @@ impl Mean {
             Self::OfWheel(wheel) => Some(wheel),
         }
     }
+}
 
-    /// Mass of an axle of the bogie \[kg\], if there is one: its wheels share the load unevenly in a curve.
+impl CheckedKeys {
+    /// Mass of an axle of the bogie \[kg\], whose wheels share its load unevenly in a curve; `None` without a bogie, or if the case has
+    /// a load of its own.
     pub(crate) fn axle_mass(&self) -> Option<f64> {
-        let bogie = self.wheel()?.equilibrium.curving.file.bogie.as_ref()?;
+        if self.text.keys.has("contact.normal_load") {
+            return None;
+        }
+        let bogie = self.mean.wheel()?.equilibrium.curving.file.bogie.as_ref()?;
         Some(bogie.mass_per_axle.si())
     }
 }

@@ -262,7 +262,7 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
 }
 
 /// The evidence of one difference of levels, of which growth is linear in the wear over its normal prior: the density of a normal
-/// distribution about the growth of the mean, with the variances of both. Each of two steps of 400 members errs by 1/√400; to
+/// distribution about the growth of the mean, with the variances of both. Each of two steps of 800 members errs by 1/√800; to
 /// four errors of both.
 #[test]
 fn the_evidence_of_a_linear_problem_is_in_the_document() {
@@ -278,7 +278,7 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     let [mean, deviation] = [2.5e-9, 0.1e-9];
     let plan = format!(
         "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
-        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 200\n\
+        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 400\n\
         [[parameter]]\nkey = \"wear.coefficient\"\nnormal = {{ mean = {mean}, standard_deviation = {deviation} }}\n\
         [[data]]\nkind = \"dated-levels\"\nfile = \"two.csv\"\n"
     );
@@ -301,7 +301,7 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     assert!(slope * slope > variance, "{slope} {variance}");
     let document = sandbox.json(&format!("calibrate {set}/linear.toml -o out --json"));
     let told = document["log_evidence"]["value"].as_f64().unwrap();
-    assert!((told - expected).abs() < 4.0 * (2.0_f64 / 400.0).sqrt(), "{told} {expected}");
+    assert!((told - expected).abs() < 4.0 * (2.0_f64 / 800.0).sqrt(), "{told} {expected}");
 }
 
 /// Growth is what the levels say, 2.9 dB in two million axles, whatever command tells it; the whole case is taken, for no other.

@@ -128,7 +128,7 @@ impl VehicleRequest<'_> {
                 share: 1.0,
                 states: vec![(speeds.mean(), wheel.places())],
                 across: self.across(&wheel)?,
-                axle_mass: wheel.keys.mean.axle_mass(),
+                axle_mass: wheel.keys.axle_mass(),
                 speeds,
                 growth: OnceLock::new(),
             }],
@@ -213,7 +213,7 @@ impl VehicleRequest<'_> {
                             // A speed of a distribution is one.
                             speeds: SpeedDistribution::single(speed).unwrap_or(speeds.clone()),
                             across: self.across(wheel)?,
-                            axle_mass: wheel.keys.mean.axle_mass(),
+                            axle_mass: wheel.keys.axle_mass(),
                             growth: OnceLock::new(),
                         });
                     }
@@ -223,7 +223,7 @@ impl VehicleRequest<'_> {
                     states: at.map(|(speed, wheel)| (speed, wheel.places())).collect(),
                     speeds: speeds.clone(),
                     across: self.across(&first[wheelset])?,
-                    axle_mass: first[wheelset].keys.mean.axle_mass(),
+                    axle_mass: first[wheelset].keys.axle_mass(),
                     growth: OnceLock::new(),
                 }),
             }
