@@ -17,12 +17,6 @@ pub(crate) fn write(build: bool) -> Outcome {
     run(&mut bench)
 }
 
-/// Build what [`test()`] runs, with the features of the tests.
-pub(crate) fn build() -> Outcome {
-    let features = ["--features", "riffel-python/as-tested"];
-    run(cargo(&["build", "--workspace", "--bin", "riffel-bench", "--quiet"]).args(features))
-}
-
 /// Every contestant on tiny sizes, so that none is forgotten between two reports; those whose packages a Python lacks are left out.
 pub(crate) fn test(python: &Path) -> Outcome {
     let mut trial = Command::new(root().join("target/debug/riffel-bench"));

@@ -3,12 +3,13 @@
 use std::thread::{self, ScopedJoinHandle};
 
 use crate::browser::Thoroughness;
-use crate::step::{cargo, run, run_beside};
+use crate::step::{cargo, linting_cargo, run, run_beside};
 use crate::times::{Step, printed};
 use crate::{Outcome, bench, browser, budget, compiler, dependencies, python, times};
 
 const FORMAT: [&str; 3] = ["fmt", "--all", "--check"];
-const LINTS: [&str; 7] = ["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"];
+/// All that is run, with the features that the wheel has.
+const BUILD: [&str; 6] = ["build", "--workspace", "--all-targets", "--quiet", "--features", "riffel-python/as-tested"];
 const TESTS: [&str; 3] = ["test", "--workspace", "--quiet"];
 /// The test binaries that take seconds, besides those of the libraries.
 const QUICK: [&str; 13] = [
@@ -30,8 +31,8 @@ const QUICK: [&str; 13] = [
 /// Formatting, lints, and the tests that take seconds.
 pub(crate) fn quick() -> Outcome {
     run(&mut cargo(&FORMAT))?;
-    run(&mut cargo(&LINTS))?;
-    run(cargo(&TESTS).args(QUICK))
+    run(&mut linting_cargo(&BUILD))?;
+    run(linting_cargo(&TESTS).args(QUICK))
 }
 
 /// The whole check.
@@ -44,13 +45,11 @@ pub(crate) fn all() -> Outcome {
     thread::scope(|scope| {
         let python = scope.spawn(python::prepare);
         let browser = scope.spawn(browser::prepare);
-        run(&mut cargo(&LINTS))?;
-        run(cargo(&TESTS).arg("--no-run"))?;
-        bench::build()?;
+        run(&mut linting_cargo(&BUILD))?;
         let (python, browser) = (end(python)?, end(browser)?);
         let python = scope.spawn(move || python::test(&python).and_then(|()| bench::test(&python)));
         let browser = scope.spawn(move || browser::test(&browser, Thoroughness::Once));
-        run_beside(&mut cargo(&TESTS))?;
+        run_beside(&mut linting_cargo(&TESTS))?;
         end(python)?;
         end(browser)
     })?;
@@ -75,7 +74,7 @@ pub(crate) fn documentation() -> Outcome {
 /// The tests that take minutes.
 pub(crate) fn long() -> Outcome {
     // Not what writes a table or a capture for a reader.
-    run(cargo(&TESTS).args(["--tests", "--", "--ignored", "--skip", "is_captured", "--skip", "detection"]))
+    run(linting_cargo(&TESTS).args(["--tests", "--", "--ignored", "--skip", "is_captured", "--skip", "detection"]))
 }
 
 /// The check, one step after another, with the time of each and of the tests that take longest.
@@ -85,16 +84,15 @@ pub(crate) fn timed() -> Outcome {
         step("formatting, dependencies", || {
             run(&mut cargo(&FORMAT)).and_then(|()| dependencies::check()).map(|()| String::new())
         }),
-        step("lints", || printed(&mut cargo(&LINTS))),
-        step("compiling tests", || printed(cargo(&TESTS).arg("--no-run"))),
+        step("compiling, lints", || printed(&mut linting_cargo(&BUILD))),
         step("tests", || {
-            let mut tests = cargo(&["test", "--workspace", "--tests"]);
+            let mut tests = linting_cargo(&["test", "--workspace", "--tests"]);
             // The runner of the tests alone, for which times are no stable option.
             let runner = format!("CARGO_TARGET_{}_RUNNER", compiler::host()?.to_uppercase().replace('-', "_"));
             tests.env(runner, "env RUSTC_BOOTSTRAP=1");
             printed(tests.args(["--", "-Zunstable-options", "--report-time"]))
         }),
-        step("tests in documentation", || printed(cargo(&TESTS).arg("--doc"))),
+        step("tests in documentation", || printed(linting_cargo(&TESTS).arg("--doc"))),
         step("Python package", || python::timed(&python::prepare()?)),
         step("page", || browser::timed(&browser::prepare()?)),
     ])

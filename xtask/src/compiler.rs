@@ -1,6 +1,7 @@
 //! The compiler: what it is told, and the system that it builds for.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use crate::output;
 
@@ -15,6 +16,14 @@ pub(crate) fn flags() -> Result<String, String> {
         .map(|(folder, name)| format!("--remap-path-prefix={}={name}", folder.display()))
         // As cargo takes them apart, whatever is in a path.
         .join("\u{1f}"))
+}
+
+/// Let clippy compile the crates of the workspace, and refuse what it warns of: lints are looked for in the build that is tested, not
+/// in one of their own. Not for what is handed out: clippy switches some optimisations off.
+pub(crate) fn linting(command: &mut Command) -> &mut Command {
+    // As `cargo clippy` hands them to its driver.
+    const ARGUMENTS: &str = "--deny__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__";
+    command.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver").env("CLIPPY_ARGS", ARGUMENTS)
 }
 
 /// The system that the compiler builds for.

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::SystemTime;
 
-use crate::step::{cargo, run};
+use crate::step::{linting_cargo, run};
 use crate::{Outcome, build_program, root};
 
 /// Where records go; set for a program under test.
@@ -34,7 +34,7 @@ pub(crate) fn capture(records: &Path) -> Outcome {
     let recorder = std::env::current_exe().map_err(failed)?;
     build_program()?;
     let tests = ["test", "--quiet", "--package", "riffel-cli", "--test", "program"];
-    let mut tests = cargo(&tests);
+    let mut tests = linting_cargo(&tests);
     run(tests.env(RECORDS, records).env(RECORDER, recorder))
 }
 

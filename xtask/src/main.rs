@@ -19,7 +19,7 @@ use std::process::{Command, ExitCode};
 
 use clap::{Parser, Subcommand};
 
-use crate::step::{cargo, run};
+use crate::step::{linting_cargo, run};
 
 /// Developer commands of Riffel.
 #[derive(Parser)]
@@ -117,7 +117,7 @@ fn root() -> PathBuf {
 fn build_program() -> Outcome {
     let packages = ["--package", "riffel-cli", "--package", "riffel-python"];
     let features = ["--features", "riffel-python/as-tested"];
-    run(cargo(&["build", "--quiet"]).args(packages).args(features))
+    run(linting_cargo(&["build", "--quiet"]).args(packages).args(features))
 }
 
 /// Write the book with the program as it is now.
@@ -125,7 +125,7 @@ fn generate() -> Outcome {
     build_program()?;
     let program = root().join("target/debug/riffel");
     let program = program.to_string_lossy();
-    run(&mut cargo(&["run", "--quiet", "--package", "riffel-book", "--", &program]))
+    run(&mut linting_cargo(&["run", "--quiet", "--package", "riffel-book", "--", &program]))
 }
 
 /// What a program prints.

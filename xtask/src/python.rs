@@ -6,7 +6,7 @@ use std::process::Command;
 
 use crate::step::run_beside;
 use crate::times::printed;
-use crate::{Outcome, environment, root};
+use crate::{Outcome, compiler, environment, root};
 
 /// What the tests need, with exact versions.
 pub(crate) const REQUIREMENTS: &str = "crates/riffel-python/requirements.txt";
@@ -51,7 +51,7 @@ fn install(python: &Path) -> Outcome {
     let mut build = Command::new(python);
     build.args(["-m", "maturin", "build", "--quiet", "--profile", "dev"]);
     build.args(["--features", "as-tested", "--interpreter"]);
-    run_beside(build.arg(python).arg("--out").arg(&wheels))?;
+    run_beside(compiler::linting(build.arg(python).arg("--out").arg(&wheels)))?;
     let mut install = environment::command(python, &["-m", "pip", "install", "--quiet"]);
     install.args(["--no-index", "--no-deps", "--force-reinstall"]);
     run_beside(install.arg(wheel(&wheels)?))

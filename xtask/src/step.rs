@@ -3,12 +3,19 @@
 use std::process::Command;
 use std::time::Instant;
 
-use crate::{Outcome, root};
+use crate::{Outcome, compiler, root};
 
 /// Cargo, the one that runs this.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(arguments);
+    cargo
+}
+
+/// Cargo, which looks for lints as it compiles, for all but what is handed out.
+pub(crate) fn linting_cargo(arguments: &[&str]) -> Command {
+    let mut cargo = cargo(arguments);
+    compiler::linting(&mut cargo);
     cargo
 }
 
