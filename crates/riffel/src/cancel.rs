@@ -75,7 +75,7 @@ static IDLE: Mutex<Vec<ThreadPool>> = Mutex::new(Vec::new());
 struct Threads(Option<ThreadPool>);
 
 impl Threads {
-    /// As many as the current pool has.
+    /// Number of threads is that of the current pool.
     fn that_ask(wanted: CancelToken) -> Self {
         let count = rayon::current_num_threads();
         let kept = {
