@@ -88,7 +88,8 @@ fn variants_of_a_wheelset_are_compared() {
         ("friction.toml", "title = \"friction\"\ncontact.friction = 0.2\n"),
     ]);
     let variants = "--with axle.toml --with attack.toml --with friction.toml";
-    let outcome = sandbox.riffel(&format!("compare {CASE} {variants} -o out"));
+    let outcome = sandbox
+        .riffel(&format!("compare {CASE} {variants} --set map.wavelength.points=21 --set map.speed.points=5 -o out"));
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     let text = fs::read_to_string(sandbox.path("out/growth.csv")).unwrap();
     assert!(!text.contains("NaN"), "{text}");

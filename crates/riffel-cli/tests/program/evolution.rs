@@ -69,9 +69,9 @@ fn a_run_goes_on_where_it_was_left() {
     assert!(refused.sentence().contains("not the state of a run"), "{}", refused.text);
 }
 
-/// Stiff pads with viscous loss, which is causal.
+/// Stiff pads with viscous loss, which is causal, and so much of it that the track forgets soon.
 const ON_SUPPORTS: &str = "cases/discrete-supports.toml --set track.pad.loss_factor=0 --set track.ballast.loss_factor=0 \
-    --set track.pad.damping=40e3 --set track.ballast.damping=60e3 --set rail.loss_factor=0.01";
+    --set track.pad.damping=100e3 --set track.ballast.damping=150e3 --set rail.loss_factor=0.05";
 
 /// On discrete supports a small wave grows as in the harmonic balance of its own, to 1 %, and the pitch of the supports prints
 /// itself beside it; a rail that is made is of whole bays, and one whose ends do not meet there is refused.

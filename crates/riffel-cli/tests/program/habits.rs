@@ -57,7 +57,9 @@ fn numbers_below_zero_are_refused_by_name() {
         assert!(!said.contains("unexpected argument"), "{said}");
     }
     // What may stand alone takes no option behind it for its value.
-    let outcome = sandbox.riffel("compare metro.toml --models --speed 20 --json");
+    let outcome = sandbox.riffel(
+        "compare cases/nominal.toml --models --speed 20 --set map.wavelength.points=7 --set map.speed.points=3 --json",
+    );
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
 }
 

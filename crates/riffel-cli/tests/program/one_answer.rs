@@ -121,7 +121,8 @@ fn rail_of_160_mm() -> String {
 /// where they end.
 #[test]
 fn what_the_contact_averages_out_leads_no_answer() {
-    const CASE: &str = "cases/nominal.toml --set 'map.wavelength={ min = \"5 mm\", max = \"80 mm\", points = 61 }'";
+    const CASE: &str = "cases/nominal.toml --set 'map.wavelength={ min = \"5 mm\", max = \"80 mm\", points = 61 }' \
+                        --set map.speed.points=31";
     let sandbox = Sandbox::new();
     let map = sandbox.json(&format!("map {CASE} --json -o map"));
     let length = 2.0 * number(&map["derived"]["semi_axis_longitudinal_m"]);
@@ -353,17 +354,20 @@ fn a_case_of_one_rail_is_not_held_against_the_other() {
         let findings = forecast["findings"].as_array().unwrap().iter();
         let own = findings.filter(|said| said.as_str().unwrap().contains("has grown by 1.0 dB"));
         assert_eq!(own.count(), usize::from(is_other), "{names:?}: {forecast}");
+        let other = "the case is of the other rail of the curve";
+        assert_eq!(forecast["unexplained"].to_string().contains(other), is_other, "{names:?}: {forecast}");
+        // Names are read once for all commands.
+        if !names.contains(&"left") {
+            continue;
+        }
         let compared = format!("compare {asked} --with cases/low-rail-friction.toml --json");
         let compared = sandbox.json(&compared);
         let variant = &compared["outcomes"][1];
         for key in ["change_of_fastest_growth", "fastest_growth_rate_per_passage", "months_to_limit"] {
             assert!(!is_other || variant[key].is_null(), "{names:?}: {variant}");
         }
-        let compared = compared["unexplained"].to_string();
-        for said in [forecast["unexplained"].to_string(), compared] {
-            let other = said.contains("the case is of the other rail of the curve");
-            assert_eq!(other, is_other, "{names:?}: {said}");
-        }
+        let said = compared["unexplained"].to_string();
+        assert_eq!(said.contains(other), is_other, "{names:?}: {said}");
     }
 }
 

@@ -37,7 +37,7 @@ fn files(folder: &Path, extension: &str) -> Vec<(String, String)> {
 fn words_stand_clear_and_heads_are_plain_in_all_that_is_written() {
     let sandbox = Sandbox::new();
     record(&sandbox, "chainage.csv", 12_400.1, 60.0, 0.001);
-    record(&sandbox, "line.csv", 98_000.0, 2500.0, 0.01);
+    record(&sandbox, "line.csv", 98_000.0, 1200.0, 0.01);
     record(&sandbox, "short.csv", 0.0, 10.0, 0.001);
     let small = "--set map.wavelength.points=31 --set map.speed.points=21";
     let periodic = "cases/discrete-supports.toml";
@@ -55,14 +55,14 @@ fn words_stand_clear_and_heads_are_plain_in_all_that_is_written() {
         &format!("map cases/nominal.toml -o map {small}"),
         &format!("receptance {periodic} -o receptance --points 100"),
         &format!("receptance {periodic} -o narrow --from 420 --to 560 --points 50"),
-        "contact cases/nominal.toml -o contact --ratio 4,16",
+        "contact cases/nominal.toml -o contact --ratio 4,16 --set contact.grid=24",
         "roughness chainage.csv -o chainage",
         "roughness line.csv -o line",
         "roughness short.csv -o short",
-        &format!("diagnose {periodic} --roughness chainage.csv -o diagnosis"),
-        &format!("forecast {periodic} --spectrum chainage.csv --traffic cases/traffic.toml -o forecast"),
+        &format!("diagnose {periodic} --roughness chainage.csv -o diagnosis {small}"),
+        &format!("forecast {periodic} --spectrum chainage.csv --traffic cases/traffic.toml -o forecast {small}"),
         &format!(
-            "compare {periodic} --with variant.toml --with cases/friction-management.toml --speed \"100 km/h\" -o compare"
+            "compare {periodic} --with variant.toml --with cases/friction-management.toml --speed \"100 km/h\" -o compare {small}"
         ),
         "study sensitivity.toml -o study",
         "study sensitivity study",

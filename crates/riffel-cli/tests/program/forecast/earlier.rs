@@ -67,8 +67,8 @@ fn profiles_are_fitted_place_by_place() {
     let write = |name: &str, from: u32, to: u32, gain: f64| {
         let mut text = "position_m,left_um\n".to_owned();
         let mut floor = 1_u32;
-        for sample in from * 1000..to * 1000 {
-            let position = f64::from(sample) / 1000.0;
+        for sample in from * 500..to * 500 {
+            let position = f64::from(sample) / 500.0;
             floor = floor.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let height = 2.0 + (position / 10.0).floor() % 7.0;
             let wave = gain * height * (std::f64::consts::TAU * position / 0.063).cos();

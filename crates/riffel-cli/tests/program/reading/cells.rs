@@ -32,7 +32,7 @@ fn table(kind: &str, write: Writing) -> String {
     };
     let bands = [200.0, 160.0, 125.0, 100.0, 80.0, 63.0, 50.0, 40.0, 31.5, 25.0, 20.0];
     match kind {
-        "profile" => rows("x_m,left_um,right_um", 2800, &|row| {
+        "profile" => rows("x_m,left_um,right_um", 1200, &|row| {
             let (x, left) = (5e-3 * row as f64, smooth(row));
             format!("{x:.3},{left:.3},{}", write(row, rough(row)))
         }),
@@ -63,9 +63,9 @@ const COMMANDS: [(&str, &str); 18] = [
     ("levels", "roughness rail.csv --json"),
     ("profile", "diagnose cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" --json"),
     ("levels", "diagnose cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" --json"),
-    ("profile", "noise cases/main-line.toml --roughness rail.csv --speed \"100 km/h\" --json"),
-    ("levels", "noise cases/main-line.toml --roughness rail.csv --speed \"100 km/h\" --json"),
-    ("levels", "noise cases/main-line.toml --roughness plain.csv --before rail.csv --speed \"100 km/h\" --json"),
+    ("profile", "noise cases/bhaskar-track.toml --roughness rail.csv --speed \"100 km/h\" --json"),
+    ("levels", "noise cases/bhaskar-track.toml --roughness rail.csv --speed \"100 km/h\" --json"),
+    ("levels", "noise cases/bhaskar-track.toml --roughness plain.csv --before rail.csv --speed \"100 km/h\" --json"),
     ("profile", "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rail.csv --json"),
     ("levels", "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rail.csv --json"),
     ("levels", "forecast cases/nominal.toml --traffic cases/traffic.toml --ground rail.csv --json"),
@@ -82,8 +82,11 @@ const COMMANDS: [(&str, &str); 18] = [
         "compare cases/nominal.toml --traffic cases/traffic.toml --with cases/soft-pads.toml --spectrum rail.csv --json",
     ),
     ("profile", "simulate cases/nominal.toml --profile rail.csv --rail right --speed \"20 m/s\" --json"),
-    ("profile", "report cases/nominal.toml --roughness rail.csv --speed \"100 km/h\" -o report.html"),
-    ("run", "axlebox rail.csv --case cases/main-line.toml --json"),
+    (
+        "profile",
+        "report cases/nominal.toml --set map.wavelength.points=21 --set map.speed.points=5 --roughness rail.csv --speed \"100 km/h\" -o report.html",
+    ),
+    ("run", "axlebox rail.csv --case cases/bhaskar-track.toml --json"),
     ("blocks", "network ingest store rail.csv --line A --date 2026-01-01 --json"),
     ("dated levels", "calibrate set/case.toml --with rail.csv --traffic set/traffic.toml --dry-run --json"),
 ];

@@ -25,7 +25,7 @@ fn levels(dates: [&str; 3]) -> String {
 /// Every command that reads levels of a rail.
 const COMMANDS: [&str; 9] = [
     "roughness FILE --json",
-    "noise cases/main-line.toml --roughness FILE --speed \"100 km/h\" --json",
+    "noise cases/bhaskar-track.toml --roughness FILE --speed \"100 km/h\" --json",
     "diagnose cases/nominal.toml --roughness FILE --speed \"100 km/h\" --json",
     "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum FILE --json",
     "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum FILE --date-column date --json",
