@@ -9,17 +9,26 @@ use riffel_calibrate::{CalibrationError, Chains, Folder, Plan, finished};
 use riffel_study::Stop;
 use serde_json::Value;
 
-/// A plan of one parameter in a folder of its own beside the case of three dates.
+/// A plan of one parameter in a folder of its own beside the case of three dates, of so many draws that each chain has two parts.
 fn small(folder: &Path, kind: &str) -> Plan {
+    of_draws(folder, kind, [100, 300])
+}
+
+/// The same with few draws, where files count and not what is drawn.
+fn smallest(folder: &Path) -> Plan {
+    of_draws(folder, "ensemble", [100, 50])
+}
+
+fn of_draws(folder: &Path, kind: &str, [warmup, draws]: [u32; 2]) -> Plan {
     let set = folder.join("set");
     fs::create_dir_all(&set).unwrap();
     for name in ["case.toml", "traffic.toml", "roughness.csv"] {
         fs::copy(crate::folder("b-three-dates").join(name), set.join(name)).unwrap();
     }
-    let warmup = if kind == "smc" { "" } else { "warmup = 100\n" };
+    let warmup = if kind == "smc" { String::new() } else { format!("warmup = {warmup}\n") };
     let text = format!(
         "# What we know\ncase = \"case.toml\" # as built\ntraffic = 'traffic.toml'\n\
-         [sampler]\nkind = \"{kind}\"\nchains = 2\n{warmup}draws = 300\n\
+         [sampler]\nkind = \"{kind}\"\nchains = 2\n{warmup}draws = {draws}\n\
          [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = {{ median = 2.5e-9, factor = 2.0 }}\n\
          [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
          discrepancy = {{ kind = \"band\", standard_deviation = 1.0 }}\n"
@@ -39,7 +48,7 @@ fn run(plan: &Plan, path: &Path, restart: bool) -> Chains {
 #[test]
 fn the_copy_of_a_plan_runs_where_it_is() {
     let there = tempfile::tempdir().unwrap();
-    let plan = small(there.path(), "ensemble");
+    let plan = smallest(there.path());
     let out = there.path().join("results/of/today");
     let own = run(&plan, &out, false).summary(&plan).csv();
     let text = fs::read_to_string(out.join("plan.toml")).unwrap();
@@ -145,7 +154,7 @@ fn whole(plan: &Plan, path: &Path, restart: bool) -> Result<(), CalibrationError
 fn with_seed(plan: &Plan, seed: u64) -> Plan {
     let path = plan.inputs[0].with_file_name(format!("seed-{seed}.toml"));
     let text = fs::read_to_string(&plan.inputs[0]).unwrap();
-    let text = text.replace("draws = 300", &format!("draws = 300\nseed = {seed}"));
+    let text = text.replacen("\n[[parameter]]", &format!("\nseed = {seed}\n[[parameter]]"), 1);
     fs::write(&path, text).unwrap();
     Plan::read(&path).unwrap()
 }
@@ -155,7 +164,7 @@ fn with_seed(plan: &Plan, seed: u64) -> Plan {
 #[test]
 fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
     let there = tempfile::tempdir().unwrap();
-    let one = small(there.path(), "ensemble");
+    let one = smallest(there.path());
     let two = with_seed(&one, 2);
     let out = there.path().join("out");
     whole(&one, &out, false).unwrap();
@@ -182,7 +191,7 @@ fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
     let alone = there.path().join("alone");
     whole(&two, &alone, false).unwrap();
     let own = |folder: &Path, name: &str| fs::read(folder.join(name)).unwrap();
-    for name in ["summary.csv", "chains/1-1", "posterior.zarr/posterior/wear.coefficient/c/0/0"] {
+    for name in ["summary.csv", "chains/1-0", "posterior.zarr/posterior/wear.coefficient/c/0/0"] {
         assert!(own(&out, name) == own(&alone, name), "{name}");
         assert!(before[&out.join(name)] != own(&out, name), "{name}");
     }
@@ -206,7 +215,7 @@ fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
 #[test]
 fn draws_say_of_which_plan_they_are() {
     let there = tempfile::tempdir().unwrap();
-    let one = small(there.path(), "ensemble");
+    let one = smallest(there.path());
     let two = with_seed(&one, 2);
     let [out, other] = ["out", "other"].map(|name| there.path().join(name));
     whole(&one, &out, false).unwrap();
