@@ -127,7 +127,9 @@ mod tests {
     /// Each wheel grows as if it had been asked for by its keys, whichever wheel the case has.
     #[test]
     fn wheels_are_those_that_keys_ask_for() {
-        let found = case(CURVE, &["contact.from.wheelset=2", "contact.from.rail=right"]);
+        // A law in closed form.
+        let law = "contact.creep_law=polach";
+        let found = case(CURVE, &["contact.from.wheelset=2", "contact.from.rail=right", law]);
         let found = wheels_of_curve(&found).unwrap().unwrap();
         let names: Vec<String> = found.wheels.iter().map(WheelOfCurve::name).collect();
         assert_eq!(
@@ -145,6 +147,7 @@ mod tests {
                 format!("contact.from.wheelset={}", wheel.state.wheelset),
                 format!("contact.from.rail={}", wheel.rail.name()),
                 format!("contact.from.contact={}", wheel.contact.name()),
+                law.to_owned(),
             ];
             let asked = case(CURVE, &keys.each_ref().map(String::as_str));
             let got = growth(wheel.case.as_ref().unwrap_or_else(|error| panic!("{error}")));

@@ -98,8 +98,8 @@ fn means_over_speeds_hold_their_tolerance_band_by_band() -> Result<(), Box<dyn s
 /// However wide the gauge and tight the curve: contact is tabulated as far as the flange and beyond.
 #[test]
 fn a_bogie_finds_its_equilibrium_on_any_gauge() {
-    for gauge in [1430, 1435, 1440, 1445, 1450, 1455, 1465] {
-        for radius in [120, 180, 300, 600] {
+    for gauge in [1430, 1440, 1455, 1465] {
+        for radius in [120, 180, 600] {
             let keys = [format!("profiles.gauge={gauge} mm"), format!("curve.radius={radius} m")];
             let keys = keys.each_ref().map(String::as_str);
             assert!(on(&curve(&keys), "curve = true\nspeeds = [{ speed = 10, share = 1 }]").is_ok());
@@ -153,23 +153,22 @@ fn one_wheel_without_spread_is_the_loop() -> Result<(), CaseError> {
     Ok(())
 }
 
-/// Means over normal loads, even friction and the friction of days, against the mean over 400 draws of equal probability of each, which is right to
+/// Means over normal loads, even friction and the friction of days, against the mean over draws of equal probability of each, which is right to
 /// 1e-4: to 1 % of the largest rate, which is the tolerance of the rule.
 #[test]
 fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
     let case = nominal(&[]);
     let speed = "speeds = [{ speed = 30, share = 1 }]";
     let cases = [
-        ("load = { mean = 50e3, standard_deviation = 5e3 }", "wheel_load", "normal"),
-        ("friction = { min = 0.2, max = 0.5 }", "friction", "even"),
-        ("[line]\nfriction_days = {}", "friction", "days"),
+        ("load = { mean = 50e3, standard_deviation = 5e3 }", "wheel_load", "normal", 100),
+        ("friction = { min = 0.2, max = 0.5 }", "friction", "even", 100),
+        ("[line]\nfriction_days = {}", "friction", "days", 400),
     ];
-    for (spread, key, kind) in cases {
+    for (spread, key, kind, draws) in cases {
         let found = on(&case, &format!("{speed}\n{spread}"))?;
-        const DRAWS: usize = 400;
         let mut mean = vec![0.0; found.growth.rates().len()];
-        for draw in 0..DRAWS {
-            let share = (draw as f64 + 0.5) / DRAWS as f64;
+        for draw in 0..draws {
+            let share = (f64::from(draw) + 0.5) / f64::from(draws);
             let value = match kind {
                 "normal" => 50e3 + 5e3 * quantile(share),
                 "days" => 0.4 * 1.4f64.powf(quantile(share)),
@@ -181,7 +180,7 @@ fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
             };
             let one = on(&case, &format!("{set}\n{speed}"))?;
             let rates = mean.iter_mut().zip(one.growth.rates());
-            rates.for_each(|(sum, rate)| *sum += rate / DRAWS as f64);
+            rates.for_each(|(sum, rate)| *sum += rate / f64::from(draws));
         }
         let largest = mean.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         for (got, expected) in found.growth.rates().iter().zip(&mean) {
@@ -450,14 +449,17 @@ fn loads_and_radii_of_a_vehicle_reach_its_bogie() -> Result<(), CaseError> {
         let vehicle = format!("curve = true\n{vehicle}\nspeeds = [{{ speed = 12.5, share = 1 }}]");
         Ok(on(&curve(&[]), &vehicle)?.growth.rates().to_vec())
     };
-    for [one, other] in [
-        ["axle_load = \"8 t\"", "load = [{ value = 39226.6, share = 1 }]"],
-        ["axle_load = \"8 t\"", "set.bogie.mass_per_axle = \"8 t\""],
-        ["axle_load = \"8 t\"", "wheel_load = 39226.6"],
-        ["rolling_radius = 0.4", "wheel_radius = { min = 0.4, max = 0.4 }"],
-    ] {
-        assert_eq!(rates(one)?, rates(other)?, "{one} {other}");
-        assert_ne!(rates(one)?, rates("")?, "{one}");
+    let loads =
+        ["load = [{ value = 39226.6, share = 1 }]", "set.bogie.mass_per_axle = \"8 t\"", "wheel_load = 39226.6"];
+    let without = rates("")?;
+    for (one, others) in
+        [("axle_load = \"8 t\"", &loads[..]), ("rolling_radius = 0.4", &["wheel_radius = { min = 0.4, max = 0.4 }"])]
+    {
+        let own = rates(one)?;
+        assert_ne!(own, without, "{one}");
+        for other in others {
+            assert_eq!(own, rates(other)?, "{one} {other}");
+        }
     }
     Ok(())
 }
