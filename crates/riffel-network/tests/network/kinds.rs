@@ -113,15 +113,15 @@ fn squares(window: &[f64]) -> [f64; 2] {
     let mut sums = [0.0; 2];
     let mut line = (length / 0.3).ceil();
     while line / length <= 1.0 / 0.03 {
-        let (sine, cosine) = (TAU * line / count).sin_cos();
-        let (mut re, mut im, mut turn) = (0.0, 0.0, (1.0, 0.0));
+        // The sum of a line by the recurrence of Goertzel (1958).
+        let twice = 2.0 * (TAU * line / count).cos();
+        let (mut last, mut before) = (0.0, 0.0);
         for height in &own {
-            re += height * turn.0;
-            im += height * turn.1;
-            turn = (turn.0 * cosine - turn.1 * sine, turn.0 * sine + turn.1 * cosine);
+            (last, before) = (height + twice * last - before, last);
         }
+        let square = last * last + before * before - twice * last * before;
         // Of a Hann window the mean square is 3/8.
-        sums[usize::from(line / length < 10.0)] += 2.0 * (re * re + im * im) / (count * count * 0.375);
+        sums[usize::from(line / length < 10.0)] += 2.0 * square / (count * count * 0.375);
         line += 1.0;
     }
     sums
