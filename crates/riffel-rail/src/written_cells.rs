@@ -144,14 +144,14 @@ fn table(kind: &str, write: Writing, mark: &str) -> String {
     let own = |value: f64| format!("{value:.3}").replace('.', mark);
     let bands = [200.0, 160.0, 125.0, 100.0, 80.0, 63.0, 50.0, 40.0, 31.5, 25.0];
     let (head, count) = match kind {
-        "profile" => ("x_m;left_um;right_um", 1200),
+        "profile" => ("x_m;left_um;right_um", 300),
         "spectrum" => ("wavelength_mm;left_db;right_db", bands.len()),
-        _ => ("time_s;acceleration_left_m_per_s2;acceleration_right_m_per_s2;speed_km_per_h", 1200),
+        _ => ("time_s;acceleration_left_m_per_s2;acceleration_right_m_per_s2;speed_km_per_h", 300),
     };
     let rows = (0..count).map(|row| {
         let (left, right) = (own(value(row + 40)), write(value(row)));
         match kind {
-            "profile" => format!("{};{left};{right}\n", own(1e-3 * row as f64)),
+            "profile" => format!("{};{left};{right}\n", own(4e-3 * row as f64)),
             "spectrum" => format!("{};{left};{right}\n", own(bands[row])),
             _ => format!("{};{left};{right};{}\n", own(1e-3 * row as f64), own(72.0)),
         }

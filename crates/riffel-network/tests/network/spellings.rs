@@ -95,8 +95,9 @@ fn latest(kind: &str, head: &str, cells: [&str; 2]) -> Result<Option<Date>, Stri
             format!("{head};wavelength_mm;level_db\n{}", rows(&row, 3))
         }
         _ => {
-            let row = |at: usize| format!("{:.3};{:.2}", 1e-3 * at as f64, (at * 7919 % 101) as f64);
-            format!("{head};x_m;height_um\n{}", rows(&row, 1100))
+            let row = |at: usize| format!("{:.3};{:.2}", 4e-3 * at as f64, (at * 7919 % 101) as f64);
+            // A profile is of a metre and more.
+            format!("{head};x_m;height_um\n{}", rows(&row, 280))
         }
     };
     with(&text, |path| {
@@ -205,7 +206,7 @@ const HEADS: [(&str, Option<&str>); 44] = [
 fn columns_are_rails_or_left_out_and_told_in_both_readers() {
     let value = |row: usize| (row * 7919 % 101) as f64 - 50.25;
     for (head, why) in HEADS {
-        let rows = (0..1100).map(|at| format!("{:.3};{};{}\n", 1e-3 * at as f64, value(at + 40), value(at)));
+        let rows = (0..280).map(|at| format!("{:.3};{};{}\n", 4e-3 * at as f64, value(at + 40), value(at)));
         let text = format!("x_m;left [um];{head} [um]\n{}", rows.collect::<String>());
         let (rails, said) = with(&text, |path| match RoughnessFile::read(path, &Layout::default(), &|_| ()) {
             Ok(RoughnessFile::Profile(record)) => {
