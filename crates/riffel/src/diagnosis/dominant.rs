@@ -401,21 +401,19 @@ mod tests {
     #[test]
     fn bandwidth_is_that_of_the_corrugation() {
         // 400 waves of random-like phases; their powers follow the bell.
-        let heights: Vec<f64> = (0..200_000)
-            .map(|sample| {
-                let x = 1e-3 * f64::from(sample);
-                (0..400)
-                    .map(|index| {
-                        let place = (f64::from(index) - 199.5) / 199.5;
-                        let k = (0.05f64.recip()) * (0.4 * place).exp();
-                        // Half power at ±0.1 of ln λ.
-                        let amplitude = 0.5f64.powf(0.5 * (0.4 * place / 0.1).powi(2));
-                        let phase = 2.4 * f64::from(index * index);
-                        1e-6 * amplitude * (std::f64::consts::TAU * k * x + phase).sin()
-                    })
-                    .sum()
-            })
-            .collect();
+        let wave = |index: i32| {
+            let place = (f64::from(index) - 199.5) / 199.5;
+            let k = (0.05f64.recip()) * (0.4 * place).exp();
+            // Half power at ±0.1 of ln λ.
+            let amplitude = 1e-6 * 0.5f64.powf(0.5 * (0.4 * place / 0.1).powi(2));
+            (k, amplitude, 2.4 * f64::from(index * index))
+        };
+        let waves: Vec<(f64, f64, f64)> = (0..400).map(wave).collect();
+        let height = |sample: i32| {
+            let x = 1e-3 * f64::from(sample);
+            waves.iter().map(|(k, amplitude, phase)| amplitude * (std::f64::consts::TAU * k * x + phase).sin()).sum()
+        };
+        let heights: Vec<f64> = (0..200_000).map(height).collect();
         let profile = Profile::new(0.0, 1e-3, heights).unwrap();
         let found = FineSpectrum::of_record(&[profile]).unwrap().dominant();
         let peak = &found[0];
