@@ -120,6 +120,7 @@ fn worst(distances: impl Iterator<Item = f64>) -> f64 {
     )
 }
 
+// Long: solves the boundary-value problem of Kalker for 49 pairs of ratios.
 pub(crate) fn kalker_coefficients_linear_theory() -> Row {
     let distance = worst([-4, -2, -1, 0, 1, 2, 4].into_iter().flat_map(|quarter| {
         let axis_ratio = 10_f64.powf(f64::from(quarter) / 4.0);

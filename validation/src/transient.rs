@@ -158,6 +158,7 @@ fn followed(rolling: &mut TransientRolling, per_wave: usize, input: impl Fn(f64)
     sums.map(|sum| sum * 2.0 / per_wave as f64)
 }
 
+// Long: rolls 48 elements across through waves step by step, the independent side of the comparison.
 pub(crate) fn frequency_response_by_time() -> Row {
     const ACROSS: usize = 48;
     let (friction, load, creepage) = (0.4, 50e3, 1e-3);

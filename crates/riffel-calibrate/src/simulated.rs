@@ -319,6 +319,7 @@ mod tests {
 
     /// Levels of two bands at two dates, whose growth hangs on the wear coefficient and on what is missed: of 60 intervals of 80 %,
     /// 38 to 57 hold the truth but for one in a thousand of right samplers (binomial).
+    // Long: calibrates and forecasts 60 simulated sets of data, as many as its binomial bound is of.
     #[test]
     fn the_truth_lies_anywhere_among_forecasts() {
         let set = crate::fixtures::folder("b-three-dates");
@@ -362,6 +363,7 @@ mod tests {
     }
 
     /// U1 in 40 simulations, and in 80 with data that have three times the errors that the likelihood is told of.
+    // Long: calibrates 120 simulated sets of data, as many as the verdict on their ranks needs.
     #[test]
     fn the_truth_lies_anywhere_among_draws_of_linear_levels_and_not_where_errors_are_told_wrong() {
         let right = u1(40, 1.0);

@@ -121,6 +121,7 @@ fn resident_megabytes() -> Option<f64> {
     Some(kilobytes / 1e3)
 }
 
+// Long: asks the server without a rest for four seconds.
 #[test]
 fn many_pages_at_once_get_answers_or_are_told_to_wait() {
     let served = Served::new();
@@ -199,6 +200,7 @@ fn many_pages_at_once_get_answers_or_are_told_to_wait() {
 }
 
 /// A page that closes, or that has asked anew, leaves no work behind that somebody else waits for.
+// Long: takes the whole time of five long answers, with which what is broken off is compared.
 #[test]
 fn whoever_hangs_up_frees_a_worker() {
     let served = Served::new();
@@ -239,6 +241,7 @@ fn whoever_hangs_up_frees_a_worker() {
     }
 }
 
+// Long: waits the ten seconds that a server gives a head to come.
 #[test]
 fn whoever_sends_a_head_byte_by_byte_is_cut_off_and_holds_up_nobody() {
     let served = Served::new();
@@ -262,6 +265,7 @@ fn whoever_sends_a_head_byte_by_byte_is_cut_off_and_holds_up_nobody() {
     }
 }
 
+// Long: waits the ten seconds that a server gives a body to come.
 #[test]
 fn a_body_that_is_too_large_or_never_comes_is_refused() {
     let served = Served::new();

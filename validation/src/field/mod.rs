@@ -356,6 +356,7 @@ mod tests {
     }
 
     /// Every site is read, and two samples of each are alike whenever they are drawn.
+    // Long: computes growth at all sites of the field, twice.
     #[test]
     fn every_site_can_be_run() {
         let one = field(2, 1, &|_| ()).unwrap();

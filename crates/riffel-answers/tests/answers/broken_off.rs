@@ -31,6 +31,7 @@ fn ends_half_way(work: impl Fn() + Send + Sync) -> usize {
 }
 
 /// In steps of a fiftieth or less: what takes seconds is gone after hundredths.
+// Long: computes seven long answers whole and then up to their half.
 #[test]
 fn every_long_answer_ends_where_it_stands() {
     let wheelset = include_str!("../../../../cases/wheelset-tram.toml");

@@ -28,6 +28,7 @@ fn answer(name: &str, question: &Value, client: &dyn Client) -> Value {
     serde_json::from_str(&answer.document()).unwrap()
 }
 
+// Long: answers three questions about two records twice, alone and together.
 #[test]
 fn a_measured_rail_is_told_as_by_the_single_questions_and_each_record_is_read_once() {
     let folder = tempfile::tempdir().unwrap();

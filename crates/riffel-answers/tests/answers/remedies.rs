@@ -30,6 +30,7 @@ fn of<'a>(answer: &'a RemediesAnswer, key: &str, value: f64) -> &'a Remedy {
 }
 
 /// On the slab of the metro pads decide: half of 60 MN/m does more than all else, as every change computed by itself says.
+// Long: computes all remedies of a track on discrete fastenings, and five of them by hand.
 #[test]
 fn where_pads_decide_pads_lead() {
     let traffic = Traffic::parse("t", TRAFFIC).unwrap();
@@ -87,6 +88,7 @@ fn speeds_are_changed_as_a_traffic_file_would() {
 }
 
 /// "A fifth less" is of what the vehicles have, not of the case; where they differ there is no one value.
+// Long: computes all remedies of five traffics.
 #[test]
 fn remedies_change_what_the_vehicles_have() {
     // A free beam: what is asked of the vehicles does not hang on the track.
@@ -131,6 +133,7 @@ fn remedies_change_what_the_vehicles_have() {
 }
 
 /// What a case has no number for is left out with the reason; a curve that sets the creepage leaves it to friction.
+// Long: computes all remedies of five cases.
 #[test]
 fn what_a_case_has_no_key_for_is_left_out() {
     let traffic = Traffic::parse("t", &TRAFFIC.replace("mean = 15", "mean = 30")).unwrap();
@@ -160,6 +163,7 @@ fn what_a_case_has_no_key_for_is_left_out() {
 }
 
 /// A remedy twenty times slower than growth as it is would be told in years: all stand in the unit of the case as it is.
+// Long: computes all remedies of a track on discrete fastenings for three coefficients.
 #[test]
 fn times_stand_in_one_unit() {
     let traffic = Traffic::parse("t", TRAFFIC).unwrap();

@@ -45,6 +45,7 @@ fn run(plan: &Plan, path: &Path, restart: bool) -> Chains {
 
 /// The copy of a plan beside its results names its files from there: read from a third folder it gives the same draws, and all that
 /// is not the name of a file stays.
+// Long: draws the chains of a plan and of its copy.
 #[test]
 fn the_copy_of_a_plan_runs_where_it_is() {
     let there = tempfile::tempdir().unwrap();
@@ -81,6 +82,7 @@ fn log_evidence(plan: &Plan) -> f64 {
 
 /// A run whose last parts are lost has the same draws again; every sampler keeps its state, a population its evidence too, which is
 /// that of a quadrature to three times the error of two steps of 300 members.
+// Long: draws two chains by each of three samplers, of so many draws that they have two parts.
 #[test]
 fn chains_of_every_sampler_go_on_from_their_parts() {
     for kind in ["nuts", "ensemble", "smc"] {
@@ -102,6 +104,7 @@ fn chains_of_every_sampler_go_on_from_their_parts() {
 
 /// Chains of a thousand draws that allow no conclusion go on to more, in words too, and a run whose last part is lost has the same
 /// draws again; chains of fewer end as they were meant.
+// Long: draws a chain that goes on beyond a thousand draws, and its last parts again.
 #[test]
 fn chains_go_on_until_they_conclude() {
     let there = tempfile::tempdir().unwrap();
@@ -161,6 +164,7 @@ fn with_seed(plan: &Plan, seed: u64) -> Plan {
 
 /// Chains of another plan are refused, and nothing is touched; with a restart they are replaced, but for what somebody has put beside
 /// them, which stays and can be opened.
+// Long: draws the chains of two plans, and each a second time.
 #[test]
 fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
     let there = tempfile::tempdir().unwrap();
@@ -212,6 +216,7 @@ fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
 
 /// Draws are believed for the plan that stands inside them: neither another tree, nor other parts of chains, nor a tree that is not
 /// whole, are taken for those of the record.
+// Long: draws the chains of two plans.
 #[test]
 fn draws_say_of_which_plan_they_are() {
     let there = tempfile::tempdir().unwrap();

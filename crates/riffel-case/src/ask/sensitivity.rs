@@ -211,6 +211,7 @@ mod tests {
 
     /// Every derivative is that of a plain central difference with all other keys written out, of cases with presets,
     /// supports, another law and a contact that answers late. 1e-5 is the third derivative's part in a step of 1e-4.
+    // Long: computes each case anew for every key and difference, the independent side of the comparison.
     #[test]
     fn sensitivities_are_those_of_differences() {
         let stiff = ["track.preset=br-stiff", "track.model=two-layer-periodic"];

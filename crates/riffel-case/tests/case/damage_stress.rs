@@ -122,6 +122,7 @@ fn axes_may_be_exchanged() {
 }
 
 /// Largest von Mises and Tresca: 0.5 % of each, places where the largest is not flat.
+// Long: searches a hundred stress fields and more for their largest value.
 #[test]
 fn largest_stresses() {
     let rows: Vec<_> = rows!("stress_maxima.csv").collect();
@@ -194,6 +195,7 @@ fn half_space(rolling: f64, transverse: f64) -> (HalfSpace, EllipseStress) {
 
 /// Rectangles that carry the traction of an ellipse have its stress below them and beside it: 1 % of the largest traction from a tenth
 /// of a down, 3 % at the surface, where it has a root at the edge.
+// Long: sums the stress of 2800 rectangles at 25 places of six tractions.
 #[test]
 fn elements_are_an_ellipse() {
     for ratio in [0.6f64, 1.0, 1.8] {
@@ -235,6 +237,7 @@ fn elements_are_an_ellipse() {
 
 /// In full slip the exact theory has the field of the ellipse, in any direction; under next to no creepage that of pressure
 /// alone; in between that of Vermeulen & Johnson to 5 %, which is what their one ellipse of stick misses.
+// Long: solves the exact contact at eight states and searches each for its largest stress.
 #[test]
 fn exact_theory_between_its_limits() {
     for (rolling, transverse, ratio) in [(0.3, 0.3, 0.3), (0.46, 0.2, 0.6)] {

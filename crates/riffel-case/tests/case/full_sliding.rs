@@ -13,6 +13,7 @@ fn rate(case: &Case, wavelength: f64, speed: f64) -> f64 {
 
 /// Along the rail: no step where the search for the creepage changes, ever nearer to the onset of full slip, and there the growth of
 /// the law of full sliding but for the 5·10⁻³ that 32 elements leave of a force.
+// Long: tabulates the late response of the exact contact at six ratios of three cases.
 #[test]
 fn growth_is_continuous_in_the_tractive_ratio_up_to_full_sliding() {
     for (friction, radius) in [(0.2, 0.46), (0.5, 0.46), (0.4, 0.33)] {
@@ -75,6 +76,7 @@ fn a_curve_tends_to_full_sliding() {
 }
 
 /// A late response has the exact law by itself, in a curve as elsewhere, and its table holds where all slips.
+// Long: tabulates the late response of the exact contact in four curves, twice each.
 #[test]
 fn a_late_response_in_a_curve_has_the_exact_law() {
     for (radius, friction) in [(120, 0.4), (180, 0.4), (180, 0.2), (220, 0.3)] {

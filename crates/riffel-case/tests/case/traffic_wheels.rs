@@ -96,6 +96,7 @@ fn means_over_speeds_hold_their_tolerance_band_by_band() -> Result<(), Box<dyn s
 }
 
 /// However wide the gauge and tight the curve: contact is tabulated as far as the flange and beyond.
+// Long: tabulates the contact and finds the equilibrium of a bogie for twelve curves.
 #[test]
 fn a_bogie_finds_its_equilibrium_on_any_gauge() {
     for gauge in [1430, 1440, 1455, 1465] {
@@ -155,6 +156,7 @@ fn one_wheel_without_spread_is_the_loop() -> Result<(), CaseError> {
 
 /// Means over normal loads, even friction and the friction of days, against the mean over draws of equal probability of each, which is right to
 /// 1e-4: to 1 % of the largest rate, which is the tolerance of the rule.
+// Long: computes growth at 600 drawn values, the independent side of the comparison.
 #[test]
 fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
     let case = nominal(&[]);

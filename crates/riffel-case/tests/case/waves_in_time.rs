@@ -44,6 +44,7 @@ fn off(case: &Case, amplitude: f64, wavelength: f64, speed: f64) -> [f64; 2] {
 
 /// First harmonics with the shape of the waves under every contact that can be followed in time, and with normal forces that turn with them; of a
 /// contact that answers late the filters leave 10⁻⁴.
+// Long: follows waves in time under eight contacts until they settle.
 #[test]
 fn shapes_of_waves_are_those_of_the_linear_loop() {
     let waves = "contact.wave_geometry=true";
@@ -71,6 +72,7 @@ fn shapes_of_waves_are_those_of_the_linear_loop() {
 }
 
 /// Growth of small waves without a shape is that of the linear loop; the fit of the structures and the step leave 10⁻⁴.
+// Long: follows waves in time on three structures until they settle.
 #[test]
 fn small_waves_are_those_of_the_linear_loop() {
     let lone = ["contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}", "contact.creep_law=polach"];

@@ -118,6 +118,7 @@ fn a_wheelset_is_reported() {
 }
 
 /// A long train has as many equations as it needs, and each wheel a growth rate.
+// Long: solves the equations of 36 wheels for all that a point tells.
 #[test]
 fn a_long_train_has_an_answer() {
     let places: Vec<String> = (0..36).map(|wheel| format!("{}", 2.5 * f64::from(wheel))).collect();

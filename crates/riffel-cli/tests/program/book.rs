@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+// Long: writes every generated page of the book anew.
 #[test]
 fn generated_pages_are_current() {
     let program = Path::new(env!("CARGO_BIN_EXE_riffel"));

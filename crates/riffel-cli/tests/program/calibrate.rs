@@ -76,6 +76,7 @@ fn a_case_and_its_tables_make_a_plan() {
 }
 
 /// Levels of two bands that the model makes itself; with too few simulations or draws it is said.
+// Long: calibrates twenty simulated sets of data, as few as may be asked for.
 #[test]
 fn simulated_data_hold_the_truth_as_often_as_is_said() {
     let sandbox = Sandbox::new();
@@ -137,6 +138,7 @@ fn what_is_wrong_is_said_and_other_files_stay() {
 }
 
 /// Two values that growth holds as a product, levels at two dates: from the chains to the forecast and the decision.
+// Long: asks five commands over 200 draws of a calibration each.
 #[test]
 fn chains_lead_to_a_forecast_and_a_decision() {
     let sandbox = Sandbox::new();
@@ -239,6 +241,7 @@ fn chains_lead_to_a_forecast_and_a_decision() {
 }
 
 /// A population tells the evidence; the copy of its plan beside the results, read from there, has the same results elsewhere.
+// Long: draws two populations twice, by the plan and by its copy.
 #[test]
 fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
     let sandbox = Sandbox::new();
@@ -264,6 +267,7 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
 /// The evidence of one difference of levels, of which growth is linear in the wear over its normal prior: the density of a normal
 /// distribution about the growth of the mean, with the variances of both. Each of two steps of 800 members errs by 1/√800; to
 /// four errors of both.
+// Long: draws two populations of 400 members, as many as its bound is of.
 #[test]
 fn the_evidence_of_a_linear_problem_is_in_the_document() {
     let sandbox = Sandbox::new();
@@ -365,6 +369,7 @@ fn over_the_calibration(sandbox: &Sandbox, set: &str) {
 
 /// Levels that grow as the model says, the last of three dates left out: a model without growth predicts worse, one that has the
 /// share of driven wheels from the case is not told apart, for growth holds only its product with the wear coefficient.
+// Long: draws the chains of three models.
 #[test]
 fn models_are_compared_by_what_they_predict() {
     let sandbox = Sandbox::new();

@@ -78,6 +78,7 @@ fn the_mark_of_niederwangen_is_a_fading_one() {
 }
 
 /// Corrugation at the ridge of the nominal case, growing from record to record.
+// Long: makes and reads records of 40 000 heights at three dates.
 #[test]
 fn corrugation_on_the_ridge_is_led_by_it() {
     let sandbox = Sandbox::new();
@@ -231,6 +232,7 @@ fn what_was_ground_away_does_not_lead() {
 }
 
 /// 45 mm that grows by 2 dB a year before it is ground and after: no mark that fades.
+// Long: makes and reads records of 40 000 heights at four dates.
 #[test]
 fn a_rail_that_was_ground_grows_again() {
     let sandbox = Sandbox::new();
@@ -273,6 +275,7 @@ fn noise_has_no_dominant_wavelength() {
     );
 }
 
+// Long: starts the program eleven times, most with a record of 40 000 heights.
 #[test]
 fn bad_input_is_refused_and_leaves_nothing() {
     let sandbox = Sandbox::new();

@@ -108,6 +108,7 @@ fn an_update_keeps_what_a_page_leaves_open() {
     );
 }
 
+// Long: runs every command that README and book show.
 #[test]
 fn every_command_of_the_documentation_prints_what_is_shown() {
     let stale: Vec<String> = pages().into_par_iter().filter_map(|page| stale(&page)).collect();

@@ -32,6 +32,7 @@ fn small_waves_grow_as_the_linear_loop_says() {
 
 /// A run that was left and gone on with has the numbers of a run in one go, to the last digit; another case does not go on with
 /// it, and is told what differs.
+// Long: follows a rail that wears over two million passages, twice.
 #[test]
 fn a_run_goes_on_where_it_was_left() {
     let sandbox = Sandbox::new();
@@ -75,6 +76,7 @@ const ON_SUPPORTS: &str = "cases/discrete-supports.toml --set track.pad.loss_fac
 
 /// On discrete supports a small wave grows as in the harmonic balance of its own, to 1 %, and the pitch of the supports prints
 /// itself beside it; a rail that is made is of whole bays, and one whose ends do not meet there is refused.
+// Long: fits a rail on discrete supports in time and follows a wheel along six metres of it.
 #[test]
 fn supports_print_themselves_beside_a_wave() {
     let sandbox = Sandbox::new();

@@ -209,6 +209,7 @@ fn an_interrupted_map_leaves_nothing() {
     assert_eq!(sandbox.list("."), ["cases"]);
 }
 
+// Long: computes and draws seven figures by two models.
 #[test]
 fn figures_writes_picture_and_numbers_of_each() {
     let sandbox = Sandbox::new();

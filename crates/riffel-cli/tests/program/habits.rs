@@ -33,6 +33,7 @@ fn shells_complete_every_command() {
 }
 
 /// A number below zero is no option: the sentence names the option and the number.
+// Long: compares all models that fit a case, the exact contact among them.
 #[test]
 fn numbers_below_zero_are_refused_by_name() {
     let sandbox = Sandbox::new();

@@ -6,6 +6,7 @@ use crate::sandbox::{Sandbox, number};
 const FEW: &str = "--set map.wavelength.min=0.04 --set map.wavelength.max=0.06 --set map.wavelength.points=5";
 
 /// Models that fit, and what the others need; the document is that of the folder.
+// Long: computes all models that fit twice, the exact contact among them.
 #[test]
 fn models_stand_side_by_side() {
     let sandbox = Sandbox::new();

@@ -294,6 +294,7 @@ fn files(name: &str, folders: &[(&str, &str)]) -> Vec<(String, Vec<u8>)> {
 }
 
 /// Every input leads to a value without NaN or to an error that a terminal can show, soon and without a panic.
+// Long: reads 1500 mutated files, whole cases and records among them.
 #[test]
 fn no_mutated_file_breaks_a_reader() {
     let folder = tempfile::tempdir().unwrap();

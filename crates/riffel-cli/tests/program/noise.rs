@@ -130,6 +130,7 @@ fn decay_rates_and_traffic_are_read() {
 }
 
 /// The end of the linear range, and the month of a limit, do not hang on how far one looks ahead.
+// Long: computes the noise of a track on discrete supports over its months four times.
 #[test]
 fn months_do_not_hang_on_the_time_looked_ahead() {
     let sandbox = sandbox();

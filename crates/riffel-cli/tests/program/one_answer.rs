@@ -20,6 +20,7 @@ fn of_ridge(sandbox: &Sandbox, path: &str, speed: f64) -> [f64; 2] {
 /// The narrow bending of an axle, 0.1 % of the critical damping, is found by map, comparison and the models, however coarse
 /// the map is, and `point` has the same rate there: all searches are one, to its tolerance of 1e-7 of the window, at which the
 /// rate has not changed.
+// Long: scans 141 wavelengths for the narrow bending of an axle, with which coarse maps are compared.
 #[test]
 fn commands_agree_on_the_fastest_growth() {
     // As that model of the field has it.
@@ -59,6 +60,7 @@ fn commands_agree_on_the_fastest_growth() {
 
 /// Where no speed is asked for, map, wheels, models and comparison take the usual traffic of the line, and have one leading wave and one
 /// rate, to rounding.
+// Long: computes growth in a curve under its usual traffic for four commands.
 #[test]
 fn commands_agree_under_the_usual_traffic() {
     // As that model of the field has it.
@@ -119,6 +121,7 @@ fn rail_of_160_mm() -> String {
 
 /// Waves shorter than one and a half lengths of the patch, which the contact averages out, lead no answer: the ridge begins
 /// where they end.
+// Long: maps a case and compares a model of the field with it.
 #[test]
 fn what_the_contact_averages_out_leads_no_answer() {
     const CASE: &str = "cases/nominal.toml --set 'map.wavelength={ min = \"5 mm\", max = \"80 mm\", points = 61 }' \
@@ -172,6 +175,7 @@ fn growth_under_the_traffic_is_told_alike() {
 
 /// A rail that rose by 4 dB at 40 mm and less in other bands in 365 days goes on so: its level in 12 months, the time to its limit and what
 /// leads are one answer of forecast, by a table or by files, of comparison, noise, report and network, to 1e-9.
+// Long: asks a dozen commands about a rail on discrete supports.
 #[test]
 fn commands_agree_on_a_rail_that_was_measured_twice() {
     /// Bands \[mm\], levels now, and what they rose by.
@@ -274,6 +278,7 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
 
 /// A model that grows faster than any railway known, or oscillates by itself, tells no months in any command, in sentences, tables or
 /// documents: only at which wavelength the limit is reached first, and where the loop oscillates no wave that leads.
+// Long: asks nine questions about vehicles in curves, each with its equilibrium.
 #[test]
 fn a_model_that_no_railway_knows_tells_no_months() {
     let sandbox = Sandbox::new();
@@ -320,6 +325,7 @@ fn a_model_that_no_railway_knows_tells_no_months() {
 
 /// A case of the low rail of a curve, the right one, is held against that rail alone: of a left rail that leads the forecast says how it
 /// grew, and that the case is of the other, whatever the rails are called.
+// Long: forecasts a rail in a curve under six pairs of names.
 #[test]
 fn a_case_of_one_rail_is_not_held_against_the_other() {
     let sandbox = Sandbox::new();

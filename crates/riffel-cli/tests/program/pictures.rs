@@ -33,6 +33,7 @@ fn files(folder: &Path, extension: &str) -> Vec<(String, String)> {
     found
 }
 
+// Long: runs thirteen commands with all their pictures.
 #[test]
 fn words_stand_clear_and_heads_are_plain_in_all_that_is_written() {
     let sandbox = Sandbox::new();

@@ -259,6 +259,7 @@ fn all_sections_are_of_the_same_record() {
     assert!(headings(&page).iter().any(|name| name.ends_with("What-if")));
 }
 
+// Long: starts the program 17 times.
 #[test]
 fn bad_input_is_refused_and_leaves_nothing() {
     let sandbox = Sandbox::new();

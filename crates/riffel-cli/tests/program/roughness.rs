@@ -170,6 +170,7 @@ fn the_grinding_mark_of_niederwangen_fades() {
     assert_eq!(counts.sum::<f64>(), 36.0);
 }
 
+// Long: starts the program 26 times.
 #[test]
 fn bad_files_are_refused_and_leave_nothing() {
     let sandbox = Sandbox::new();

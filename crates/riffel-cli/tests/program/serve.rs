@@ -108,6 +108,7 @@ fn case_with(key: &str, name: &str, file: &str) -> toml::Table {
 }
 
 /// Questions that every path takes what it knows of, with the file in all places where a page may write.
+// Long: asks every path of a page with every key that names a file, and every question with every key.
 #[test]
 fn no_question_of_a_page_opens_a_file_of_the_machine() {
     let sandbox = Sandbox::new();
@@ -189,6 +190,7 @@ fn same(page: &Value, program: &Value, what: &str) {
 }
 
 /// A command line beside each question of a page: the parts of the two answers that are one.
+// Long: answers seven questions twice, by the page and by the program.
 #[test]
 fn the_numbers_of_a_page_are_those_of_the_program() {
     let sandbox = Sandbox::new();
@@ -331,6 +333,7 @@ fn a_run_for_a_page_reads_the_files_of_its_folder_alone() {
 }
 
 /// A run of minutes, whose parent is killed.
+// Long: waits a second to see that the run lives, and then until it has looked for its server.
 #[cfg(unix)]
 #[test]
 fn a_run_for_a_page_ends_with_its_server() {

@@ -38,6 +38,7 @@ fn small_amplitudes_are_those_of_the_point() {
 
 /// A contact that answers late, over a wave of three semi-axes and one of ten: forces of the point to 10⁻³, and growth over passages
 /// its rate to 1 %. About the same state a contact that answers at once has another force.
+// Long: tabulates a contact that answers late for each of five commands.
 #[test]
 fn a_late_contact_is_that_of_the_point() {
     const LATE: &str = "--set contact.response=non-steady --set contact.grid=24 --set map.wavelength.min=\"15 mm\"";
@@ -111,6 +112,7 @@ fn a_high_wave_is_drawn() {
 }
 
 /// A profile of a sinusoid has the largest force of the sinusoid; what is no profile, too short or too coarse is refused.
+// Long: follows a wheel over 35 m of rail in half millimetres.
 #[test]
 fn a_profile_is_rolled_over() {
     let sandbox = Sandbox::new();

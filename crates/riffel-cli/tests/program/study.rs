@@ -77,6 +77,7 @@ fn begun(sandbox: &Sandbox, chunks: usize) -> Child {
     child
 }
 
+// Long: computes a study twice that takes long enough to be killed within.
 #[test]
 fn a_killed_study_goes_on_where_it_stopped() {
     let sandbox = sandbox(LONG);
@@ -129,6 +130,7 @@ fn ctrl_c_keeps_what_is_finished_and_says_so() {
     assert!(files(&sandbox.path("results")).iter().all(|path| !path.to_string_lossy().contains(".riffel-")));
 }
 
+// Long: computes a study whole, in seven shards and in three, each a start of the program.
 #[test]
 fn shards_are_merged_into_the_whole() {
     let plan = LONG.replace("samples = 600", "samples = 90").replace("points = 60", "points = 6");

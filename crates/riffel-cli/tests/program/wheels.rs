@@ -7,6 +7,7 @@ const FEW: &str = "--set map.wavelength.points=7 --set map.speed.points=3";
 
 /// Four wheels of a bogie, one of them on two points, with their files; the document is that of the folder, and each wheel grows as
 /// the map of its case says.
+// Long: finds the equilibrium of a bogie for seven maps.
 #[test]
 fn wheels_stand_side_by_side() {
     let sandbox = Sandbox::new();
@@ -70,6 +71,7 @@ fn wheels_stand_side_by_side() {
 }
 
 /// A wheel that slides as a whole has its loop by every law: the force keeps its direction, and a band narrower than its contact is told.
+// Long: maps five wheels of a bogie in its curve.
 #[test]
 fn a_wheel_that_slides_as_a_whole_has_a_loop() {
     let sandbox = Sandbox::new();

@@ -214,6 +214,7 @@ fn kinds_of_a_hundred_rails() -> Result<(), NetworkError> {
 }
 
 /// Of the first sixteen of them fifteen are.
+// Long: makes the heights of sixteen rails and their surveys, as many as its count is of.
 #[test]
 fn kinds_of_some_rails() -> Result<(), NetworkError> {
     told_right(4, 15)
@@ -242,6 +243,7 @@ fn told_right(of_each: u64, at_least: usize) -> Result<(), NetworkError> {
 }
 
 /// Joints in blocks of 2 m, of which an edge cuts many in halves: of 24 rails 22 are told right, the rest as welds; none is corrugation.
+// Long: makes the heights of 24 rails and their surveys, as many as its counts are of.
 #[test]
 fn joints_in_cells_of_two_metres() -> Result<(), NetworkError> {
     let (mut joints, mut others, mut ground_in_vain) = (0, Vec::new(), 0);

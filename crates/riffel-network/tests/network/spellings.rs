@@ -202,6 +202,7 @@ const HEADS: [(&str, Option<&str>); 44] = [
     ("cant", Some("geometry")),
 ];
 
+// Long: reads a profile and a run under every head.
 #[test]
 fn columns_are_rails_or_left_out_and_told_in_both_readers() {
     let value = |row: usize| (row * 7919 % 101) as f64 - 50.25;

@@ -459,6 +459,7 @@ fn columns_are_found_by_their_names() {
 /// Of 200 made-up rails, with points 0.1 to 0.5 mm apart that scatter by 20 µm, worn by up to 8 mm at the gauge face and flattened by up to
 /// 0.3 mm at the crown, mirrored or not, measured up to 5 mrad aslant, all are read alike with their rows in either order; of the 100 that are inclined 56 are
 /// told by their lean, all of them rightly, and 44, flat or worn, are taken as they are written; of the 100 that stand upright none is turned.
+// Long: reads 400 files of drawn rails, as many as its counts are of.
 #[test]
 fn a_head_shows_its_gauge_side() {
     let mut state = 53_u64;

@@ -284,6 +284,7 @@ proptest! {
     }
 
     /// A whole profile with lines changed at random is read or refused.
+    // Long: reads 300 fuzzed profiles.
     #[test]
     fn no_broken_profile_panics(
         changes in prop::collection::vec((0..550usize, "[0-9.,;aN-]{0,10}"), 0..20),

@@ -78,6 +78,7 @@ impl Made {
 /// 75 to 85 times of 100: with independent places, with places that scatter as their neighbours do, with other places at every date,
 /// with an instrument that reads all of a date too high or low, which two dates alone cannot tell, and with places that grow each at its
 /// own rate.
+// Long: fits 14 000 drawn rails, as many as its bounds of coverage are of.
 #[test]
 fn the_bands_hold_the_truth_as_often_as_they_say() {
     const RAILS: usize = 1000;

@@ -53,6 +53,7 @@ fn in_time(feedback: &Loop, track: &SpatialTrack) -> PassageModel {
 
 /// One wheel along one axis, its rail fitted by itself and on all axes, over waves of 60 µm: harmonics to 10⁻³ of the first, as far as two fits of the
 /// rail are apart.
+// Long: follows a wheel over supports in time twice, by two fits of the rail.
 #[test]
 fn one_wheel_along_one_axis_is_the_same_on_supports() {
     let mean = MeanState::TractiveRatio(0.4);
@@ -103,6 +104,7 @@ const LINES: isize = 4;
 /// solved here by elimination. Over the largest line of its axis P is right to 3·10⁻³, Q_t to 6·10⁻³ and Q_x to 2·10⁻²: on the smooth
 /// rail the load varies by 5·10⁻³ as supports pass, and the longitudinal creepage of a wheel that turns freely by a fifth, and with
 /// them the stiffness of Hertz and the slopes of the law, which the balance leaves out.
+// Long: marches two wheels over tens of bays in half millimetres, the side that is held against the balance.
 #[test]
 fn small_waves_are_the_balance_of_all_axes() {
     const ANGLE: f64 = 0.1;

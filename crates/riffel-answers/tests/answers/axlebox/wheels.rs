@@ -48,6 +48,7 @@ fn answer_of(channels: &[(&str, &dyn Fn(f64) -> f64)]) -> AxleBoxAnswer {
 
 /// A flat of 120 µm and 18 µm in 18 waves, on wheels worn by 2 and 1 %, are those of their wheels: what is left has the levels of the
 /// rail within 0.5 dB, no welds, and as much to grind as under a round wheel.
+// Long: takes marks of wheels off four channels of a run.
 #[test]
 fn wheels_that_are_not_round_are_no_rail() {
     let radius = 0.98 * case().hertz.rolling_radius();

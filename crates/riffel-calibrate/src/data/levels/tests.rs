@@ -27,6 +27,7 @@ const HEARD: &str = "passages,level_dba,standard_error_db\n0,80,0.1\n6000000,80,
 
 /// Levels are drawn as they come about: a rail with levels of its own, what is missed of its growth, errors of each band, date and
 /// place, and what is heard of the true levels. What is then left of the contrasts has the covariance that it is taken to have.
+// Long: draws 600 sets of data, by which its bound is scaled.
 #[test]
 fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
     const DRAWS: usize = 600;

@@ -148,6 +148,7 @@ mod tests {
     }
 
     /// A slab with direct fastenings, whose rail loses little, once swung up by a response that was free above 3.5 kHz.
+    // Long: fits the answer to an impulse of a rail on discrete fastenings.
     #[test]
     fn a_rail_of_little_loss_comes_to_rest() -> Result<(), CaseError> {
         let model = ask::in_time(&Case::parse("metro", crate::METRO_CASE, &[])?, 22.0)?;

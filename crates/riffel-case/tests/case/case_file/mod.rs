@@ -217,6 +217,7 @@ proptest! {
 
     /// Fuzzed case files: whatever is cut from or put into a valid file, the reader answers with a
     /// case or an error and never panics; a case it accepts can be computed.
+    // Long: computes the loop of every fuzzed case that is read.
     #[test]
     fn fuzz_case_file(
         edits in edits(),

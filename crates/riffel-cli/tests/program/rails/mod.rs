@@ -46,6 +46,7 @@ fn list<'a>(document: &'a Value, name: &str) -> &'a Vec<Value> {
 
 /// 5.5 m of 100 m over the limit: 5.5 % of the low rail, 2.75 % of both. The mean of both rails was within the
 /// limit of 5 %.
+// Long: reads a record of 100 000 heights for each of a dozen questions.
 #[test]
 fn a_clean_rail_does_not_excuse_the_other() {
     let sandbox = Sandbox::new();
@@ -189,6 +190,7 @@ fn a_stretch_of_a_long_kilometre_is_named() {
 }
 
 /// A report draws the moving RMS of each rail with its limits.
+// Long: reads two kilometres of two rails twice.
 #[test]
 fn a_report_shows_the_moving_rms_of_each_rail() {
     let sandbox = Sandbox::new();
@@ -210,6 +212,7 @@ fn a_report_shows_the_moving_rms_of_each_rail() {
 }
 
 /// 40 m of 2 km of one rail: −2 dB in the mean of the rail, 14.8 dB there.
+// Long: reads two kilometres of two rails for each of four questions.
 #[test]
 fn a_local_corrugation_is_diagnosed_where_it_is() {
     let sandbox = Sandbox::new();
@@ -276,6 +279,7 @@ fn a_local_course_is_that_of_its_place() {
 }
 
 /// A rail 6 dB above the other leads the forecast, and each is forecast as if it were alone, bit for bit.
+// Long: asks seven questions about a record of two rails, with pictures and a report.
 #[test]
 fn each_rail_is_forecast_from_its_own_levels() {
     let sandbox = Sandbox::new();

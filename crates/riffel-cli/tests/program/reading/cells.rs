@@ -91,6 +91,7 @@ const COMMANDS: [(&str, &str); 18] = [
     ("dated levels", "calibrate set/case.toml --with rail.csv --traffic set/traffic.toml --dry-run --json"),
 ];
 
+// Long: starts the program a hundred times.
 #[test]
 fn no_command_loses_a_rail_by_its_cells() {
     let sandbox = Sandbox::new();

@@ -91,6 +91,7 @@ fn profile(date: &str, wave: f64) -> String {
 }
 
 /// A rail that was ground since the former survey is what it is now: within, and nothing to grind.
+// Long: asks fifteen questions about profiles of two dates.
 #[test]
 fn the_survey_before_grinding_leads_no_answer() {
     let sandbox = Sandbox::new();

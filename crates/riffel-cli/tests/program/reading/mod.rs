@@ -59,6 +59,7 @@ fn utf_16(text: &str) -> Vec<u8> {
     units.flat_map(u16::to_le_bytes).collect()
 }
 
+// Long: reads and judges fifteen records of 10 000 heights.
 #[test]
 fn the_same_rail_comes_out_of_all_clothes() {
     let sandbox = Sandbox::new();
@@ -172,6 +173,7 @@ fn the_same_rail_comes_out_of_all_clothes() {
 }
 
 /// No verdict, no file, status 2, and what to do.
+// Long: starts the program thirteen times, most with a record of 10 000 heights.
 #[test]
 fn values_unlike_any_rail_get_no_verdict() {
     let sandbox = Sandbox::new();

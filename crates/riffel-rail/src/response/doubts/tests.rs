@@ -126,6 +126,7 @@ fn faults_of_phase_are_found() {
     assert!(found[0] >= 198 && found.iter().all(|count| *count >= 190), "{found:?}");
 }
 
+// Long: looks at 400 drawn hammer tests, as many as its counts are of.
 #[test]
 fn double_hits_are_found() {
     let right = count(|draws| time_between_hits(&draws.response(true)).is_none());

@@ -67,6 +67,7 @@ fn found(mut patch_averages: Vec<PatchAverageProfile>, circumference: f64) -> (O
     (found.into_iter().next().unwrap(), first.profile)
 }
 
+// Long: looks for wheels on sixteen rails of 300 m, five times each.
 #[test]
 fn rails_have_no_pattern_of_a_wheel() {
     for (seed, is_corrugated, radius) in rails() {
@@ -95,6 +96,7 @@ fn rails_have_no_pattern_of_a_wheel() {
 }
 
 /// Of what is left at worst 0.3 dB is the mean of the rail over the turns.
+// Long: takes flats off sixteen rails of 300 m.
 #[test]
 fn flats_are_found_and_taken_off() {
     for (seed, is_corrugated, radius) in rails() {
@@ -114,6 +116,7 @@ fn flats_are_found_and_taken_off() {
     }
 }
 
+// Long: takes wheels off sixteen rails of 300 m, twice each.
 #[test]
 fn polygons_are_told_by_another_wheel_on_the_rail() {
     for (seed, is_corrugated, radius) in rails() {
@@ -141,6 +144,7 @@ fn polygons_are_told_by_another_wheel_on_the_rail() {
 /// Where the transfer is not quite that of the track, or the odometer not quite true, a pattern changes along the line: here by 4 mm and a
 /// tenth of its height over 200 to 270 m. Of 40 records the worst error of any band is 0.15 dB, but for waves around the wheel that are 22 dB
 /// above all that the rail has: of these up to 0.73 dB are left, likely in the first and the last turn.
+// Long: takes wheels off 40 records of 300 m, as many as its bounds are of.
 #[test]
 fn patterns_that_change_slowly_are_taken_off() {
     type Wheel = Box<dyn Fn(f64) -> f64>;

@@ -224,11 +224,13 @@ fn check_load(creepages: Creepages, force: usize) {
 /// the other, so the oscillation must be as large as an element, 10 % of the load; what is left is how the
 /// edge happens to lie, 3 % of the force and 8 % of the dissipation with 32 elements. What the rail
 /// receives is a small difference of large parts, and errs by theirs.
+// Long: rolls the exact contact through waves of load step by step, the independent side of the comparison.
 #[test]
 fn response_to_load_is_what_time_shows() {
     check_load(Creepages::longitudinal(1e-3), 0);
 }
 
+// Long: rolls the exact contact through waves of load step by step, the independent side of the comparison.
 #[test]
 fn response_to_load_across_the_rail_is_what_time_shows() {
     let creepages = Creepages { lateral: 1e-3, ..Creepages::default() };

@@ -80,6 +80,7 @@ mod tests {
 
     /// Under a constant load and slip speed a wave of 12 µm leaves on the rail what the response at its frequency says, along with the
     /// creep force. Both grids of 24 elements: 0.03 of κ.
+    // Long: rolls the exact contact over three waves step by step, the independent side of the comparison.
     #[test]
     fn response_to_a_wave_is_what_time_shows() {
         const LOAD: f64 = 50e3;

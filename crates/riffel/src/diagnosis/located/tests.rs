@@ -193,6 +193,7 @@ fn a_short_rail_has_places() {
 }
 
 /// Windows ask many times, and answer by chance no more often than one spectrum does.
+// Long: looks for corrugation all along ten rails of a kilometre.
 #[test]
 fn noise_has_no_place() {
     let found: usize = (0..10).map(|seed| rail(1000.0, 100 + seed, &[]).dominant().unwrap().len()).sum();

@@ -136,6 +136,7 @@ fn reciprocal() {
 
 /// The moving load from loads at rest, as in one axis: ∫∫ H(x₀ + ξ_a + Vs, x₀; ω) e^{i(ω − ω')s} ds dω/2π is the answer at a
 /// to an impulse at ξ_b = 0, for the head across the track at the wheel and at another one behind it.
+// Long: sums 720 000 receptances between loads at rest, the independent side of the comparison.
 #[test]
 fn moving_loads_from_loads_at_rest() {
     // Without shear H has no kink at the force, and the integral over ω converges fast.

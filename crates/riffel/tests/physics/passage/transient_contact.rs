@@ -73,6 +73,7 @@ fn a_late_contact_is_that_of_the_linear_loop() {
 /// The exact contact followed element by element, where the load swings by a sixth: its first harmonics are those of the linear loop
 /// with the table of that contact, but for the elements, two in a hundred (where it swings by less, its edge moves by less than an element, and
 /// errors reach a fifth of the harmonics).
+// Long: follows the exact contact element by element until waves settle, the independent side of the comparison.
 #[test]
 fn transient_contact_at_small_amplitude() {
     let hertz = fixtures::hertz();

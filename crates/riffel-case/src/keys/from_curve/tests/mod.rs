@@ -61,6 +61,7 @@ fn numbers_are_those_of_the_curve() {
 }
 
 /// The wide patch on the high rail wears off its own width, and a remark says so.
+// Long: computes all sensitivities of two cases in a curve, with an equilibrium for every value.
 #[test]
 fn a_patch_wider_than_the_band_is_told() {
     let high = "contact.from={wheelset=1, rail=\"high\"}";
