@@ -7,6 +7,7 @@ use std::path::Path;
 use axum::extract::State;
 use riffel_answers::page::CaseText;
 use riffel_answers::wheels::WheelsAnswer;
+use riffel_keys::message::as_data;
 use riffel_keys::text_file::with_texts;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -45,7 +46,8 @@ impl Question {
     fn of_case(case: &Case) -> Result<JsonWithMessages<Value>, Fault> {
         let case = on_curve(case, Path::new(""), curve::NAME)?;
         let answer = WheelsAnswer::new(&case, |_| ())?;
-        let mut document = json!(answer);
+        // Its messages too are data, of which the page makes words in its language.
+        let mut document = as_data(|| json!(answer));
         // The case with its wheel is the question.
         document.as_object_mut().map(|document| document.remove("inputs"));
         for (wheel, told) in answer.wheels.iter().zip(document["wheels"].as_array_mut().into_iter().flatten()) {
