@@ -1,9 +1,10 @@
 //! Maps, points and variants of a case.
 
 use axum::http::{StatusCode, header};
+use riffel_keys::Language;
 use serde_json::{Value, json};
 
-use super::{ask, english, get, nominal};
+use super::{ask, english, get, in_words, nominal};
 
 #[tokio::test]
 async fn a_map_is_that_of_the_program() {
@@ -153,6 +154,10 @@ async fn every_track_of_the_first_visit_makes_a_case_of_every_line() {
     let lines = vocabulary["lines"].as_array().unwrap();
     assert!(lines.len() > 3);
     for line in lines {
+        // Its keys are those of the case of the book.
+        let name = line["name"].as_str().unwrap();
+        let file = std::fs::read_to_string(format!("{}/../../cases/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap();
+        assert_eq!(line["case"], json!(file.parse::<toml::Table>().unwrap()), "{name}");
         for track in &tracks {
             let &[section, preset, model] = &track[..] else { panic!("{track:?}") };
             let mut keys = line["case"].clone();
@@ -165,6 +170,94 @@ async fn every_track_of_the_first_visit_makes_a_case_of_every_line() {
             assert_eq!(answer.status, StatusCode::OK, "{line}, {track:?}: {}", answer.json());
         }
     }
+}
+
+/// Small words without which English gets nowhere, and which German does not have.
+const ENGLISH: [&str; 32] = [
+    "the",
+    "of",
+    "and",
+    "is",
+    "are",
+    "at",
+    "from",
+    "with",
+    "by",
+    "not",
+    "over",
+    "under",
+    "after",
+    "which",
+    "that",
+    "must",
+    "no",
+    "wheel",
+    "wheels",
+    "track",
+    "speed",
+    "force",
+    "growth",
+    "now",
+    "length",
+    "wavelength",
+    "choose",
+    "give",
+    "soft",
+    "sleepers",
+    "half",
+    "chosen",
+];
+
+/// All messages in an answer, in German.
+fn german(answer: &Value, found: &mut Vec<String>) {
+    match answer {
+        Value::Object(message) if message.contains_key("id") && message.contains_key("values") => {
+            found.push(in_words(Language::German, answer));
+        }
+        Value::Object(parts) => parts.values().for_each(|part| german(part, found)),
+        Value::Array(parts) => parts.iter().for_each(|part| german(part, found)),
+        _ => {}
+    }
+}
+
+/// What grows, why, where, and what helps, of every line and of a curve.
+#[tokio::test]
+async fn what_is_said_of_a_case_is_german() {
+    let vocabulary = get("/api/vocabulary").await.json();
+    let lines = vocabulary["lines"].as_array().unwrap().iter().map(|line| line["case"].clone());
+    let curve: toml::Table = riffel_case::METRO_CURVE_CASE.replace("fastsim", "polach").parse().unwrap();
+    for mut keys in lines.chain([json!(curve)]) {
+        for (axis, points) in [("wavelength", 21), ("speed", 7)] {
+            keys["map"][axis]["points"] = json!(points);
+        }
+        let question = json!({ "case": { "keys": keys } });
+        let mut said = Vec::new();
+        german(&ask("/api/map", &question).await.framed().0, &mut said);
+        german(&ask("/api/line", &question).await.json(), &mut said);
+        // Those of a wheelset take long.
+        if keys["wheelset"].is_null() {
+            german(&ask("/api/remedies", &question).await.json(), &mut said);
+        }
+        assert!(said.len() > 10, "{said:?}");
+        for sentence in &said {
+            let mut words = sentence.split(|letter: char| !letter.is_alphanumeric() && !"-_.'\"`".contains(letter));
+            assert!(!words.any(|word| ENGLISH.contains(&word)), "{sentence}");
+        }
+    }
+}
+
+/// A wheel whose force is held, which nothing does where it leaves the rail.
+#[tokio::test]
+async fn a_case_without_a_passage_in_time_says_so() {
+    let mut wave = nominal(&[("# rotation = \"inertia\"", "rotation = \"constant-tangential-force\"")]);
+    for (key, value) in [("wavelength_m", 0.04), ("speed_m_per_s", 25.0), ("amplitude_m", 1e-5)] {
+        wave[key] = json!(value);
+    }
+    let refused = ask("/api/passage", &wave).await;
+    assert_eq!(refused.status, StatusCode::UNPROCESSABLE_ENTITY);
+    assert!(refused.message().contains("no creepage keeps the force"), "{}", refused.message());
+    let german = in_words(Language::German, &refused.json()["message"]);
+    assert!(german.contains("hält kein Schlupf die Kraft"), "{german}");
 }
 
 /// The sliders of the page move within what is usual, so that none of their places is asked about.

@@ -61,29 +61,37 @@ impl Answer {
 
 /// A message in English, as the page makes it of its data.
 fn english(said: &Value) -> String {
+    in_words(Language::English, said)
+}
+
+/// A message in a language, as the page makes it of its data.
+fn in_words(language: Language, said: &Value) -> String {
     let Value::Object(data) = said else {
         return said.as_str().map_or_else(|| said.to_string(), str::to_owned);
     };
-    if let Some(shown) = ["number", "text", "key"].iter().find_map(|kind| data.get(*kind)) {
-        return english(shown);
+    if let Some(shown) = ["number", "text", "key", "capital"].iter().find_map(|kind| data.get(*kind)) {
+        return in_words(language, shown);
     }
-    match wordings(Language::English).get(data["id"].as_str().unwrap()) {
-        Some(wording) => filled(wording, &data["values"]),
-        None => english(&data["english"]),
+    match wordings(language).get(data["id"].as_str().unwrap()) {
+        Some(wording) => filled(language, wording, &data["values"]),
+        None => in_words(language, &data["english"]),
     }
 }
 
-fn filled(wording: &Value, values: &Value) -> String {
+fn filled(language: Language, wording: &Value, values: &Value) -> String {
     let named = |part: &Value, kind: &str| part.get(kind).and_then(Value::as_str).map(str::to_owned);
     let part = |part: &Value| match (named(part, "value"), named(part, "choice")) {
-        (Some(value), _) => english(&values[value]),
-        (_, Some(value)) if values[value.as_str()] == 1 => filled(&part["among"]["one"], values),
-        (_, Some(_)) => filled(&part["among"]["other"], values),
-        (None, None) => english(part),
+        (Some(value), _) => in_words(language, &values[value]),
+        (_, Some(value)) if values[value.as_str()] == 1 => filled(language, &part["among"]["one"], values),
+        (_, Some(value)) => {
+            let own = values[value.as_str()].as_str().and_then(|text| part["among"].get(text));
+            filled(language, own.unwrap_or(&part["among"]["other"]), values)
+        }
+        (None, None) => in_words(language, part),
     };
     match wording {
         Value::Array(parts) => parts.iter().map(part).collect(),
-        text => english(text),
+        text => in_words(language, text),
     }
 }
 
