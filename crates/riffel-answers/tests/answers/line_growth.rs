@@ -21,6 +21,9 @@ fn in_words(growth: &LineGrowth) -> String {
 #[test]
 fn a_line_has_traffic_of_its_kind() {
     let heavy = &["contact.normal_load=147 kN"][..];
+    for (text, axles) in [(MAIN_LINE_CASE, 6000.0), (METRO_CASE, 6000.0), (FREIGHT_CASE, 3000.0), (TRAM_CASE, 2400.0)] {
+        assert_eq!(UsualTraffic::of(&coarse(text, &[])).passages_per_day, axles);
+    }
     for (text, overrides, line, km_per_h) in [
         (NOMINAL_CASE, &[][..], LineKind::MainLine, [80.0, 140.0]),
         (MAIN_LINE_CASE, &[], LineKind::MainLine, [80.0, 140.0]),
@@ -132,6 +135,10 @@ fn growth_that_nobody_has_seen_is_remarked() {
     let fastest = growth.fastest.unwrap();
     assert!(fastest.faster_than_known && fastest.doubling_months.is_none());
     assert_eq!(fastest.time().to_string(), "faster than any railway known");
+    // Fewer trains take their time over it.
+    let few = "line.passages_per_day = 40\n[[vehicle]]\nname = \"v\"\nshare = 1\nspeed.mean = 30\n";
+    let slow = LineGrowth::new(&fast, Some(&Traffic::parse("t", few).unwrap())).unwrap();
+    assert!(!slow.fastest.unwrap().faster_than_known && !in_words(&slow).contains("faster than any railway known"));
     let remedies = RemediesAnswer::new(&fast, None, &|_| ()).unwrap();
     let best = remedies.helps_most().unwrap().to_string();
     assert!(best.contains(": growth falls by") && !best.contains("doubles"), "{best}");

@@ -67,6 +67,14 @@ fn a_measured_rail_is_told_as_by_the_single_questions_and_each_record_is_read_on
     forecast["months"] = json!(12);
     assert_eq!(measured["forecast"], answer("forecast", &forecast, &Nobody));
     assert!(measured["forecast"]["wear_fit"].is_object());
-    // A free rail has no level of noise.
+    // A free rail has no level of noise; what a moving one carries is not known.
     assert_eq!(measured["is_silent"], true);
+    let mut moving = json!({ "traffic": traffic, "roughness": now });
+    for (model, is_silent) in
+        [("model = \"moving-beam\"", true), ("model = \"one-layer\"\npreset = \"slab-direct\"", false)]
+    {
+        let text = riffel_case::NOMINAL_CASE.replace("model = \"free-beam\"", model);
+        moving["case"] = json!(file("moving.toml", &text));
+        assert_eq!(answer("measure", &moving, &Nobody)["is_silent"], is_silent, "{model}");
+    }
 }
