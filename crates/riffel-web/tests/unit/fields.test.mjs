@@ -217,7 +217,7 @@ test('in a curve all wheels of the traffic may run', () => {
   assert.equal(one.givenFile.vehicle[0].curve, true);
   // A case that has no curve any more has one wheel.
   one.setUsual(MAIN_LINE);
-  assert.equal(one.givenFile.vehicle[0].curve, undefined);
+  assert.deepEqual([one.inCurve.hidden, one.givenFile.vehicle[0].curve], [true, undefined]);
   one.allWheels.checked = false;
   one.allWheels.enter('on');
   assert.equal(last(), null);

@@ -61,6 +61,7 @@ test('a link holds what is open, and a damaged one is told from a whole one', ()
   assert.deepEqual(unpack(link), state);
   // A sum of before: none.
   assert.deepEqual(unpack(link.split('.')[0]), state);
+  assert.deepEqual(unpack('e30'), {});
   for (const damage of [link.slice(0, -40), `${link.slice(0, 20)}!${link.slice(21)}`, `${link.slice(0, 20)}${link[20] === 'A' ? 'B' : 'A'}${link.slice(21)}`, `${link}0`]) assert.throws(() => unpack(damage), damage);
   for (const nonsense of ['nonsense', 'e3', 'A'.repeat(50_000)]) assert.throws(() => unpack(nonsense));
   // The sum is FNV-1a of what stands before it: of "e30", the packed empty object.

@@ -3,10 +3,10 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
-import { inLanguage, vocabulary } from './page.mjs';
+import { inLanguage, place, vocabulary } from './page.mjs';
 import { caseTitle, inSentences, inWords, knowTitles, once, said, titled } from '../../assets/messages.js';
 import { nameOfValue, unitInWords, withNames } from '../../assets/priors.js';
-import { trendWords } from '../../assets/level-trend.js';
+import { fitItems, trendWords } from '../../assets/level-trend.js';
 import { words as loopInWords } from '../../assets/phasors.js';
 import { decimalMark, languageOf, marked, pieces } from '../../assets/wording.js';
 import { labelOf, nameOf, t, wordsOf } from '../../assets/words.js';
@@ -129,7 +129,8 @@ test('titles of lines that come with the page are in its language, others as the
   knowTitles(vocabulary.titles);
   const [{ english }] = vocabulary.titles;
   assert.equal(titled(english), english);
-  assert.match(inLanguage('de', () => titled(english)), /^Hauptstrecke/);
+  const german = inLanguage('de', () => vocabulary.lines.map(({ name, case: { title } }) => `${name}, ${titled(title)}`.split(': ')[0]));
+  assert.deepEqual(german, ['main-line, Hauptstrecke', 'freight, Güterstrecke', 'metro, U-Bahn', 'tram, Straßenbahn']);
   assert.equal(inLanguage('de', () => titled('My line')), 'My line');
   assert.equal(caseTitle({ title: 'My line' }), '“My line”');
   assert.equal(inLanguage('de', () => caseTitle({ title: 'My line' })), '„My line“');
@@ -166,6 +167,23 @@ test('a course of levels is told by its records, its change and its slope', () =
   assert.match(trendWords({ ...course, levels_db: [17.3, 12.06], slope_db: -5.24 }), /−5\.2/);
   // Of a rail that was ground the program has its sentence.
   assert.equal(trendWords({ ...course, ground_before: '2026-05-01', sentence: 'fell' }), 'fell');
+});
+
+test('a fit of the wear coefficient is told with what it was fitted to, and may be taken', () => {
+  const taken = [];
+  const ways = { item: (message) => Object.assign(place('li'), { textContent: inWords(message) }), take: (coefficient) => taken.push(coefficient) };
+  const fit = { passages_between: 1.5e6, sentences: ['the coefficient is 3e-9 kg/J', 'by two records'], verdict: 'fitted', coefficient_kg_per_j: 3e-9 };
+  const told = (given) => fitItems(given, ways);
+  const items = told({ wear_fit: fit });
+  assert.match(items[0].textContent, /the last two dated records, over 1\.5 million axle passages/);
+  assert.deepEqual(items.slice(1).map(({ textContent }) => textContent), ['the coefficient is 3e-9 kg/J Use it in the case', 'by two records']);
+  items[1].inside[0].click();
+  assert.deepEqual(taken, [3e-9]);
+  assert.match(inLanguage('de', () => told({ wear_fit: fit })[0].textContent), /1,5 Mi.* Achs/);
+  // What was not fitted cannot be taken.
+  assert.deepEqual(told({ wear_fit: { ...fit, verdict: 'against' } }).flatMap(({ inside }) => inside), []);
+  assert.deepEqual(told({ wear_fit: fit, fit_fault: { message: 'no two dates' } }).map(({ textContent }) => textContent), ['no two dates']);
+  assert.deepEqual(told({}), []);
 });
 
 test('the loop in words says where the force leads and what becomes of the wave', () => {
