@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
 
-fn ask(sandbox: &Sandbox, name: &str, question: &str) -> Output {
+pub(crate) fn ask(sandbox: &Sandbox, name: &str, question: &str) -> Output {
     let mut command = sandbox.command();
     command.arg("ask").args(shlex::split(name).unwrap());
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
