@@ -54,7 +54,7 @@ def test_a_number_that_can_be_read_two_ways_is_asked_about(page):
 
 def test_what_is_typed_is_read_by_the_program_and_echoed(page):
     for key, text, read, echo in [
-        ("wheel.mass", "770 lb", 349.266, "349.3 kg"), ("wheel.rolling_radius", "18 in", 0.4572, "457.2 mm"), ("map.speed.max", "125 mph", 55.88, "201.2 km/h"),
+        ("wheel.mass", "1.000", 1, "= 1 kg; before it was 350 kg. Is that meant?"), ("wheel.mass", "770 lb", 349.266, "349.3 kg"), ("wheel.rolling_radius", "18 in", 0.4572, "457.2 mm"), ("map.speed.max", "125 mph", 55.88, "201.2 km/h"),
         ("wear.coefficient", "2.6·10⁻⁹", 2.6e-9, ""), ("contact.normal_load", "22 kip", 97860.9, "97.86 kN"), ("contact.friction", "30 %", 0.3, "0.3"),
     ]:
         page.set(key, text)
@@ -97,6 +97,8 @@ def test_what_is_refused_is_said_at_its_field_in_its_unit_and_pales_what_is_show
     # The language of a refusal is that of the page.
     page.set("contact.normal_load", "50 kg")
     page.until(lambda: shown.count() > 0)
+    # A refused unit does not become that of the field.
+    assert field(page, "contact.normal_load", "unit").text_content() == "kN"
     page.speak("de")
     assert '"50 kg" ist in kg, nicht eine Kraft in N' in shown.first.inner_text() and shown.first.get_attribute("lang") == "de"
     page.refused(422)
@@ -178,6 +180,9 @@ def test_a_wheelset_is_shown_and_edited(page):
     page.refused(422)
 
 
+VALUES = "(name) => window.riffel.state.vocabulary.presets.find((preset) => preset.name === name).values.length"
+
+
 def test_presets_take_the_place_of_values_and_tell_their_sources(page):
     page.set("vehicle", "metro-motor-car")
     page.settle()
@@ -191,7 +196,7 @@ def test_presets_take_the_place_of_values_and_tell_their_sources(page):
         page.page.locator(".row:has(#key-vehicle) .info").press("Enter")
         bubble = page.page.locator("#key-vehicle-sources")
         bubble.wait_for()
-        assert len(bubble.inner_text()) > 100
+        assert len(bubble.inner_text()) > 100 and bubble.locator("p").count() == page.page.evaluate(VALUES, "metro-motor-car")
         # Inside the window, wherever its button is.
         box = bubble.bounding_box()
         assert box["x"] >= 0 and box["x"] + box["width"] <= 390 and box["y"] >= 0 and box["y"] + box["height"] <= 420
@@ -316,6 +321,13 @@ def test_a_first_visit_chooses_line_vehicle_and_track(open_page):
     assert made["vehicle"] == "metro-trailer-car" and "wheel" not in made and "normal_load" not in made["contact"]
     assert made["rail"]["section"] == "60E1" and made["track"] == {"model": "two-layer-periodic", "preset": "ballasted-stiff-pads", "position": "0 m"}
     assert page.page.evaluate("() => window.riffel.state.current && Boolean(window.riffel.state.head.highest)")
+    # A choice is a step.
+    page.page.click("#undo")
+    page.settle()
+    assert keys(page)["vehicle"] == made["vehicle"] and keys(page)["rail"] != made["rail"]
+    page.page.click("#redo")
+    page.settle()
+    assert keys(page) == made
     # It is of the map; it goes away, and does not come back with a reload.
     page.page.click("#tab-paper")
     assert page.page.locator("#start").is_hidden()
@@ -351,6 +363,10 @@ def test_three_hints_help_and_version(page):
 
 def test_a_traffic_shows_what_it_was_read_as_and_asks(page):
     page.page.locator("#traffic-group").evaluate("(group) => (group.open = true)")
+    # The wheels of a bogie are those of a curve.
+    assert page.page.locator("#traffic-all-wheels").is_hidden()
+    band = "() => { const { view } = document.getElementById('map'); return [view.band.to, view.taken.map(({ words }) => words)]; }"
+    assert "usual traffic" in page.page.evaluate(band)[1]
 
     def type_(name, text):
         page.page.fill(f"#traffic-{name}", text)
@@ -365,7 +381,6 @@ def test_a_traffic_shows_what_it_was_read_as_and_asks(page):
     type_("to", "120 mph")
     assert page.text("#traffic-to-echo") == "= 193.1 km/h"
     # The speeds lie on the map, and the headline and the cursor go by them.
-    band = "() => { const { view } = document.getElementById('map'); return [view.band.to, view.taken.map(({ words }) => words)]; }"
     page.settle()
     to, words = page.page.evaluate(band)
     assert to == pytest.approx(120 * 0.44704) and "traffic" in words and "usual traffic" not in words
