@@ -63,7 +63,9 @@ def test_fields_of_a_curve_are_read_refused_and_kept(page):
     asked = page.asked("/api/curve")
     assert page.page.locator("#bogie-wheelbase").input_value() == "2,1"
     for field, text, key, value in [
-        ("#bogie-lateral", "8,5", "bogie.primary_lateral_stiffness", 8.5e6), ("#bogie-axle-load", "10.500 kg", None, None), ("#bogie-axle-load", "10500 kg", "bogie.mass_per_axle", 10500), ("#curve-radius", "−1000 ft", "curve.radius", -304.8), ("#curve-gauge", "14350", None, None),
+        ("#bogie-lateral", "8,5", "bogie.primary_lateral_stiffness", 8.5e6), ("#bogie-axle-load", "10.500 kg", None, None), ("#bogie-axle-load", "10500 kg", "bogie.mass_per_axle", 10500), ("#curve-speed", "28 mph", "curve.speed", 28 * 0.44704),
+        # In a curve to the left the low rail is the left one.
+        ("#curve-radius", "−1000 ft", "curve.radius", -304.8), ("#friction-low", "30 %", "contact.friction.left", 0.3), ("#curve-gauge", "14350", None, None),
     ]:
         count = len(asked)
         type_(page, field, text)
@@ -95,6 +97,7 @@ def test_fields_of_a_curve_are_read_refused_and_kept(page):
     page.page.unroute("**/api/curve")
     page.page.locator("#trouble button").first.click()
     page.until(lambda: pale(page) == 0 and not page.page.locator("#no-equilibrium").is_visible())
+    assert [asked[-1]["set"][f"contact.friction.{side}"] for side in ("left", "right")] == [0.4, 0.3]
     page.settle()
     page.complaints.clear()
 
@@ -129,10 +132,12 @@ def test_profiles_are_read_turned_and_refused_and_the_bogie_is_drawn(page):
     page.until(orientation.is_visible)
     page.settle()
     page.page.select_option("#orientation-wheel", "as-written")
-    page.until(lambda: "as-written" in str(asked[-1]))
+    page.page.select_option("#profile-rail", "60E2")
+    page.until(lambda: "as-written" in str(asked[-1]) and "60E2" in str(asked[-1]))
     page.settle()
     page.page.reload()
     page.until(lambda: orientation.is_visible() and orientation.input_value() == "as-written")
+    assert page.page.locator("#profile-rail").input_value() == "60E2"
     # What cannot be read says so in the name of the user.
     page.give("#profile-file-rail", files=[{"name": "scan.csv", "mimeType": "text/csv", "buffer": b"x_mm,y_mm\n1,2\n3,x\n"}])
     page.until(lambda: "scan.csv" in page.text("#trouble") and "line 3" in page.text("#trouble"))
