@@ -178,6 +178,12 @@ def test_earlier_records_are_dated_left_out_removed_kept_and_brought_back(page):
     # The report has them, too, and no name of a file that the user does not know.
     name, content = page.saved(lambda: page.page.click("#report"))
     assert name == "now-report.html" and b"older.csv" in content and b"earlier-1" not in content
+    # That of the menu is the same.
+    assert page.take("report") == (name, content)
+    # The wave of 60 mm is the first finding.
+    first = answers[-1]["diagnosis"]["dominant_wavelengths"][0]["wavelength_m"]
+    assert 1e3 * first == pytest.approx(60, rel=0.05)
+    assert page.text("#view-measure section:has(.course) h3 >> nth=0").startswith(f"{1e3 * first:.3g} mm")
     # Another record has none until they are added, and undo brings them back.
     page.give("#record", files=[csv("another.csv", two_rails(3))])
     page.until(lambda: questions[-1]["roughness"]["name"] == "another.csv" and "earlier" not in questions[-1])
@@ -209,7 +215,7 @@ def test_the_noise_of_a_rail_follows_its_wheel_and_its_limit(page):
     # A digit after the point on the page.
     shown = lambda: [cells("noise-parts")[0][part] for part in (1, 3, 4)]
     of = lambda level: [f"{level[f'{part}_dba']:.1f}" for part in ("rail", "wheel", "total")]
-    assert shown() == of(level) and f"{level['total_dba']:.1f} dB(A)" in page.text("#noise-verdict")
+    assert shown() == of(level) and f"{level['total_dba']:.1f} dB(A)" in page.text("#noise-verdict") and "at 55 km/h" in page.text("#noise-verdict")
     assert [row[2] for row in cells("noise-measures")] == [f"{measure['saved_db']:.1f}".replace("-", "−") for measure in answers[-1]["measures"]]
     assert curves(page, "noise-bands")["total"]["y"] == pytest.approx(level["total_db"])
     page.page.select_option("#noise-wheel", "straight-web-920")
@@ -219,11 +225,18 @@ def test_the_noise_of_a_rail_follows_its_wheel_and_its_limit(page):
     field = page.page.locator("#noise-limit")
     course = answers[-1]["course"]["total_dba"]
     limit = round((course[0] + course[-1]) / 2, 2)
-    for text in ["loud", "500", str(limit)]:
+    for text, words in [("loud", "not a number"), ("500", "0 to 200 dB(A)"), (str(limit), "")]:
         field.fill(text)
         field.press("Tab")
-        page.until(lambda: page.page.locator("#noise-limit-fault").is_visible() == (text != str(limit)))
+        page.until(lambda: page.page.locator("#noise-limit-fault").is_visible() == bool(words))
+        assert words in page.text("#noise-limit-fault")
     page.until(lambda: [curve["y"] for name, curve in curves(page, "noise-course").items() if name == "limit"] == [[limit, limit]])
+    months = answers[-1]["course"]["months_to_limit"]
+    assert 0 < months < 12 and f"are reached in {months:.3g} months" in page.text("#noise-outlook")
+    field.fill("")
+    field.press("Tab")
+    page.until(lambda: "reached" not in page.text("#noise-outlook"))
+    assert not page.page.locator("#noise-limit-fault").is_visible()
     page.page.reload()
     page.until(page.page.locator("#noise-panel").is_visible)
     assert page.page.locator("#noise-wheel").input_value() == "straight-web-920"
@@ -233,6 +246,8 @@ def test_the_noise_of_a_rail_follows_its_wheel_and_its_limit(page):
     page.page.click("[data-take=nominal]")
     page.until(lambda: "has no level" in page.text("#noise-verdict"))
     assert not page.page.locator("#noise-parts").is_visible() and not page.page.locator("#noise-help-panel").is_visible()
+    page.speak("de")
+    assert "hat keinen Pegel" in page.text("#noise-verdict")
     page.settle()
     page.refused(422)
 
