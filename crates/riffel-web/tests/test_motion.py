@@ -36,6 +36,9 @@ def test_a_small_wave_is_linear_a_large_one_parts_and_another_case_pales(page):
     assert page.text("#wave-amplitude-echo").startswith("= 150 µm;")
     _, force, linear, *_ = curves(page)
     assert min(force["y"]) == 0 and min(linear["y"]) < 0 and page.page.evaluate("() => document.getElementById('wave').layout.shapes.length") > 0
+    # A wave that the wheel hardly touches is none.
+    amplitude(page, "1000")
+    page.until(lambda: "choose a smaller amplitude" in page.text("#wave-words"))
     for text, words in [("50 kN", "no unit of this field"), ("3000", "must be 0.01 to 2000 µm.")]:
         amplitude(page, text)
         assert words in page.text("#wave-amplitude-fault")
@@ -51,6 +54,7 @@ def test_a_small_wave_is_linear_a_large_one_parts_and_another_case_pales(page):
     release()
     page.until(lambda: "another case" in wave.inner_text() and pale() == 0)
     page.settle()
+    assert page.text("#wheelset-of") == "“another case”"
     # Without the program it says so.
     page.page.route("**/api/passage", lambda route: route.abort())
     amplitude(page, "30")
@@ -90,6 +94,12 @@ def test_a_wheelset_moves_in_its_modes_and_who_asks_for_no_motion_sees_none(page
     for kind in ("svg", "csv"):
         text = given(page, "wheelset-drawing", kind)
         assert (b"<svg" if kind == "svg" else b"frequency_hz,mode") in text[:300]
+    # To who asks for nothing else it moves by itself.
+    page.page.emulate_media(reduced_motion="no-preference")
+    page.page.reload()
+    page.page.locator("#wheelset-drawing svg").wait_for()
+    still = shape()
+    page.until(lambda: shape() != still)
     page.refused(422)
 
 
@@ -110,6 +120,10 @@ def test_where_the_loop_oscillates_without_a_profile(page):
     assert 0 < len(expected) < len(points) and sorted(drawn) == [pytest.approx(point) for point in sorted(expected)]
     rows = given(page, "stability", "csv").decode().splitlines()
     assert len(rows) == len(points) + 1 and rows[0].startswith("speed_m_per_s,friction")
+    words = page.page.locator("#stability-words")
+    assert all(f"{branch['friction_min']:.3f}" in words.inner_text() for branch in answers[-1]["branches"][:1])
+    page.speak("de")
+    assert "Reibung" in words.inner_text() and f"{answers[-1]['branches'][0]['friction_min']:.3f}".replace(".", ",") in words.inner_text()
     page.refused(422)
 
 
