@@ -76,22 +76,39 @@ def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alon
     page.until(lambda: not page.page.locator("#plan-fault").is_visible())
     page.settle()
 
+    page.page.select_option("#draws", "3000")
+    page.settle()
+
     # A reload finds the files and what was changed again, and what grinding costs.
-    page.page.locator("#cost-grinding").evaluate("(field) => { field.value = '7000'; field.dispatchEvent(new Event('change', { bubbles: true })); }")
+    grinding = lambda cost: page.page.locator("#cost-grinding").evaluate("(field, cost) => { field.value = cost; field.dispatchEvent(new Event('change', { bubbles: true })); }", cost)
+    grinding("7000")
     page.page.reload()
     page.settle()
     assert page.page.locator("#cost-grinding").input_value() == "7000"
     page.until(lambda: "receptance of the rail" in page.text("#calibration-files"))
     page.settle()
     assert page.page.locator("#priors input[type=text]").first.input_value() == "280 MN/m"
+    _, project = page.take("project")
     page.page.locator("#calibration-files button").first.click()
+    page.page.select_option("#draws", "1500")
+    grinding("10")
     page.settle()
     assert page.page.locator("#calibration-files li").count() == 3
-    for _ in range(3):
+    # An opened project has its plan in the place of the other.
+    page.open_case(project.decode(), name="all.riffel")
+    page.page.click("#tab-calibrate")
+    page.settle()
+    assert page.page.locator("#calibration-files li").all_inner_texts() == rows
+    assert page.page.locator("#priors input[type=text]").first.input_value() == "280 MN/m"
+    assert [page.page.locator(place).input_value() for place in ("#draws", "#cost-grinding")] == ["3000", "7000"]
+    assert not page.page.locator("#trouble").is_visible()
+    for _ in range(4):
         page.page.locator("#calibration-files button").first.click()
     page.settle()
     assert "Measurements tell" in page.text("#view-calibrate") and not page.page.locator("#priors").is_visible()
     page.refused(422)
+    # Files of the plan before are gone, whoever still asks about them.
+    page.refused(410)
 
 
 def test_a_file_that_is_removed_while_it_is_read_leaves_the_others(page):
@@ -200,3 +217,15 @@ def test_chains_that_disagree_conclude_nothing(page):
     assert "the chains disagree on Rail pad, stiffness k" in page.text("#calibration-words")
     assert page.page.locator("#marginals .after:not(path)").count() == 0
     assert page.page.locator("#take-medians").is_disabled() and not page.page.locator("#decision-asked").is_visible()
+    # Where they agree, nothing is ranked before there are remedies with their costs.
+    levels = {"measured": "level_rise_db", "at": [0.04], "of": None, "observed": [1.0], "quantiles": [[0.5, 1.0, 1.5]]}
+    page.page.route("**/api/calibration", lambda route: route.fulfill(json={**DOUBTFUL, "is_conclusive": True, "data": [levels]}))
+    release = page.hold("**/api/remedies")
+    page.page.click("#calibrate")
+    page.page.locator("#decision-asked").wait_for()
+    assert page.page.locator("#rank").is_disabled() and page.page.locator("#actions input").count() == 0
+    release()
+    page.until(page.page.locator("#rank").is_enabled)
+    assert page.page.locator("#actions input[id$=investment]").count() > 3
+    page.page.set_viewport_size({"width": 360, "height": 780})
+    page.fits()
