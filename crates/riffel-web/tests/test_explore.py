@@ -215,7 +215,7 @@ def test_no_view_says_anything_in_english(page):
     page.set("contact.friction", "0,35")
     page.settle()
     assert page.page.locator("#key-contact-friction").input_value() == "0,35" and page.page.evaluate("() => window.riffel.state.head.complete.contact.friction") == 0.35
-    for view in ["explore", "compare", "measure", "calibrate", "paper"]:
+    for view in ["explore", "compare", "measure", "calibrate", "curve", "motion", "paper"]:
         opened(page, view)
         if view == "measure":
             page.page.click("#sample")
