@@ -52,8 +52,16 @@ def test_figures_come_as_svg_png_and_csv_on_white(page):
         assert not [node for node in svg.iter() if node.get("style")], "the policy forbids styles in a picture"
         rows = list(csv.reader(io.StringIO(given(page, place, "csv").decode())))
         assert len(rows) == {"map": 1 + 241 * 221, "phasors": 6}.get(place, len(rows)) > 5
-    width, height, pixel = corner(given(page, "growth", "png"))
-    assert width > 300 and height > 200 and pixel == [255, 255, 255]
+        if place == "map":
+            # The highest of the map lies between its points.
+            wavelength, speed, growth = (float(value) for value in max(rows[1:], key=lambda row: float(row[2])))
+            told = page.page.evaluate("() => window.riffel.state.head.highest")
+            assert growth == pytest.approx(told["growth_rate_per_passage"], rel=1e-4)
+            assert [wavelength, speed] == pytest.approx([told["wavelength_m"], told["speed_m_per_s"]], rel=0.03)
+        elif place == "phasors":
+            assert "31.5 µm" in " ".join(" ".join(row) for row in rows)
+        width, height, pixel = corner(given(page, place, "png"))
+        assert width > 300 and height > 200 and pixel == [255, 255, 255], place
     # The page is dark as before.
     assert page.page.evaluate("() => document.documentElement.dataset.theme") == "dark"
 
@@ -98,11 +106,19 @@ def test_the_curve_is_handed_out_and_on_paper_says_what_was_asked(page, tmp_path
     assert not [node for node in svg.iter() if node.get("style")]
     rows = list(csv.reader(io.StringIO(given(page, "bogie-above", "csv").decode())))
     assert len(rows) == 5 and rows[0][1] == "shift mm" and rows[1][0] == "1 left"
+    assert corner(given(page, "bogie-above", "png"))[2] == [255, 255, 255]
+    for heading, name in [("Profiles", "profiles.csv"), ("Curvature", "curvatures.csv")]:
+        header = page.page.locator("#view-curve header").filter(has_text=heading)
+        header.locator(".take summary").click()
+        taken, text = page.saved(lambda: header.locator("[data-figure=csv]").click())
+        rows = list(csv.reader(io.StringIO(text.decode())))
+        assert taken == name and {row[0] for row in rows[1:]} == {"wheel", "rail"} and len(rows) > 500
     on_paper(page, "curve", tmp_path, 2)
     page.refused(422)
 
 
 def test_the_paper_is_drawn_handed_out_and_printed(page, tmp_path):
+    figures = page.answers("/api/figure")
     page.page.click("#tab-paper")
     for number in range(2, 9):
         figure = page.page.locator(f"#figure-{number}")
@@ -120,7 +136,9 @@ def test_the_paper_is_drawn_handed_out_and_printed(page, tmp_path):
         if kind == "csv":
             rows = list(csv.reader(io.StringIO(text.decode())))
             # The values of the paper, with its sign.
-            assert rows[0][:2] == ["wavelength_m", "speed_m_per_s"] and min(float(row[2]) for row in rows[1:]) < 0
+            [panel] = [figure["maps"][0] for figure in figures if figure["title"].startswith("Figure 4.")]
+            assert rows[0] == ["wavelength_m", "speed_m_per_s", panel["value_label"]]
+            assert [float(row[2]) for row in rows[1:]] == pytest.approx(panel["values"]) and min(panel["values"]) < 0
         else:
             assert ElementTree.fromstring(text).findall(f".//{SVG}image")
     # The field is what the project keeps.
@@ -129,6 +147,10 @@ def test_the_paper_is_drawn_handed_out_and_printed(page, tmp_path):
     cells = [row.locator("th, td").all_inner_texts() for row in page.page.locator("#field tbody tr").all()]
     assert [row[0] for row in cells] == [title for title, _ in outcomes]
     assert all(row[4] == ("inside" if outcome["inside"] else "outside") for row, (_, outcome) in zip(cells, outcomes))
+    for row, (_, outcome) in zip(cells, outcomes):
+        assert row[1].startswith(outcome["what"]) and (not outcome["predicted"] or row[2].startswith(f"{outcome['predicted']['median']:.3g} (")), row
+    summary = page.text("#field-summary")
+    assert f"riffel {kept['riffel_version']}" in summary and f"{sum(outcome['inside'] for _, outcome in outcomes)} of {len(outcomes)}" in summary
     on_paper(page, "paper", tmp_path, 4)
 
 
