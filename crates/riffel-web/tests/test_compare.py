@@ -129,6 +129,7 @@ def test_keeping_naming_and_removing_can_be_undone(page):
 def test_sweeps_make_curves_and_variants(page):
     headline = page.text("#doubling")
     page.page.click("#tab-compare")
+    assert "curves of growth over wavelength come here" in page.text("#sweep")
     page.page.click("#sweep-pads")
     page.until(page.page.locator("#sweep .fine").is_visible)
     assert "this track model has no pads" in page.text("#sweep")
@@ -136,6 +137,7 @@ def test_sweeps_make_curves_and_variants(page):
     page.until(lambda: len(page.page.evaluate(CURVES, "sweep-curves")) == 6)
     highest = [max(curve["y"]) for curve in page.page.evaluate(CURVES, "sweep-curves")]
     assert highest[5] / highest[0] == pytest.approx(36, rel=1e-6), "creepage times force, each as the friction"
+    assert "come here" not in page.text("#sweep")
     assert [row[0] for row in rows(page, "#sweep-table")[1:]] == [f"μ = 0.{k}" for k in range(1, 7)]
     # Under the traffic, so that the friction of the case has the time of the headline.
     assert "under the traffic" in page.text("#sweep header") and f"In {rows(page, '#sweep-table')[4][4]}" == headline
@@ -146,6 +148,10 @@ def test_sweeps_make_curves_and_variants(page):
     page.until(lambda: "km/h" in page.text("#sweep-table"))
     page.until(lambda: len(page.page.evaluate(CURVES, "sweep-curves")) == 6)
     assert page.page.locator("#sweep-keep").is_hidden()
+    page.page.click("#sweep-tractive")
+    page.until(lambda: "τ = 0.15" in page.text("#sweep-table"))
+    page.page.set_viewport_size({"width": 360, "height": 780})
+    page.fits()
     page.set("track.model", "two-layer")
     page.settle()
     page.page.click("#sweep-pads")

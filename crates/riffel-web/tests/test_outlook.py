@@ -49,6 +49,7 @@ def test_the_headline_is_one_number_with_its_cause(page):
 def test_the_cursor_stands_on_the_headline_until_it_is_pinned(page):
     # Its window ends short of what grows fastest.
     narrow = small("metro").replace('max = "300 mm"', 'max = "200 mm"')
+    first = page.page.evaluate(CURSOR)
     line = page.answers("/api/line")
     page.page.route("**/api/remedies", lambda route: route.fulfill(json={"remedies": [], "left_out": [], "notes": []}))
     page.open_case(narrow, "metro.toml")
@@ -76,15 +77,21 @@ def test_the_cursor_stands_on_the_headline_until_it_is_pinned(page):
     page.set("track.pad.stiffness", "30 MN/m")
     page.settle()
     assert pinned["pinned"] and page.page.evaluate(CURSOR) == pinned
-    # A link holds a place that was pinned, and no other.
-    for link, at in [(address, headline), (page.page.url, pinned)]:
-        page.forget()
-        page.open(link)
-        assert page.page.evaluate(CURSOR) == at
+    links = [(address, headline), (page.page.url, pinned)]
     page.page.click("#show-why")
     page.settle()
     moved = page.page.evaluate("() => window.riffel.state.headline")
-    assert page.page.evaluate(CURSOR) == {"wavelength": moved["wavelength"], "speed": moved["speed"], "pinned": False}
+    assert page.page.evaluate(CURSOR) == {"wavelength": moved["wavelength"], "speed": moved["speed"], "pinned": False} != first
+    # Undo leads to the cursor of the case before.
+    page.page.keyboard.press("Control+z")
+    page.page.keyboard.press("Control+z")
+    page.settle()
+    assert page.page.evaluate(CURSOR) == first
+    # A link holds a place that was pinned, and no other.
+    for link, at in links:
+        page.forget()
+        page.open(link)
+        assert page.page.evaluate(CURSOR) == at
 
 
 def test_remedies_become_variants_and_go_by_their_cost(page):
@@ -127,6 +134,7 @@ def test_remedies_become_variants_and_go_by_their_cost(page):
     page.page.fill(f"#cost-of-{first}", "0")
     page.page.press(f"#cost-of-{first}", "Tab")
     page.until(page.page.locator(f"#cost-of-{first}-fault").is_visible)
+    assert "cost: 0, but must be 0.01 to 1000000000" in page.text(f"#cost-of-{first}-fault")
     page.page.reload()
     assert [row[0].split("\n")[0] for row in ranked(page)][:2] == [names[second], names[first]]
     _, project = page.take("project")

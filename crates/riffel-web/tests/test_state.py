@@ -21,16 +21,21 @@ def pale(page, view):
 def test_what_is_not_yet_computed_pales_tells_its_share_and_can_be_stopped(page):
     release = page.hold("**/api/map")
     asked = []
+    share = {"done": 3, "of": 8}
 
     def progress(route):
         asked.append(json.loads(route.request.post_data))
-        route.fulfill(json={"done": 3, "of": 8})
+        route.fulfill(json=share)
 
     page.page.route("**/api/progress", progress)
     page.set("contact.friction", "0.3")
     working, bar = page.page.locator("#working"), page.page.locator("#share")
     page.until(lambda: pale(page, "explore") >= 5 and working.is_visible() and bar.is_visible())
     assert asked[0] == {"subject": "map"} and bar.evaluate("bar => bar.position") == 0.375
+    # Of what does not count its steps no share is shown.
+    share.update(done=0, of=0)
+    page.until(lambda: not bar.is_visible())
+    assert working.is_visible()
     page.page.click("#stop-work")
     page.until(lambda: not working.is_visible())
     release()
@@ -77,6 +82,11 @@ def test_a_damaged_link_says_so_and_keeps_what_is_open(page, open_page):
     # In a window of its own the nominal case opens, with the same words.
     other = open_page(f"#{damage(link)}")
     assert "damaged" in other.text("#trouble") and friction(other) == 0.4
+    # So it does for a whole link that holds no case, and without words for none.
+    for link, is_told in [("#e30", True), ("#", False)]:
+        page.forget()
+        page.open(page.home + link)
+        assert friction(page) == 0.4 and page.page.locator("#trouble").is_visible() == is_told
 
 
 def test_a_link_opens_what_was_seen(page):
