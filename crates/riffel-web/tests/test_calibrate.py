@@ -7,6 +7,7 @@ import subprocess
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from conftest import PROGRAM, ROOT
+from test_explore import english
 
 pytestmark = pytest.mark.without_curves
 
@@ -170,7 +171,9 @@ def test_the_example_is_calibrated_decided_and_ranked_as_the_program_does_it(pag
     saved(page, "#save-decision", 1 + len(decisions[0]["files"]), tmp_path)
     ranks = lambda answer: [(action["rank"], action["probability_cheapest"]) for action in answer["actions"]]
     assert ranks(program(tmp_path, "decide", "posterior", "--plan", "plan.toml", "--json")) == ranks(decisions[0])
-    assert page.page.locator("#ranking tbody tr").count() == len(decisions[0]["actions"]) >= 4
+    actions = decisions[0]["actions"]
+    titles = ["leave all as it is" if action is actions[0] else action["title"] for action in sorted(actions, key=lambda one: one["rank"])]
+    assert page.page.locator("#ranking tbody th").all_inner_texts() == titles and len(titles) >= 4
     # Among the remedies of the map stands how likely each helps, as long as the case is that which was calibrated.
     page.page.click("#tab-explore")
     page.until(lambda: "by the calibration" in page.text("#remedies thead"))
@@ -186,14 +189,22 @@ def test_the_example_is_calibrated_decided_and_ranked_as_the_program_does_it(pag
     page.page.click("#take-medians")
     page.settle()
     assert abs(float(page.page.evaluate(stiffness).split()[0]) * 1e6 / pad["quantiles"][2] - 1) < 1e-3
+    # What was concluded is of the case before.
+    stale = page.page.locator("#view-calibrate .panel.stale")
+    assert stale.count() > 0
     page.page.click("#undo")
     page.settle()
-    assert page.page.evaluate(stiffness) == before
+    assert page.page.evaluate(stiffness) == before and stale.count() == 0
     for scheme in ["light", "dark"]:
         page.page.emulate_media(color_scheme=scheme)
         page.settle()
         assert Axe().run(page.page, context="#view-calibrate", options={"resultTypes": ["violations"]}).response["violations"] == [], scheme
         page.keep(f"calibrate-{scheme}", whole=True)
+    page.page.set_viewport_size({"width": 360, "height": 780})
+    page.speak("de")
+    page.settle()
+    page.fits()
+    assert english(page.text("#view-calibrate")) == []
 
 
 # Chains that disagree are hard to come by: what the program says of them.
@@ -208,7 +219,7 @@ DOUBTFUL = {
 }
 
 
-def test_chains_that_disagree_conclude_nothing(page):
+def test_chains_that_disagree_conclude_nothing_and_ranking_waits_for_the_remedies(page):
     with_example(page)
     page.page.route("**/api/calibration", lambda route: route.fulfill(json=DOUBTFUL))
     page.page.click("#calibrate")

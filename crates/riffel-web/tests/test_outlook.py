@@ -139,6 +139,12 @@ def test_remedies_become_variants_and_go_by_their_cost(page):
     assert [row[0].split("\n")[0] for row in ranked(page)][:2] == [names[second], names[first]]
     _, project = page.take("project")
     assert json.loads(project)["costs"][first] == 10000 and "what remedies cost" in page.text("#notice")
+    # They rank the remedies of any page that opens it.
+    page.forget()
+    page.open(page.home)
+    page.open_case(project.decode(), name="costs.riffel")
+    assert [row[0].split("\n")[0] for row in ranked(page)][:2] == [names[second], names[first]]
+    assert page.page.input_value(f"#cost-of-{first}") == "10000"
 
 
 def test_a_case_in_which_nothing_grows_says_so(page):
