@@ -223,6 +223,8 @@ def test_a_project_holds_all_that_is_open_and_opens_again(page):
     assert page.page.evaluate("() => window.riffel.state.keys") == json.loads(text)["case"] and not page.page.locator("#trouble").is_visible()
     assert page.text("#record-state").startswith("new.csv")
     assert [page.page.locator(place).input_value() for place in ("#record-date", "#earlier-records input[type=date]")] == ["2026-05-01", "2025-05-01"]
+    # A record that was removed is gone for who still asked about it.
+    page.refused(410)
 
 
 def test_the_page_hands_out_files_each_once(page):
