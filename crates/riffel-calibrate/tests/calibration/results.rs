@@ -14,7 +14,7 @@ fn small(folder: &Path, kind: &str) -> Plan {
     of_draws(folder, kind, [100, 300])
 }
 
-/// The same with few draws, where files count and not what is drawn.
+/// Plan of few draws, where files count and not what is drawn.
 fn smallest(folder: &Path) -> Plan {
     of_draws(folder, "ensemble", [100, 50])
 }
