@@ -1795,6 +1795,9 @@ key-of-vehicle-without-effect = `{ $key }` bleibt ohne Wirkung: ein Verkehr wird
 wheelset-of-vehicle-in-curve = `{ $key }` bleibt bei einem Fahrzeug mit `curve` ohne Wirkung, denn es bringt alle seine Radsätze mit; weglassen
 speed-of-vehicle-in-curve = `{ $key }` bleibt bei einem Fahrzeug mit `curve` ohne Wirkung, denn sein Gleichgewicht gilt für jede seiner eigenen Geschwindigkeiten: diese mit `speed` oder `speeds` angeben
 creepage-of-vehicle-in-curve = `{ $key }` ist angegeben, aber jedes Rad eines Fahrzeugs mit `curve` hat seinen Schlupf aus dem Gleichgewicht; weglassen, oder die Radsätze mit set = {"{"} bogie.drive_torque = [ … ] {"}"} antreiben
+is-no-curve-of-a-vehicle = ist weder true, für den Bogen des Falls, noch der Name einer Falldatei von `riffel curve`
+curve-of-vehicle-without-curve-of-case = `{ $key }` ist true, aber der Fall hat keinen Bogen [curve]; ihm einen geben, oder statt true eine Falldatei von `riffel curve` nennen
+key-of-vehicle-beside-curve-of-case = `{ $key }` ist angegeben, aber contact.from des Falls nimmt Schlupf und Last von einem Drehgestell in seinem Bogen; weglassen, oder das Drehgestell mit set = {"{"} bogie.mass_per_axle = … {"}"} ändern, oder dem Fahrzeug curve = true geben, das alle Räder mitbringt
 friction-of-both-rails = `{ $key }` ist eine Reibung für beide Schienen, aber `contact.friction` ist { $left } auf der linken und { $right } auf der rechten; weglassen, oder dem Fahrzeug set.contact.friction = {"{"} left = …, right = … {"}"} geben
 axles-that-roll-free = `{ $key }` ist unter eins, aber auch frei rollende Achsen schädigen die Schiene nach den Gesetzen von { KEY("damage.laws") }: Achsen mit Zugkraft und solche ohne als zwei Fahrzeuge nennen
 the-shares-of-sum-to-but = die Anteile von `{ $key }` ergeben zusammen { $sum }, müssen aber 1 ergeben

@@ -1802,6 +1802,9 @@ key-of-vehicle-without-effect = `{ $key }` is without effect: a traffic is compu
 wheelset-of-vehicle-in-curve = `{ $key }` is without effect on a vehicle with a `curve`, which brings all its wheelsets; leave it out
 speed-of-vehicle-in-curve = `{ $key }` is without effect on a vehicle with a `curve`, which is balanced at each of its own speeds: give these by `speed` or `speeds`
 creepage-of-vehicle-in-curve = `{ $key }` is given, but each wheel of a vehicle with a `curve` takes its creepage from the equilibrium; leave it out, or drive the wheelsets by set = {"{"} bogie.drive_torque = [ … ] {"}"}
+is-no-curve-of-a-vehicle = is neither true, for the curve of the case, nor the name of a case file of `riffel curve`
+curve-of-vehicle-without-curve-of-case = `{ $key }` is true, but the case has no [curve]; give it one, or name a case file of `riffel curve` in place of true
+key-of-vehicle-beside-curve-of-case = `{ $key }` is given, but contact.from of the case takes creepage and load from a bogie in its curve; leave it out, or change the bogie by set = {"{"} bogie.mass_per_axle = … {"}"}, or give the vehicle curve = true, which brings all wheels
 friction-of-both-rails = `{ $key }` is one friction for both rails, but `contact.friction` is { $left } on the left rail and { $right } on the right one; leave it out, or give the vehicle set.contact.friction = {"{"} left = …, right = … {"}"}
 axles-that-roll-free = `{ $key }` is below one, but axles that roll free damage the rail by the laws of { KEY("damage.laws") }, too: name the axles with traction and those without as two vehicles
 the-shares-of-sum-to-but = the shares of `{ $key }` sum to { $sum }, but must sum to 1

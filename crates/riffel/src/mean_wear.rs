@@ -28,6 +28,11 @@ impl MeanWear {
         self.depth * Self::HUNDRED_MILLION_TONNES / self.axle_mass
     }
 
+    /// The wear under axles of this mass \[kg\], where it is known: twice the load of one wheel is not that of its axle in a curve.
+    pub fn under_axle(self, mass: Option<f64>) -> Self {
+        Self { axle_mass: mass.unwrap_or(self.axle_mass), ..self }
+    }
+
     /// Amplitude \[m\] beyond which a growth rate per passage cannot last; `None` if nothing grows.
     pub fn amplitude_limit(self, growth_rate: f64) -> Option<f64> {
         (growth_rate > 0.0 && self.bounds_growth).then(|| self.depth / growth_rate)

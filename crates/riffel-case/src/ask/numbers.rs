@@ -211,7 +211,7 @@ impl LoopOnTrack {
             all.axle_mass += weight * own.axle_mass;
             all.bounds_growth &= own.bounds_growth;
         }
-        MeanWear { axle_mass: self.axle_mass.unwrap_or(all.axle_mass), ..all }
+        all.under_axle(self.axle_mass)
     }
 }
 

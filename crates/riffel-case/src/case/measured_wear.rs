@@ -36,8 +36,7 @@ impl CheckedKeys {
 impl Case {
     /// Mean wear of the rail under its wheel, whose axle has the mass that its bogie says, if it has one.
     pub fn mean_wear(&self) -> MeanWear {
-        let wear = self.feedback.mean_wear();
-        MeanWear { axle_mass: self.keys.axle_mass().unwrap_or(wear.axle_mass), ..wear }
+        self.feedback.mean_wear().under_axle(self.keys.axle_mass())
     }
 }
 

@@ -69,8 +69,8 @@ impl Traffic {
         let source = KeyFile::parse(name, text)?;
         is_a_traffic(&source)?;
         no_forces_as_axle_loads(&source)?;
-        const CURVE: &str = "is neither true, for the curve of the case, nor the name of a case file of `riffel curve`";
-        let no_curve = |key: &str| key.ends_with("].curve").then(|| source.invalid(key, CURVE, ""));
+        let no_curve =
+            |key: &str| key.ends_with("].curve").then(|| source.invalid(key, say!(is_no_curve_of_a_vehicle), ""));
         let file: TrafficFile = source.deserialize_or(no_curve)?;
         let line = file.line;
         if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {

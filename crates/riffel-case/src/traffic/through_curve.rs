@@ -67,10 +67,7 @@ impl Traffic {
                     }
                     None if !text.keys.has("curve") => {
                         let key = place_of(index, "curve");
-                        let message = format!(
-                            "`{key}` is true, but the case has no [curve]; give it one, or name a case file of `riffel curve` in place of true"
-                        );
-                        return Err(self.source.refuse(&key, message));
+                        return Err(self.source.refuse(&key, say!(curve_of_vehicle_without_curve_of_case, key = &key)));
                     }
                     None => CurvingCase::of_tables(text, case.keys.folder.as_deref())?,
                 }

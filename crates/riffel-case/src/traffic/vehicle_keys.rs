@@ -75,12 +75,7 @@ impl Traffic {
             } else if in_curve && !is_set && within(&[CREEPAGE]) {
                 say!(creepage_of_vehicle_in_curve, key = &at)
             } else if !in_curve && case.is_in_curve() && !is_set && within(&[CREEPAGE, FRICTION, LOAD, WHEEL_RADIUS]) {
-                format!(
-                    "`{at}` is given, but contact.from of the case takes creepage and load from a bogie in its curve; leave it \
-                     out, or change the bogie by set = {{ bogie.mass_per_axle = … }}, or give the vehicle curve = true, which \
-                     brings all wheels"
-                )
-                .into()
+                say!(key_of_vehicle_beside_curve_of_case, key = &at)
             } else {
                 continue;
             };
