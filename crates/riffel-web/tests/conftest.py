@@ -10,7 +10,6 @@ import os
 import pathlib
 import re
 import shutil
-import signal
 import subprocess
 import time
 import urllib.request
@@ -50,9 +49,9 @@ class Served:
         # What a page keeps of a visit before, on which the nominal case was open.
         self.visited = "#" + base64.urlsafe_b64encode(json.dumps({"case": nominal}).encode()).decode().rstrip("=")
 
-    def end(self, signal_=signal.SIGTERM):
-        self.process.send_signal(signal_)
-        return self.process.wait(timeout=PATIENCE)
+    def end(self):
+        self.process.terminate()
+        self.process.wait(timeout=PATIENCE)
 
 
 def small(name):

@@ -221,3 +221,70 @@ fn a_run_for_a_page_ends_with_its_server() {
         std::thread::sleep(Duration::from_millis(50));
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn other_machines_are_let_in_with_a_warning_only() {
+    let sandbox = Sandbox::new();
+    let served = Served::with(&sandbox, &["--address", "0.0.0.0"]);
+    assert!(served.host.starts_with("127.0.0.1:"), "{}", served.host);
+    let (_, said) = served.end("-TERM");
+    assert!(said.contains("warning: other machines can reach this page"), "{said}");
+}
+
+#[test]
+fn a_port_that_is_taken_is_told() {
+    let sandbox = Sandbox::new();
+    let served = Served::new(&sandbox);
+    let (_, port) = served.host.rsplit_once(':').unwrap();
+    let outcome = sandbox.riffel(&format!("serve --port {port}"));
+    assert_eq!(outcome.status, Some(2));
+    let told = outcome.sentence();
+    assert!(told.contains(&format!("cannot listen on 127.0.0.1:{port}")) && told.contains("--port 0"), "{told}");
+}
+
+/// Pages of other origins, and names of other hosts that lead here.
+#[test]
+fn nobody_else_may_ask() {
+    let sandbox = Sandbox::new();
+    let served = Served::new(&sandbox);
+    let own = &served.host;
+    for (host, origin, status) in [
+        (&**own, "", 403),
+        (own, "Origin: http://evil.example\r\n", 403),
+        ("evil.example", "Origin: http://evil.example\r\n", 421),
+    ] {
+        let headers = format!("Host: {host}\r\n{origin}Content-Type: application/json\r\nContent-Length: 2\r\n");
+        let (found, answer) = served.send_from("POST /api/map", &headers, "{}");
+        assert_eq!(found, status, "{host} {origin}: {answer}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn the_end_of_a_server_leaves_nothing_behind() {
+    let sandbox = Sandbox::new();
+    let before = sandbox.list("");
+    for signal in ["-TERM", "-INT"] {
+        let served = Served::new(&sandbox);
+        served.upload("position_m,left_um\n0,1\n0.001,2\n0.002,3\n");
+        assert_eq!(sandbox.list("").len(), before.len() + 1);
+        assert_eq!(served.end(signal).0, Some(0), "{signal}");
+        assert_eq!(sandbox.list(""), before, "{signal}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn the_next_start_of_a_server_clears_up_after_a_crash() {
+    let sandbox = Sandbox::new();
+    let before = sandbox.list("");
+    Served::new(&sandbox).end("-KILL");
+    let crashed = sandbox.list("");
+    assert_eq!(crashed.len(), before.len() + 1);
+    let following = Served::new(&sandbox);
+    let after = sandbox.list("");
+    assert!(after.len() == crashed.len() && after != crashed, "{after:?}");
+    following.end("-TERM");
+    assert_eq!(sandbox.list(""), before);
+}

@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Stdio};
+use std::process::{Child, Command, Stdio};
 
 use serde_json::Value;
 
@@ -12,7 +12,7 @@ use crate::sandbox::Sandbox;
 pub(super) struct Served {
     child: Child,
     /// Address and port.
-    host: String,
+    pub(super) host: String,
 }
 
 impl Drop for Served {
@@ -24,10 +24,15 @@ impl Drop for Served {
 
 impl Served {
     pub(super) fn new(sandbox: &Sandbox) -> Self {
+        Self::with(sandbox, &[])
+    }
+
+    /// A server with more arguments.
+    pub(super) fn with(sandbox: &Sandbox, arguments: &[&str]) -> Self {
         let mut command = sandbox.command();
-        command.args(["serve", "--port", "0"]);
+        command.args(["serve", "--port", "0"]).args(arguments);
         command.env("TMPDIR", sandbox.path(""));
-        let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         let printed = BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line);
         printed.unwrap();
@@ -50,11 +55,14 @@ impl Served {
 
     fn send(&self, what: &str, headers: &str, body: &str) -> (u16, String) {
         let host = &self.host;
-        let mut stream = TcpStream::connect(host).unwrap();
-        let request = format!(
-            "{what} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nX-Riffel-Page: a\r\n\
-             {headers}Connection: close\r\n\r\n{body}"
-        );
+        let page = format!("Host: {host}\r\nOrigin: http://{host}\r\nX-Riffel-Page: a\r\n{headers}");
+        self.send_from(what, &page, body)
+    }
+
+    /// Status and body of what is answered to whoever these headers are of.
+    pub(super) fn send_from(&self, what: &str, headers: &str, body: &str) -> (u16, String) {
+        let mut stream = TcpStream::connect(&self.host).unwrap();
+        let request = format!("{what} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n{body}");
         stream.write_all(request.as_bytes()).unwrap();
         let mut answer = Vec::new();
         stream.read_to_end(&mut answer).unwrap();
@@ -72,6 +80,17 @@ impl Served {
         let (status, answer) = self.ask(path, question);
         assert_eq!(status, 200, "{path}: {answer}");
         serde_json::from_str(body(&answer)).unwrap_or_else(|error| panic!("{path}: {error}: {answer}"))
+    }
+
+    /// End it by a signal: its exit status, and what it said on standard error.
+    #[cfg(unix)]
+    pub(super) fn end(mut self, signal: &str) -> (Option<i32>, String) {
+        let kill = Command::new("kill").args([signal, &self.child.id().to_string()]).status();
+        assert!(kill.unwrap().success());
+        let mut said = String::new();
+        let stderr = self.child.stderr.as_mut().unwrap();
+        stderr.read_to_string(&mut said).unwrap();
+        (self.child.wait().unwrap().code(), said)
     }
 
     /// Send a table of a page.
