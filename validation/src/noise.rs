@@ -279,6 +279,7 @@ pub(crate) fn wheel_between_rigid_and_ringing() -> Row {
     }
 }
 
+// Long: computes the noise of three sections of a line with and without dampers.
 pub(crate) fn dampers_save_no_more_than_computed() -> Row {
     let mut holds = true;
     let (mut expected, mut got) = (Vec::new(), Vec::new());

@@ -90,6 +90,7 @@ pub fn table() -> String {
     text
 }
 
+// Long: compares every reading of the lag with the exact contact.
 pub(crate) fn lag_is_nearest_to_the_exact_contact() -> Row {
     let count = TRACTIVE_RATIOS.len();
     let (readings, exact) = READINGS.split_at(READINGS.len() - count);

@@ -188,6 +188,7 @@ pub(crate) fn frequency_response_to_load() -> Row {
     )
 }
 
+// Long: computes the response of a loop at every row of its reference.
 pub(crate) fn dissipation_at_the_rail() -> Row {
     let (mut by_creepage, mut by_load): (f64, f64) = (0.0, 0.0);
     let mut compared = 0;

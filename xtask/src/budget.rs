@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::hint::black_box;
+use std::iter::successors;
 use std::time::Instant;
 
 use crate::Outcome;
@@ -12,7 +13,7 @@ const CHECK: f64 = 2450.0;
 /// Times that, which is too much.
 const TOO_MUCH: f64 = 1.2;
 /// Time in which these cores do the [`work`] \[s\].
-const WORK: f64 = 0.007;
+const WORK: f64 = 0.016;
 
 /// Processor time of all commands that have ended \[s\]; `None` where the system does not tell.
 pub(crate) fn taken() -> Option<f64> {
@@ -52,13 +53,16 @@ fn slowness() -> f64 {
     times.fold(f64::INFINITY, f64::min)
 }
 
-/// Steps of a random number generator, each of which waits for the last.
+/// A sum over random numbers that are sorted, which keeps caches and branches as busy as a compiler does.
 fn work(seed: u64) -> u64 {
-    (0..2_000_000).fold(seed, |state: u64, _| {
+    let random = |state: &u64| {
         let mixed = state ^ (state << 13);
         let mixed = mixed ^ (mixed >> 7);
-        mixed ^ (mixed << 17)
-    })
+        Some(mixed ^ (mixed << 17))
+    };
+    let mut numbers: Vec<u64> = successors(Some(seed), random).take(500_000).collect();
+    numbers.sort_unstable();
+    numbers.iter().step_by(7).fold(0, |sum, number| sum ^ number)
 }
 
 #[cfg(test)]

@@ -11,7 +11,8 @@ const FORMAT: [&str; 3] = ["fmt", "--all", "--check"];
 /// Lints of all crates, for which none is compiled to its end.
 const LINTS: [&str; 7] = ["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"];
 /// All that is run, with the features that the wheel has.
-const BUILD: [&str; 6] = ["build", "--workspace", "--all-targets", "--quiet", "--features", "riffel-python/as-tested"];
+const BUILD: [&str; 8] =
+    ["build", "--workspace", "--lib", "--bins", "--tests", "--quiet", "--features", "riffel-python/as-tested"];
 const TESTS: [&str; 3] = ["test", "--workspace", "--quiet"];
 /// The test binaries that take seconds, besides those of the libraries.
 const QUICK: [&str; 13] = [
@@ -30,11 +31,16 @@ const QUICK: [&str; 13] = [
     "xtask",
 ];
 
-/// Formatting, lints, and the tests that take seconds.
+/// Formatting, lints, and the tests of seconds but for those that have a reason to take longer.
 pub(crate) fn quick() -> Outcome {
     run(&mut cargo(&FORMAT))?;
     run(&mut cargo(&LINTS))?;
-    run(linting_cargo(&TESTS).args(QUICK))
+    let mut tests = linting_cargo(&TESTS);
+    tests.args(QUICK).arg("--");
+    for long in times::long()? {
+        tests.args(["--skip", &long]);
+    }
+    run(&mut tests)
 }
 
 /// The whole check.

@@ -68,8 +68,9 @@ fn end(command: &mut Command, line: &str) -> (Outcome, String) {
     }
 }
 
-/// What one would type.
+/// What one would type, or how it begins.
 fn line(command: &Command) -> String {
+    const LENGTH: usize = 200;
     let program = command.get_program();
     let program = match program == env!("CARGO") {
         true => "cargo".into(),
@@ -77,5 +78,9 @@ fn line(command: &Command) -> String {
     };
     let arguments = command.get_args().map(|argument| argument.to_string_lossy());
     let words: Vec<_> = std::iter::once(program).chain(arguments).collect();
-    words.join(" ")
+    let line = words.join(" ");
+    match line.char_indices().nth(LENGTH) {
+        Some((end, _)) => format!("{} …", &line[..end]),
+        None => line,
+    }
 }

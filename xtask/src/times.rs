@@ -11,6 +11,10 @@ use crate::{Outcome, budget, root};
 const TABLE: &str = "benches/check.md";
 /// Time of a test above which its reason stands beside it \[s\].
 const LONG: f64 = 2.0;
+/// Time of a test in a browser, which waits for the page, above which it does \[s\].
+const LONG_IN_BROWSER: f64 = 10.0;
+/// What the reason begins with.
+const LONG_BECAUSE: &str = "Long: ";
 
 /// A step of the check.
 pub(crate) struct Step {
@@ -22,6 +26,14 @@ pub(crate) struct Step {
 struct Test {
     name: String,
     seconds: f64,
+}
+
+impl Test {
+    fn is_long(&self) -> bool {
+        // Their names begin with their file, those of the Python package with its folder.
+        let limit = if self.name.starts_with("test_") { LONG_IN_BROWSER } else { LONG };
+        self.seconds > limit
+    }
 }
 
 /// Run the steps one by one and write how long each took, with the tests that took longest.
@@ -41,10 +53,12 @@ pub(crate) fn write(steps: Vec<Step>) -> Outcome {
         tests.extend(printed.lines().filter_map(timed));
     }
     let (count, sum) = (tests.len(), tests.iter().map(|test| test.seconds).sum::<f64>());
-    tests.retain(|test| test.seconds > LONG);
+    tests.retain(Test::is_long);
     tests.sort_by(|one, other| other.seconds.total_cmp(&one.seconds));
-    let _ =
-        writeln!(table, "\nThe {count} tests whose time is told take {sum:.0} s by themselves. Above {LONG} s are:\n");
+    let _ = writeln!(
+        table,
+        "\nThe {count} tests whose time is told take {sum:.0} s by themselves. Above {LONG} s, in a browser {LONG_IN_BROWSER} s, are:\n"
+    );
     table.push_str("| test | s | why |\n|---|---|---|\n");
     let mut without = Vec::new();
     for Test { name, seconds } in &tests {
@@ -56,7 +70,7 @@ pub(crate) fn write(steps: Vec<Step>) -> Outcome {
     match &without[..] {
         [] => Ok(()),
         names => Err(format!(
-            "these tests take more than {LONG} s without a reason (`Long: ...`) above them: {}",
+            "these tests take more than {LONG} s, in a browser {LONG_IN_BROWSER} s, without a reason (`Long: ...`) above them: {}",
             names.join(", ")
         )),
     }
@@ -68,8 +82,16 @@ fn reason(test: &str) -> Option<String> {
     let begin = format!("(fn|def) {name}\\(");
     let mut find = Command::new("git");
     let above = printed(find.args(["grep", "-h", "-B", "8", "-E", &begin, "--", "*.rs", "*.py"])).ok()?;
-    let (_, reason) = above.rsplit_once("Long: ")?;
+    let (_, reason) = above.rsplit_once(LONG_BECAUSE)?;
     reason.lines().next().map(str::to_owned)
+}
+
+/// The tests in Rust above which such a reason stands.
+pub(crate) fn long() -> Result<Vec<String>, String> {
+    let comment = format!("// {LONG_BECAUSE}");
+    let found = printed(Command::new("git").args(["grep", "-h", "-A", "8", &comment, "--", "*.rs"]))?;
+    let reasons = found.split(&comment).skip(1);
+    Ok(reasons.filter_map(|text| Some(text.split_once("fn ")?.1.split_once('(')?.0.to_owned())).collect())
 }
 
 /// Run a command and return what it printed on both streams.

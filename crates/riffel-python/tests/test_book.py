@@ -10,6 +10,7 @@ import pytest
 from conftest import ROOT
 
 
+# Long: runs every listing of the page of the book.
 def test_listings_of_the_page_on_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     # What a listing writes does not stay in the repository.
     for folder in ("cases", "validation"):

@@ -156,6 +156,7 @@ def refused(**question: Any) -> str:
     return sentence
 
 
+# Long: draws the chains of a calibration three times.
 @pytest.mark.filterwarnings("ignore::UserWarning")
 def test_a_case_and_its_tables_need_no_plan(tmp_path: Path, program: Callable[..., Any]) -> None:
     site = tmp_path / "site"
@@ -186,6 +187,7 @@ def test_a_case_and_its_tables_need_no_plan(tmp_path: Path, program: Callable[..
     assert not (tmp_path / "none").exists()
 
 
+# Long: draws the chains of sites on a cluster.
 @pytest.mark.filterwarnings("ignore")
 def test_sites_are_calibrated_on_a_cluster(plan: Path, tmp_path: Path) -> None:
     def calibrate(site: Path) -> list[str]:
@@ -230,6 +232,7 @@ def test_what_is_not_there_is_said(plan: Path, tmp_path: Path) -> None:
         riffel.calibrate(plan, tmp_path / "out")
 
 
+# Long: draws chains and computes growth for each of 200 draws twice.
 @pytest.mark.filterwarnings("ignore::UserWarning")
 def test_cases_of_draws_answer_as_the_program_does_over_the_posterior(
     plan: Path, tmp_path: Path, program: Callable[..., Any]

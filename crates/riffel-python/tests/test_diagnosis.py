@@ -55,6 +55,7 @@ def test_spectra_of_the_program(program: Callable[..., Any]) -> None:
     assert read == {**printed, "file": "rail"}
 
 
+# Long: reads two records twice, here and by the program.
 def test_profiles_of_the_program(files: tuple[str, str], nominal: riffel.Case, program: Callable[..., Any]) -> None:
     before, now = files
     printed = program(

@@ -24,6 +24,7 @@ MODULES = [
 ]
 
 
+# Long: runs every example of the package.
 @pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)
 def test_examples(module: ModuleType, nominal: riffel.Case, tmp_path: Path) -> None:
     names = {"riffel": riffel, "np": np, "case": nominal, "folder": tmp_path}

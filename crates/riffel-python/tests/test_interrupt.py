@@ -30,7 +30,7 @@ except KeyboardInterrupt:
 """
 # Each takes minutes.
 LONG = [
-    "growth_map(wavelength=np.linspace(0.02, 0.08, 100_000), speed=np.linspace(5.0, 60.0, 1000))",
+    "growth_map(wavelength=np.linspace(0.02, 0.08, 2000), speed=np.linspace(5.0, 60.0, 50_000))",
     "ridge(speed=np.linspace(5.0, 60.0, 1_000_000))",
     "with_({'map.speed.points': 100_000}).compare([{'title': 'slippery', 'contact': {'friction': 0.2}}])",
 ]
@@ -60,6 +60,7 @@ except KeyboardInterrupt:
 """
 
 
+# Long: begins work of minutes and waits until it has ended.
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("call", LONG)
 def test_a_signal_ends_the_wait_and_the_work(call: str) -> None:
@@ -76,6 +77,7 @@ def test_a_signal_ends_the_wait_and_the_work(call: str) -> None:
             process.kill()
 
 
+# Long: begins a map of minutes and waits until nobody is asked any more.
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_a_signal_ends_the_calls_of_a_receptance() -> None:
     """A map asks it for minutes; once given up, never again, and the case stays good, with a wheel beside the track."""

@@ -13,6 +13,7 @@ CASE = "cases/main-line.toml"
 WAVELENGTHS = [0.02, 0.025, 0.0315, 0.04, 0.05, 0.063, 0.08, 0.1]
 
 
+# Long: computes the noise of eight wheels twice, here and by the program.
 def test_noise_of_the_program(program: Callable[..., Any], tmp_path: Any) -> None:
     levels = [float(level) for level in range(8, 0, -1)]
     rail = riffel.roughness.levels(WAVELENGTHS, levels)

@@ -29,6 +29,7 @@ print(len(names))
 """
 
 
+# Long: imports every name in a process of its own.
 def test_every_name_is_there_in_a_fresh_interpreter() -> None:
     """Each alone, so that none is there because of another."""
     found = subprocess.run([sys.executable, "-c", EACH_ALONE], capture_output=True, text=True, check=False)

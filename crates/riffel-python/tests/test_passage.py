@@ -29,6 +29,7 @@ def test_a_sinusoid_is_that_of_the_program(program: Callable[..., Any], nominal:
     assert worn.height.sizes["profile_passages"] >= 2
 
 
+# Long: fits a rail on discrete supports in time twice, here and by the program.
 def test_traffic_on_supports_is_that_of_the_program(program: Callable[..., Any], tmp_path: Path) -> None:
     losses = {
         "track.pad.loss_factor": 0.0,
@@ -58,6 +59,7 @@ def test_traffic_on_supports_is_that_of_the_program(program: Callable[..., Any],
         case.evolve(sinusoid=("1 um", "60 mm"), passages=1)
 
 
+# Long: follows a wheelset on all axes twice, here and by the program.
 def test_all_axes_are_those_of_the_program(program: Callable[..., Any], nominal: riffel.Case) -> None:
     overrides = {
         "track.model": "one-layer",

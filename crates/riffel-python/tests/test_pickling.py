@@ -70,6 +70,7 @@ def test_cases_from_dicts_and_texts(nominal: riffel.Case) -> None:
         same(case, again(case))
 
 
+# Long: starts a process that imports all anew.
 def test_other_processes(nominal: riffel.Case) -> None:
     cases = [nominal, nominal.with_track(winkler).with_wheel(rigid_mass)]
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
@@ -133,6 +134,7 @@ def test_a_callable_that_fails_where_it_arrives(nominal: riffel.Case) -> None:
         LIMIT.clear()
 
 
+# Long: starts a process that imports all anew.
 def test_measured_files_are_found_from_any_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     frequency = np.geomspace(50.0, 4000.0, 500)
     values = winkler(frequency)

@@ -20,6 +20,7 @@ def test_there_is_a_gallery() -> None:
     assert len(GALLERY) >= 4
 
 
+# Long: draws every figure.
 @pytest.mark.parametrize("script", GALLERY, ids=lambda script: script.stem)
 def test_gallery(script: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RIFFEL_GALLERY", str(tmp_path))

@@ -43,6 +43,7 @@ def test_a_callable_is_the_track_that_it_computes(nominal: riffel.Case) -> None:
     assert np.allclose(again.forecast(levels, speed=30.0, passages=1e6)["level"], later["level"], rtol=1e-9)
 
 
+# Long: searches a ridge by a receptance that Python asks for.
 def test_a_callable_may_ask_another_case(nominal: riffel.Case) -> None:
     """Its threads must not wait for each other, however few there are."""
     given = nominal.with_track(lambda frequency: nominal.receptance(frequency)["rail_m_per_n"].values)

@@ -101,6 +101,7 @@ def client() -> Iterator[Client]:
         yield client
 
 
+# Long: computes a study three times, and starts workers.
 def test_program_shards_and_python_give_the_same_numbers(plan: Path, tmp_path: Path, alone: xr.Dataset) -> None:
     study = riffel.Study.from_toml(plan)
     assert not np.isnan(alone["ridge_frequency"].values).any()
@@ -127,6 +128,7 @@ def test_a_cluster_gives_the_same_numbers(client: Client, plan: Path, tmp_path: 
     assert not any(client.processing().values())
 
 
+# Long: starts three workers and computes a study twice.
 def test_a_killed_worker_costs_nothing(tmp_path: Path) -> None:
     study = riffel.Study.from_toml(written(tmp_path, samples=1280))
     with workers(3) as client:
@@ -142,6 +144,7 @@ def test_a_killed_worker_costs_nothing(tmp_path: Path) -> None:
     same(study.run(tmp_path / "alone"), results)
 
 
+# Long: starts three workers and waits until one is given up.
 def test_a_worker_that_never_answers_is_given_up(tmp_path: Path) -> None:
     study = riffel.Study.from_toml(written(tmp_path, samples=1280))
     with workers(3) as client:
@@ -174,6 +177,7 @@ def test_workers_are_asked_of_the_scheduler(client: Client, monkeypatch: pytest.
     assert sorted(_cluster._threads(client).values()) == [1, 1, 1]
 
 
+# Long: waits until a study has done without one of its workers.
 def test_a_full_disk_on_one_worker_costs_nothing(
     client: Client, plan: Path, tmp_path: Path, alone: xr.Dataset
 ) -> None:
@@ -187,6 +191,7 @@ def test_a_full_disk_on_one_worker_costs_nothing(
     same(alone, results)
 
 
+# Long: waits until a study gives up on its workers.
 def test_full_disks_everywhere_stop_it_with_a_sentence(
     client: Client, plan: Path, tmp_path: Path, alone: xr.Dataset
 ) -> None:
@@ -217,6 +222,7 @@ OWN_FOLDER = Path("/proc/self/cwd/study")
 each_has_its_own = pytest.mark.skipif(not OWN_FOLDER.parent.exists(), reason="needs the /proc of Linux")
 
 
+# Long: waits until a study gives up on a folder.
 @each_has_its_own
 def test_a_folder_that_workers_do_not_see(
     client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: xr.Dataset
@@ -256,6 +262,7 @@ def test_a_folder_of_which_each_worker_has_its_own(
     same(alone, study.run(tmp_path / "merged"))
 
 
+# Long: waits until a study has done without one of its workers.
 @each_has_its_own
 def test_one_worker_that_does_not_see_the_folder_costs_nothing(
     client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: xr.Dataset
@@ -287,6 +294,7 @@ def test_an_interrupted_study_goes_on(plan: Path, tmp_path: Path, alone: xr.Data
     same(alone, results)
 
 
+# Long: computes a study of 3000 samples on a cluster.
 def test_tasks_are_few_and_long(client: Client, tmp_path: Path) -> None:
     """Chunks of a millisecond go to the cluster many at a time, and never more than a few tasks at once."""
     study = riffel.Study.from_toml(written(tmp_path, samples=3000, chunk=4))

@@ -64,6 +64,7 @@ def test_what_grows_twice_as_fast(nominal: riffel.Case, tmp_path: Path, program:
     assert printed["paired"] and not found["paired"]
 
 
+# Long: reads two records of 40 000 heights three times.
 def test_profiles(nominal: riffel.Case, tmp_path: Path, program: Callable[..., Any]) -> None:
     position = 1e-3 * np.arange(40_000)
     noise = np.random.default_rng(1).normal(scale=1e-6, size=position.size)

@@ -13,6 +13,7 @@ import riffel
 FEW = {"map.wavelength.points": 8, "map.speed.points": 4}
 
 
+# Long: maps the wheels of a bogie twice, here and by the program.
 def test_wheels_are_those_of_the_keys(program: Callable[..., Any]) -> None:
     case = riffel.Case.from_toml("cases/metro-curve.toml").with_(FEW)
     wheels = riffel.wheels_of_curve(case)

@@ -161,6 +161,7 @@ fn table(kind: &str, write: Writing, mark: &str) -> String {
 
 const KINDS: [&str; 3] = ["profile", "spectrum", "run"];
 
+// Long: reads three kinds of tables in every way of writing a cell.
 #[test]
 fn a_rail_is_read_or_refused_however_its_cells_are_written() {
     for kind in KINDS {

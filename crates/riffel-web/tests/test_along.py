@@ -23,6 +23,7 @@ def at(page, share):
     return box["x"] + share * box["width"], box["y"] + box["height"] / 2
 
 
+# Long: asks about a record for every part that is clicked.
 def test_everything_follows_the_part_that_is_clicked(page):
     page.open_case(small("class-soft-slab"))
     asked = {name: page.asked(f"/api/ask/{name}") for name in ("measure", "noise")}

@@ -47,6 +47,7 @@ def children(process):
     return [child for one in listed for child in one.read_text().split()]
 
 
+# Long: has a file of every kind read.
 def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alone(page, tmp_path):
     opened(page)
     assert "Measurements tell" in page.text("#view-calibrate")

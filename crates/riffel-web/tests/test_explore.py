@@ -165,6 +165,7 @@ def test_any_size_of_window(page, width, height):
         page.keep(f"{view}-{width}", whole=width < 1000)
 
 
+# Long: looks at every view of the page.
 @pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.thorough)])
 def test_rules_of_accessibility(page, scheme):
     page.page.emulate_media(color_scheme=scheme)
@@ -205,6 +206,7 @@ SEEN = r"""() => {
 }"""
 
 
+# Long: opens every view of the page in German.
 def test_no_view_says_anything_in_english(page):
     """One page in German, of which each view is opened in turn: that all words have their German is held by the unit tests."""
     page.speak("de")

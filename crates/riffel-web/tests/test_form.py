@@ -69,6 +69,7 @@ def test_what_is_typed_is_read_by_the_program_and_echoed(page):
     assert complete(page, "contact.friction") == pytest.approx(0.3)
 
 
+# Long: has every refused value told at its field.
 def test_what_is_refused_is_said_at_its_field_in_its_unit_and_pales_what_is_shown(page):
     shown = page.page.locator(".row .fault:visible")
     pale = lambda: page.page.locator("#view-explore .stale:visible").count()
@@ -300,6 +301,7 @@ def keys(page):
     return page.page.evaluate("() => window.riffel.state.keys")
 
 
+# Long: maps every line, vehicle and track that a first visit offers.
 def test_a_first_visit_chooses_line_vehicle_and_track(open_page):
     page = open_page(visited=None, viewport={"width": 360, "height": 780}, locale="de-DE")
     case = lambda name: tomllib.loads((ROOT / f"cases/{name}.toml").read_text())

@@ -141,6 +141,7 @@ def test_a_record_stays_where_the_next_one_does_not_arrive(page):
     page.complaints.clear()
 
 
+# Long: asks about a record and those before it a dozen times.
 def test_earlier_records_are_dated_left_out_removed_kept_and_brought_back(page):
     questions, answers = page.asked("/api/ask/measure"), page.answers("/api/ask/measure")
     rows = page.page.locator("#earlier-records > li")
@@ -204,6 +205,7 @@ def test_earlier_records_are_dated_left_out_removed_kept_and_brought_back(page):
     page.refused(422)
 
 
+# Long: asks for the noise of a rail by every wheel and limit.
 def test_the_noise_of_a_rail_follows_its_wheel_and_its_limit(page):
     answers = page.answers("/api/ask/noise")
     cells = lambda table: [row.split("\t") for row in page.page.locator(f"#{table} tbody tr").all_inner_texts()]

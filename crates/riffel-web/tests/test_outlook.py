@@ -94,6 +94,7 @@ def test_the_cursor_stands_on_the_headline_until_it_is_pinned(page):
         assert page.page.evaluate(CURSOR) == at
 
 
+# Long: computes all remedies of a line, and a variant of each.
 def test_remedies_become_variants_and_go_by_their_cost(page):
     answers = page.answers("/api/remedies")
     # Of clean dry discs, by which the rail is ground before the wheel leaves it.

@@ -68,6 +68,7 @@ fn where_pads_decide_pads_lead() {
 }
 
 /// Trains at four fifths of their speeds, and speeds spread one and a half times as widely, are that traffic.
+// Long: computes the remedies of two traffics.
 #[test]
 fn speeds_are_changed_as_a_traffic_file_would() {
     let traffic = |mean: f64, deviation: f64| {

@@ -213,6 +213,7 @@ pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) 
 
 /// Levels that the model made of a wear coefficient of 3e-9 kg/J, good to 0.01 dB, at two dates: at a third that nobody measured
 /// their forecast is what the model made, and the limit that they have there is reached then.
+// Long: draws the chains of a calibration.
 #[test]
 fn a_forecast_finds_the_levels_that_were_made() {
     const BANDS: [&str; 3] = ["158", "126", "100"];

@@ -188,6 +188,7 @@ mod tests {
     /// Growth is proportional to the wear coefficient and inversely to the density; at constant creepage the mass of
     /// the wheel enters by the normal force alone, dP₁/dm = −P₁²/(Δ m²ω²). The parameters are none at which the steps
     /// were chosen.
+    // Long: computes the sensitivities to all keys at three points.
     #[test]
     fn sensitivities_match_closed_forms() {
         for (wavelength, speed) in [(0.031, 17.0), (0.12, 41.0), (0.25, 60.0)] {

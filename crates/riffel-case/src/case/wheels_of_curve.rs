@@ -125,6 +125,7 @@ mod tests {
     }
 
     /// Each wheel grows as if it had been asked for by its keys, whichever wheel the case has.
+    // Long: finds the equilibrium of a bogie in its curve.
     #[test]
     fn wheels_are_those_that_keys_ask_for() {
         // A law in closed form.

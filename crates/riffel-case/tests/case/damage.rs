@@ -116,6 +116,7 @@ fn of_law(values: &riffel_case::ByLaw, law: &str) -> f64 {
 }
 
 /// Every law at 39 points, linear and above the limit.
+// Long: reads a case for each of 39 points.
 #[test]
 fn growth_by_every_law() {
     let file = reference!("growth.json");

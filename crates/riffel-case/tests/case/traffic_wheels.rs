@@ -445,6 +445,7 @@ fn keys_of_a_vehicle_have_an_effect() {
 }
 
 /// An axle load, a wheel load and a radius reach the bogie, as their spreads do.
+// Long: finds the equilibrium of a bogie for every load.
 #[test]
 fn loads_and_radii_of_a_vehicle_reach_its_bogie() -> Result<(), CaseError> {
     let rates = |vehicle: &str| -> Result<Vec<f64>, CaseError> {
@@ -467,6 +468,7 @@ fn loads_and_radii_of_a_vehicle_reach_its_bogie() -> Result<(), CaseError> {
 }
 
 /// A friction modifier on one rail stays under days that scale both, and is not wiped out by one friction for both.
+// Long: finds the equilibrium of a bogie for every friction.
 #[test]
 fn friction_of_each_rail_stays_under_a_traffic() -> Result<(), CaseError> {
     let rails = &["contact.friction={ left = 0.4, right = 0.2 }"];

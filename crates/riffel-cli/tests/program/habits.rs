@@ -173,6 +173,7 @@ fn a_dash_is_standard_input() {
 }
 
 /// Each case to start from runs as it is written, stands on supports, and finds growth inside its window.
+// Long: maps four lines on discrete supports.
 #[test]
 fn the_cases_to_start_from_run() {
     let sandbox = Sandbox::new();
@@ -192,6 +193,7 @@ fn the_cases_to_start_from_run() {
 }
 
 /// Whatever the length or the depth of what was written, it is refused in a sentence that fits a screen.
+// Long: reads keys of 100 000 letters in every place.
 #[test]
 fn endless_keys_are_refused_in_few_words() {
     let sandbox = Sandbox::new();

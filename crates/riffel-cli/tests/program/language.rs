@@ -52,6 +52,7 @@ fn say_in_german(sandbox: &Sandbox, said: &[(&str, &str)]) {
 }
 
 /// Findings of every command, not of one.
+// Long: runs a command of every kind.
 #[test]
 fn findings_are_german_on_a_terminal() {
     let sandbox = Sandbox::new();

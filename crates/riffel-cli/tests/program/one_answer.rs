@@ -441,6 +441,7 @@ fn first_said_is_why_dates_tell_no_growth() {
 }
 
 /// A comparison without a rail, quiet, says before its table that rates of the case are above those of any railway.
+// Long: compares two cases in a curve, each with its equilibrium.
 #[test]
 fn a_comparison_says_first_that_rates_do_not_hold() {
     let sandbox = Sandbox::new();

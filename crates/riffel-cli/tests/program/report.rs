@@ -80,6 +80,7 @@ fn every_section_is_there() {
 }
 
 /// How long each remedy lasts after grinding stands in the brief, and a remedy that cannot act is named as such.
+// Long: writes reports with their remedies.
 #[test]
 fn remedies_are_compared_after_grinding() {
     let sandbox = Sandbox::new();

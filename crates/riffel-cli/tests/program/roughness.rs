@@ -81,6 +81,7 @@ fn sections_are_told_with_what_lies_there() {
 }
 
 /// A rail in other clothes gives the same levels.
+// Long: reads a record in every layout.
 #[test]
 fn layouts_do_not_matter() {
     let sandbox = Sandbox::new();

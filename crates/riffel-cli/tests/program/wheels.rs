@@ -106,6 +106,7 @@ fn a_case_without_a_curve_is_refused() {
 }
 
 /// With the patch of the profiles the stiffness is that of `riffel profile --load` under the same load at the same shift.
+// Long: asks several commands for the equilibrium of a bogie in its curve.
 #[test]
 fn the_patch_is_that_of_the_profiles_under_load() {
     let sandbox = Sandbox::new();

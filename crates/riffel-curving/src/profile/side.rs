@@ -160,6 +160,7 @@ mod tests {
     /// Of 200 rails, worn by up to 10 mm at a gauge face that leans outward or inward by 1:20 to 1:1000, with points 0.1 to 0.5 mm apart
     /// that scatter by 20 µm, in either order, upright or inclined, displaced by up to 3 mm, all have W2, W3 and the greatest depth
     /// within 0.1 mm, five deviations of a point, and the area within 2 mm², 20 µm along the outline.
+    // Long: measures 200 drawn outlines, as many as its counts are of.
     #[test]
     fn a_steep_gauge_face_is_worn() {
         let mut drawn = Drawn(20_261_128);

@@ -123,6 +123,7 @@ fn joints_that_a_survey_names_are_told() -> Result<(), NetworkError> {
 
 /// Welds every 37.3 m that odometers of four surveys have 2.3 m to 1.7 m off, in cells of 10 m, which no alignment by whole cells
 /// puts right: none grows, though some come over the ends of sections. Such cells do not tell welds from corrugation, and say so.
+// Long: stores four surveys of twelve lines.
 #[test]
 fn welds_that_come_over_the_end_of_a_section_do_not_grow() -> Result<(), NetworkError> {
     for first in 0..12u32 {

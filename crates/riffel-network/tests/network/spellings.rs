@@ -121,6 +121,7 @@ fn ingested(head: &str, cell: &str, date: &str) -> Result<(), String> {
     })
 }
 
+// Long: stores a survey for every spelling of a date.
 #[test]
 fn dates_are_read_or_refused_however_they_are_written() {
     let heads = HEADS_OF_DATES.iter().map(|&(head, cells, read)| (head, cells, read));

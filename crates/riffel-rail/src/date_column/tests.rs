@@ -102,6 +102,7 @@ fn now(text: &str) -> Result<(String, Survey), String> {
 }
 
 /// Of no spelling a mean over the dates is taken: the later is now, or the table is refused with its column and line.
+// Long: reads three tables under every spelling of a date.
 #[test]
 fn every_reader_reads_a_date_or_refuses_it() {
     for (head, dates, right) in SPELLINGS {

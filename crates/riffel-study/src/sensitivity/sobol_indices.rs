@@ -230,6 +230,7 @@ mod tests {
 
     /// 95 % intervals of independent repetitions hold the exact value about as often: 200 repetitions with random
     /// base samples, of which 19 in 20 should; a bootstrap of 200 values falls a little short of it.
+    // Long: bootstraps 200 repetitions, as many as its count is of.
     #[test]
     fn intervals_hold_what_they_say() {
         let repetitions = 200;

@@ -38,6 +38,7 @@ fn states_of(folder: &ResultFolder) -> Vec<ChunkState> {
     states.into_iter().map(|(_, state)| state).collect()
 }
 
+// Long: computes a study in several ways.
 #[test]
 fn threads_shards_and_chunks_change_nothing() {
     let place = tempfile::tempdir().unwrap();
@@ -321,6 +322,7 @@ fn nothing_is_written_through_links() {
 }
 
 /// Of two studies that begin in one folder at once one has it, with all of its files; the other is refused.
+// Long: begins thirty pairs of studies.
 #[test]
 fn two_studies_that_begin_at_once_do_not_mix() {
     let studies = [study_of(PLAN), study_of(&PLAN.replace("seed = 4", "seed = 5"))];

@@ -221,6 +221,7 @@ fn german(answer: &Value, found: &mut Vec<String>) {
 }
 
 /// What grows, why, where, and what helps, of every line and of a curve.
+// Long: asks for all that is told of each line and of a curve.
 #[tokio::test]
 async fn what_is_said_of_a_case_is_german() {
     let vocabulary = get("/api/vocabulary").await.json();

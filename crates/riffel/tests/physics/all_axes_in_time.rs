@@ -230,6 +230,7 @@ fn second_order_on_all_axes() {
 
 /// A mass on a spring across the track under falling friction: frequency and range of its limit cycle are those of
 /// Runge and Kutta's fourth-order method on the same equation, m u'' + c u' + k u = Q(η₀ − u'/V) − Q₀.
+// Long: follows a mass until it swings evenly.
 #[test]
 fn limit_cycle_of_one_mass() {
     let (mass, natural) = (400.0, TAU * 120.0);

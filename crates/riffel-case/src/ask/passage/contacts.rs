@@ -128,6 +128,7 @@ mod tests {
     use crate::fixtures::{case, trailer};
 
     /// Wheels on all axes pass discrete supports, but do not come to rest on them.
+    // Long: fits a rail on discrete supports in time on all axes.
     #[test]
     fn supports_pass_under_wheels_on_all_axes() {
         let supports = [

@@ -233,6 +233,7 @@ proptest! {
     }
 
     /// Fuzzed overrides: the same.
+    // Long: reads some hundred fuzzed cases.
     #[test]
     fn fuzz_override(assignment in "[a-z._]{0,24}=?[ -~µ]{0,16}") {
         let _ = Case::parse("case.toml", NOMINAL_CASE, &[assignment]);

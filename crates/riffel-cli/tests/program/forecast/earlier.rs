@@ -156,6 +156,7 @@ fn two_records_claim_no_coefficient() {
 }
 
 /// Two welds are no roughness that grows: forecast and noise leave them out and say so, unless they are kept.
+// Long: reads 30 000 heights at two dates for each of its questions.
 #[test]
 fn welds_do_not_grow() {
     let sandbox = Sandbox::new();

@@ -127,6 +127,7 @@ fn what_friction_leaves_as_it_was_is_said() {
 }
 
 /// Without a speed and a traffic a comparison is under the usual traffic of the line, as the map is.
+// Long: maps a metro and compares it, each under its usual traffic.
 #[test]
 fn a_comparison_is_under_the_traffic_that_the_map_names() {
     let sandbox = Sandbox::new();

@@ -167,6 +167,7 @@ fn rails_are_rails_and_dates_are_dates() {
 }
 
 /// A device that changes along the dates is told, and what devices differ by is no growth; of one device nothing is said.
+// Long: judges levels of four dates for each of its devices.
 #[test]
 fn growth_is_that_of_one_device() {
     let sandbox = Sandbox::new();

@@ -108,6 +108,7 @@ fn endless_input_ends() {
 }
 
 /// What stands in the way of a position is named.
+// Long: reads a record under every heading.
 #[test]
 fn tables_without_a_position_say_what_they_have() {
     let sandbox = Sandbox::new();

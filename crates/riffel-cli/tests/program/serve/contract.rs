@@ -126,6 +126,7 @@ fn the_numbers_of_a_page_are_those_of_the_program() {
 }
 
 /// What a wave, a year and a bogie do: largest force, cracks, and all wheels through a curve.
+// Long: answers four questions twice, by the page and by the program.
 #[test]
 fn forces_cracks_and_all_wheels_of_a_page_are_those_of_the_program() {
     let sandbox = Sandbox::new();
@@ -231,6 +232,7 @@ fn a_page_is_refused_by_the_sentences_of_the_program() {
 }
 
 /// The nominal case under the bogie that the view of curves begins with, and with the keys that are told of one wheel.
+// Long: maps all wheels of a bogie twice, by the page and by the program.
 #[test]
 fn wheels_of_a_curve_on_the_page_are_those_of_the_program() {
     let sandbox = Sandbox::new();
@@ -336,6 +338,7 @@ fn what_the_model_does_not_explain_is_told_to_a_page() {
 }
 
 /// A report that is told of no traffic goes by the usual one of the line, as the page does: one level, and one set of shares.
+// Long: writes a report of 20 000 heights and asks its two questions again.
 #[test]
 fn the_report_of_a_rail_has_level_and_causes_of_the_page() {
     let sandbox = Sandbox::new();

@@ -8,6 +8,7 @@ use super::{FIXTURES, MILLIMETRES, SMALL, fixture};
 use crate::universal_file::read;
 
 /// However a file of one function is cut, it is refused.
+// Long: reads a file as often as it has places.
 #[test]
 fn refuses_every_truncation() {
     for name in FIXTURES.iter().filter(|&&name| name != "several.uff") {

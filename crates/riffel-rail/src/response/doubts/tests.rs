@@ -99,6 +99,7 @@ fn count(mut holds: impl FnMut(&mut Draws) -> bool) -> u32 {
     (0..COUNT).filter(|_| holds(&mut draws)).count() as u32
 }
 
+// Long: looks at 400 drawn hammer tests, as many as its counts are of.
 #[test]
 fn faults_of_phase_are_found() {
     let mut draws = Draws(53);

@@ -22,6 +22,7 @@ fn growth(case: &Case) -> f64 {
 }
 
 /// Growth is that of the numbers of the curve typed by hand, on every wheel.
+// Long: finds the equilibrium of a bogie in its curve for each of four wheels.
 #[test]
 fn numbers_are_those_of_the_curve() {
     let cases: [(usize, &str); 4] = [(1, "low"), (1, "high"), (2, "left"), (2, "right")];
