@@ -113,28 +113,3 @@ where
         polynomial_at(&self.polynomial, (place - self.middle) * self.per_half)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use num_complex::Complex64;
-
-    /// To rounding times the largest coefficient of T₇, 112.
-    #[test]
-    fn a_polynomial_of_degree_seven_is_exact() {
-        let powers = through_nodes(|t| Complex64::new(3.0 * t.powi(7) - t, 2.0 + t.powi(4)));
-        let expected = [
-            Complex64::new(0.0, 2.0),
-            Complex64::new(-1.0, 0.0),
-            Complex64::ZERO,
-            Complex64::ZERO,
-            Complex64::i(),
-            Complex64::ZERO,
-            Complex64::ZERO,
-            Complex64::new(3.0, 0.0),
-        ];
-        for (power, expected) in powers.iter().zip(expected) {
-            assert!((power - expected).norm() < 1e-12, "{power} {expected}");
-        }
-    }
-}

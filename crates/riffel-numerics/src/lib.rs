@@ -8,6 +8,7 @@ pub mod cubic;
 pub mod distribution;
 pub mod eigenvalues;
 pub mod elimination;
+pub mod fourier;
 pub mod gauss;
 pub mod golden_section;
 pub mod hermitian;

@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
+use riffel_numerics::fourier::Plans;
 
 thread_local! {
-    static KEPT: RefCell<(RealFftPlanner<f64>, Vec<Complex64>)> = RefCell::new((RealFftPlanner::new(), Vec::new()));
+    static KEPT: RefCell<(Plans, Vec<Complex64>)> = RefCell::new((Plans::default(), Vec::new()));
 }
 
 /// The least length of a transform from a number up: those of few lengths take little time, and their tables are kept.
@@ -19,8 +19,8 @@ pub(super) fn length(least: usize) -> usize {
 
 /// The transform of values of a [`length`]; they are lost.
 pub(super) fn forward(values: &mut [f64]) -> Vec<Complex64> {
-    KEPT.with_borrow_mut(|(planner, scratch)| {
-        let transform = planner.plan_fft_forward(values.len());
+    KEPT.with_borrow_mut(|(plans, scratch)| {
+        let transform = plans.real_forward(values.len());
         let mut lines = transform.make_output_vec();
         enlarge(scratch, transform.get_scratch_len());
         // Fails only for buffers of another length.
@@ -35,8 +35,8 @@ pub(super) fn backward(lines: &mut [Complex64]) -> Vec<f64> {
     // Of the lines without a counterpart the imaginary parts are nothing but rounded.
     lines[0].im = 0.0;
     lines[lines.len() - 1].im = 0.0;
-    KEPT.with_borrow_mut(|(planner, scratch)| {
-        let transform = planner.plan_fft_inverse(2 * (lines.len() - 1));
+    KEPT.with_borrow_mut(|(plans, scratch)| {
+        let transform = plans.real_inverse(2 * (lines.len() - 1));
         let mut values = transform.make_output_vec();
         enlarge(scratch, transform.get_scratch_len());
         let done = transform.process_with_scratch(lines, &mut values, scratch);

@@ -1,11 +1,11 @@
 //! The Fourier series of values around a ring.
 
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
+use riffel_numerics::fourier::Plans;
 
 /// Coefficients of the Fourier series, not scaled.
 pub(super) fn spectrum(values: &[f64]) -> Vec<Complex64> {
-    let transform = RealFftPlanner::new().plan_fft_forward(values.len());
+    let transform = Plans::default().real_forward(values.len());
     let mut values = values.to_vec();
     let mut waves = transform.make_output_vec();
     // Lengths are those of the plan.
@@ -15,7 +15,7 @@ pub(super) fn spectrum(values: &[f64]) -> Vec<Complex64> {
 
 /// The values of a series.
 pub(super) fn series(mut waves: Vec<Complex64>, count: usize) -> Vec<f64> {
-    let transform = RealFftPlanner::new().plan_fft_inverse(count);
+    let transform = Plans::default().real_inverse(count);
     let mut values = transform.make_output_vec();
     if count.is_multiple_of(2)
         && let Some(last) = waves.last_mut()

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use realfft::RealFftPlanner;
+use riffel_numerics::fourier::Plans;
 
 use super::{ContactInstant, PassageModel};
 use crate::Error;
@@ -183,8 +183,8 @@ impl PassageModel {
             [|instant| instant.normal_force, |instant| instant.tangential_force, |instant| instant.lateral_force];
         let count = course.first()?.len();
         // Twice as long, so that the end does not meet the beginning.
-        let mut planner = RealFftPlanner::new();
-        let (forward, inverse) = (planner.plan_fft_forward(2 * count), planner.plan_fft_inverse(2 * count));
+        let mut plans = Plans::default();
+        let (forward, inverse) = (plans.real_forward(2 * count), plans.real_inverse(2 * count));
         let mut power = inverse.make_input_vec();
         for course in course {
             for force in forces {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 use rayon::prelude::*;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use riffel_numerics::fourier::{ComplexToReal, Plans, RealToComplex};
 
 use super::{Profile, WavelengthBand};
 use crate::Error;
@@ -62,8 +62,8 @@ impl BandPass {
         let longest = bands.iter().map(WavelengthBand::to).fold(0.0, f64::max);
         let reach = ((REACH * longest / spacing).ceil() as usize).min(samples.saturating_sub(1));
         let block = (8 * reach + 8).next_power_of_two();
-        let mut planner = RealFftPlanner::new();
-        let (forward, inverse) = (planner.plan_fft_forward(block), planner.plan_fft_inverse(block));
+        let mut plans = Plans::default();
+        let (forward, inverse) = (plans.real_forward(block), plans.real_inverse(block));
         let mut bank = Self { gains: Vec::new(), reach, forward, inverse };
         bank.gains = bands.iter().map(|band| bank.tapered(|k| gain(*band, k), spacing)).collect();
         Ok(bank)

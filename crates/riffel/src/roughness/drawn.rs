@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
-use realfft::RealFftPlanner;
+use riffel_numerics::fourier::Plans;
 use riffel_numerics::random_numbers::unit;
 
 use super::{BandLevel, Profile, Spectrum, mean_square};
@@ -46,7 +46,7 @@ impl Spectrum {
             });
         }
         let count = (length / spacing).round() as usize;
-        let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(count);
+        let transform = Plans::default().real_inverse(count);
         let mut lines = transform.make_input_vec();
         let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
         for band in levels {

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
+use riffel_numerics::fourier::Plans;
 
 use super::{Profile, ThirdOctave};
 use crate::Error;
@@ -16,7 +16,7 @@ pub(super) const BATCH: usize = 32;
 /// Mean square of each line of the transform, from wavenumber zero upward, summed over parts of `samples` heights with
 /// a weight each. Mean and trend are removed, and the window leaves the mean square of a stationary part as it is.
 pub(super) fn line_powers(parts: &[(&[f64], f64)], samples: usize) -> Vec<f64> {
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(samples);
+    let transform = Plans::default().real_forward(samples);
     let window = window(samples);
     let energy: f64 = window.iter().map(|weight| weight * weight).sum();
     let batches: Vec<Vec<f64>> = parts

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
-use realfft::RealFftPlanner;
+use riffel_numerics::fourier::Plans;
 use riffel_numerics::random_numbers::normal_pair;
 
 use super::{ThirdOctave, mean_square};
@@ -186,7 +186,7 @@ impl Recipe {
         let line_spacing = 1.0 / (size as f64 * self.spacing);
         let (density, q) = noise.density();
         let mut random = Xoshiro256PlusPlus::seed_from_u64(self.seed);
-        let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(size);
+        let transform = Plans::default().real_inverse(size);
         let mut lines = transform.make_input_vec();
         for (index, line) in lines.iter_mut().enumerate().take(size / 2).skip(1) {
             let normal = normal_pair(&mut random);

@@ -1,7 +1,7 @@
 //! Growth of the waves of one rail, from profiles of the same place at two dates.
 
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
+use riffel_numerics::fourier::Plans;
 
 use super::Profile;
 use super::hann_window::{remove_trend, window};
@@ -132,9 +132,9 @@ fn common<'a>(one: &'a [f64], other: &'a [f64], offset: isize) -> (&'a [f64], &'
 /// By how many samples the second record lags behind the first: the largest correlation of waves of some lengths.
 fn best_lag(one: &[f64], other: &[f64], spacing: f64, [shortest, longest]: [f64; 2]) -> isize {
     let count = 2 * one.len();
-    let mut planner = RealFftPlanner::<f64>::new();
-    let forward = planner.plan_fft_forward(count);
-    let backward = planner.plan_fft_inverse(count);
+    let mut plans = Plans::default();
+    let forward = plans.real_forward(count);
+    let backward = plans.real_inverse(count);
     let transformed = |heights: &[f64]| {
         let mut input = heights.to_vec();
         remove_trend(&mut input);
@@ -172,7 +172,7 @@ struct Spectra {
 }
 
 fn spectra(one: &[f64], other: &[f64], samples: usize) -> Spectra {
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(samples);
+    let transform = Plans::default().real_forward(samples);
     let window = window(samples);
     let lines = samples / 2 + 1;
     let mut sums = Spectra { one: vec![0.0; lines], other: vec![0.0; lines], cross: vec![Complex64::ZERO; lines] };
@@ -221,8 +221,8 @@ mod tests {
         let mut uniform = || unit(random.next_u64());
         let mut normal = || (-2.0 * uniform().max(1e-300).ln()).sqrt() * (TAU * uniform()).cos();
         let count = (metres / SPACING) as usize;
-        let mut planner = RealFftPlanner::<f64>::new();
-        let backward = planner.plan_fft_inverse(count);
+        let mut plans = Plans::default();
+        let backward = plans.real_inverse(count);
         let [mut one, mut other] = [0; 2].map(|_| backward.make_input_vec());
         let last = one.len() - 1;
         for line in 1..last {

@@ -93,6 +93,21 @@ fn table_of_a_receptance() {
     assert!((1..=1960).contains(&by_map), "{by_map} receptances for a map of {} points", 241 * 221);
 }
 
+/// A map that nobody waits for any more ends with the row that each thread is in, however often it is divided until then.
+#[test]
+fn end_of_a_map() {
+    const MANY: usize = 10_000;
+    let (feedback, asked) = feedback(rail(), false);
+    let (wavelength, speed) = (Axis::new(0.02, 0.08, 2000).unwrap(), Axis::new(5.0, 60.0, 500).unwrap());
+    let counted = asked.clone();
+    let wanted = move || counted.load(Ordering::Relaxed) < MANY;
+    assert!(run_while(wanted, || GrowthMap::compute(&feedback, wavelength, speed, |_| ())).is_none());
+    // Tiles of 64 wavelengths, the last filled up.
+    let rows = rayon::current_num_threads() + 1;
+    let asked = asked.load(Ordering::Relaxed);
+    assert!((MANY..=MANY + 2048 * rows).contains(&asked), "{asked} receptances");
+}
+
 /// A creep law that counts how often it is asked for forces.
 struct CountedLaw {
     law: Carter3d,

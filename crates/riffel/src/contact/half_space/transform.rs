@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use num_complex::Complex64;
-use rustfft::{Fft, FftPlanner};
+use riffel_numerics::fourier::{Fft, Plans};
 
 /// Transforms between the first rows of a grid and the spectrum of all of it, in which a product with the
 /// spectrum of a kernel is the sum over all pairs of elements.
@@ -28,12 +28,12 @@ impl Transform {
     /// For fields of `columns` × `rows` elements and distances of up to as many, either way.
     pub(super) fn new(columns: usize, rows: usize) -> Self {
         let size = [columns, rows].map(padded);
-        let mut planner = FftPlanner::new();
+        let mut plans = Plans::default();
         Self {
             rows,
             size,
-            forward: size.map(|size| planner.plan_fft_forward(size)),
-            backward: size.map(|size| planner.plan_fft_inverse(size)),
+            forward: size.map(|size| plans.forward(size)),
+            backward: size.map(|size| plans.inverse(size)),
         }
     }
 
