@@ -33,8 +33,9 @@ struct Arguments {
 enum Task {
     /// The whole check: formatting, lints, tests, the Python package, the page in a browser.
     Test {
-        /// Only what takes a minute: formatting, lints, the tests of the libraries. Left out are the program and its
-        /// files, pictures, the page under load, examples in documentation, Python and the browser.
+        /// Only what takes a minute: formatting, lints, the tests of the libraries but for those with a reason to take
+        /// long. Left out are the program and its files, pictures, the page under load, examples in documentation, Python
+        /// and the browser.
         #[arg(long, conflicts_with_all = ["thorough", "times"])]
         quick: bool,
         /// What has jobs of its own too: documentation, tests that take minutes, the page in one file and in other colours, sizes and
