@@ -50,6 +50,7 @@ def plan(tmp_path: Path) -> Path:
     return path
 
 
+# Long: draws the chains of a calibration.
 @pytest.mark.filterwarnings("ignore::UserWarning")
 def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(
     plan: Path, tmp_path: Path, program: Callable[..., Any]

@@ -24,6 +24,7 @@ def rigid_mass(frequency: npt.NDArray[np.float64]) -> npt.NDArray[np.complex128]
     return (-1.0 / (350.0 * (2.0 * np.pi * frequency) ** 2)).astype(np.complex128)
 
 
+# Long: asks Python for every receptance of a map and of a ridge.
 def test_a_callable_is_the_track_that_it_computes(nominal: riffel.Case) -> None:
     """To rounding, and to the 1e-9 of the table where a map is large."""
     given = nominal.with_track(free_beam).with_wheel(rigid_mass)

@@ -32,6 +32,7 @@ fn case_of(of: impl Fn(&str) -> f64, contact: &str, shear: f64, limit: &str) -> 
 }
 
 /// P and Q linear, p₀ by the third root: 2e-4 of the printed numbers, demands by the line and by the surface.
+// Long: makes a case of every row of its reference, twice.
 #[test]
 fn operating_points() {
     let growth: Value =

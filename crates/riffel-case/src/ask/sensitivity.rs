@@ -243,6 +243,7 @@ mod tests {
     }
 
     /// What growth does not depend on is not listed, though roundings move it.
+    // Long: computes the sensitivities to all keys at four points.
     #[test]
     fn roundings_are_no_sensitivity() {
         let case = case(NOMINAL_CASE, &[]);

@@ -80,6 +80,7 @@ fn a_wheelset_is_studied() {
 }
 
 /// Variants of the wheelset and of the creepage; a force along the rail cannot be held where the wheel slides across it.
+// Long: maps four flexible wheelsets.
 #[test]
 fn variants_of_a_wheelset_are_compared() {
     let sandbox = sandbox(&[

@@ -246,6 +246,7 @@ fn reference(name: &str) -> Vec<HashMap<String, String>> {
 }
 
 /// Creep forces, spin moment and energy per metre of CONTACT: 1 % of Q, the error of its extrapolation.
+// Long: rolls the exact contact until it is steady, for four creepages.
 #[test]
 fn steady_state_in_any_direction() {
     let sandbox = Sandbox::new();

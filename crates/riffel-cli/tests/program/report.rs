@@ -236,6 +236,7 @@ fn a_case_alone_has_a_report() {
 
 /// Forecast and what-if take the spectra that the other sections show: the same rows of a table, and at the
 /// latest date of these; the same profile, whatever it takes to read it.
+// Long: writes reports of a table and of a profile.
 #[test]
 fn all_sections_are_of_the_same_record() {
     let sandbox = Sandbox::new();
