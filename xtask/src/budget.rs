@@ -7,9 +7,10 @@ use std::time::Instant;
 
 use crate::Outcome;
 
-/// Processor time of the whole check from a fresh clone \[s\]: two idle cores took 2230 s with the settings of `.ci/run`, and some
-/// 200 s go to lines of backtraces and records for the next build without them.
-const CHECK: f64 = 2450.0;
+/// Processor time of the whole check from a fresh clone \[s\], on the cores that do the [`work`] in that [time](WORK): its steps one by one
+/// took 2710 s with the settings of `.ci/run`, and some 400 s go to the benchmarks, to cores that share a cache, and to lines of
+/// backtraces and records for the next build without those settings.
+const CHECK: f64 = 3100.0;
 /// Times that, which is too much.
 const TOO_MUCH: f64 = 1.2;
 /// Time in which these cores do the [`work`] \[s\].

@@ -15,8 +15,10 @@ const BUILD: [&str; 8] =
     ["build", "--workspace", "--lib", "--bins", "--tests", "--quiet", "--features", "riffel-python/as-tested"];
 const TESTS: [&str; 3] = ["test", "--workspace", "--quiet"];
 /// The test binaries that take seconds, besides those of the libraries.
-const QUICK: [&str; 13] = [
+const QUICK: [&str; 15] = [
     "--lib",
+    "--test",
+    "numerics",
     "--test",
     "physics",
     "--test",

@@ -1,4 +1,4 @@
-use riffel_numerics::gauss::{equal_panels, gauss_legendre, panels};
+use riffel_numerics::gauss::{GAUSS, equal_panels, gauss_legendre, panels};
 
 /// Abramowitz & Stegun (1964), table 25.4, for the range from −1 to 1.
 #[test]
