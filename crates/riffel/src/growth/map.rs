@@ -111,13 +111,6 @@ struct Grid<'a> {
     progress: &'a (dyn Fn(usize) + Sync),
 }
 
-/// Some tiles one after another on one thread.
-#[derive(Clone)]
-struct Part {
-    evaluator: RowEvaluator,
-    has_begun: bool,
-}
-
 impl<'a> Grid<'a> {
     fn new(wavelengths: &'a [f64], speeds: &'a [f64], progress: &'a (dyn Fn(usize) + Sync)) -> Self {
         Self { wavelengths, speeds, tiles_a_row: wavelengths.len().div_ceil(TILE), progress }
@@ -129,11 +122,12 @@ impl<'a> Grid<'a> {
 
     /// All tiles, in parallel.
     fn evaluated(&self, feedback: Loop) -> Vec<[Complex64; TILE]> {
+        let evaluator = RowEvaluator::for_map(feedback, self.wavelengths, self.speeds);
         let mut tiles = Vec::new();
         (0..self.tiles())
             .into_par_iter()
             .with_min_len(self.tiles_a_row)
-            .map_with(self.part(feedback), |part, index| self.evaluate(part, index))
+            .map_init(|| Self::part(&evaluator), |part, index| self.evaluate(part, index))
             .collect_into_vec(&mut tiles);
         tiles
     }
@@ -141,23 +135,26 @@ impl<'a> Grid<'a> {
     /// Evaluate into tiles that are there.
     fn evaluate_into(&self, feedback: Loop, tiles: &mut [[Complex64; TILE]]) {
         assert_eq!(tiles.len(), self.tiles(), "tiles of a map");
+        let evaluator = RowEvaluator::for_map(feedback, self.wavelengths, self.speeds);
         let parts = tiles.par_iter_mut().enumerate().with_min_len(self.tiles_a_row);
-        parts.for_each_with(self.part(feedback), |part, (index, tile)| *tile = self.evaluate(part, index));
+        parts.for_each_init(|| Self::part(&evaluator), |part, (index, tile)| *tile = self.evaluate(part, index));
     }
 
-    fn part(&self, feedback: Loop) -> Part {
-        Part { evaluator: RowEvaluator::for_map(feedback, self.wavelengths, self.speeds), has_begun: false }
+    /// What evaluates some tiles one after another on one thread.
+    ///
+    /// Work that is broken off is divided further while it unwinds, and few of its parts begin with a row: each asks before it begins.
+    fn part(evaluator: &RowEvaluator) -> RowEvaluator {
+        check();
+        evaluator.clone()
     }
 
     /// One tile.
-    fn evaluate(&self, part: &mut Part, index: usize) -> [Complex64; TILE] {
+    fn evaluate(&self, evaluator: &mut RowEvaluator, index: usize) -> [Complex64; TILE] {
         let (row, tile) = (index / self.tiles_a_row, index % self.tiles_a_row);
-        // Work that is broken off is divided further while it unwinds, and few of its parts begin with a row.
-        if tile == 0 || !part.has_begun {
-            part.has_begun = true;
+        if tile == 0 {
             check();
         }
-        let values = part.evaluator.evaluate_tile(self.speeds[row], tile);
+        let values = evaluator.evaluate_tile(self.speeds[row], tile);
         if tile + 1 == self.tiles_a_row {
             (self.progress)(1);
         }
