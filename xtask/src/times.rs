@@ -1,5 +1,6 @@
 //! What is slow: the steps of the check one after another, and the tests that take longest.
 
+use std::collections::HashMap;
 use std::fmt::Write;
 use std::fs;
 use std::process::Command;
@@ -34,6 +35,12 @@ impl Test {
         let limit = if self.name.starts_with("test_") { LONG_IN_BROWSER } else { LONG };
         self.seconds > limit
     }
+
+    /// The name without modules, folders and parameters.
+    fn own_name(&self) -> &str {
+        let whole = self.name.split('[').next().unwrap_or_default();
+        whole.rsplit("::").next().unwrap_or_default()
+    }
 }
 
 /// Run the steps one by one and write how long each took, with the tests that took longest.
@@ -60,10 +67,12 @@ pub(crate) fn write(steps: Vec<Step>) -> Outcome {
         "\nThe {count} tests whose time is told take {sum:.0} s by themselves. Above {LONG} s, in a browser {LONG_IN_BROWSER} s, are:\n"
     );
     table.push_str("| test | s | why |\n|---|---|---|\n");
+    let reasons = reasons(&["*.rs", "*.py"])?;
     let mut without = Vec::new();
-    for Test { name, seconds } in &tests {
-        let reason = reason(name);
-        let _ = writeln!(table, "| `{name}` | {seconds:.1} | {} |", reason.as_deref().unwrap_or("?"));
+    for test in &tests {
+        let Test { name, seconds } = test;
+        let reason = reasons.get(test.own_name());
+        let _ = writeln!(table, "| `{name}` | {seconds:.1} | {} |", reason.map_or("?", String::as_str));
         without.extend(reason.is_none().then_some(&**name));
     }
     fs::write(root().join(TABLE), table).map_err(|error| format!("cannot write {TABLE}: {error}"))?;
@@ -76,22 +85,20 @@ pub(crate) fn write(steps: Vec<Step>) -> Outcome {
     }
 }
 
-/// Why a test takes long, as the comment above it has it.
-fn reason(test: &str) -> Option<String> {
-    let name = test.rsplit("::").next()?.split('[').next()?;
-    let begin = format!("(fn|def) {name}\\(");
+/// Why tests in these files take long, by their names without modules, as the comments above them have it.
+pub(crate) fn reasons(files: &[&str]) -> Result<HashMap<String, String>, String> {
+    let mark = format!("(//|#) {LONG_BECAUSE}");
     let mut find = Command::new("git");
-    let above = printed(find.args(["grep", "-h", "-B", "8", "-E", &begin, "--", "*.rs", "*.py"])).ok()?;
-    let (_, reason) = above.rsplit_once(LONG_BECAUSE)?;
-    reason.lines().next().map(str::to_owned)
+    let found = printed(find.args(["grep", "-h", "-A", "8", "-E", &mark, "--"]).args(files))?;
+    Ok(found.split(LONG_BECAUSE).skip(1).filter_map(reason).collect())
 }
 
-/// The tests in Rust above which such a reason stands.
-pub(crate) fn long() -> Result<Vec<String>, String> {
-    let comment = format!("// {LONG_BECAUSE}");
-    let found = printed(Command::new("git").args(["grep", "-h", "-A", "8", &comment, "--", "*.rs"]))?;
-    let reasons = found.split(&comment).skip(1);
-    Ok(reasons.filter_map(|text| Some(text.split_once("fn ")?.1.split_once('(')?.0.to_owned())).collect())
+/// Name and reason of the test whose reason a text begins with.
+fn reason(text: &str) -> Option<(String, String)> {
+    let (reason, below) = text.split_once('\n')?;
+    let (_, test) = below.split_once("fn ").or_else(|| below.split_once("def "))?;
+    let (name, _) = test.split_once('(')?;
+    Some((name.to_owned(), reason.to_owned()))
 }
 
 /// Run a command and return what it printed on both streams.
@@ -122,6 +129,18 @@ fn timed(line: &str) -> Option<Test> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn reasons_are_those_of_the_tests_below() {
+        let rust = "Long: waits.\n    #[cfg(unix)]\n    #[test]\n    fn ends() {\n";
+        let python = "Long: waits.\n@pytest.mark.skipif(True)\ndef test_ends(\n    path: Path,\n";
+        for (text, name) in [(rust, "ends"), (python, "test_ends")] {
+            let text = text.strip_prefix(LONG_BECAUSE).unwrap();
+            assert_eq!(reason(text), Some((name.to_owned(), "waits.".to_owned())));
+        }
+        let long = Test { name: "crates/test_map.py::test_zoom[a::b]".to_owned(), seconds: 1.0 };
+        assert_eq!(long.own_name(), "test_zoom");
+    }
 
     #[test]
     fn times_are_those_of_both_runners() {
