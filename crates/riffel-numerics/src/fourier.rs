@@ -9,8 +9,7 @@ use rustfft::FftPlanner;
 
 /// Plans of double precision, which share what they have in common.
 ///
-/// What plans is generic over the precision and would be compiled anew by each crate that plans, a fifth of all code of the physics: here it is
-/// compiled once.
+/// Planning is generic over the precision: each crate that plans compiles rustfft anew, a fifth of all code of the physics.
 #[derive(Default)]
 pub struct Plans {
     of_complex: Option<FftPlanner<f64>>,
@@ -18,25 +17,25 @@ pub struct Plans {
 }
 
 impl Plans {
-    /// From complex numbers to complex numbers, with e^(−i…).
+    /// Plan of Zₖ = Σ zⱼ e^(−2πi jk/size).
     #[inline(never)]
     pub fn forward(&mut self, size: usize) -> Arc<dyn Fft<f64>> {
         self.of_complex.get_or_insert_with(FftPlanner::new).plan_fft_forward(size)
     }
 
-    /// The way back, with e^(+i…).
+    /// Plan of zⱼ = Σ Zₖ e^(2πi jk/size).
     #[inline(never)]
     pub fn inverse(&mut self, size: usize) -> Arc<dyn Fft<f64>> {
         self.of_complex.get_or_insert_with(FftPlanner::new).plan_fft_inverse(size)
     }
 
-    /// From so many real numbers to the lines that are not conjugates of others.
+    /// Plan of the first count/2 + 1 lines of `count` real numbers; the others are their conjugates.
     #[inline(never)]
     pub fn real_forward(&mut self, count: usize) -> Arc<dyn RealToComplex<f64>> {
         self.of_real.get_or_insert_with(RealFftPlanner::new).plan_fft_forward(count)
     }
 
-    /// The way back, to so many real numbers.
+    /// Plan of `count` real numbers from these lines.
     #[inline(never)]
     pub fn real_inverse(&mut self, count: usize) -> Arc<dyn ComplexToReal<f64>> {
         self.of_real.get_or_insert_with(RealFftPlanner::new).plan_fft_inverse(count)
