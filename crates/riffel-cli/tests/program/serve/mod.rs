@@ -12,7 +12,7 @@ use riffel_answers::QUESTIONS;
 use riffel_answers::question::{AnyQuestion, Key, Kind, named};
 use serde_json::{Value, json};
 
-use self::served::Served;
+use self::served::{Served, body};
 use crate::sandbox::{Sandbox, root};
 
 /// Every path that the page asks, from the sources of its server and of its questions.
@@ -267,7 +267,10 @@ fn the_end_of_a_server_leaves_nothing_behind() {
     let before = sandbox.list("");
     for signal in ["-TERM", "-INT"] {
         let served = Served::new(&sandbox);
-        served.upload("position_m,left_um\n0,1\n0.001,2\n0.002,3\n");
+        let table = format!("position_m,left_um\n{}", "0.001,1\n".repeat(200));
+        let (_, answer) = served.post("/api/upload", "text/csv", &table);
+        let kept: Value = serde_json::from_str(body(&answer)).unwrap();
+        assert!(kept["bytes"].as_u64().unwrap() > 1000, "{kept}");
         assert_eq!(sandbox.list("").len(), before.len() + 1);
         assert_eq!(served.end(signal).0, Some(0), "{signal}");
         assert_eq!(sandbox.list(""), before, "{signal}");
