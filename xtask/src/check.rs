@@ -96,7 +96,7 @@ pub(crate) fn timed() -> Outcome {
         }),
         step("compiling, lints", || printed(&mut linting_cargo(&BUILD))),
         step("tests", || {
-            let mut tests = linting_cargo(&["test", "--workspace", "--tests"]);
+            let mut tests = linting_cargo(&["test", "--workspace", "--tests", "--no-fail-fast"]);
             // The runner of the tests alone, for which times are no stable option.
             let runner = format!("CARGO_TARGET_{}_RUNNER", compiler::host()?.to_uppercase().replace('-', "_"));
             tests.env(runner, "env RUSTC_BOOTSTRAP=1");

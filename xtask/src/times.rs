@@ -43,20 +43,27 @@ impl Test {
     }
 }
 
-/// Run the steps one by one and write how long each took, with the tests that took longest.
+/// Run the steps one by one, also after one that fails, and write how long each took, with the tests that took longest.
 pub(crate) fn write(steps: Vec<Step>) -> Outcome {
     let mut table = format!(
         "# The check\n\nWritten by `cargo xtask test --times`, one step after another, on {} processors.\n\n\
          | step | wall s | processor s |\n|---|---|---|\n",
         std::thread::available_parallelism().map_or(1, usize::from)
     );
-    let mut tests = Vec::new();
+    let (mut tests, mut failed) = (Vec::new(), Vec::new());
     for step in steps {
         println!("# {} ...", step.name);
         let (begin, before) = (Instant::now(), budget::taken().unwrap_or_default());
-        let printed = (step.run)()?;
+        let (printed, end) = match (step.run)() {
+            Ok(printed) => (printed, ""),
+            Err(printed) => {
+                println!("{printed}");
+                failed.push(step.name);
+                (printed, ", which failed")
+            }
+        };
         let spent = budget::taken().unwrap_or_default() - before;
-        let _ = writeln!(table, "| {} | {:.0} | {spent:.0} |", step.name, begin.elapsed().as_secs_f64());
+        let _ = writeln!(table, "| {}{end} | {:.0} | {spent:.0} |", step.name, begin.elapsed().as_secs_f64());
         tests.extend(printed.lines().filter_map(timed));
     }
     let (count, sum) = (tests.len(), tests.iter().map(|test| test.seconds).sum::<f64>());
@@ -76,12 +83,13 @@ pub(crate) fn write(steps: Vec<Step>) -> Outcome {
         without.extend(reason.is_none().then_some(&**name));
     }
     fs::write(root().join(TABLE), table).map_err(|error| format!("cannot write {TABLE}: {error}"))?;
-    match &without[..] {
-        [] => Ok(()),
-        names => Err(format!(
+    match (&failed[..], &without[..]) {
+        ([], []) => Ok(()),
+        ([], names) => Err(format!(
             "these tests take more than {LONG} s, in a browser {LONG_IN_BROWSER} s, without a reason (`Long: ...`) above them: {}",
             names.join(", ")
         )),
+        (steps, _) => Err(format!("these steps failed: {}", steps.join("; "))),
     }
 }
 
