@@ -84,6 +84,7 @@ def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(
     assert list(riffel.decide(folder)["breaks_budget"].values) == [1, 1]
 
 
+# Long: imports ArviZ and draws four chains.
 @pytest.mark.filterwarnings("ignore")
 def test_arviz_reads_the_tree_and_finds_the_same_diagnostics(plan: Path, tmp_path: Path) -> None:
     import arviz

@@ -117,6 +117,7 @@ def test_program_shards_and_python_give_the_same_numbers(plan: Path, tmp_path: P
     assert riffel.study_summary(tmp_path / "merged")["samples_finished"] == 640
 
 
+# Long: computes a study on a cluster of processes.
 def test_a_cluster_gives_the_same_numbers(client: Client, plan: Path, tmp_path: Path, alone: xr.Dataset) -> None:
     study = riffel.Study.from_toml(plan)
     told: list[tuple[int, int]] = []

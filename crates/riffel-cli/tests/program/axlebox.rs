@@ -109,6 +109,7 @@ fn a_wave_is_found_and_goes_on() {
     assert!(open.fold(0.0, f64::max) > 0.5);
 }
 
+// Long: starts the program for every bad run.
 #[test]
 fn bad_runs_are_refused_and_nothing_is_written() {
     let sandbox = Sandbox::new();

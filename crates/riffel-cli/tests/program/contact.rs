@@ -152,6 +152,7 @@ fn contact_is_readable() {
 }
 
 /// What the exact theory cannot answer is refused in words by every command, and nothing is written.
+// Long: starts the program for every bad contact.
 #[test]
 fn non_steady_contacts_refuse_bad_input() {
     let sandbox = Sandbox::new();

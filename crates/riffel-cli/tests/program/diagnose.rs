@@ -304,6 +304,7 @@ fn bad_input_is_refused_and_leaves_nothing() {
 }
 
 /// What a case predicts does not hang on the window of its map, which is for the eye.
+// Long: reads a record of 40 000 heights in four windows.
 #[test]
 fn the_window_of_the_map_does_not_choose_the_cause() {
     let sandbox = Sandbox::new();

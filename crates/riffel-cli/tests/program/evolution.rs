@@ -97,6 +97,7 @@ fn supports_print_themselves_beside_a_wave() {
 }
 
 /// Vehicles of a traffic pass at the speeds of their distributions; without a spread it is the case at that speed, bit for bit.
+// Long: marches four rails through their passages.
 #[test]
 fn traffic_passes_by_its_shares() {
     let sandbox = Sandbox::new();

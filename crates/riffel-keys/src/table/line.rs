@@ -53,10 +53,15 @@ pub fn cells(line: &[u8], delimiter: Delimiter) -> Vec<&[u8]> {
 /// Cells of a line without the empty ones at its end beyond the first `count`.
 pub(super) fn cells_up_to(line: &[u8], delimiter: Delimiter, count: usize) -> Vec<&[u8]> {
     let mut cells = cells(line, delimiter);
-    while cells.len() > count && cells.last().is_some_and(|cell| cell.is_empty()) {
+    end_at(&mut cells, count, |cell| cell.is_empty());
+    cells
+}
+
+/// Leave out the empty cells at the end of a line beyond the first `count`.
+pub(super) fn end_at<Cell>(cells: &mut Vec<Cell>, count: usize, is_empty: impl Fn(&Cell) -> bool) {
+    while cells.len() > count && cells.last().is_some_and(&is_empty) {
         cells.pop();
     }
-    cells
 }
 
 /// Without blanks that mean nothing at the beginning, and with blanks as delimiter also at the end.

@@ -15,6 +15,11 @@ const EXACT: [f64; 23] = [
 const FOOT: f64 = 0.3048;
 const MILE: f64 = 5280.0 * FOOT;
 
+/// The number that a cell holds which is [`plain`] to its end.
+fn wholly_plain(cell: &[u8], decimal: u8) -> Option<f64> {
+    plain(cell, decimal).filter(|&(_, length)| length == cell.len()).map(|(value, _)| value)
+}
+
 /// A number at the beginning of `text` written in plain digits, and the bytes it takes. `None` if there
 /// is none, or where it needs more care than [`number`] of the whole cell gives: exponents, more digits
 /// than a double holds.
@@ -56,9 +61,7 @@ pub(super) fn plain(text: &[u8], decimal: u8) -> Option<(f64, usize)> {
 /// signs − and –, and a minus behind (0.45-) are understood; a [`chainage`] is in metres.
 pub(super) fn number(cell: &[u8], decimal: u8) -> Option<f64> {
     let cell = unquoted(cell.trim_ascii());
-    if let Some((value, length)) = plain(cell, decimal)
-        && length == cell.len()
-    {
+    if let Some(value) = wholly_plain(cell, decimal) {
         return Some(value);
     }
     if is_missing(cell) {
@@ -260,7 +263,8 @@ fn are_digits(text: &str) -> bool {
 
 /// Whether a cell holds a chainage, whose number is in metres.
 pub(super) fn is_chainage(cell: &[u8], decimal: u8) -> bool {
-    chainage(&written(unquoted(cell.trim_ascii())), decimal).is_some()
+    let cell = unquoted(cell.trim_ascii());
+    wholly_plain(cell, decimal).is_none() && chainage(&written(cell), decimal).is_some()
 }
 
 /// Whether a cell says that there is no value.

@@ -2,7 +2,7 @@
 
 use super::delimiter::{DecimalMark, Delimiter};
 use super::heading::Heading;
-use super::line::{cells, cells_up_to, is_comment, is_remark, lines};
+use super::line::{cells, end_at, is_comment, is_remark, lines};
 use super::number::{complex, is_chainage, number, oddity};
 use crate::text_file::text_of;
 
@@ -79,8 +79,11 @@ pub struct Table {
     pub sample: Vec<Vec<f64>>,
 }
 
+/// A cell and the number that it holds, which is looked at many times.
+type Cell<'a> = (&'a [u8], Option<f64>);
+
 /// A line and its cells.
-type Cells<'a> = (usize, Vec<&'a [u8]>);
+type Cells<'a> = (usize, Vec<Cell<'a>>);
 
 impl Table {
     /// The table that most of the first lines fit into; None if there is none.
@@ -92,9 +95,15 @@ impl Table {
             sample = &sample[..end];
         }
         let all: Vec<&[u8]> = lines(sample).collect();
-        let (_, best) = WAYS
-            .into_iter()
-            .filter_map(|way| Self::read(&all, way))
+        let divides = |delimiter: Delimiter| {
+            sample.iter().any(|&byte| byte == delimiter.byte() || delimiter == Delimiter::Space && byte == b'\t')
+        };
+        // All that divide nothing are one way.
+        let undivided = WAYS.map(|(delimiter, decimal)| (!divides(delimiter)).then_some(decimal));
+        let is_new = |way: &usize| undivided[*way].is_none() || !undivided[..*way].contains(&undivided[*way]);
+        let (_, best) = (0..WAYS.len())
+            .filter(is_new)
+            .filter_map(|way| Self::read(&all, WAYS[way]))
             .rev()
             // The last of equals wins: the first of the ways.
             .max_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -103,12 +112,12 @@ impl Table {
 
     /// The table read in one way, and how well it fits.
     fn read(all: &[&[u8]], (delimiter, decimal): (Delimiter, DecimalMark)) -> Option<(f64, Self)> {
-        let number = |cell: &[u8]| number(cell, decimal.byte());
+        let with_number = |cell| (cell, number(cell, decimal.byte()));
         let mut rows: Vec<Cells<'_>> = all
             .iter()
             .enumerate()
             .filter(|(_, line)| !is_comment(line))
-            .map(|(index, line)| (index, cells(line, delimiter)))
+            .map(|(index, line)| (index, cells(line, delimiter).into_iter().map(with_number).collect()))
             .collect();
         // Titles stand above: the later half tells what a row is.
         let later = &rows[rows.len() / 2..];
@@ -121,35 +130,38 @@ impl Table {
         let count = kinds.iter().rposition(is_there)? + 1;
         let are_all_odd = !kinds.iter().any(|kind| kind.has_values());
         kinds.truncate(count);
-        let behind = |row: &&&Cells<'_>| row.1[count..].iter().any(|cell| !cell.is_empty());
+        let behind = |row: &&&Cells<'_>| row.1[count..].iter().any(|(cell, _)| !cell.is_empty());
         let text_behind = shaped.iter().any(|row| behind(&row));
         // Delimiters at the end of a line begin no columns.
-        for (index, cells) in &mut rows {
-            *cells = cells_up_to(all[*index], delimiter, count);
+        for (_, cells) in &mut rows {
+            end_at(cells, count, |(cell, _)| cell.is_empty());
         }
         let with_values = |kind: Kind| kind.has_values() || kind == Kind::Odd && are_all_odd;
-        let is_value = |column: usize, cell: &[u8]| match kinds[column] {
-            Kind::Odd => number(cell).is_some() || oddity(cell).is_some(),
-            Kind::Complex => complex(cell, decimal.byte()).is_some() || number(cell).is_some(),
-            _ => number(cell).is_some(),
+        let is_value = |column: usize, (cell, number): Cell<'_>| {
+            number.is_some()
+                || match kinds[column] {
+                    Kind::Odd => oddity(cell).is_some(),
+                    Kind::Complex => complex(cell, decimal.byte()).is_some(),
+                    _ => false,
+                }
         };
-        let is_there = |column: usize, cell: &[u8]| match kinds[column] {
+        let is_there = |column: usize, (cell, number): Cell<'_>| match kinds[column] {
             Kind::Odd => oddity(cell).is_some(),
             Kind::Complex => complex(cell, decimal.byte()).is_some(),
-            _ => number(cell).is_some_and(f64::is_finite),
+            _ => number.is_some_and(f64::is_finite),
         };
-        let is_data = |cells: &[&[u8]]| {
+        let is_data = |cells: &[Cell<'_>]| {
             let mut values = (0..count).filter(|&column| with_values(kinds[column]));
             cells.len() >= count
                 && values.clone().all(|column| is_value(column, cells[column]))
                 && values.any(|column| is_there(column, cells[column]))
-                && (cells.len() == count || text_behind || is_remark(cells[count], delimiter, decimal.byte()))
+                && (cells.len() == count || text_behind || is_remark(cells[count].0, delimiter, decimal.byte()))
         };
         let mut first = rows.iter().position(|row| is_data(&row.1))?;
         // Bare wavelengths of bands are names of columns.
-        let values = |cells: &[&[u8]]| -> Vec<f64> {
+        let values = |cells: &[Cell<'_>]| -> Vec<f64> {
             let numbers = (0..count).filter(|&column| kinds[column].is_numeric());
-            numbers.filter_map(|column| number(cells[column])).collect()
+            numbers.filter_map(|column| cells[column].1).collect()
         };
         if are_bands(&values(&rows[first].1))
             && let Some(next) = rows[first + 1..].iter().position(|row| is_data(&row.1))
@@ -163,7 +175,7 @@ impl Table {
         if fits < 0.5 {
             return None;
         }
-        let value = |cell: &&[u8]| number(cell).unwrap_or(f64::NAN);
+        let value = |&(_, number): &Cell<'_>| number.unwrap_or(f64::NAN);
         let sample = data.iter().map(|row| row.1[..count].iter().map(value).collect());
         let header_lines = rows[first].0;
         let cells_of_head = rows[..first].last().and_then(|(index, cells)| {
@@ -248,23 +260,23 @@ impl Table {
 }
 
 /// What nearly all of the cells of a column are.
-fn kind_of<'a>(cells: impl Iterator<Item = &'a [u8]> + Clone, decimal: DecimalMark) -> Kind {
+fn kind_of<'a>(cells: impl Iterator<Item = Cell<'a>> + Clone, decimal: DecimalMark) -> Kind {
     let decimal = decimal.byte();
     let all = cells.clone().count();
     let most = |count: usize| count > 0 && 10 * count >= 9 * all;
-    let numbers = || cells.clone().filter_map(|cell| number(cell, decimal));
-    if most(numbers().count()) && numbers().any(f64::is_finite) {
-        let posts = cells.filter(|cell| is_chainage(cell, decimal)).count();
+    let mut values = cells.clone().filter_map(|(_, number)| number);
+    let numbers = values.clone().count();
+    if most(numbers) && values.any(f64::is_finite) {
+        let posts = cells.filter(|(cell, _)| is_chainage(cell, decimal)).count();
         return if 2 * posts > all { Kind::Chainage } else { Kind::Number };
     }
-    let count = |is: &dyn Fn(&[u8]) -> bool| cells.clone().filter(|cell| is(cell)).count();
-    let numbers = numbers().count();
     if numbers == all {
         return Kind::Empty;
     }
-    let is_odd = |cell: &[u8]| number(cell, decimal).is_none() && oddity(cell).is_some();
-    match count(&is_odd) {
-        _ if most(count(&|cell| complex(cell, decimal).is_some())) => Kind::Complex,
+    let odd = cells.clone().filter(|(cell, number)| number.is_none() && oddity(cell).is_some()).count();
+    let pairs = cells.filter(|(cell, _)| complex(cell, decimal).is_some()).count();
+    match odd {
+        _ if most(pairs) => Kind::Complex,
         odd if odd > 0 && most(odd + numbers) => Kind::Odd,
         _ => Kind::Text,
     }
@@ -273,9 +285,9 @@ fn kind_of<'a>(cells: impl Iterator<Item = &'a [u8]> + Clone, decimal: DecimalMa
 /// Whether several rows are of numbers with the other decimal mark; one may be a title.
 fn has_other_mark(rows: &[Cells<'_>], kinds: &[Kind], decimal: DecimalMark) -> bool {
     let other = decimal.other().byte();
-    let is_row = |cells: &[&[u8]]| {
+    let is_row = |cells: &[Cell<'_>]| {
         cells.len() == kinds.len()
-            && kinds.iter().zip(cells).all(|(kind, cell)| !kind.is_numeric() || number(cell, other).is_some())
+            && kinds.iter().zip(cells).all(|(kind, (cell, _))| !kind.is_numeric() || number(cell, other).is_some())
     };
     rows.iter().filter(|row| is_row(&row.1)).count() > 1
 }

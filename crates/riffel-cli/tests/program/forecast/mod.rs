@@ -203,6 +203,7 @@ fn growth_faster_than_ever_reported_is_remarked() {
     assert!(outcome.text.contains("traction_share` is 1.5, but must be between 0 and 1"), "{}", outcome.text);
 }
 
+// Long: starts the program for every wrong argument.
 #[test]
 fn bad_input_is_answered_with_a_sentence() {
     let sandbox = sandbox();

@@ -253,9 +253,9 @@ fn bad_tables() {
 }
 
 #[test]
-fn a_million_lines_are_no_frequency_response() {
+fn too_many_lines_are_no_frequency_response() {
     let mut text = "frequency_hz,re,im\n".to_owned();
-    for line in 1..=1_000_000 {
+    for line in 1..=200_001 {
         text.push_str(&format!("{line},1e-9,-1e-9\n"));
     }
     let error = read_with("rail.csv", text, CARTESIAN).err().expect("too long");
