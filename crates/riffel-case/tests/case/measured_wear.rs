@@ -75,6 +75,7 @@ fn a_measured_wear_makes_the_coefficient() {
 }
 
 /// Under a traffic the mean over its axles wears as measured; a variant keeps the coefficient of the case as it is.
+// Long: puts four traffics on a line.
 #[test]
 fn a_traffic_wears_as_measured() {
     let (measured, plain) = (case(METRO_CASE, &[MEASURED]), case(METRO_CASE, &[]));

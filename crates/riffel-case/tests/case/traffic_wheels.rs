@@ -26,6 +26,7 @@ fn refusal(case: &Case, vehicle: &str) -> String {
 }
 
 /// Growth and wear of a bogie are the means of its wheelsets, each asked for by its keys, at each speed on its own equilibrium.
+// Long: finds the equilibrium of a bogie for every wheelset and speed by itself.
 #[test]
 fn all_wheels_are_the_mean_of_separate_runs() -> Result<(), CaseError> {
     let speeds = [(40.0 / 3.6, 0.25), (50.0 / 3.6, 0.75)];
@@ -125,6 +126,7 @@ fn a_speed_between_two_with_an_equilibrium_is_bridged() {
 
 /// Between the speeds at which the bogie is balanced rates are interpolated: to 2 % of the largest beside balancing it at every
 /// twentieth of a standard deviation. Cause: second order in two standard deviations of the tails.
+// Long: balances the bogie at 161 speeds, the side that is held against the interpolation.
 #[test]
 fn speeds_of_a_distribution_take_the_states_between() -> Result<(), CaseError> {
     let normal = on(&curve(&[]), "curve = true\nspeed = { mean = 12.5, standard_deviation = 1 }")?;
@@ -248,6 +250,7 @@ fn places_across_the_rail_thin_the_wear() -> Result<(), CaseError> {
 
 /// On a measured line counts what covers it: each wheel where its profiles touch, with half the width of its band, and a share of it
 /// where contacts scatter.
+// Long: finds the equilibrium of a bogie for a dozen traffics.
 #[test]
 fn a_measured_line_has_the_wheels_that_run_on_it() -> Result<(), CaseError> {
     let band = 2e-3;
@@ -421,6 +424,7 @@ fn a_key_of_the_case_is_said_once() {
 }
 
 /// What has no effect on a vehicle, and what only the curve of a vehicle says, is refused with its key and the rule.
+// Long: reads two dozen vehicles onto a bogie in its curve.
 #[test]
 fn keys_of_a_vehicle_have_an_effect() {
     let without = "is without effect";
