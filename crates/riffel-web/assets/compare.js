@@ -169,7 +169,10 @@ export function startCompare({ state, traffic, listen, complain, setVariants, re
     const all = entries();
     const there = state.variants.length > 0 && all.every(({ key }) => known.has(key));
     const hidden = !state.variants.length || (!there && tablePanel.hidden);
+    const appears = curvesPanel.hidden && !hidden;
     for (const panel of [...panels.map(({ panel: one }) => one), curvesPanel, tablePanel, report]) panel.hidden = hidden;
+    // Curves may be answered before the maps.
+    if (appears) showCurves();
     if (!there) return;
     pair = pair.map((at) => (at === null || at < state.variants.length ? at : 0));
     const place = (at) => (at === null ? all.length - 1 : at);

@@ -250,7 +250,7 @@ fn places_across_the_rail_thin_the_wear() -> Result<(), CaseError> {
 
 /// On a measured line counts what covers it: each wheel where its profiles touch, with half the width of its band, and a share of it
 /// where contacts scatter.
-// Long: finds the equilibrium of a bogie for a dozen traffics.
+// Long: finds the equilibrium of a bogie for every line, share and wheelset.
 #[test]
 fn a_measured_line_has_the_wheels_that_run_on_it() -> Result<(), CaseError> {
     let band = 2e-3;
@@ -424,7 +424,7 @@ fn a_key_of_the_case_is_said_once() {
 }
 
 /// What has no effect on a vehicle, and what only the curve of a vehicle says, is refused with its key and the rule.
-// Long: reads two dozen vehicles onto a bogie in its curve.
+// Long: reads vehicles with a dozen wrong keys, each onto a bogie in its curve.
 #[test]
 fn keys_of_a_vehicle_have_an_effect() {
     let without = "is without effect";
